@@ -40,6 +40,13 @@ bool same_file(const model::Volume& a, const model::Volume& b) {
   return !a.shape && !b.shape && a.mesh == b.mesh && a.scale == b.scale && a.closed == b.closed;
 }
 
+// The vertices of a moving mesh are written at every output: so many are enough for a picture, and take 120
+// kB.
+constexpr int kDrawnVertices = 10000;
+bool drawn_coarser(const model::Case& c, size_t volume, size_t vertices) {
+  return c.output.xdmf && c.body_index(c.volumes[volume].body) >= 0 && vertices > kDrawnVertices;
+}
+
 // Reads, checks and builds the meshes of a case, each file once.
 class Meshes {
  public:
@@ -72,6 +79,10 @@ class Meshes {
       l.report += fmt::format(" {} facets are curved, by up to {:.3g} m; {} edges are sharp.",
                               surface->curved(), surface->bulge(), surface->sharp_edges());
     }
+    if (drawn_coarser(c_, i, surface->mesh().vertices.size()))
+      l.report +=
+          fmt::format(" ParaView is shown {} of its {} vertices or fewer, as it moves; contact has all.",
+                      kDrawnVertices, surface->mesh().vertices.size());
     if (v.sign == SignTest::tetrahedra || v.sign == SignTest::ray || v.sign == SignTest::solid_angle)
       l.notes.push_back(
           fmt::format("the inside test visits all {} triangles at every query; `sign: automatic` is faster",
@@ -229,6 +240,11 @@ std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vecto
                    m.triangles,
                    {volumes[i].active.begin(), volumes[i].active.end()},
                    volumes[i].facets});
+    io::VolumeMesh& v = out.back();
+    if (!drawn_coarser(c, i, v.vertices.size())) continue;
+    v.coarse = coarse_mesh(v.vertices, v.triangles, kDrawnVertices);
+    if (!v.active.empty())
+      for (const int t : v.coarse.from) v.coarse_active.push_back(v.active[t]);
   }
   return out;
 }

@@ -59,14 +59,15 @@ struct ResultsFile::Impl {
   std::vector<double> step_times;          // of the rows of the series that wait for the next output
   std::vector<std::vector<double>> steps;  // by series, this rank's
   std::vector<char> mine;
-  std::vector<size_t> columns;   // by series
-  std::vector<DrawnMesh> drawn;  // by volume
+  std::vector<size_t> columns;  // by series
 
   Impl(MPI_Comm comm, const std::string& path, ResultContents contents, std::vector<int> owned);
   ~Impl() {
     if (xdmf_behind && root()) file.attempt([&] { xdmf->save(xdmf_path); });
   }
   bool root() const { return file.rank() == 0; }
+  // At every output, for ParaView alone; what does not move is drawn once.
+  bool drawn(const VolumeMesh& v) const { return v.moves() && contents.xdmf; }
 
   // Rank 0 makes the file anew, everybody opens it.
   void build(const ResultRoom& wanted, const std::string& from, const ResultLast* last = nullptr) {
@@ -188,12 +189,13 @@ struct ResultsFile::Impl {
       waiting.rotation.insert(waiting.rotation.end(),
                               {p.rotation.w(), p.rotation.x(), p.rotation.y(), p.rotation.z()});
     }
-    waiting.moved.resize(drawn.size());
-    for (size_t i = 0; i < drawn.size(); ++i) {
-      if (!drawn[i].moves || !root()) continue;
-      const BodyPose& pose = poses[contents.volumes[i].body];
+    waiting.moved.resize(contents.volumes.size());
+    for (size_t i = 0; i < contents.volumes.size(); ++i) {
+      const VolumeMesh& mesh = contents.volumes[i];
+      if (!drawn(mesh) || !root()) continue;
+      const BodyPose& pose = poses[mesh.body];
       const Mat3 turn = pose.rotation.toRotationMatrix();
-      for (const auto& v : drawn[i].vertices) {
+      for (const Vec3& v : mesh.drawn_vertices()) {
         const Eigen::Vector3f x = (pose.position + turn * v).cast<float>();
         waiting.moved[i].insert(waiting.moved[i].end(), {x.x(), x.y(), x.z()});
       }
@@ -230,7 +232,7 @@ struct ResultsFile::Impl {
     file.write_rows("bodies/rotation", H5T_NATIVE_DOUBLE, row, n, root(), w.rotation.data());
     const auto places = volume_places(contents);
     for (size_t i = 0; i < places.size(); ++i)
-      if (drawn[i].moves)
+      if (drawn(contents.volumes[i]))
         file.write_rows(places[i] + "/moved", H5T_NATIVE_FLOAT, row, n, root(), w.moved[i].data());
     if (contents.clashes) write_clashes(row, w.clashes, rows);
     commit({row + n, count.steps + rows_of_steps});
@@ -291,12 +293,6 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents w
     size_t n = 0;
     for (const auto& col : s.columns) n += static_cast<size_t>(col.components);
     columns.push_back(n);
-  }
-  // Only the first rank draws, for ParaView alone, and what does not move is drawn once.
-  for (const auto& v : contents.volumes) {
-    drawn.emplace_back();
-    if ((drawn.back().moves = v.body >= 0 && contents.xdmf) && root())
-      drawn.back() = drawn_mesh(v, contents.moving_vertices);
   }
 }
 

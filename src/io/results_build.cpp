@@ -41,6 +41,10 @@ void write_triangles(hid_t file, const std::string& name, std::span<const std::a
   write_all(file, name, H5T_STD_I32LE, {t.size(), 3}, t.data(), H5T_NATIVE_INT);
 }
 
+void write_active(hid_t file, const std::string& name, const std::vector<char>& active) {
+  write_all(file, name, H5T_STD_I8LE, {active.size()}, active.data(), H5T_NATIVE_CHAR);
+}
+
 void write_waves(hid_t file, const ResultWaves& w) {
   if (w.components.empty()) return;
   h5::group(file, "waves");
@@ -105,9 +109,10 @@ void write_description(hid_t file, const ResultContents& c) {
     write_all(file, place + "/vertices", H5T_IEEE_F64LE, {v.vertices.size(), 3},
               v.vertices.empty() ? nullptr : v.vertices[0].data(), H5T_NATIVE_DOUBLE);
     write_triangles(file, place + "/triangles", v.triangles);
-    write_all(file, place + "/active", H5T_STD_I8LE, {v.active.size()}, v.active.data(), H5T_NATIVE_CHAR);
-    const DrawnMesh drawn = drawn_mesh(v, c.moving_vertices);
-    if (drawn.boxed) write_triangles(file, place + "/box_triangles", drawn.triangles);
+    write_active(file, place + "/active", v.active);
+    if (!v.coarsened()) continue;
+    write_triangles(file, place + "/drawn_triangles", v.drawn_triangles());
+    write_active(file, place + "/drawn_active", v.coarse_active);
   }
 }
 
@@ -327,25 +332,6 @@ h5::Id result_count_type() {
   return type;
 }
 
-DrawnMesh drawn_mesh(const VolumeMesh& v, int limit) {
-  DrawnMesh d;
-  d.moves = v.body >= 0;
-  d.boxed = d.moves && v.vertices.size() > static_cast<size_t>(limit);
-  if (!d.boxed) {
-    d.vertices.assign(v.vertices.begin(), v.vertices.end());
-    d.triangles.assign(v.triangles.begin(), v.triangles.end());
-    return d;
-  }
-  Vec3 low = v.vertices[0], high = low;
-  for (const auto& p : v.vertices) low = low.cwiseMin(p), high = high.cwiseMax(p);
-  for (int k = 0; k < 8; ++k)
-    d.vertices.emplace_back(k & 1 ? high.x() : low.x(), k & 2 ? high.y() : low.y(),
-                            k & 4 ? high.z() : low.z());
-  d.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  return d;
-}
-
 std::vector<RowSet> row_sets(const ResultContents& c) {
   const auto nodes = static_cast<hsize_t>(c.nodes_total());
   std::vector<RowSet> sets;
@@ -374,9 +360,10 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
       {"bodies/rotation", RowsBy::output, H5T_IEEE_F64LE, {c.bodies.size(), 4}, "quaternion w x y z"});
   const auto volumes = volume_places(c);
   for (size_t i = 0; i < volumes.size(); ++i) {
-    const DrawnMesh d = drawn_mesh(c.volumes[i], c.moving_vertices);
-    if (d.moves && c.xdmf)
-      sets.push_back({volumes[i] + "/moved", RowsBy::output, H5T_IEEE_F32LE, {d.vertices.size(), 3}, "m"});
+    const VolumeMesh& v = c.volumes[i];
+    if (v.moves() && c.xdmf)
+      sets.push_back(
+          {volumes[i] + "/moved", RowsBy::output, H5T_IEEE_F32LE, {v.drawn_vertices().size(), 3}, "m"});
   }
   sets.push_back({"series/time", RowsBy::step, H5T_IEEE_F64LE, {}, "s"});
   const auto series = series_places(c);

@@ -164,19 +164,18 @@ void XdmfWriter::add_volumes(std::string& text) const {
   const auto places = volume_places(*contents_);
   for (size_t i = 0; i < places.size(); ++i) {
     const auto& v = contents_->volumes[i];
-    const DrawnMesh d = drawn_mesh(v, contents_->moving_vertices);
-    const long long nv = std::ssize(d.vertices), nt = std::ssize(d.triangles);
-    const Slab triangles{
-        places[i] + (d.boxed ? "/box_triangles" : "/triangles"), kInt, {0, 0}, {nt, 3}, {nt, 3}};
-    const Slab points = d.moves ? Slab{places[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, true}
-                                : Slab{places[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
+    const long long nv = std::ssize(v.drawn_vertices()), nt = std::ssize(v.drawn_triangles());
+    const std::string mesh = places[i] + (v.coarsened() ? "/drawn_" : "/");
+    const Slab triangles{mesh + "triangles", kInt, {0, 0}, {nt, 3}, {nt, 3}};
+    const Slab points = v.moves() ? Slab{places[i] + "/moved", kFloat, {0, 0}, {nv, 3}, {nv, 3}, true}
+                                  : Slab{places[i] + "/vertices", kDouble, {0, 0}, {nv, 3}, {nv, 3}};
     text += "<Grid Name=\"" + xml_text(v.name) + "\" GridType=\"Uniform\">\n" +
             "<Topology TopologyType=\"Triangle\" NumberOfElements=\"" + std::to_string(nt) + "\">" +
             item(h5_name_, triangles) + "</Topology>\n<Geometry GeometryType=\"XYZ\">" +
             item(h5_name_, points) + "</Geometry>\n";
-    if (!d.boxed && v.active.size() == v.triangles.size())
-      text += attribute("active", "Scalar", "Cell",
-                        item(h5_name_, {places[i] + "/active", kChar, {0}, {nt}, {nt}}));
+    if (!v.active.empty())
+      text +=
+          attribute("active", "Scalar", "Cell", item(h5_name_, {mesh + "active", kChar, {0}, {nt}, {nt}}));
     text += "</Grid>\n";
   }
 }

@@ -41,7 +41,8 @@ ResultContents contents(int lines, int nodes) {
   c.volumes = {{"drum & flange", 0, corners, one, {1}, {}},
                {"drum / flange", 0, many, two, {1, 0}, {}},
                {"deck", -1, corners, one, {}, {}}};
-  c.moving_vertices = 20;
+  c.volumes[1].coarse = {{Vec3(1, 2, 3), Vec3(2, 2, 3), Vec3(1, 3, 3)}, {{0, 1, 2}}, {1}};
+  c.volumes[1].coarse_active = {0};
   c.expected_outputs = 4;
   c.expected_steps = 4;
   return c;
@@ -215,9 +216,9 @@ TEST(ResultsXdmf, PointsAtWhatIsThere) {
       }
       const std::string xml = text_of(temporary("xdmf.xdmf"));
       expect_well_formed(xml);
-      // Of each output: a line has topology, 3 fields, arc length, line number; the drum and its boxed
-      // neighbour 3 + 2, the deck 2.
-      const int each = 6 * (lines == 3 ? 3 : 1) + 7;
+      // Of each output: a line has topology, 3 fields, arc length, line number; the drum and its
+      // neighbour that is drawn coarser 3 each, the deck 2.
+      const int each = 6 * (lines == 3 ? 3 : 1) + 8;
       const int n = check_references(testing::TempDir(), xml);
       EXPECT_EQ(n, written * each);
       EXPECT_GT(written, finish ? 5 : 0);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/geometry/coarse_mesh.hpp"
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/clash_rows.hpp"
 #include "hawser/math/types.hpp"
@@ -56,6 +57,17 @@ struct VolumeMesh {
   std::span<const std::array<int, 3>> triangles;
   std::vector<char> active;          // one a triangle: takes part in contact
   std::shared_ptr<const void> keep;  // what vertices and triangles lie in, if it must be kept
+  // What ParaView is shown instead, with the `active` of its triangles; empty: the mesh itself. XDMF cannot
+  // say that a mesh is turned and shifted, so the vertices of one that moves are written at every output.
+  CoarseMesh coarse{};
+  std::vector<char> coarse_active{};
+
+  bool moves() const { return body >= 0; }
+  bool coarsened() const { return !coarse.vertices.empty(); }
+  std::span<const Vec3> drawn_vertices() const { return coarsened() ? coarse.vertices : vertices; }
+  std::span<const std::array<int, 3>> drawn_triangles() const {
+    return coarsened() ? coarse.triangles : triangles;
+  }
 };
 
 // The sea as the run has it, for pictures: rows of amplitude m, omega rad/s, number 1/m, x, y of the
@@ -84,7 +96,6 @@ struct ResultContents {
   bool single_precision = false;  // of `fields` and `end_fields`
   int expected_outputs = 100;     // room made at once; it doubles when it runs out
   int expected_steps = 1000;      // likewise, rows of the series
-  int moving_vertices = 100000;   // a moving mesh with more is drawn as its box
 
   int free_bodies = 0;  // bodies that have a node in checkpoints, after those of the lines
 

@@ -51,14 +51,6 @@ std::string statistics_place(const ResultField& field);
 std::vector<std::string> volume_places(const ResultContents& contents);
 std::vector<std::string> series_places(const ResultContents& contents);
 
-// What is drawn of a volume: its mesh, or its box when it moves and is too large to store every time.
-struct DrawnMesh {
-  std::vector<Vec3> vertices;  // body frame
-  std::vector<std::array<int, 3>> triangles;
-  bool moves = false, boxed = false;
-};
-DrawnMesh drawn_mesh(const VolumeMesh& volume, int limit);
-
 // Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes` and newest checkpoint
 // are taken over, or empty; one at `path` is then kept (keep_results). Serial. Throws InputError when `from`
 // does not hold the same things, std::runtime_error when the disk fails; the file at `path` is then as it
