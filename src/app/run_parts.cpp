@@ -1,4 +1,5 @@
-// What runs and modes have in common: statics with its notes, poses of bodies, what results keep of a run.
+// What `hawser run` and `hawser modes` have in common: statics with its notes, poses of bodies, what results
+// keep of a run.
 #include "hawser/app/run_parts.hpp"
 
 #include <fmt/chrono.h>

@@ -1,3 +1,4 @@
+// Vertex clustering: cells of an even grid, and where the vertex of each goes.
 #include "hawser/geometry/coarse_mesh.hpp"
 
 #include <Eigen/Eigenvalues>

@@ -1,5 +1,5 @@
 // What is more than copying in an entry of `lines`: elements of sections, loads, the shape it starts from,
-// and what goes by its length.
+// and what goes by its length. All other keys are copied by model/take.cpp, as model/schema_lines.cpp says.
 #include <fmt/format.h>
 
 #include <algorithm>

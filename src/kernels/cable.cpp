@@ -1,6 +1,7 @@
-// The cable element: pointwise tension with its tangent, and the energy-conserving mean tension over a step
-// with damping, numerical filter and changes between taut and slack. `cable_pull` is the force at a state
-// (statics, output), `cable_mean` that over a time step.
+// The cable element: tension at one instant with its tangent, and the energy-conserving mean tension over a
+// step with damping, numerical damping of axial vibrations that are too fast for the step, and changes
+// between taut and slack. `cable_pull` is the force at a state (statics, output), `cable_mean` that over a
+// time step.
 #include "hawser/kernels/cable.hpp"
 
 #include <algorithm>

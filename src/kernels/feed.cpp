@@ -1,5 +1,6 @@
-// The implicit speed law of a winch or tensioner: a scalar equation that grows with its unknown, by Newton's
-// method between bounds. Which law an end has, and how it acts on the line: terms/feeders.cpp.
+// The implicit speed law of a winch or tensioner: a scalar equation whose left side grows with its unknown,
+// solved by Newton's method between bounds. Which law an end has, and how it acts on the line:
+// terms/feeders.cpp.
 #include "hawser/kernels/feed.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// The part of LinePairPass that sums forces and couples over the Gauss points, with their exact tangent; the
-// law at a pair of points is in line_pair_law.cpp.
+// The part of LinePairPass that sums forces and couples over the Gauss points, with their exact tangent. A
+// pass integrates along one line and looks for the nearest points on the other; the second pass does so with
+// the lines exchanged. The law at a pair of points is in line_pair_law.cpp.
 #include <cmath>
 
 #include "hawser/math/so3.hpp"

@@ -1,5 +1,5 @@
-// Normal force, friction and friction couple at one pair of points of two lines, from trial slip to return,
-// with derivatives by automatic differentiation.
+// Normal force, friction and friction couple at one pair of points of two lines, with the return of the
+// trial slip to the friction limit; derivatives by automatic differentiation.
 #include "hawser/kernels/line_pair_law.hpp"
 
 #include <unsupported/Eigen/AutoDiff>

@@ -1,7 +1,8 @@
 // Buoyancy, Morison drag and added mass at the Gauss points of an element with all derivatives, in
-// generalised coordinates: (x1, x2) of a cable, (x1, L t1, x2, L t2) of a beam. The formula is evaluate(),
-// which submerged_cables.cpp has a second time for four cables at once, wholly under water: change both (a
-// test compares them). Internal to the kernel.
+// generalised coordinates: (x1, x2) of a cable, (x1, L t1, x2, L t2) of a beam, with positions x of its
+// nodes, unit tangents t there and its unstretched length L. The formula is evaluate(), which
+// submerged_cables.cpp has a second time for four cables at once, wholly under water: change both (a test
+// compares them). Internal to the kernel.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Trial slip and friction of a point of a line against a volume or the seabed for any scalars, so that the
-// derivatives by the point and those along the line come from the same lines.
+// derivatives by the point and those along the line come from the same source. The law: friction_law.hpp.
 #pragma once
 
 #include "hawser/kernels/volume_contact.hpp"

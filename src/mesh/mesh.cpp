@@ -1,5 +1,5 @@
-// From the case to nodes and elements: graded element lengths, joints, ends tied to floating bodies, nodes
-// where tension may jump, and bodies that ride on lines.
+// From the case to nodes and elements: elements of the lengths of model/line_nodes.cpp, joints, ends tied to
+// floating bodies, nodes where tension may jump, and bodies that ride on lines.
 #include "hawser/mesh/mesh.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hawser/model/case.hpp"
+#include "hawser/model/line_nodes.hpp"
 
 namespace hawser {
 namespace {
@@ -85,6 +86,7 @@ void mark_two_sided(const model::Case& c, Mesh& m) {
 
 Mesh build_mesh(const model::Case& c) {
   Mesh m;
+  const auto places = model::fixed_places(c);
   for (size_t i = 0; i < c.lines.size(); ++i) {
     const auto& line = c.lines[i];
     LineSpan span;
@@ -92,13 +94,15 @@ Mesh build_mesh(const model::Case& c) {
     span.first_element = static_cast<int>(m.elements.size());
     const int number = static_cast<int>(i);
     m.nodes.push_back({number, 0, 0, false});
-    for (const auto& section : line.sections) {
+    const auto lengths = model::element_lengths(line, places[i]);
+    for (size_t s = 0; s < lengths.size(); ++s) {
+      const model::Section& section = line.sections[s];
       int type = 0;
       while (c.line_types[type].name != section.type) ++type;
       const bool beam = c.line_types[type].kind == model::LineKind::beam;
       const double start = m.nodes.back().arc;
       double along = 0;
-      for (double l : model::element_lengths(section)) {
+      for (const double l : lengths[s]) {
         along += l;
         const int a = static_cast<int>(m.nodes.size()) - 1;
         m.nodes.push_back({number, start + along, 0, false});

@@ -1,4 +1,4 @@
-// What the case can say beyond its plain data: elements of a section, thermal strain of a line, inertia
+// What the case can say beyond its plain data: thermal strain of a line, inertia
 // tensor of a body, who takes part in contact, and finding line types, joints, bodies and lines by name.
 #include "hawser/model/case.hpp"
 
@@ -18,16 +18,6 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 }
 
 }  // namespace
-
-std::vector<double> element_lengths(const Section& s) {
-  std::vector<double> l(static_cast<std::size_t>(s.elements), s.length / s.elements);
-  if (s.elements < 2 || s.grading == 1) return l;
-  const double q = std::pow(s.grading, 1.0 / (s.elements - 1));
-  double sum = 0;
-  for (std::size_t i = 0; i < l.size(); ++i) sum += l[i] = std::pow(q, static_cast<double>(i));
-  for (double& x : l) x *= s.length / sum;
-  return l;
-}
 
 double mean_temperature_change(const Line& line, double from, double to) {
   const auto& rows = line.temperature_change;

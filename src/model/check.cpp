@@ -15,6 +15,7 @@ namespace hawser::model {
 namespace {
 
 constexpr double kMostElements = 1e6;  // of a case; each takes 5 to 10 KB in a run
+constexpr double kMostSteps = 1e9;     // of a run: a day or more; likewise outputs
 
 void check_whole(const Case& c, const Issues& issue) {
   double elements = 0;
@@ -35,6 +36,13 @@ void check_whole(const Case& c, const Issues& issue) {
     over(d.min_step, "min_step", d.max_step, "max_step");
     over(d.min_step, "min_step", d.step, "step");
     over(d.step, "step", d.max_step, "max_step");
+    const auto many = [&](double each, const char* key, const char* what) {
+      if (each > 0 && d.duration > kMostSteps * each)
+        issue(key, "{:g} s make {:.3g} {} of a run of {:g} s; the limit is {:.3g}", each, d.duration / each,
+              what, d.duration, kMostSteps);
+    };
+    many(d.step, "dynamics.step", "steps"), many(d.max_step, "dynamics.max_step", "steps");
+    many(c.output.every, "output.every", "outputs");
   }
   // A spline knows nothing beyond its rows, and going on with its last slope would be a guess.
   const auto covers = [&](const TableMotion& t, const std::string& key) {

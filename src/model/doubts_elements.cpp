@@ -1,5 +1,6 @@
 // What the elements of a line make of its parts: what is fixed to a node that is not where the case has it,
-// masses that only the elements beside them hold up on the bed, and bend stiffeners too short for them.
+// since no other is left; masses that only the elements beside them hold up on the bed, and bend stiffeners
+// too short for them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 
 #include "hawser/model/check.hpp"
 #include "hawser/model/doubts.hpp"
+#include "hawser/model/line_nodes.hpp"
 
 namespace hawser::model {
 namespace {
@@ -18,10 +20,10 @@ constexpr double kRound = 1e-6;  // of a number of elements
 
 // Where the elements of a line begin and end, m from end A.
 using Arcs = std::vector<double>;
-Arcs node_arcs(const Line& line) {
+Arcs node_arcs(const Line& line, const std::vector<double>& places) {
   Arcs arcs = {0};
-  for (const Section& s : line.sections)
-    for (const double l : element_lengths(s)) arcs.push_back(arcs.back() + l);
+  for (const auto& section : element_lengths(line, places))
+    for (const double l : section) arcs.push_back(arcs.back() + l);
   return arcs;
 }
 
@@ -96,9 +98,11 @@ void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vec
 }  // namespace
 
 void doubt_elements(const Case& c, std::vector<Doubt>& out) {
-  for (const Line& line : c.lines) {
+  const auto places = fixed_places(c);
+  for (std::size_t l = 0; l < c.lines.size(); ++l) {
+    const Line& line = c.lines[l];
     const std::string key = "lines." + line.name;
-    const Arcs arcs = node_arcs(line);
+    const Arcs arcs = node_arcs(line, places[l]);
     for (const PointMass& m : line.masses) {
       doubt_place(line, arcs, m.at, key + ".masses", out);
       doubt_sinking(c, line, arcs, m, out);
@@ -109,7 +113,7 @@ void doubt_elements(const Case& c, std::vector<Doubt>& out) {
   }
   const auto elsewhere = [&](const std::string& name, double at, const std::string& key) {
     const Line& line = c.line(name);
-    doubt_place(line, node_arcs(line), at, key, out);
+    doubt_place(line, node_arcs(line, places[static_cast<std::size_t>(c.line_index(name))]), at, key, out);
   };
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})

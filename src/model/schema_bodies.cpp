@@ -163,8 +163,8 @@ Key bodies() {
            motion(), floating(),
            map({"on", &Body::on},
                {reference({"line", &Ride::line}, "lines", "the line", required),
-                arc({"at", &Ride::at}, "where on it: the nearest node, between elements that resist bending",
-                    required)},
+                arc({"at", &Ride::at},
+                    "where on it: a node is put there, between elements that resist bending", required)},
                "it rides on a line and turns with it; `position` and `rotation_deg` are then seen from "
                "there, with x along the line")}),
       "Rigid bodies that carry volumes and line ends, by name.", or_else("{}"));

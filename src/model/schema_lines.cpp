@@ -122,7 +122,7 @@ Key start() {
 
 Key masses() {
   return list({"masses", &Line::masses},
-              map("", {arc({"at", &PointMass::at}, "arc length from end A: the nearest node", required),
+              map("", {arc({"at", &PointMass::at}, "arc length from end A, where a node is put", required),
                        number({"mass", &PointMass::mass}, mass, "point mass", above(0), required),
                        number({"volume", &PointMass::volume}, volume,
                               "displaced by it: a buoy or a clump weight, taken for a ball", at_least(0),
@@ -186,7 +186,7 @@ Key loads() {
           {vec3("per_length", force_per_length, "distributed dead load per unstretched length ..."),
            arc("from", "... from this arc length", or_else_note("`end_a`")),
            arc("to", "... to this one", or_else_note("`end_b`")),
-           arc("at", "point load at this arc length: the nearest node"),
+           arc("at", "point load at this arc length, where a node is put"),
            vec3("force", force, "dead force of a point load"),
            vec3("moment", moment, "dead moment of a point load, axes fixed in space"),
            number("ramp", time, "starts smoothly over this time in dynamics; 0: acts in statics already",

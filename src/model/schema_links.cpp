@@ -8,7 +8,7 @@ Key link_end(Head head) {
   return map(std::move(head),
              {vec3({"anchor", &LinkEnd::at}, length, "fixed at this point in space"),
               reference({"body", &LinkEnd::body}, "bodies", "at a point of this body ..."),
-              reference({"line", &LinkEnd::line}, "lines", "at the nearest node of this line ..."),
+              reference({"line", &LinkEnd::line}, "lines", "at a node of this line ..."),
               one_of("at",
                      {vec3({"", &LinkEnd::at}, length), number({"", &LinkEnd::arc}, length, at_least(0)),
                       word({"", &LinkEnd::arc}, {{"end_a", 0}, {"end_b", kEndB}})},

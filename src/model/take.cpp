@@ -1,4 +1,5 @@
-// A checked value into the fields of the case that its keys are for.
+// Copies checked values of the case file into the structs of model/case.hpp. Which key fills which field is
+// said in schema_*.cpp.
 #include <stdexcept>
 #include <utility>
 

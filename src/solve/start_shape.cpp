@@ -1,5 +1,5 @@
-// Start positions from start_line.hpp for every line, rotations of least twist along it, supports of held and
-// tied ends, and the start of floating bodies.
+// Start positions from start_line.hpp for every line, rotations of least twist along it, what holds and
+// carries the ends of lines from then on (hold_ends, tied ones as well), and the start of floating bodies.
 #include "hawser/solve/start_shape.hpp"
 
 #include <fmt/format.h>

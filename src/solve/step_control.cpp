@@ -1,5 +1,6 @@
 // The class StepControl: how Newton iterations, local error, failures and impacts change the length of the
-// next step, and how the way to an output time is divided.
+// next step; what is left to the next output is divided into equal steps. Whether a step is accepted:
+// step_decision.cpp.
 #include "hawser/solve/step_control.hpp"
 
 #include <algorithm>

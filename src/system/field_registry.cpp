@@ -1,4 +1,5 @@
-// The class FieldRegistry: where a field stands; and what fields are called where people read.
+// The class FieldRegistry: order, lookup and display names of output fields. They are declared in fields()
+// of the force terms, in the words of field.hpp.
 #include "hawser/system/field_registry.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The part of System that grows: ghosts, vectors and matrices for whoever sees whom.
+// Ghost nodes, vectors and matrices of System made anew when other pairs of nodes are coupled.
 #include <petscvec.h>
 
 #include <algorithm>

@@ -1,4 +1,6 @@
-// Where attached points and directions are, and the exact force and tangent of what acts between two of them.
+// Points and directions that are fixed to a node, a body or space: where they are, and the exact force and
+// tangent of what acts between two of them (links, end springs). Ends of lines on bodies:
+// system/supports.hpp.
 #include "hawser/terms/attached.hpp"
 
 #include <algorithm>

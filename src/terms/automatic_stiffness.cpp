@@ -1,7 +1,7 @@
 // Formulas for automatic contact stiffness, of a line on a volume and of lines that cross, and the sentences
-// that tell the user which stiffness was chosen, raised or too low. Applied in
-// contact_volumes_automatic_stiffness.cpp, raised during a run by line_volume_automatic_stiffness.cpp; of
-// pairs of lines chosen in app/line_pairs.cpp.
+// that tell the user which stiffness was chosen, raised or too low. Chosen for volumes at the start in
+// app/simulation.cpp (choose_stiffness), for pairs of lines in app/line_pairs.cpp; raised during a run:
+// line_volume_automatic_stiffness.cpp asks, contact_volumes_automatic_stiffness.cpp raises.
 #include "hawser/terms/automatic_stiffness.hpp"
 
 #include <algorithm>

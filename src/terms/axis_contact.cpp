@@ -1,5 +1,6 @@
-// Forces of contact on an axis and their tangent: place by place, by the ends of panels that move with the
-// unknowns, and by the roll of a beam about its own axis.
+// Forces of contact on an axis and their tangent: the law at the Gauss points of each panel (a part of an
+// interval in contact), what the ends of panels add as they move with the unknowns, and the roll of a beam
+// about its own axis.
 #include "hawser/terms/axis_contact.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The class BuriedTerm: resistance of the soil at each buried node of a line, force and tangent, stored
-// energy and friction work, output field and history.
+// energy and friction work, output field and history. The law of the soil: kernels/buried_soil.hpp.
 #include "hawser/terms/buried.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 // Of an owned node, what its halves of the elements have in the soil.
 std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Case& c,
                                          const std::vector<int>& held) {
-  std::vector<Embedment> soil(static_cast<size_t>(mesh.owned));
+  std::vector<BuriedSoil> soil(static_cast<size_t>(mesh.owned));
   std::vector<double> length(soil.size(), 0);
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.element(e);
@@ -69,7 +69,7 @@ void BuriedTerm::prepare(const Kinematics& committed, double) {
 
 void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Point& p : points_) {
-    const Embedded s = pull(p, trial);
+    const BuriedForce s = pull(p, trial);
     const Vec3 residual = -s.force;
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s.stiffness;
     assembler.add({&p.block, 1}, residual.data(), assembler.wants_tangent() ? K.data() : nullptr, nullptr,
@@ -80,7 +80,7 @@ void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 // What yields in a step is the work of the trapezoid less what the springs keep.
 void BuriedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
-    const Embedded s = pull(p, accepted);
+    const BuriedForce s = pull(p, accepted);
     const Vec3& x = accepted.x[p.node];
     if (accepted.step > 0) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
     p.at = x, p.slip = s.slip, p.force = s.force, p.stored = s.stored;

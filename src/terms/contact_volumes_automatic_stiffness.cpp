@@ -1,5 +1,6 @@
-// The stiffness of volumes: an automatic one is raised until lines are no deeper than they may be. See
-// docs/theory/contact.md, "Stiffness that follows the run".
+// By how much the automatic stiffness of a volume is raised, until lines are no deeper than they may be. How
+// deep they are: line_volume_automatic_stiffness.cpp. See docs/theory/contact.md, "Stiffness that follows
+// the run".
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
-// The part of Hydrodynamics that acts: motion of the water at the nodes, forces on beams and balls, energy
-// and work, wall tension, history; cables in fours are in hydrodynamics_cables.cpp.
+// Forces, tangent, energy and history of Hydrodynamics: motion of the water at the nodes, forces on beams
+// and balls, work, wall tension. The formula: kernels/morison_points.hpp; cables in fours are in
+// hydrodynamics_cables.cpp.
 #include "hawser/terms/hydrodynamics.hpp"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// The part of LinePairs that acts: pairs from the candidate list, forces and tangent, and history, energy and
-// work of an accepted step; the rest is in line_pairs_*.cpp.
+// Forces, tangent, energy and accepted steps of LinePairs, of the pairs in the candidate list. The law of
+// two lines: kernels/line_pair_law.cpp, its sum along them kernels/line_pair_forces.cpp; the rest is in
+// line_pairs_*.cpp.
 #include "hawser/terms/line_pairs.hpp"
 
 #include <algorithm>

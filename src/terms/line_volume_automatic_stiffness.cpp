@@ -1,6 +1,6 @@
-// The stiffness of contact against what lines meet: an automatic one is raised until lines are no deeper than
-// they may be, and one that is too soft for that, and not the program's, is refused. docs/theory/contact.md,
-// "Stiffness that follows the run".
+// How deep each element is pressed into what it meets, and who is asked for a raise of the automatic
+// stiffness: the volume (contact_volumes_automatic_stiffness.cpp). One that is too soft, and not the
+// program's, is refused. See docs/theory/contact.md, "Stiffness that follows the run".
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,6 @@
-// The part of SeabedTerm that acts: gap, normal force, friction and suction at each point, force and tangent,
-// energy, and history of an accepted step; the rest is in seabed_*.cpp.
+// Forces, tangent, energy and accepted steps of SeabedTerm: gap, normal force, friction and suction at each
+// point. The law at a point: kernels/volume_contact.cpp, its friction kernels/friction_law.hpp; the rest is
+// in seabed_*.cpp.
 #include "hawser/terms/seabed.hpp"
 
 #include <algorithm>

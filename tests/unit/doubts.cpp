@@ -279,19 +279,28 @@ TEST(Doubts, PlacesBetweenNodes) {
   const auto line = [](const std::string& more) {
     return Changes{{"elements: 76}]", "elements: 76}]\n    " + more}};
   };
-  expect_doubt(
-      line("masses: [{at: 333.3, mass: 1000, volume: 0.2, Ca: 0.5}]"),
-      "lines.mooring.masses: what is to be at 333.3 m of line mooring is fixed to the nearest node, at "
-      "330 m; shorter elements, or a section that ends at 333.3 m, put a node there");
-  expect_doubt(line("loads: [{at: 4, force: [0, 0, 1]}]"), "lines.mooring.loads[0]: what is to be at 4 m");
-  for (const char* at : {"330", "330.9", "end_b", "0"})
-    EXPECT_EQ(notes(line("masses: [{at: " + std::string(at) + ", mass: 1000, volume: 0.2, Ca: 0.5}]")),
+  const std::string mass = "mass: 1000, volume: 0.2, Ca: 0.5";
+  for (const char* at : {"330", "333.3", "755", "end_b", "0"})
+    EXPECT_EQ(notes(line("masses: [{at: " + std::string(at) + ", " + mass + "}]")),
               std::vector<std::string>{})
         << at;
-  expect_doubt({{"dynamics:",
-                 "links: {k: {end_a: {line: mooring, at: 25}, end_b: {anchor: [0, 0, 0]}, stiffness: 1}}\n"
-                 "dynamics:"}},
-               "links.k: what is to be at 25 m of line mooring is fixed to the nearest node, at 30 m");
+  // Two in the last element have one node.
+  expect_doubt(
+      line("masses: [{at: 752, " + mass + "}, {at: 755, " + mass + "}]"),
+      "lines.mooring.masses: what is to be at 755 m of line mooring is fixed to the nearest node, at "
+      "752 m; shorter elements, or a section that ends at 755 m, put a node there");
+  const auto few = [](const std::string& more) {
+    return Changes{{"length: 760, elements: 76}]",
+                    "length: 380, elements: 38}, {type: chain, length: 380, elements: 1}]" + more}};
+  };
+  expect_doubt(few("\n    loads: [{at: 500, force: [0, 0, 1]}]"),
+               "lines.mooring.loads[0]: what is to be at 500 m of line mooring is fixed to the nearest node");
+  Changes linked = few("");
+  linked.push_back(
+      {"dynamics:",
+       "links: {k: {end_a: {line: mooring, at: 500}, end_b: {anchor: [0, 0, 0]}, stiffness: 1}}\n"
+       "dynamics:"});
+  expect_doubt(linked, "links.k: what is to be at 500 m of line mooring is fixed to the nearest node");
   // At the end of a section there is one.
   EXPECT_EQ(
       notes({{"[{type: chain, length: 760, elements: 76}]",

@@ -173,8 +173,6 @@ struct Section {
   int elements = 0;
   double grading = 1;  // length of the last element over the first
 };
-// Unstretched lengths of its elements from end A on, m: a geometric progression.
-std::vector<double> element_lengths(const Section& s);
 
 enum class EndKind { free, anchor, body, joint };
 

@@ -1,4 +1,5 @@
-// Where the nodes of all lines start: catenaries, straight or given shapes, with rotations along the line.
+// Where the nodes of all lines start (catenaries, straight or given shapes, with rotations along the line),
+// and what holds their ends from then on.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Which nodes see each other beyond the elements: what terms tell before a step, so that ghosts and matrix
-// hold it.
+// Pairs of nodes that something other than an element couples, contact for example. Force terms list them
+// before a step, so that ghost nodes and sparsity pattern have them.
 #pragma once
 
 #include <algorithm>

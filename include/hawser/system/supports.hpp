@@ -1,7 +1,7 @@
-// Ends of lines that have no motion of their own: anchored in space, carried by a body with prescribed
-// motion, or tied to a frame of the state (a body with mass, a rigid joint), with or without rotation.
+// Nodes that do not move by themselves: anchored in space, carried by a body with prescribed motion, or tied
+// to a frame of the state (a body with mass, a rigid joint), with or without rotation.
 // A tied node is x = X + R y, v = V + R (w x y), a = A + D y with the frame's position X, rotation R, rates w
-// and accelerations of the directors D (docs/theory/frames.md).
+// and accelerations D of the directors, the columns of the rotation matrix (docs/theory/frames.md).
 #pragma once
 
 #include <functional>

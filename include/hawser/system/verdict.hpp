@@ -1,5 +1,6 @@
-// What is decided about a converged step, or a trial of statics: the one word that contact, candidates,
-// impacts, local error and Newton's iteration all speak.
+// The result of every check of a converged step, or of a trial of statics: accept, try a shorter one, make
+// the list of candidates anew and try again, or stop. Contact, candidates, impacts, local error and Newton's
+// iteration all give it.
 #pragma once
 
 #include <string>

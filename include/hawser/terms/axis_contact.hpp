@@ -1,6 +1,6 @@
-// Contact of an axis with a surface: the law at each place where they touch, summed into forces on the
-// positions of the axis, with their exact tangent. The axis is an element of a line, an edge of a body or one
-// of its corners. See docs/theory/contact.md.
+// Contact of an axis with a surface: the law at each point where they touch, summed into forces on the
+// control points of the axis, with their exact tangent. The axis is an element of a line, an edge of a body
+// or one of its corners. See docs/theory/contact.md.
 #pragma once
 
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "hawser/kernels/embedment.hpp"
+#include "hawser/kernels/buried_soil.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
@@ -19,7 +19,7 @@ class BuriedTerm final : public ForceTerm {
  public:
   struct Place {
     int node = 0;  // local, owned
-    Embedment soil;
+    BuriedSoil soil;
   };
 
   // Laid as `start` has them.
@@ -41,7 +41,7 @@ class BuriedTerm final : public ForceTerm {
  private:
   struct Point {
     int node = 0, block = 0;
-    Embedment soil;
+    BuriedSoil soil;
     Vec3 tangent = Vec3::UnitX();  // of the line at the start of the step
     // Committed.
     Vec3 at = Vec3::Zero(), slip = Vec3::Zero(), force = Vec3::Zero();  // m, m, N
@@ -53,8 +53,8 @@ class BuriedTerm final : public ForceTerm {
       each("stored", "J", self.stored), each("friction work", "J", self.friction_work);
     }
   };
-  Embedded pull(const Point& p, const Kinematics& at) const {
-    return embedded(p.soil, p.slip + (at.x[p.node] - p.at), p.tangent);
+  BuriedForce pull(const Point& p, const Kinematics& at) const {
+    return buried_force(p.soil, p.slip + (at.x[p.node] - p.at), p.tangent);
   }
 
   const LocalMesh& mesh_;

@@ -1,6 +1,7 @@
-// Floating bodies: rigid, with mass, held by springs where their motion wants them. The equations:
-// kernels/rigid_body.cpp. How ends of lines are tied to one: system/supports.hpp; what acts on them goes to
-// the body in system/assembler.cpp.
+// Floating bodies: rigid, with mass and weight; springs pull them towards the place that their prescribed
+// motion has for them. The equations: kernels/rigid_body.cpp. Ends of lines are tied to one in
+// solve/start_shape.cpp (hold_ends), follow it by system/supports.hpp, and what acts on them goes to the
+// body in system/system.cpp (add_to_frames), its tangent in system/assembler.cpp (add_tied).
 #pragma once
 
 #include <array>

@@ -5,12 +5,12 @@
 
 namespace hawser {
 
-struct Embedment {
+struct BuriedSoil {
   double axial = 0, normal = 0;                // N, resistances
   double axial_length = 0, normal_length = 0;  // m, slip at which they are reached
 };
 
-struct Embedded {
+struct BuriedForce {
   Vec3 force = Vec3::Zero();  // N, on the line
   Vec3 slip = Vec3::Zero();   // m, elastic slip that is left
   double stored = 0;          // J, in the springs
@@ -20,8 +20,8 @@ struct Embedded {
 
 // slip [m]: of the trial; tangent: unit. Along and across are apart: f_a = -k_a s_a, cut at the resistance,
 // and f_n = -k_n s_n in the plane across, cut along its radius.
-inline Embedded embedded(const Embedment& soil, const Vec3& slip, const Vec3& tangent) {
-  Embedded r;
+inline BuriedForce buried_force(const BuriedSoil& soil, const Vec3& slip, const Vec3& tangent) {
+  BuriedForce r;
   const Mat3 along = tangent * tangent.transpose(), across = Mat3::Identity() - along;
   const auto add = [&r](double resistance, double length, const Vec3& part, const Mat3& plane) {
     const double k = resistance / length, s = part.norm();
