@@ -62,7 +62,7 @@ class Size(unittest.TestCase):
         told, said = self.expected(*case)
         self.assertGreater(told, 2e9)
         self.assertRegex(said, "\nnote: (output.every says how often|the disk of .* has .* left)")
-        _, said = self.expected(*case, "--set", "output.every=0.00001")
+        _, said = self.expected(*case, "--set", "output.every=0.00002")
         self.assertIn("left, and a run takes up to twice the size of its results", said)
 
 
