@@ -90,7 +90,8 @@ std::vector<LinePairPass::Panel> LinePairPass::panels() const {
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
   std::vector<Panel> out;
   for (const ContactInterval& s :
-       split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)), levels)) {
+       split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)),
+                       panel_levels(slave_.ends.length, set_.slave_radius))) {
     const Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
     if (part_ == ProjectOn::element)
       split(p, out);
