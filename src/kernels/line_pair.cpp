@@ -31,13 +31,13 @@ PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), end
   }
 }
 
-AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs, bool derivatives) {
-  return AttachedForces(slave.now.count() + master.now.count(), rubs, derivatives);
+AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool rubs, bool derivatives) {
+  return AttachedForces(one.now.count() + other.now.count(), rubs, derivatives);
 }
 
-Stencil stencil_of(const PairAxis& slave, const PairAxis& master) {
+Stencil stencil_of(const PairAxis& one, const PairAxis& other) {
   Stencil s;
-  slave.now.attach(s, 0), master.now.attach(s, 2);
+  one.now.attach(s, 0), other.now.attach(s, 2);
   return s;
 }
 
@@ -47,6 +47,10 @@ LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, Projec
   if (part_ != ProjectOn::element) set_.share *= -0.5;
   wa_ = set_.slave_radius / set_.law.radii;
   wb_ = 1 - wa_;
+  at_slave_ = set_.swapped ? static_cast<size_t>(master.now.count()) : 0;
+  at_master_ = set_.swapped ? 0 : static_cast<size_t>(slave.now.count());
+  turn_slave_ = AttachedForces::kPositions + (set_.swapped ? 2 : 0);
+  turn_master_ = AttachedForces::kPositions + (set_.swapped ? 0 : 2);
 }
 
 // Where the nearest point passes the master's end `eta` between two places of the slave; none: it does not.
