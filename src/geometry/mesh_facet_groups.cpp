@@ -351,6 +351,8 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
   for (Found& f : found)
     for (const FacetGroup::Facet& facet : f.group.facets)
       any_chord(axis, [&](const Vec3& p, const Vec3& q) {
+        const double far = f.at.distance + facet.radius;
+        if (squared_distance_to_chord(facet.centre, p, q) > far * far) return false;  // others are nearer
         const Approach a = approach(facet.triangle, p, q);
         if (a.distance < f.at.distance) f.at = a, f.nearest = facet.triangle;
         return f.at.distance == 0;  // none is nearer

@@ -9,7 +9,7 @@ namespace hawser {
 namespace {
 
 constexpr int kPlaces = 5, kMost = 60;
-constexpr double kRoot = 1e-15;
+constexpr double kRoot = 1e-15, kNewton = 1e-9;  // the error after a step of Newton's is its square
 
 }  // namespace
 
@@ -50,10 +50,11 @@ AxisProjection closest_point_on(const AxisShape& axis, const Vec3& x) {
     const double v = away.dot(y1), slope = y1.squaredNorm() + away.dot(axis.bend(eta));
     (v < 0 ? lo : hi) = eta;
     double next = eta - v / slope;
-    if (!(slope > 0) || !(next > lo && next < hi)) next = 0.5 * (lo + hi);
+    const bool newton = slope > 0 && next > lo && next < hi;
+    if (!newton) next = 0.5 * (lo + hi);
     const double moved = std::abs(next - eta);
     eta = next;
-    if (moved <= kRoot || hi - lo <= kRoot) break;
+    if (moved <= (newton ? kNewton : kRoot) || hi - lo <= kRoot) break;
   }
   AxisProjection f = point_at(axis, eta, x);
   f.inside = true;

@@ -220,11 +220,13 @@ std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>&
   return out;
 }
 
-int contact_levels(double length, double radius) {
-  int levels = 2;
+int panel_levels(double length, double radius) {
+  int levels = 1;
   while (levels < 5 && std::ldexp(length, -levels) > 4 * radius) ++levels;
   return levels;
 }
+
+int contact_levels(double length, double radius) { return std::max(panel_levels(length, radius), 2); }
 
 std::vector<ContactInterval> split_intervals(const std::vector<ContactInterval>& intervals, int levels) {
   std::vector<ContactInterval> panels;

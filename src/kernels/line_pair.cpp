@@ -31,13 +31,13 @@ PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), end
   }
 }
 
-AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs, bool derivatives) {
-  return AttachedForces(slave.now.count() + master.now.count(), rubs, derivatives);
+AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool rubs, bool derivatives) {
+  return AttachedForces(one.now.count() + other.now.count(), rubs, derivatives);
 }
 
-Stencil stencil_of(const PairAxis& slave, const PairAxis& master) {
+Stencil stencil_of(const PairAxis& one, const PairAxis& other) {
   Stencil s;
-  slave.now.attach(s, 0), master.now.attach(s, 2);
+  one.now.attach(s, 0), other.now.attach(s, 2);
   return s;
 }
 
@@ -47,6 +47,10 @@ LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, Projec
   if (part_ != ProjectOn::element) set_.share *= -0.5;
   wa_ = set_.slave_radius / set_.law.radii;
   wb_ = 1 - wa_;
+  at_slave_ = set_.swapped ? static_cast<size_t>(master.now.count()) : 0;
+  at_master_ = set_.swapped ? 0 : static_cast<size_t>(slave.now.count());
+  turn_slave_ = AttachedForces::kPositions + (set_.swapped ? 2 : 0);
+  turn_master_ = AttachedForces::kPositions + (set_.swapped ? 0 : 2);
 }
 
 // Where the nearest point passes the master's end `eta` between two places of the slave; none: it does not.
@@ -90,7 +94,8 @@ std::vector<LinePairPass::Panel> LinePairPass::panels() const {
   const int levels = contact_levels(slave_.ends.length, set_.slave_radius);
   std::vector<Panel> out;
   for (const ContactInterval& s :
-       split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)), levels)) {
+       split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)),
+                       panel_levels(slave_.ends.length, set_.slave_radius))) {
     const Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
     if (part_ == ProjectOn::element)
       split(p, out);

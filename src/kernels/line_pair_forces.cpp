@@ -53,11 +53,12 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   const double xi = p.xi, eta = p.foot.eta;
   const AxisShape::Weights dH = slave_.now.derivatives(xi), dG = master_.now.derivatives(eta);
   const size_t na = slave_.now.count(), nb = master_.now.count();
-  for (size_t j = 0; j < na; ++j) r.add(j, p.H[j], dH[j], 0);
-  for (size_t k = 0; k < nb; ++k) r.add(na + k, -p.G[k], 0, -dG[k]);
+  for (size_t j = 0; j < na; ++j) r.add(at_slave_ + j, p.H[j], dH[j], 0);
+  for (size_t k = 0; k < nb; ++k) r.add(at_master_ + k, -p.G[k], 0, -dG[k]);
   if (!set_.law.friction.active()) return r;
-  if (slave_.beam()) r.add(kTurns, wa_ * (1 - xi), -wa_, 0), r.add(kTurns + 1, wa_ * xi, wa_, 0);
-  if (master_.beam()) r.add(kTurns + 2, wb_ * (1 - eta), 0, -wb_), r.add(kTurns + 3, wb_ * eta, 0, wb_);
+  if (slave_.beam()) r.add(turn_slave_, wa_ * (1 - xi), -wa_, 0), r.add(turn_slave_ + 1, wa_ * xi, wa_, 0);
+  if (master_.beam())
+    r.add(turn_master_, wb_ * (1 - eta), 0, -wb_), r.add(turn_master_ + 1, wb_ * eta, 0, wb_);
   return r;
 }
 
@@ -77,7 +78,7 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
                                           const Rows& rows) const {
   using F = LinePairForce;
   const bool rubs = set_.law.friction.active();
-  const size_t na = slave_.now.count(), n = na + static_cast<size_t>(master_.now.count());
+  const size_t na = slave_.now.count(), nb = master_.now.count();
   const double xi = p.xi, eta = p.foot.eta;
   const Vec3 &nrm = p.foot.normal, &y1 = p.along;
   const Vec3 y2 = master_.now.bend(eta);
@@ -111,25 +112,26 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
   const double curve = y1.squaredNorm() - p.foot.away.dot(y2);
   s.slides_on = p.foot.inside && curve > 0;
   if (s.slides_on) {
-    for (size_t j = 0; j < na; ++j) of(s.eta_by, j) = p.H[j] / curve * y1.transpose();
-    for (size_t m = na; m < n; ++m)
-      of(s.eta_by, m) = (-rows.by_eta[m] * p.foot.away - p.G[m - na] * y1).transpose() / curve;
+    for (size_t j = 0; j < na; ++j) of(s.eta_by, at_slave_ + j) = p.H[j] / curve * y1.transpose();
+    for (size_t k = 0; k < nb; ++k)
+      of(s.eta_by, at_master_ + k) =
+          (-rows.by_eta[at_master_ + k] * p.foot.away - p.G[k] * y1).transpose() / curve;
     s.eta_by_xi = p.slope.dot(y1) / curve;
   }
   s.by_xi += by_eta * s.eta_by_xi;
 
   s.by.setZero();
-  for (size_t m = 0; m < n; ++m) {
+  for (size_t m = 0; m < na + nb; ++m) {
     auto by_m = of(s.by, m);
     by_m = rows.share[m] * by_away;
-    if (rubs && m >= na) by_m -= rows.by_eta[m] * by(F::kAlong);
-    if (from.is_new && m < na) by_m += rows.by_xi[m] * by(F::kSlope);
+    if (rubs && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * by(F::kAlong);
+    if (from.is_new && rows.by_xi[m] != 0) by_m += rows.by_xi[m] * by(F::kSlope);
   }
   if (s.slides_on) s.by.leftCols<kByX>() += by_eta.lazyProduct(s.eta_by);
   if (!rubs) return s;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
-    const size_t turn = kTurns + (of_master ? 2 : 0), position = of_master ? na : 0;
+    const size_t turn = of_master ? turn_master_ : turn_slave_, position = of_master ? at_master_ : at_slave_;
     if (axis.beam()) {
       // - w N d(turn was), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
@@ -162,15 +164,16 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
     const double slope = f.normal.dot(x1);
     if (std::abs(slope) < 1e-9 * slave_.now.slope_bound()) return m;
     const AxisShape::Weights G = master_.now.functions(f.eta);
-    for (size_t j = 0; j < na; ++j) of(m.by, j) = -H[j] / slope * f.normal.transpose();
-    for (size_t k = 0; k < nb; ++k) of(m.by, na + k) = G[k] / slope * f.normal.transpose();
+    for (size_t j = 0; j < na; ++j) of(m.by, at_slave_ + j) = -H[j] / slope * f.normal.transpose();
+    for (size_t k = 0; k < nb; ++k) of(m.by, at_master_ + k) = G[k] / slope * f.normal.transpose();
   } else {
     const double eta = end == End::first_joint ? 0 : 1;
     const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
     const double slope = x1.dot(t);
     const AxisShape::Weights G = master_.now.functions(eta), dG = master_.now.derivatives(eta);
-    for (size_t j = 0; j < na; ++j) of(m.by, j) = -H[j] / slope * t.transpose();
-    for (size_t k = 0; k < nb; ++k) of(m.by, na + k) = (G[k] * t - dG[k] * (x - V)).transpose() / slope;
+    for (size_t j = 0; j < na; ++j) of(m.by, at_slave_ + j) = -H[j] / slope * t.transpose();
+    for (size_t k = 0; k < nb; ++k)
+      of(m.by, at_master_ + k) = (G[k] * t - dG[k] * (x - V)).transpose() / slope;
   }
   m.force.fill(Vec3::Zero());
   m.moves = true;

@@ -107,6 +107,7 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
     const int slave = swapped ? pair.key.second : pair.key.first;
     s.slave_radius = settings(slave).radius;
     s.share = slave_share(s.slave_radius, settings(master).radius);
+    s.swapped = swapped;
     if (!(s.share > 0)) continue;
     what(k, LinePairPass(swapped ? B : A, swapped ? A : B, part, s,
                          pair.history ? (*pair.history)[k] : nothing));
@@ -124,17 +125,13 @@ LinePairs::Trial& LinePairs::find(Pair& pair, const PairAxis& A, const PairAxis&
   return *t;
 }
 
-std::optional<AttachedForces> LinePairs::forces(const Pair& pair, const PairAxis& A, const PairAxis& B,
-                                                Trial& found, bool swapped,
-                                                const AxisContactMode& mode) const {
-  std::optional<AttachedForces> g;
+AttachedForces LinePairs::forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
+                                 const AxisContactMode& mode) const {
+  AttachedForces g = no_forces(A, B, friction_on_ && pair.law.friction.active(), mode.tangent);
   each_pass(pair, A, B, mode.moves, mode.convex, [&](size_t part, const LinePairPass& pass) {
-    if ((part >= 3) != swapped || found.panels[part].empty()) return;
-    if (!g)
-      g = no_forces(swapped ? B : A, swapped ? A : B, friction_on_ && pair.law.friction.active(),
-                    mode.tangent);
+    if (found.panels[part].empty()) return;
     found.points[part].clear();
-    pass.add(found.panels[part], mode.tangent, *g, mode.tangent ? nullptr : &found.points[part]);
+    pass.add(found.panels[part], mode.tangent, g, mode.tangent ? nullptr : &found.points[part]);
   });
   found.a = A.now, found.b = B.now, found.moves = mode.moves, found.evaluated = !mode.tangent;
   return g;
@@ -150,26 +147,21 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
     const PairAxis A = axis(trial, pair.a), B = axis(trial, pair.b);
     Trial& found = find(pair, A, B);
     if (!found.active) continue;
-    for (const bool swapped : {false, true}) {
-      const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
-      const std::optional<AttachedForces> g = forces(pair, A, B, found, swapped, mode);
-      if (!g) continue;
-      std::fill(std::begin(f), std::end(f), 0.0);
-      if (tangent) std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
-      stencil_of(slave, master)
-          .to_blocks(*g, !assembler.convex(), f, tangent ? K : nullptr, tangent ? C : nullptr);
-      int blocks[8], n = 0;
-      for (const bool second : {false, true}) {
-        const ContactSegment& s = segment(second != swapped ? pair.b : pair.a);
-        for (const int node : {s.first, s.second}) {
-          const int b = mesh_.block[node];
-          blocks[n++] = b;
-          if ((second ? master : slave).beam()) blocks[n++] = b + 1;
-        }
+    const AttachedForces g = forces(pair, A, B, found, mode);
+    std::fill(std::begin(f), std::end(f), 0.0);
+    if (tangent) std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
+    stencil_of(A, B).to_blocks(g, !assembler.convex(), f, tangent ? K : nullptr, tangent ? C : nullptr);
+    int blocks[8], n = 0;
+    for (const bool second : {false, true}) {
+      const ContactSegment& s = segment(second ? pair.b : pair.a);
+      for (const int node : {s.first, s.second}) {
+        const int b = mesh_.block[node];
+        blocks[n++] = b;
+        if ((second ? B : A).beam()) blocks[n++] = b + 1;
       }
-      assembler.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr,
-                    tangent && trial.step > 0 ? C : nullptr, nullptr);
     }
+    assembler.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr,
+                  tangent && trial.step > 0 ? C : nullptr, nullptr);
   }
 }
 
@@ -181,7 +173,7 @@ void LinePairs::commit(const Kinematics& accepted) {
     const PairAxis A = axis(accepted, pair.a), B = axis(accepted, pair.b);
     Trial& t = find(pair, A, B);
     if (!t.evaluated || t.moves != moves || !t.a.same_motion(A.now) || !t.b.same_motion(B.now))
-      for (const bool swapped : {false, true}) forces(pair, A, B, t, swapped, {moves});
+      forces(pair, A, B, t, {moves});
     const History& next = t.points;
     if (pair.counted) {
       for (const size_t part : {0, 3}) {

@@ -15,6 +15,8 @@ constexpr int kProbes = 4;
 constexpr double kCertain = 0.5;
 // Times the bound of the slope: how far the middle is asked about first.
 constexpr double kFirst = 2;
+// Of the length of an element, by the weights of its Gauss points: all of it touched.
+constexpr double kAll = 1 - 1e-9;
 
 // The end of the part is one of the material: it does not move with the gap.
 void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
@@ -23,6 +25,12 @@ void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
     if (s.to > part.to) s.to = part.to, s.to_moves = false;
   }
   std::erase_if(panels, [](const ContactInterval& s) { return !(s.from < s.to); });
+}
+
+bool touched_all_along(const LineVolumePair& pair, int group) {
+  double touched = 0;
+  for (const AxisContactPoint& p : pair.past(group)) touched += p.weight;
+  return touched > kAll * pair.length;
 }
 
 }  // namespace
@@ -117,6 +125,10 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
   if (pair.before) return *pair.before;
   pair.before.emplace();
   if (pair.points.empty()) return kNone;
+  if (touched_all_along(pair, 0)) {
+    pair.before->emplace_back();
+    return *pair.before;
+  }
   constexpr int kCloser = 2;  // halvings more than in a trial: what is not seen here is filled there
   const AxisShape& start = pair.start.shape;
   std::vector<ClearancePoint> places;
@@ -131,15 +143,17 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
   Gap gap(*this, pair, group, shape, pose, places_);
   const bool near = gap.may_touch();
   const std::vector<ContactInterval>& before = intervals_at_start(pair);
+  // Where there is neither a beginning nor an end of contact, nor a lift-off within, less will do.
+  const int levels = touched_all_along(pair, group) ? panel_levels(pair.length, pair.radius) : pair.levels;
   std::vector<ContactInterval> intervals;
   if (near)
     intervals =
         contact_intervals(std::ref(gap), {shape.slope_bound(), pair.contact_distance, shape.bend_bound()},
-                          pair.levels, middles(inactive_intervals(before)));
+                          levels, middles(inactive_intervals(before)));
   // Of one facet group alone it says nothing of the others.
   if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
-      split_intervals(as_split_before(intervals, before, pair.found.filled), pair.levels);
+      split_intervals(as_split_before(intervals, before, pair.found.filled), levels);
   if (!pair.part.all()) clip(pair.part, panels);
   return panels;
 }

@@ -58,6 +58,8 @@ std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>&
 // Levels at which pieces are no longer than 4 radii, from 1/4 to 1/32 of the element: two places of contact
 // on one piece would be nearer to each other than the line is thick.
 int contact_levels(double length, double radius);
+// Likewise from 1/2: of panels where the gap is smooth and neither ends nor opens within the element.
+int panel_levels(double length, double radius);
 
 // Intervals cut where pieces of 2^-levels meet: what one Gauss rule integrates. Fixed cuts, so that the
 // integral is continuous when an interval grows; fine ones, so that it hardly changes when an interval parts

@@ -49,10 +49,9 @@ struct LinePairHistory : ContactPoint {
   }
 };
 
-// Of a pair with that slave and that master: none yet, and the blocks of the slave's nodes and of the
-// master's.
-AttachedForces no_forces(const PairAxis& slave, const PairAxis& master, bool rubs, bool derivatives = true);
-Stencil stencil_of(const PairAxis& slave, const PairAxis& master);
+// Of a pair: none yet, and the blocks of the nodes of the one and of the other.
+AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool rubs, bool derivatives = true);
+Stencil stencil_of(const PairAxis& one, const PairAxis& other);
 
 class LinePairPass {
  public:
@@ -62,6 +61,7 @@ class LinePairPass {
     double slave_radius = 0;  // m
     bool moves = true;        // in dynamics
     bool convex = false;      // leave out negative stiffness
+    bool swapped = false;     // the slave is the second of the two in what add() adds to
   };
 
   LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn part, const Settings& settings,
@@ -76,9 +76,10 @@ class LinePairPass {
   };
   std::vector<Panel> panels() const;
 
-  // Adds the forces on the positions of the slave, behind these on those of the master, and the couples on
-  // the nodes' rotations in the same order; K and C on request. `out` is a no_forces() of the two. points:
-  // what touches goes there if it is given, which is what the state leaves behind when it is accepted.
+  // Adds the forces on the positions of the slave, behind these (or before, `swapped`) on those of the
+  // master, and the couples on the nodes' rotations in the same order; K and C on request. `out` is a
+  // no_forces() of the two in that order. points: what touches goes there if it is given, which is what the
+  // state leaves behind when it is accepted.
   void add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& out,
            std::vector<LinePairHistory>* points = nullptr) const;
   // J
@@ -112,6 +113,8 @@ class LinePairPass {
   Settings set_;
   const std::vector<LinePairHistory>& history_;
   double wa_, wb_;  // shares of the radii
+  // Rows of AttachedForces: of the positions of both, and of their nodes' rotations.
+  size_t at_slave_, at_master_, turn_slave_, turn_master_;
 };
 
 }  // namespace hawser

@@ -160,9 +160,9 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
                  const What& what) const;
   Trial& find(Pair& pair, const PairAxis& A, const PairAxis& B) const;
-  // What acts on one side's slave and master; none: nothing.
-  std::optional<AttachedForces> forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
-                                       bool swapped, const AxisContactMode& mode) const;
+  // What acts on the two, of all passes.
+  AttachedForces forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
+                        const AxisContactMode& mode) const;
   bool joint(int element, int end) const;
   std::vector<Rod> rods(const Kinematics& at) const;
   bool met(const Pair& pair, const std::vector<Rod>& is) const;
