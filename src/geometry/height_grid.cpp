@@ -1,10 +1,11 @@
 // The bicubic spline through a grid of heights and the signed distance to it by a Newton iteration.
 #include "hawser/geometry/height_grid.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+
+#include "hawser/math/symmetric.hpp"
 
 namespace hawser {
 namespace {
@@ -178,10 +179,10 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
   axes.col(1) = s.normal.cross(Vec3(axes.col(0)));
   const Mat2 plan = axes.topRows<2>();
   const Mat2 bends = plan.transpose() * (s.normal.z() * f.bend) * plan;
-  const Eigen::SelfAdjointEigenSolver<Mat2> eigen(bends);
-  const Eigen::Matrix<double, 3, 2> main = axes * eigen.eigenvectors();
+  const Eigenpairs principal = eigenpairs(bends);
+  const Eigen::Matrix<double, 3, 2> main = axes * principal.vectors;
   for (int i = 0; i < 2; ++i) {
-    const double k = eigen.eigenvalues()[i];
+    const double k = principal.values[i];
     // At the centre of curvature and beyond no point is nearest.
     s.curvature -= k / std::max(1 - k * s.distance, 0.05) * main.col(i) * main.col(i).transpose();
   }
