@@ -1,7 +1,6 @@
 // The bicubic spline through a grid of heights and the signed distance to it by a Newton iteration.
 #include "hawser/geometry/height_grid.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -178,13 +177,14 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
   axes.col(1) = s.normal.cross(Vec3(axes.col(0)));
   const Mat2 plan = axes.topRows<2>();
   const Mat2 bends = plan.transpose() * (s.normal.z() * f.bend) * plan;
-  const Eigen::SelfAdjointEigenSolver<Mat2> eigen(bends);
-  const Eigen::Matrix<double, 3, 2> main = axes * eigen.eigenvectors();
-  for (int i = 0; i < 2; ++i) {
-    const double k = eigen.eigenvalues()[i];
-    // At the centre of curvature and beyond no point is nearest.
-    s.curvature -= k / std::max(1 - k * s.distance, 0.05) * main.col(i) * main.col(i).transpose();
-  }
+  // That function of the matrix: linear between its eigenvalues. At the centre of curvature and beyond no
+  // point is nearest.
+  const auto of_distance = [&](double k) { return k / std::max(1 - k * s.distance, 0.05); };
+  const double middle = 0.5 * bends.trace();
+  const double half = std::hypot(0.5 * (bends(0, 0) - bends(1, 1)), bends(0, 1)), least = middle - half;
+  const double low = of_distance(least);
+  const double rise = half > 0 ? (of_distance(middle + half) - low) / (2 * half) : 0;
+  s.curvature -= axes * ((low - rise * least) * Mat2::Identity() + rise * bends) * axes.transpose();
   return s;
 }
 

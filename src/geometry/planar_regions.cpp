@@ -1,10 +1,11 @@
 // Planar regions of a mesh grown from triangle to triangle, and their least width.
 #include "planar_regions.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "hawser/math/symmetric.hpp"
 
 namespace hawser::detail {
 namespace {
@@ -28,10 +29,10 @@ double least_extent(const TriangleMesh& mesh, const std::vector<int>& region, co
       }
   };
   each([&](const Eigen::Vector2d& x) { spread += x * x.transpose(); });
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  const Eigen::Matrix2d axes = eigenpairs(spread).vectors;
   Eigen::Vector2d lo = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
   each([&](const Eigen::Vector2d& x) {
-    const Eigen::Vector2d y = axes.eigenvectors().transpose() * x;
+    const Eigen::Vector2d y = axes.transpose() * x;
     lo = lo.cwiseMin(y), hi = hi.cwiseMax(y);
   });
   return (hi - lo).minCoeff();

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <set>
 #include <stdexcept>
 
+#include "hawser/math/symmetric.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/body_pairs.hpp"
 
@@ -145,7 +145,7 @@ void check_floating(const Case& c, const Issues& issue) {
   for (const Body& b : c.bodies) {
     if (!b.mass) continue;
     any = true;
-    const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(b.mass->tensor()).eigenvalues();  // ascending
+    const Vec3 moments = eigenpairs(b.mass->tensor()).values;
     if (!(moments[0] > 0) || moments[2] > (1 + 1e-9) * (moments[0] + moments[1]))
       issue("bodies." + b.name + ".floating.inertia",
             "no body has the principal moments {:.6g}, {:.6g}, {:.6g} kg m²: each must be above 0 and at "

@@ -1,12 +1,12 @@
 // How long a step may be where bodies meet, touch and part; and what a step that was taken made of energy.
 // Bodies have few contacts with few, large masses: the motion on their springs is known exactly, and what is
 // ahead is found by moving the bodies on. See docs/theory/body-contact.md, "Steps".
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/math/symmetric.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/body_contact.hpp"
 
@@ -31,8 +31,7 @@ void BodyContactTerm::Both::move(double time) {
 double BodyContactTerm::frequency(const Pair& pair, const Sum& s) const {
   if (!s.active) return 0;
   const Mat12 K = pair.root.transpose() * s.on.K * pair.root;
-  const Eigen::SelfAdjointEigenSolver<Mat12> solver(K, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(solver.eigenvalues()[11], 0.0));
+  return std::sqrt(std::max(eigenpairs(K).values[11], 0.0));
 }
 
 double BodyContactTerm::relative_energy(const Pair& pair, const Both& at) const {

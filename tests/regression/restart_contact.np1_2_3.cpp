@@ -86,14 +86,14 @@ volumes:
            smoothing: 1.0e-8}
 lines:
   bar:
-    sections: [{type: bar, length: 40, elements: 200}]
+    sections: [{type: bar, length: 40, elements: 80}]
     end_a: free
     end_b: free
     start: {points: [[0, 0, 0.0515], [0, 0, 40.0515]]}
 contact: {method: nodes}
 statics: false
-dynamics: {duration: 0.22, step: 0.005}
-output: {every: 0.11, histories: [{line: bar, at: 0}]}
+dynamics: {duration: 0.165, step: 0.005}
+output: {every: 0.055, histories: [{line: bar, at: 0}]}
 )";
 
 // Along x, open upwards.

@@ -107,8 +107,11 @@ struct Snapping : ::testing::Test {
     for (const double e : error) least = std::min(least, e), rise = std::max(rise, e - least);
     return rise / largest(r.column("energy", 5));
   }
+  // By default and at given steps; two of them show that several ranks do as one does.
   void expect_none_made(const char* what, const char* text, int elements, double most = 0.005) {
-    for (const char* step : {"", ", step: 0.1", ", step: 0.05", ", step: 0.02", ", step: 0.01"}) {
+    std::vector<const char*> steps = {"", ", step: 0.05", ", step: 0.1", ", step: 0.02", ", step: 0.01"};
+    if (size_of(MPI_COMM_WORLD) > 1) steps.resize(2);
+    for (const char* step : steps) {
       const Results r = ran(text, elements, step);
       if (!first()) continue;
       printf("  %s%s: %.3f %% made\n", what, *step ? step : ", default", 100 * made(r));
@@ -156,8 +159,10 @@ TEST_F(Snapping, ALineThatPartsMakesNoEnergy) {
 
 // Largest tension of a cycle after the first, by default, and with steps of 1 ms and elements a quarter as
 // long. A blow of a chain that falls back on the bed depends on how it lay there: EA changed by 1e-7 changes
-// that of a cycle by 6 %. So it is the mean of three cycles in three such runs that is compared.
+// that of a cycle by 6 %. So it is the mean of three cycles in three such runs that is compared. What it says
+// of the elements and steps does not depend on the ranks.
 TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
+  if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const auto peak = [&](int elements, const std::string& step) {
     double sum = 0;
     for (const char* EA : {"1.674 GN", "1.6740001 GN", "1.674001 GN"}) {

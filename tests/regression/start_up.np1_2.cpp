@@ -9,7 +9,8 @@ namespace hawser::runs::start_up {
 namespace {
 
 constexpr double kWet = 359.09, kDry = 852.5;  // N/m, of the pipe
-constexpr double kTop = 10.325, kEnd = 14;     // m, of the tensioner; s
+constexpr double kTop = 10.325, kEnd = 12.5;   // m, of the tensioner; s
+constexpr double kCompared = 4;                // s, of one rank and several
 
 TEST(StartUp, ATugHoldsTheHead) {
   const std::string folder = HAWSER_SOURCE_DIR "/cases/s-lay/", path = runs::folder("start-up"),
@@ -19,14 +20,26 @@ TEST(StartUp, ATugHoldsTheHead) {
   write_case(input, text.str(),
              {{"file: barge.rao", "file: " + folder + "barge.rao"},
               {"file: tug.rao", "file: " + folder + "tug.rao"},
+              {"seed: 1", "seed: 1, components: 20"},
+              {"duration: 580", "duration: 20"},
               {"rows: [[0, 0, 0, 0], [10, 0, 0, 0], [20, 2.5, 0, 0], [30, 7.5, 0, 0]",
                "rows: [[0, 0, 0, 0], [2, 0, 0, 0], [6, 1, 0, 0], [8, 2, 0, 0]"},
               {"element_length: 1}", "element_length: 2}"},
               {"length: 430, elements: 86", "length: 430, elements: 43"}});
-  run_on_all({input, all_h5, "", kEnd});
-  if (size_of(MPI_COMM_WORLD) > 1) run_on_one({input, path + "/one.h5", "", kEnd});
+  // Several ranks do as one does while the pipe is paid out; the rest is asked of one.
+  const bool several = size_of(MPI_COMM_WORLD) > 1;
+  run_on_all({input, all_h5, "", several ? kCompared : kEnd});
+  if (several) run_on_one({input, path + "/one.h5", "", kCompared});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results all = read(all_h5);
+  if (several) {
+    const Results one = read(path + "/one.h5");
+    for (const char* field : {"position", "bending_moment", "effective_tension"})
+      EXPECT_LT(largest_difference(all.fields.at(field), one.fields.at(field)),
+                1e-3 * largest(one.fields.at(field)))
+          << field;
+    return;
+  }
   const auto of = [&](const char* series, const char* column) { return named(all_h5, all, series, column); };
 
   // At rest: the tension asked for; of the head's side less by the weight of the height between them, as
@@ -76,13 +89,6 @@ TEST(StartUp, ATugHoldsTheHead) {
   EXPECT_LT(std::abs(error.back()), 0.002 * work);
   printf("  head %.0f N, tug moves %.3f m, energy off by %.1e of the work\n", head.front(), moves,
          error.back() / work);
-
-  if (size_of(MPI_COMM_WORLD) == 1) return;
-  const Results one = read(path + "/one.h5");
-  for (const char* field : {"position", "bending_moment", "effective_tension"})
-    EXPECT_LT(largest_difference(all.fields.at(field), one.fields.at(field)),
-              1e-3 * largest(one.fields.at(field)))
-        << field;
 }
 
 }  // namespace

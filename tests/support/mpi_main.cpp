@@ -1,5 +1,5 @@
-// main of every test program; --file=SUBJECT runs the tests of the file SUBJECT.*cpp. PETSc and MPI up before
-// the first test, quiet on ranks above 0, and a failure on any rank is a failure of the program.
+// main of every test program; --file=SUBJECT,... runs the tests of the files SUBJECT.*cpp. PETSc and MPI up
+// before the first test, quiet on ranks above 0, and a failure on any rank is a failure of the program.
 // testing::TempDir() is a new folder, the same on all ranks, that goes when the tests have ended; TEST_TMPDIR
 // names another, as to a program that a test starts.
 #include <gtest/gtest.h>
@@ -14,19 +14,21 @@
 
 namespace {
 
-// Only the tests of the source file with this subject: "joints" for joints.np1_2_3.cpp.
-void choose_file(const std::string& subject) {
+// Only the tests of the source files with these subjects: "joints,events" for joints.np1_2_3.cpp and
+// events.np1_2.cpp.
+void choose_files(const std::string& subjects) {
   const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
   std::string filter;
   for (int i = 0; i < all.total_test_suite_count(); ++i) {
     const ::testing::TestSuite& suite = *all.GetTestSuite(i);
     for (int k = 0; k < suite.total_test_count(); ++k) {
       const ::testing::TestInfo& test = *suite.GetTestInfo(k);
-      if (std::filesystem::path(test.file()).filename().string().starts_with(subject + "."))
+      const std::string file = std::filesystem::path(test.file()).filename().string();
+      if (("," + subjects + ",").find("," + file.substr(0, file.find('.')) + ",") != std::string::npos)
         filter += std::string(suite.name()) + "." + test.name() + ":";
     }
   }
-  if (filter.empty()) throw std::runtime_error("no test of a file " + subject);
+  if (filter.empty()) throw std::runtime_error("no test of the files " + subjects);
   GTEST_FLAG_SET(filter, filter);
 }
 
@@ -41,7 +43,7 @@ int main(int argc, char** argv) {
   ::testing::InitGoogleTest(&argc, argv);
   for (int i = 1; i < argc; ++i)
     if (const std::string argument = argv[i]; argument.starts_with("--file="))
-      choose_file(argument.substr(7));
+      choose_files(argument.substr(7));
   hawser::start_alone();
   if (PetscInitialize(&argc, &argv, nullptr, nullptr)) return 1;
   int rank = 0;

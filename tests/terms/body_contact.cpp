@@ -41,7 +41,7 @@ std::vector<TouchCase> touch_cases() {
   const CapsuleShape bar{{-0.3, 0.1, 0}, {0.3, 0.1, 0}, 0.2};
   const Vec3 low(-0.35, 0, -0.2);  // on an edge of `box`, which is along y
   const Vec3 over_edge = Vec3(0.8, 0, 0.6), across = Vec3(-0.6, 0.5, 0.8).normalized();
-  const Quat on_edge = Quat::FromTwoVectors(Vec3(-1, 0, -1), -Vec3::UnitZ());  // stands on that edge
+  const Quat on_edge = minimal_rotation(Vec3(-1, 0, -1), -Vec3::UnitZ());  // stands on that edge
   const StiffnessBasis point = StiffnessBasis::per_point, length = StiffnessBasis::per_length,
                        area = StiffnessBasis::per_area;
   return {
@@ -56,7 +56,7 @@ std::vector<TouchCase> touch_cases() {
        box,
        kMet,
        point,
-       Quat::FromTwoVectors(Vec3(-4, -5, -3), -Vec3::UnitZ()),
+       minimal_rotation(Vec3(-4, -5, -3), -Vec3::UnitZ()),
        {-0.35, -0.5, -0.2}},
       {"edge along a face", box, kMet, length, on_edge, low},
       {"edge along a cylinder",

@@ -18,7 +18,7 @@ AxisEnds bent(const Vec3& a, const Vec3& b, std::mt19937& random) {
   AxisEnds e;
   e.x1 = a, e.x2 = b;
   e.length = 1.01 * (b - a).norm();
-  const Quat along = Quat::FromTwoVectors(e.tangent, b - a);
+  const Quat along = minimal_rotation(e.tangent, b - a);
   const auto turn = [&] { return exp_so3(0.5 * Vec3(unit(random), unit(random), unit(random))) * along; };
   e.q1 = turn(), e.q2 = turn();
   return e;

@@ -29,7 +29,7 @@ AxisEnds element(bool beam, const Vec3& a, const Vec3& b, int seed, double bend 
   e.v1 = noise3(seed, 1), e.v2 = noise3(seed, 2);
   if (!beam) return e;
   e.tangent = Vec3(0.8, 0.6, 0);
-  const Quat along = Quat::FromTwoVectors(e.tangent, b - a);
+  const Quat along = minimal_rotation(e.tangent, b - a);
   e.q1 = exp_so3(bend * noise3(seed, 3)) * along, e.q2 = exp_so3(bend * noise3(seed, 4)) * along;
   e.w1 = noise3(seed, 5), e.w2 = noise3(seed, 6);
   return e;
@@ -397,7 +397,7 @@ TEST(LinePair, JointsDoNotShow) {
           AxisEnds a;
           a.beam = beam, a.length = 1.6;
           a.x1 = Vec3(shift, 0, 0.095) - 0.8 * along, a.x2 = a.x1 + 1.6 * along;
-          a.q1 = a.q2 = Quat::FromTwoVectors(Vec3::UnitX(), along);
+          a.q1 = a.q2 = minimal_rotation(Vec3::UnitX(), along);
           for (int i = 0; i < pieces; ++i) {
             AxisEnds b;
             b.beam = beam, b.length = 4.0 / pieces;

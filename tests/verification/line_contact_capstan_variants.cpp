@@ -102,6 +102,9 @@ Drawn draw(const Rope& r, std::shared_ptr<const Surface> drum_surface = nullptr)
   return out;
 }
 
+// Rows between others, and dear ones, are for HAWSER_FULL.
+bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
+
 void expect_ratio(const char* what, double parameter, const Drawn& d, double exact, double tolerance) {
   std::printf("capstan along the line, %s %g: T2/T1 %.4f, exact %.4f (%+.3f %%), rms %.3f %%, audit %.1e\n",
               what, parameter, d.ratio.mean(), exact, 100 * (d.ratio.mean() / exact - 1),
@@ -119,6 +122,7 @@ TEST(LineCapstanVariants, BendingStiffness) {
                                            {0.3, M_PI, 0.1, 2.491762757},
                                            {0.3, M_PI, 0.5, 2.259254705},
                                            {0.2, M_PI / 2, 0.1, 1.354779408}}) {
+    if ((B == 1e-4 || B == 0.02) && !whole()) continue;  // nearly a string
     Rope r;
     r.mu = mu, r.wrap = wrap;
     r.EI = B * r.load * kRho * kRho;
@@ -134,13 +138,12 @@ TEST(LineCapstanVariants, HeavyRope) {
                                           {0.2, 500.0, 2.427236104},
                                           {0.3, 100.0, 2.76264427},
                                           {0.3, 500.0, 3.54789177}}) {
+    if ((weight == 100) == (mu == 0.3) && !whole()) continue;
     Rope r;
     r.mu = mu, r.weight = weight, r.way = 0.03, r.speed = 0.01;
     expect_ratio("w N/m", weight, draw(r), exact, 0.005);
   }
 }
-
-bool whole() { return std::getenv("HAWSER_FULL") != nullptr; }
 
 // Wound twice, turn beside turn.
 TEST(LineCapstanVariants, TwoTurnsSideBySide) {
@@ -163,11 +166,11 @@ std::shared_ptr<const Surface> facets(bool smooth) {
                                        MeshSurfaceOptions{smooth, 40 * M_PI / 180});
 }
 
-// A quarter turn to two turns, side by side where there is more than one. The dear rows: set HAWSER_FULL.
+// A quarter turn to two turns, side by side where there is more than one.
 TEST(LineCapstanVariants, TwentyFourFacets) {
   for (const double wrap : {M_PI / 2, M_PI, 2 * M_PI, 4 * M_PI})
     for (const double mu : {0.1, 0.3, 0.5}) {
-      const bool dear = wrap > 7 || (wrap > 2 && mu != 0.3);
+      const bool dear = wrap > 4 || (mu != 0.3 && (wrap > 2 || mu == 0.1));
       if (dear && !whole()) continue;
       Rope r;
       r.mu = mu, r.wrap = wrap;
@@ -185,6 +188,7 @@ TEST(LineCapstanVariants, TwentyFourFacets) {
 // What smoothing spares: nothing is asked of flat facets.
 TEST(LineCapstanVariants, TwentyFourFlatFacets) {
   for (const double mu : {0.1, 0.3, 0.5}) {
+    if (mu != 0.3 && !whole()) continue;
     Rope r;
     r.mu = mu;
     const Drawn d = draw(r, facets(false));
@@ -201,7 +205,7 @@ TEST(LineCapstanVariants, DrumTurns) {
                                         {M_PI, 0.5, false},
                                         {M_PI, 0.3, true},
                                         {4 * M_PI, 0.5, false}}) {
-    if ((mu == 0.1 || wrap > 7) && !whole()) continue;
+    if (mu != 0.3 && !whole()) continue;
     Rope r;
     r.mu = mu, r.wrap = wrap, r.drum_turns = true, r.way = 0.4;
     if (wrap > 7) r.pitch = 2.5 * kLine, r.EA = 1e8;

@@ -1,6 +1,7 @@
 // A beam that turns over an arc, from across it to along it and on, and one that slides up its side (C12),
 // against 4C.
 #include "hawser/kernels/axis_shape.hpp"
+#include "hawser/math/so3.hpp"
 #include "verification/line_pairs_rig.hpp"
 
 namespace hawser::test::line_pairs_arc_test {
@@ -57,7 +58,7 @@ int follow_motion(Simulation& s, double end, double longest) {
       const auto at = [&](size_t n) { return Eigen::Map<Vec3>(u.data() + 3 * s.local().block[n]); };
       const Vec3 was = (last.x[b] - last.x[a]).normalized(),
                  is = (last.x[b] + at(b) - last.x[a] - at(a)).normalized();
-      const Quat turn = Quat::FromTwoVectors(was, is);
+      const Quat turn = minimal_rotation(was, is);
       for (size_t n = a; n <= b; ++n) {
         const double part = static_cast<double>(n - a) / static_cast<double>(b - a);
         if (n > a && n < b) at(n) = (1 - part) * at(a) + part * at(b);
@@ -114,8 +115,8 @@ TEST(BeamOverArc, Rotating) {
                          {1, 0, 0},
                          {},
                          {},
-                         Quat::FromTwoVectors(Vec3::UnitX(), Vec3::UnitZ()),
-                         Quat::FromTwoVectors(Vec3::UnitX(), -Vec3::UnitZ()),
+                         minimal_rotation(Vec3::UnitX(), Vec3::UnitZ()),
+                         minimal_rotation(Vec3::UnitX(), -Vec3::UnitZ()),
                          {},
                          {}});
     EXPECT_NEAR(arc.point(0.5).z(), kArc / 4, 1e-12);

@@ -3,9 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-
 #include "hawser/base/error.hpp"
+#include "hawser/math/symmetric.hpp"
 #include "support/rig.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -96,13 +95,14 @@ TEST(NaturalModes, LoadOnASling) {
   };
   std::vector<Exact> exact;
   for (int axis = 0; axis < 2; ++axis) {
-    Eigen::Matrix2d M, K;
+    Eigen::Matrix2d M;
     M << m * L * L, m * L * a, m * L * a, inertia[1 - axis] + m * a * a;
-    K << m * kG * L, 0, 0, m * kG * a;
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d> pairs(K, M);
+    // With v = S u, S² the inverse of the diagonal stiffness: S M S u = u / squared.
+    const Eigen::Vector2d S = Eigen::Vector2d(m * kG * L, m * kG * a).cwiseSqrt().cwiseInverse();
+    const Eigenpairs pairs = eigenpairs(S.asDiagonal() * M * S.asDiagonal());
     for (int k = 0; k < 2; ++k) {
-      const Eigen::Vector2d v = pairs.eigenvectors().col(k);
-      exact.push_back({pairs.eigenvalues()[k], L * v[0] / (L * v[0] + a * v[1]), axis});
+      const Eigen::Vector2d v = S.cwiseProduct(pairs.vectors.col(k));
+      exact.push_back({1 / pairs.values[k], L * v[0] / (L * v[0] + a * v[1]), axis});
     }
   }
   std::sort(exact.begin(), exact.end(), [](const Exact& p, const Exact& q) { return p.squared < q.squared; });

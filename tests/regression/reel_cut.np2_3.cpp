@@ -7,7 +7,7 @@ namespace hawser::runs::reel_cut {
 namespace {
 
 // The hose lies on the drum with friction from 2 s on. Solved whole are models of up to 1000 nodes.
-constexpr double kHalf = 9, kEnd = 14;  // s
+constexpr double kHalf = 6, kEnd = 12;  // s
 const Edits kFine = {{"length: 250, elements: 250", "length: 250, elements: 1200"}};
 
 // Largest difference of the tensions in all rows that `b` has, over the largest tension. The free end carries
