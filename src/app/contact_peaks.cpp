@@ -11,6 +11,7 @@ namespace hawser::app {
 
 ContactPeaks::ContactPeaks(Simulation& simulation) : sim_(simulation) {
   const LocalMesh& mesh = sim_.local();
+  EI_.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
     auto& EI = EI_.emplace_back();
     const Element& g = mesh.element(e);

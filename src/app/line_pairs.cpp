@@ -83,6 +83,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   for (const auto& t : b.pairs)
     options.tuned[ordered(c.line_index(t.first), c.line_index(t.second))] = t.settings;
   std::vector<LineContactElement> elements;
+  elements.reserve(mesh.mesh->elements.size()), options.automatic.reserve(mesh.mesh->elements.size());
   // Of each type that takes part, of its lines: the least and the most.
   struct Kind {
     double radius = 0;

@@ -151,8 +151,9 @@ void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<doubl
                 const MeanForces& mean, io::Checkpoint& c) {
   const size_t owned = m.owned;
   for (size_t i = 0; i < std::size(kVectors); ++i)
-    c.nodes[kVectors[i]] = field_of(
-        owned, 3, [&of = vectors(s, i)](size_t n, size_t k) { return of[n][static_cast<Eigen::Index>(k)]; });
+    c.nodes[kVectors[i]] = field_of(owned, 3, [&of = vectors(s, i)](size_t n, size_t k) {
+      return of.empty() ? 0 : of[n][static_cast<Eigen::Index>(k)];
+    });
   for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}})
     if (has_directors(m))
       c.nodes[name] = field_of(owned, 9, [&of = *values](size_t n, size_t k) { return of[n].data()[k]; });
@@ -162,7 +163,7 @@ void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<doubl
   const auto rows = [&](const char* name, const std::vector<double>& of) {
     c.nodes[name] = field_of(owned, 6, [&m, &of](size_t n, size_t k) {
       const size_t b = 3 * static_cast<size_t>(m.block[n]);
-      return k < 3 || m.rotates(static_cast<int>(n)) ? of[b + k] : 0.0;
+      return !of.empty() && (k < 3 || m.rotates(static_cast<int>(n))) ? of[b + k] : 0.0;
     });
   };
   rows(kReaction, reactions), rows(kMeanQ, mean.q), rows(kMeanF, mean.f);
@@ -188,7 +189,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
   c.time = d.committed().s.time;
   save_nodes(simulation.local(), d.committed(), d.reactions(), d.mean_forces(), c);
   for (const auto& term : simulation.system().terms())
-    c.history[std::string(term->name())] = {term->history(), {}, [&of = *term] { return of.save(); }};
+    c.history[std::string(term->name())] = {
+        term->history(), {}, [&of = *term](NodeRange nodes) { return of.records(nodes); }};
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
   c.scalars["step.wait"] = d.control().wait();
@@ -307,7 +309,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   const size_t owned = m.owned;
   const auto take = [&](const char* name, std::vector<Vec3>& to) {
     const auto& f = c.nodes.at(name);
-    for (size_t n = 0; n < owned; ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
+    for (size_t n = 0; n < owned && !to.empty(); ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
   };
   for (size_t i = 0; i < std::size(kVectors); ++i) take(kVectors[i], vectors(s, i));
   const auto& q = c.nodes.at("rotation").values;
@@ -318,8 +320,8 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     for (size_t n = 0; n < owned; ++n) (*values)[n] = Eigen::Map<const Mat3>(f.data() + 9 * n);
   }
   system.spread(s.s);
-  system.spread(s.ax), system.spread(s.aw);
-  if (!s.ad.empty()) system.spread(s.ad);
+  system.spread(s.ax);
+  if (has_directors(m)) system.spread(s.aw), system.spread(s.ad);
 
   const auto rows = [&](const char* name) {
     std::vector<double> out(3 * static_cast<size_t>(m.blocks()), 0);

@@ -97,7 +97,7 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
       if (!e.counted || g.line != line) continue;
       const Vec3 &x1 = at.x[e.first], &x2 = at.x[e.second];
       if (((x1 - place).dot(along) > 0) == ((x2 - place).dot(along) > 0)) continue;
-      const AxisShape shape(element_axis(at, g, e.first, e.second, Vec3::UnitX()));
+      const AxisShape shape(element_axis(at, g, e.first, e.second));
       const double xi = on_plane(shape, place, along);
       const Vec3 x = shape.point(xi) - place;
       if (!(x.norm() < best)) continue;

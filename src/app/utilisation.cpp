@@ -41,6 +41,8 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
     bending_ |= t.minimum_bend_radius > 0 && t.kind == model::LineKind::beam;
   }
   const Mesh& mesh = *local.mesh;
+  if (!tension_ && !bending_) return;
+  breaking_.reserve(local.owned), radius_.reserve(local.owned);
   for (std::size_t n = 0; n < static_cast<std::size_t>(local.owned); ++n) {
     const Node& node = mesh.nodes[local.global[n]];
     auto& breaking = breaking_.emplace_back();

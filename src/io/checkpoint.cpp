@@ -53,7 +53,7 @@ void agree(MPI_Comm comm, bool good, const std::string& names) {
 
 constexpr double kMostKinds = 100;  // of records of a term
 constexpr int kRecordHead = 4;      // numbers of a record before its values
-constexpr size_t kPiece = 1000;     // records that are handed over at a time
+constexpr int kPiece = 500;         // nodes whose records are handed over at a time
 
 struct Slot {
   std::string index;
@@ -149,7 +149,8 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
         room.size += kRecordHead + static_cast<long long>(r.values.size());
       }
     };
-    look(history.make ? history.make() : history.records);
+    look(history.records);
+    for (int n = 0; history.make && n < nodes_total; n += kPiece) look(history.make({n, n + kPiece}));
   }
   room.index = describe(c, nodes_total);
   agree(comm, good, room.index);
@@ -192,26 +193,23 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
   }
 
   for (auto& [name, history] : c.history) {
-    if (history.make) history.records = history.make();
-    std::vector<const HistoryRecord*> sorted;
-    for (const auto& r : history.records) sorted.push_back(&r);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const HistoryRecord* a, const HistoryRecord* b) {
-      return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
-    });
-    std::vector<long long> start(static_cast<size_t>(nodes_total) + 1, 0);
-    for (const auto* r : sorted) start[r->node + 1] += kRecordHead + std::ssize(r->values);
-    all_reduce(comm, MPI_SUM, start);
-    for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-    size_t most = sorted.size();
-    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_UNSIGNED_LONG, MPI_MAX, comm);
-    std::vector<RowRun> runs;
-    values.clear();
-    if (rank == 0) runs.push_back({at, 1}), values.push_back(static_cast<double>(start.back()));
-    ++at;
-    for (size_t from = 0; from == 0 || from < most; from += kPiece) {
-      for (size_t i = from; i < std::min(from + kPiece, sorted.size()); ++i) {
-        const HistoryRecord* r = sorted[i];
-        long long& to = start[r->node];
+    const long long head = at++;
+    for (NodeRange of{0, kPiece}; of.first < nodes_total; of = {of.end, of.end + kPiece}) {
+      if (history.make) history.records = history.make(of);
+      std::vector<const HistoryRecord*> sorted;
+      for (const auto& r : history.records)
+        if (of.has(r.node)) sorted.push_back(&r);
+      std::stable_sort(sorted.begin(), sorted.end(), [](const HistoryRecord* a, const HistoryRecord* b) {
+        return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
+      });
+      std::vector<long long> start(kPiece + 1, 0);  // of each node's records; then their end
+      for (const auto* r : sorted) start[r->node - of.first + 1] += kRecordHead + std::ssize(r->values);
+      all_reduce(comm, MPI_SUM, start);
+      for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
+      std::vector<RowRun> runs;
+      values.clear();
+      for (const HistoryRecord* r : sorted) {
+        long long& to = start[r->node - of.first];
         const long long length = kRecordHead + std::ssize(r->values);
         if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
         runs.back().count += length, to += length;
@@ -219,10 +217,13 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
                                      static_cast<double>(r->key), static_cast<double>(r->values.size())});
         values.insert(values.end(), r->values.begin(), r->values.end());
       }
-      piece(runs, values);
-      runs.clear(), values.clear();
+      if (start.back() > 0) piece(runs, values);
+      at += start.back();
     }
-    at += start.back();
+    if (rank == 0)
+      piece({{head, 1}}, {static_cast<double>(at - head - 1)});
+    else
+      piece({}, {});
     history = {};
   }
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -209,10 +210,13 @@ struct ResultsFile::Impl {
       // to the one that the last output in the file does not use, so that a kill leaves that output whole:
       // outputs are written in odd numbers.
       const size_t all = waiting.times.size();
-      write(waiting.take(contents.clashes && all % 2 == 0 ? all - 1 : all));
+      const WaitingOutputs w = waiting.take(contents.clashes && all % 2 == 0 ? all - 1 : all);
+      write(w, w.fields, w.ends);
     }
   }
-  void write(const WaitingOutputs& w) {
+  // nodes, at_ends: of all these outputs, as in WaitingOutputs.
+  void write(const WaitingOutputs& w, std::span<const std::vector<double>> nodes,
+             std::span<const std::vector<double>> at_ends) {
     const long long n = static_cast<long long>(w.times.size()), row = count.outputs;
     ClashRoom rows{0, 0};
     if (contents.clashes) {
@@ -223,11 +227,11 @@ struct ResultsFile::Impl {
     ensure_room(row + n, 0, 0, 0, {clashes + rows.ended, rows.open});
     const long long rows_of_steps = write_steps(w.times.back());
     file.write_rows("outputs/time", H5T_NATIVE_DOUBLE, row, n, root(), w.times.data());
-    for (size_t i = 0; i < w.fields.size(); ++i)
-      file.write_runs(field_place(contents.fields[i]), H5T_NATIVE_DOUBLE, row, runs, w.fields[i].data(), n);
-    for (size_t i = 0; i < w.ends.size(); ++i)
+    for (size_t i = 0; i < nodes.size(); ++i)
+      file.write_runs(field_place(contents.fields[i]), H5T_NATIVE_DOUBLE, row, runs, nodes[i].data(), n);
+    for (size_t i = 0; i < at_ends.size(); ++i)
       file.write_runs("ends/" + contents.end_fields[i].name, H5T_NATIVE_DOUBLE, row, end_runs,
-                      w.ends[i].data(), n);
+                      at_ends[i].data(), n);
     file.write_rows("bodies/position", H5T_NATIVE_DOUBLE, row, n, root(), w.position.data());
     file.write_rows("bodies/rotation", H5T_NATIVE_DOUBLE, row, n, root(), w.rotation.data());
     const auto places = volume_places(contents);
@@ -394,18 +398,30 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   });
   m.file.agree();
   WaitingOutputs& w = m.waiting;
+  size_t numbers = w.size();
+  for (const auto& f : fields) numbers += f.size();
+  const bool now = on_any_rank(m.file.comm(), (m.root() && m.output_time.due()) || numbers > kMostWaiting);
+  const bool alone = now && w.times.empty();  // it is written from where it is
   w.times.push_back(time);
-  w.fields.resize(fields.size()), w.ends.resize(ends.size());
-  // Nodes of bodies come after those of lines, and are not in the rows.
-  for (size_t i = 0; i < fields.size(); ++i) {
-    const auto last = fields[i].begin() + m.line_nodes * c.fields[i].components;
-    w.fields[i].insert(w.fields[i].end(), fields[i].begin(), last);
-  }
-  for (size_t i = 0; i < ends.size(); ++i) w.ends[i].insert(w.ends[i].end(), ends[i].begin(), ends[i].end());
   w.clashes.push_back(clashes);
   m.wait(poses);
-  if (!on_any_rank(m.file.comm(), (m.root() && m.output_time.due()) || w.size() > kMostWaiting)) return;
-  m.output_time.spend([&] { m.write_waiting(); });
+  if (!alone) {
+    w.fields.resize(fields.size()), w.ends.resize(ends.size());
+    // Nodes of bodies come after those of lines, and are not in the rows.
+    for (size_t i = 0; i < fields.size(); ++i) {
+      const auto last = fields[i].begin() + m.line_nodes * c.fields[i].components;
+      w.fields[i].insert(w.fields[i].end(), fields[i].begin(), last);
+    }
+    for (size_t i = 0; i < ends.size(); ++i)
+      w.ends[i].insert(w.ends[i].end(), ends[i].begin(), ends[i].end());
+  }
+  if (!now) return;
+  m.output_time.spend([&] {
+    if (alone)
+      m.write(std::exchange(w, {}), fields, ends);
+    else
+      m.write_waiting();
+  });
   m.save_xdmf(false);
 }
 

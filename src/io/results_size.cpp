@@ -44,7 +44,7 @@ double checkpoint_numbers(const Checkpoint& c) {
     n += static_cast<double>((field.make ? field.make() : field.values).size());
   for (const auto& [name, history] : c.history) {
     n += 1;
-    for (const HistoryRecord& r : history.make ? history.make() : history.records)
+    for (const HistoryRecord& r : history.make ? history.make({}) : history.records)
       n += 4 + static_cast<double>(r.values.size());
   }
   return n;

@@ -17,7 +17,7 @@ inline void force(const Local& o, const BeamReference& r, double* f) {
   const Row fd = times(o.Rm, o.n);
   Vec3 f1 = vec(times(o.B, q) + left(o.m, o.Psi1));
   Vec3 f2 = vec(left(q, o.B) + left(o.m, o.Psi2));
-  if (!r.aligned) f1 = r.axes * f1, f2 = r.axes * f2;
+  if (r.axes) f1 = *r.axes * f1, f2 = *r.axes * f2;
   for (int i = 0; i < 3; ++i) f[i] = -fd[i], f[3 + i] = f1[i], f[6 + i] = fd[i], f[9 + i] = f2[i];
 }
 
@@ -37,8 +37,8 @@ inline void expand(const Local& o, const BeamReference& r, const Blocks& b, doub
   const Mat dd = o.Rm * b.dd * Rt;
   Mat d1 = o.Rm * b.d1, d2 = o.Rm * b.d2, a = b.one_d * Rt, c = b.two_d * Rt;
   Mat m11 = b.one_one, m12 = b.one_two, m21 = b.two_one, m22 = b.two_two;
-  if (!r.aligned) {
-    const Mat A = load(r.axes), At = transpose(A);
+  if (r.axes) {
+    const Mat A = load(*r.axes), At = transpose(A);
     d1 = d1 * At, d2 = d2 * At, a = A * a, c = A * c;
     m11 = A * m11 * At, m12 = A * m12 * At, m21 = A * m21 * At, m22 = A * m22 * At;
   }

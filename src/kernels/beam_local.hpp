@@ -50,7 +50,7 @@ struct Local {
 // Angular velocities of the ends in element axes.
 inline void spins(const BeamReference& r, const BeamEnds& e, Row& w1, Row& w2) {
   w1 = load(e.w1), w2 = load(e.w2);
-  if (!r.aligned) w1 = load(Vec3(r.axes.transpose() * e.w1)), w2 = load(Vec3(r.axes.transpose() * e.w2));
+  if (r.axes) w1 = load(Vec3(r.axes->transpose() * e.w1)), w2 = load(Vec3(r.axes->transpose() * e.w2));
 }
 
 // Bending that is not linear: gradient and Hessian of its energy in (psi2, psi3, a3, a2).
@@ -125,8 +125,8 @@ inline void axial_by_table(const BeamSection& s, Local& o) {
 inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool rates,
                        Local& o) {
   Quat q1 = e.q1, q2 = e.q2;
-  if (!r.aligned) {
-    const Quat a(r.axes);
+  if (r.axes) {
+    const Quat a(*r.axes);
     q1 = q1 * a, q2 = q2 * a;
   }
   const Vec3 psi = log_so3(q1.conjugate() * q2);

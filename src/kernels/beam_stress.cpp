@@ -109,10 +109,8 @@ double beam_bend(const BeamSection& s, const BeamReference& r, const BeamEnds& e
   return dissipated;
 }
 
-BeamReference beam_reference(const BeamSection& s, const BeamEnds& e, const Mat3& axes) {
+BeamReference beam_reference(const BeamSection& s, const BeamEnds& e) {
   BeamReference r;
-  r.axes = axes;
-  r.aligned = axes.isIdentity(0);
   Local o;
   kinematics(s, r, e, false, o);
   r.psi = vec(o.psi);

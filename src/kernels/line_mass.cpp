@@ -27,9 +27,11 @@ struct Local {
   Row w[2], alpha[2], spin[2];  // spin: J w
 };
 
+inline Mat3 axes(const MassSection& s) { return s.axes ? *s.axes : Mat3::Identity(); }
+
 // Rotary inertia of half the element, node axes.
 inline Mat rotary(const MassSection& s) {
-  const Mat A = load(s.axes);
+  const Mat A = load(axes(s));
   Mat JA = transpose(A);
   for (int i = 0; i < 3; ++i) JA.r[i] *= 0.5 * s.length * s.rotary[i];
   return A * JA;
@@ -38,7 +40,7 @@ inline Mat rotary(const MassSection& s) {
 inline void kinematics(const MassSection& s, const MassEnds& e, const Vec3& dead, const Mat& J, Local& o) {
   const double L = s.length, mL = s.mass_per_length * L;
   o.R[0] = rotation(e.q1), o.R[1] = rotation(e.q2);
-  o.c = load(Vec3(s.axes.col(0)));
+  o.c = load(Vec3(axes(s).col(0)));
   o.w[0] = load(e.w1), o.w[1] = load(e.w2);
   o.alpha[0] = load(e.alpha1), o.alpha[1] = load(e.alpha2);
   const Mat3* given[2] = {e.directors1, e.directors2};
@@ -122,13 +124,13 @@ HAWSER_CLONES void beam_mass_tangent(const MassSection& s, const MassEnds& e, co
 
 double beam_kinetic_energy(const MassSection& s, const MassEnds& e) {
   const double mL = s.mass_per_length * s.length;
-  const Vec3 c = s.axes.col(0);
+  const Vec3 c = axes(s).col(0);
   const Vec3 V[4] = {e.v1, s.length * (e.q1 * e.w1.cross(c)), e.v2, s.length * (e.q2 * e.w2.cross(c))};
   double twice = 0;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) twice += mL * kMass[i][j] * V[i].dot(V[j]);
   for (const Vec3& w : {e.w1, e.w2}) {
-    const Vec3 local = s.axes.transpose() * w;
+    const Vec3 local = axes(s).transpose() * w;
     twice += 0.5 * s.length * local.dot(s.rotary.cwiseProduct(local));
   }
   return 0.5 * twice;
@@ -136,7 +138,7 @@ double beam_kinetic_energy(const MassSection& s, const MassEnds& e) {
 
 double beam_load_work(const MassSection& s, const Vec3& x1, const Quat& q1, const Vec3& x2, const Quat& q2,
                       const Vec3& load) {
-  const Vec3 c = s.axes.col(0);
+  const Vec3 c = axes(s).col(0);
   const double L = s.length;
   return load.dot((0.5 * L) * (x1 + x2) + (L * L / 12) * (q1 * c - q2 * c));
 }

@@ -36,7 +36,7 @@ CableInWater in_place(const WaterEnds& e) {
 struct BeamMotion {
   Motion<4> m;
   Mat Q[2];
-  Row c, w[2], rate[2];  // axis, angular velocity, w x c
+  Row c, w[2], rate[2];  // node axis along the line, angular velocity, w x c
   Row g[2];              // acceleration of the tangent in node axes; unused when it is given
   bool given;
 };
@@ -44,7 +44,7 @@ struct BeamMotion {
 void beam_motion(const WaterSection& s, const WaterEnds& e, BeamMotion& o) {
   const MassEnds& r = e.motion;
   const double L = s.length;
-  o.c = load(s.axis);
+  o.c = load(Vec3(Vec3::UnitX()));
   o.Q[0] = rotation(r.q1), o.Q[1] = rotation(r.q2);
   o.w[0] = load(r.w1), o.w[1] = load(r.w2);
   o.given = r.directors1 != nullptr;
@@ -57,7 +57,7 @@ void beam_motion(const WaterSection& s, const WaterEnds& e, BeamMotion& o) {
     o.m.X[2 * i + 1] = L * times(o.Q[i], o.c);
     o.m.V[2 * i + 1] = L * times(o.Q[i], o.rate[i]);
     if (o.given) {
-      const Vec3 a = *directors[i] * s.axis;
+      const Vec3 a = directors[i]->col(0);
       o.m.A[2 * i + 1] = L * load(a);
     } else {
       o.g[i] = cross(alpha[i], o.c) + cross(o.w[i], o.rate[i]);

@@ -86,6 +86,8 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
     const bool a = owner[e.first] == rank, b = owner[e.second] == rank;
     if (a || b) l.elements.push_back({local.at(e.first), local.at(e.second), static_cast<int>(i), a});
   }
+  for (auto* kept : {&l.global, &l.block, &l.global_block}) kept->shrink_to_fit();
+  l.elements.shrink_to_fit();
   return l;
 }
 

@@ -87,6 +87,10 @@ void mark_two_sided(const model::Case& c, Mesh& m) {
 Mesh build_mesh(const model::Case& c) {
   Mesh m;
   const auto places = model::fixed_places(c);
+  size_t elements = 0;
+  for (const model::Line& line : c.lines)
+    for (const model::Section& s : line.sections) elements += s.elements;
+  m.elements.reserve(elements), m.nodes.reserve(elements + c.lines.size() + c.bodies.size());
   for (size_t i = 0; i < c.lines.size(); ++i) {
     const auto& line = c.lines[i];
     LineSpan span;

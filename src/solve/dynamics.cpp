@@ -64,13 +64,12 @@ void Dynamics::build() {
   copied_ = false;
   u_ = system_.create_vector();
   check(VecDuplicate(u_.get(), r_.out()));
-  check(VecDuplicate(u_.get(), solution_.out()));
   J_ = system_.create_matrix();
   // PETSc makes its work vectors like the solution of the TS, and keeps them.
   DM dm = nullptr;
   check(TSGetDM(ts_.get(), &dm));
   check(DMClearGlobalVectors(dm));
-  check(TSSetSolution(ts_.get(), solution_.get()));
+  check(TSSetSolution(ts_.get(), u_.get()));
   check(SNESReset(snes_));
   check(SNESSetFunction(snes_, r_.get(), residual, this));
   check(SNESSetJacobian(
@@ -87,19 +86,19 @@ void Dynamics::prepare(double h, const State* end) {
       Coupled::anew) {
     build();
     system_.spread(committed_.s);
-    system_.spread(committed_.ax), system_.spread(committed_.aw);
-    if (!committed_.ad.empty()) system_.spread(committed_.ad);
+    system_.spread(committed_.ax);
+    if (has_directors(system_.mesh())) system_.spread(committed_.aw), system_.spread(committed_.ad);
     const size_t size = 3 * static_cast<size_t>(system_.mesh().blocks());
-    for (auto* rows : {&reactions_, &mean_.q, &mean_.f}) rows->resize(size, 0);
+    reactions_.resize(size, 0);
+    for (auto* rows : {&mean_.q, &mean_.f}) rows->resize(system_.mean_forces().size(), 0);
   }
   system_.prepare(committed_.s.view(last_step_), h);
   expected_ = h;
 }
 
 void Dynamics::load(Vec u) {
-  system_.gather(u, gathered_);
-  if (loaded_ && gathered_ == local_u_) return;
-  std::swap(gathered_, local_u_);
+  const bool others = system_.gather(u, local_u_);
+  if (loaded_ && !others) return;
   alpha_trial(system_.mesh(), system_.supports(), alpha_, h_, committed_, local_u_, trial_);
   loaded_ = true;
 }
@@ -186,19 +185,21 @@ int Dynamics::try_step(double h) {
 void Dynamics::commit() {
   // Work of whatever holds the ends, by the trapezoidal rule; that of mean forces by the mean.
   const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
-  const std::vector<double> before = mean_.f;
-  alpha_mean_advance(alpha_, mean, mean_);
   const LocalMesh& m = system_.mesh();
-  for (const Support& s : system_.supports().list()) {
-    if (s.node >= m.owned || s.frame >= 0) continue;
-    const size_t b = 3 * static_cast<size_t>(m.block[static_cast<size_t>(s.node)]);
-    const int n = m.rotates(s.node) ? 6 : 3;
-    for (int c = 0; c < n; ++c) {
-      const size_t i = b + static_cast<size_t>(c);
-      if ((c < 3 ? s.position_mask >> c : s.rotation_mask >> (c - 3)) & 1)
-        support_work_ += (0.5 * (reactions_[i] + now[i] - before[i] - mean_.f[i]) + mean[i]) * local_u_[i];
+  const auto of = [](const std::vector<double>& rows, size_t i) { return rows.empty() ? 0 : rows[i]; };
+  const auto add_work = [&](const auto& force) {
+    for (const Support& s : system_.supports().list()) {
+      if (s.node >= m.owned || s.frame >= 0) continue;
+      const size_t b = 3 * static_cast<size_t>(m.block[static_cast<size_t>(s.node)]);
+      const int n = m.rotates(s.node) ? 6 : 3;
+      for (int c = 0; c < n; ++c)
+        if ((c < 3 ? s.position_mask >> c : s.rotation_mask >> (c - 3)) & 1)
+          support_work_ += force(b + static_cast<size_t>(c)) * local_u_[b + static_cast<size_t>(c)];
     }
-  }
+  };
+  add_work([&](size_t i) { return 0.5 * (reactions_[i] - of(mean_.f, i)); });
+  alpha_mean_advance(alpha_, mean, mean_);
+  add_work([&](size_t i) { return 0.5 * (now[i] - of(mean_.f, i)) + of(mean, i); });
   reactions_ = now;
   std::swap(committed_, trial_);
   last_step_ = h_, expected_ = -1;
@@ -221,9 +222,9 @@ NodeValue Dynamics::roughest() const {
   return most;
 }
 
-// Of the masses in J_ under the forces -r_: minus the accelerations, with ghosts, to gathered_. Throws
-// SolveError when the masses cannot be solved with.
-void Dynamics::solve_masses() {
+// Of the masses in J_ under the forces -r_: minus the accelerations, with ghosts. Throws SolveError when the
+// masses cannot be solved with.
+std::vector<double> Dynamics::solve_masses() {
   KSP ksp = nullptr;
   check(SNESGetKSP(snes_, &ksp));
   check(KSPSetOperators(ksp, J_.get(), J_.get()));
@@ -237,7 +238,9 @@ void Dynamics::solve_masses() {
         fmt::format("at t = {:.6g} s the mass matrix is singular: some part of a line has no mass (is a "
                     "rotary_inertia zero?)",
                     committed_.s.time));
-  system_.gather(u_.get(), gathered_);
+  std::vector<double> out;
+  system_.gather(u_.get(), out);
+  return out;
 }
 
 void Dynamics::start(const State& state) {
@@ -259,9 +262,9 @@ void Dynamics::start(const State& state) {
   mean_.q = mean_.f = system_.mean_forces();
   const std::vector<double> zero(3 * static_cast<size_t>(system_.mesh().blocks()), 0);
   system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
-  solve_masses();
+  const std::vector<double> less = solve_masses();
   for (size_t i = 0; i < s.x.size(); ++i) {
-    const double* p = gathered_.data() + 3 * system_.mesh().block[i];
+    const double* p = less.data() + 3 * system_.mesh().block[i];
     s.a[i] -= Eigen::Map<const Vec3>(p);
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
@@ -279,6 +282,7 @@ void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, co
   last_step_ = carried.last_step;
   support_work_ = carried.support_work;
   mean_ = carried.mean;
+  for (auto* rows : {&mean_.q, &mean_.f}) rows->resize(system_.mean_forces().size());
   prepare(control_.proposal());
 }
 

@@ -47,7 +47,7 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
   if (has_directors(m)) system_.spread(committed_.aw), system_.spread(committed_.ad);
   system_.support(supports(), BodyMotion(system_.supports().motion()));
   prepare(control_.proposal());  // another element can touch others
-  for (auto* rows : {&mean, &all}) rows->resize(reactions_.size(), 0);
+  mean.resize(mean_.q.size(), 0), all.resize(reactions_.size(), 0);
   if (settles >= 0) settle(settles, h);
   forces();
   const auto add = [](std::vector<double>& to, const std::vector<double>& now,

@@ -60,9 +60,9 @@ void Dynamics::catch_up(const Supports& before, State& s) {
   check(VecAXPY(r_.get(), -1, rest.get()));
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
   system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());
-  solve_masses();
+  const std::vector<double> less = solve_masses();
   for (size_t i = 0; i < s.x.size(); ++i) {
-    const double* p = gathered_.data() + 3 * m.block[i];
+    const double* p = less.data() + 3 * m.block[i];
     s.v[i] -= Eigen::Map<const Vec3>(p);
     if (m.rotates(static_cast<int>(i))) s.w[i] -= Eigen::Map<const Vec3>(p + 3);
   }

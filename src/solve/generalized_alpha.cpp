@@ -22,8 +22,9 @@ bool has_directors(const LocalMesh& mesh) {
 
 void alpha_start(const LocalMesh& mesh, AlphaState& state) {
   State& s = state.s;
-  state.ax = s.a, state.aw = s.alpha;
-  s.directors.resize(has_directors(mesh) ? s.x.size() : 0);
+  const bool turns = has_directors(mesh);
+  state.ax = s.a, state.aw = turns ? s.alpha : std::vector<Vec3>();
+  s.directors.resize(turns ? s.x.size() : 0);
   for (size_t n = 0; n < s.directors.size(); ++n)
     s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);
   state.ad = s.directors;
@@ -77,7 +78,7 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
       trial.ad[n] = s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);
     for (int i = 0; i < 3; ++i) {
       if (p.position_mask >> i & 1) trial.ax[n][i] = s.a[n][i];
-      if (p.rotation_mask >> i & 1) trial.aw[n][i] = s.alpha[n][i];
+      if (mesh.rotates(p.node) && p.rotation_mask >> i & 1) trial.aw[n][i] = s.alpha[n][i];
     }
   }
 }

@@ -40,10 +40,10 @@ void configure_linear_solver(KSP ksp, const System& system, const char* prefix) 
 
 MatHandle symmetric_part(Mat J) {
   MatHandle a, t;
-  check(MatConvert(J, MATAIJ, MAT_INITIAL_MATRIX, a.out()));
-  check(MatTranspose(a.get(), MAT_INITIAL_MATRIX, t.out()));
-  check(MatAXPY(a.get(), 1, t.get(), UNKNOWN_NONZERO_PATTERN));  // where it is the same it takes no room
-  check(MatScale(a.get(), 0.5));
+  check(MatTranspose(J, MAT_INITIAL_MATRIX, t.out()));
+  check(MatAXPY(t.get(), 1, J, UNKNOWN_NONZERO_PATTERN));  // where it is the same it takes no room
+  check(MatScale(t.get(), 0.5));
+  check(MatConvert(t.get(), MATAIJ, MAT_INITIAL_MATRIX, a.out()));
   check(MatSetOption(a.get(), MAT_SYMMETRIC, PETSC_TRUE));
   return a;
 }

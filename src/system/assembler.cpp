@@ -79,7 +79,7 @@ void Assembler::add(std::span<const int> blocks, const double* f, const double* 
   if (K && weights_.K != 0) {
     weigh<true>(n, weights_.K, K, J);
     for (int j = 0; j < n; ++j)
-      if ((*is_rotation_)[block[j]]) turn_columns((*retraction_)[block[j]], m, J + 3 * j);
+      if (const int turn = (*turn_of_)[block[j]]; turn >= 0) turn_columns((*retraction_)[turn], m, J + 3 * j);
   } else {
     std::fill(J, J + m * m, 0.0);
   }
@@ -125,8 +125,8 @@ void Assembler::add_tied(std::span<const int> blocks, const double* K, const dou
   if (C) k += Eigen::Map<const Matrix>(C, m, m) * V;
   Matrix J = weights_.K * P.transpose() * k;
   for (Eigen::Index j = 0; j < size; j += 3)
-    if (const size_t b = to[j / 3]; (*is_rotation_)[b])
-      J.middleCols<3>(j) = (J.middleCols<3>(j) * (*retraction_)[b]).eval();
+    if (const int turn = (*turn_of_)[to[j / 3]]; turn >= 0)
+      J.middleCols<3>(j) = (J.middleCols<3>(j) * (*retraction_)[turn]).eval();
   if (C) J += weights_.C * P.transpose() * Eigen::Map<const Matrix>(C, m, m) * P;
   if (M) J += weights_.M * P.transpose() * Eigen::Map<const Matrix>(M, m, m) * P;
   std::vector<double> own(J.data(), J.data() + J.size());

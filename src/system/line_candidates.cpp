@@ -73,6 +73,7 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
 
 void LineCandidates::gather() {
   local_.clear(), built_.clear(), list_.clear();
+  local_.reserve(mesh_.elements.size()), built_.reserve(mesh_.elements.size());
   for (const LocalElement& e : mesh_.elements)
     if (radius_[e.global] > 0 && !left_out(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
@@ -190,7 +191,7 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   ++builds_;
   outdated_ = false;
   foresee(committed, h);
-  std::vector<std::pair<int, int>> found = search(from_others());
+  std::vector<std::pair<int, int>> found = search();
   if (found == list_) return false;
   list_ = std::move(found);
   return true;
@@ -226,16 +227,18 @@ void LineCandidates::foresee(const Kinematics& committed, double h) {
     steps = std::max(1.0, std::floor(steps / std::sqrt(worst)));
     go();
   }
-  boxes_.resize(built_.size());
-  for (size_t i = 0; i < built_.size(); ++i) boxes_[i] = swept_box(built_[i]);
 }
 
-std::vector<std::pair<int, int>> LineCandidates::search(const std::vector<SweptAxis>& others) {
-  for (const SweptAxis& s : others) boxes_.push_back(swept_box(s));
+std::vector<std::pair<int, int>> LineCandidates::search() const {
+  std::vector<Box> boxes;
+  boxes.reserve(built_.size());
+  for (const SweptAxis& s : built_) boxes.push_back(swept_box(s));
+  const std::vector<SweptAxis> others = from_others(boxes);
+  for (const SweptAxis& s : others) boxes.push_back(swept_box(s));
   const size_t own = built_.size();
   const auto axis_of = [&](size_t i) { return i < own ? &built_[i] : &others[i - own]; };
   std::vector<std::pair<int, int>> out;
-  for (const auto& [first, second] : overlapping_pairs(boxes_)) {
+  for (const auto& [first, second] : overlapping_pairs(boxes)) {
     const size_t i = first, j = second;
     if (i >= own) continue;  // and so is the second
     if (j - i <= unseen_[i]) continue;
@@ -281,6 +284,7 @@ void LineCandidates::couple(Couplings& to) const {
 void LineCandidates::locate() {
   segments_.clear(), pairs_.clear();
   std::vector<std::pair<int, int>> number;  // element, segment; sorted by element
+  segments_.reserve(local_.size()), number.reserve(local_.size());
   for (const LocalElement& e : local_) {
     number.emplace_back(e.global, static_cast<int>(segments_.size()));
     segments_.push_back({e.first, e.second, e.global, radius_[e.global]});

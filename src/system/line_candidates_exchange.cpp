@@ -28,7 +28,7 @@ std::vector<double> pack(const std::vector<SweptAxis>& own, const std::set<size_
 
 }  // namespace
 
-std::vector<SweptAxis> LineCandidates::from_others() const {
+std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) const {
   const int size = ranks_of(comm_), rank = rank_of(comm_);
   if (size == 1) return {};
   const std::vector<SweptAxis>& own = built_;
@@ -36,7 +36,7 @@ std::vector<SweptAxis> LineCandidates::from_others() const {
   for (size_t first = 0; first < own.size(); first += kChunk) {
     const size_t last = std::min(first + kChunk, own.size());
     Box b;
-    for (size_t i = first; i < last; ++i) b.add(boxes_[i]);
+    for (size_t i = first; i < last; ++i) b.add(of[i]);
     mine.insert(mine.end(), b.lo.begin(), b.lo.end());
     mine.insert(mine.end(), b.hi.begin(), b.hi.end());
     mine.push_back(static_cast<double>(last - first));

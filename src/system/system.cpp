@@ -31,19 +31,21 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
 // What is kept by local block.
 void System::size_arrays() {
   const size_t blocks = mesh_.blocks();
-  is_rotation_.assign(blocks, 0);
+  turn_of_.assign(blocks, -1);
+  int turns = 0;
   square_of_block_.resize(blocks);
   for (int n = 0; n < mesh_.nodes(); ++n) {
     const size_t b = mesh_.block[n];
     const int line = mesh_.node(n).line;
     square_of_block_[b] = 2 * line;
-    if (mesh_.rotates(n)) is_rotation_[b + 1] = 1, square_of_block_[b + 1] = 2 * line + 1;
+    if (mesh_.rotates(n)) turn_of_[b + 1] = turns++, square_of_block_[b + 1] = 2 * line + 1;
   }
   force_.resize(3 * blocks, 0);
-  mean_.resize(3 * blocks, 0);
+  const auto& elements = mesh_.mesh->elements;
+  if (!std::all_of(elements.begin(), elements.end(), [](const Element& e) { return e.beam; }))
+    mean_.resize(3 * blocks, 0);
   squares_.resize(blocks, 0);
-  const bool turns = std::find(is_rotation_.begin(), is_rotation_.end(), 1) != is_rotation_.end();
-  retraction_.assign(turns ? blocks : 0, Mat3::Identity());
+  retraction_.resize(turns);
 }
 
 void System::add(std::unique_ptr<ForceTerm> term) {
@@ -118,7 +120,7 @@ void System::add_to_frames(const Kinematics& trial) {
   }
 }
 
-void System::gather(Vec u, std::vector<double>& out) const {
+bool System::gather(Vec u, std::vector<double>& out) const {
   out.resize(3 * static_cast<size_t>(mesh_.blocks()));
   const int size = ranks_of(comm_);
   if (size > 1) {
@@ -132,9 +134,11 @@ void System::gather(Vec u, std::vector<double>& out) const {
   if (static_cast<size_t>(length) != out.size()) throw PetscFailure("a vector of other ghosts");
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(local, &p));
-  std::copy(p, p + out.size(), out.begin());
+  const bool others = !std::equal(out.begin(), out.end(), p);
+  if (others) std::copy(p, p + out.size(), out.begin());
   check(VecRestoreArrayRead(local, &p));
   check(VecGhostRestoreLocalForm(u, &local));
+  return others;
 }
 
 void System::residual(const Kinematics& trial, Vec r, std::span<const double> carried) {
@@ -180,8 +184,8 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
 
 void System::tangent(const Kinematics& trial, Weights weights, const std::vector<double>& u, bool convex,
                      Mat J) {
-  for (size_t b = 0; b < is_rotation_.size(); ++b)
-    if (is_rotation_[b]) retraction_[b] = right_jacobian(Eigen::Map<const Vec3>(u.data() + 3 * b));
+  for (size_t b = 0; b < turn_of_.size(); ++b)
+    if (turn_of_[b] >= 0) retraction_[turn_of_[b]] = right_jacobian(Eigen::Map<const Vec3>(u.data() + 3 * b));
   check(MatZeroEntries(J));
   const OwnBlocks own(J);
   Assembler assembler;
@@ -193,7 +197,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   assembler.owned_blocks_ = mesh_.owned_blocks;
   assembler.global_block_ = &mesh_.global_block;
   assembler.retraction_ = &retraction_;
-  assembler.is_rotation_ = &is_rotation_;
+  assembler.turn_of_ = &turn_of_;
   assembler.held_ = &supports_.held();
   see_ties(trial);
   if (!ties_.empty()) assembler.ties_ = &ties_, assembler.tie_of_ = &tie_of_;
@@ -219,7 +223,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
     if (!held[b] && !shifted) continue;
-    const double shift = is_rotation_[b] ? weights.shift_rotation : weights.shift_position;
+    const double shift = turn_of_[b] >= 0 ? weights.shift_rotation : weights.shift_position;
     double* diagonal = own.at(b, b);
     for (int c = 0; c < 3; ++c) diagonal[4 * c] += held[b] >> c & 1 ? 1 : shift;
   }

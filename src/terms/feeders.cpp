@@ -341,7 +341,7 @@ void Feeders::commit(const Kinematics& accepted) {
 double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
   const size_t i = e.first, j = e.second;
   if (!f.beam) return 0.5 * length * f.weight.dot(at.x[i] + at.x[j]);
-  const MassSection s{length, f.mass_per_length, Vec3::Zero(), Mat3::Identity()};
+  const MassSection s{length, f.mass_per_length};
   return beam_load_work(s, at.x[i], at.q[i], at.x[j], at.q[j], f.weight);
 }
 

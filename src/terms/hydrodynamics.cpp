@@ -14,14 +14,6 @@ namespace hawser {
 Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces,
                              std::vector<Ball> balls)
     : mesh_(mesh), sea_(std::move(sea)), pieces_(std::move(pieces)), balls_(std::move(balls)) {
-  for (Piece& p : pieces_) {
-    const int a = mesh_.block[static_cast<size_t>(p.at.first)],
-              b = mesh_.block[static_cast<size_t>(p.at.second)];
-    if (p.beam)
-      p.blocks[0] = a, p.blocks[1] = a + 1, p.blocks[2] = b, p.blocks[3] = b + 1;
-    else
-      p.blocks[0] = a, p.blocks[1] = b;
-  }
   group();
 }
 
@@ -70,8 +62,10 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
   if (p.idle) return;
   double f[12], K[144], C[144], M[144];
   const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
-  const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const int first = mesh_.block[i], second = mesh_.block[j];
+  const int beam[] = {first, first + 1, second, second + 1}, cable[] = {first, second};
+  const std::span<const int> blocks = p.beam ? std::span<const int>(beam) : cable;
   if (p.beam) {
     const WaterEnds e = ends(p, trial);
     if (tangent)
@@ -114,46 +108,36 @@ void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-void Hydrodynamics::places(const Piece& p, const Kinematics& k, Vec3* out) const {
-  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
-  const double L = p.section.length;
-  out[0] = k.x[i], out[2] = k.x[j];
-  out[1] = p.beam ? Vec3(L * (k.q[i] * p.section.axis)) : Vec3::Zero();
-  out[3] = p.beam ? Vec3(L * (k.q[j] * p.section.axis)) : Vec3::Zero();
-}
-
-// Cables, beams, balls: a force at one place.
-void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
+Hydrodynamics::Flow Hydrodynamics::flow(const Kinematics& at) const {
   look_at_water(at);
-  out.clear();
-  out.reserve(2 * pieces_.size() + 2 * beams_.size() + balls_.size());
+  Flow out;
+  out.force.assign(static_cast<size_t>(mesh_.chain_blocks), Vec3::Zero()), out.place = out.force;
+  for (int n = 0; n < mesh_.chain; ++n) {
+    const size_t node = static_cast<size_t>(n), block = static_cast<size_t>(mesh_.block[node]);
+    out.place[block] = at.x[node];
+    if (mesh_.rotates(n)) out.place[block + 1] = at.q[node] * Vec3::UnitX();
+  }
+  // What is inside a feeder feels no water.
   const auto put = [&](const Piece& p, const WaterForce& force) {
-    Vec3 place[4];
-    places(p, at, place);
-    for (int j = 0; j < 4; j += p.beam ? 1 : 2)
-      out.force.push_back(force.force[j]), out.place.push_back(place[j]);
+    const double L = p.section.length;
+    for (int j = 0; j < 4; j += p.beam ? 1 : 2) {
+      const int node = j < 2 ? p.at.first : p.at.second,
+                block = mesh_.block[static_cast<size_t>(node)] + j % 2;
+      out.force[static_cast<size_t>(block)] += (j % 2 ? L : 1) * force.force[j];
+    }
   };
-  WaterForce none;  // on what is inside a feeder
-  for (Vec3& force : none.force) force.setZero();
   for (const Four& q : fours_) {
     WaterForce all[4];
     const unsigned known = flow(q, at, all);
     for (int i = 0; i < q.count; ++i) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
-      if (!p.at.counted) continue;
-      if (p.idle)
-        put(p, none);
-      else
+      if (p.at.counted && !p.idle)
         put(p, known >> i & 1 ? all[i] : water_force(p.section, ends(p, at), false, sea_.surface));
     }
   }
   for (const int b : beams_) {
     const Piece& p = pieces_[static_cast<size_t>(b)];
-    if (!p.at.counted) continue;
-    if (p.idle)
-      put(p, none);
-    else
-      put(p, water_force(p.section, ends(p, at), true, sea_.surface));
+    if (p.at.counted && !p.idle) put(p, water_force(p.section, ends(p, at), true, sea_.surface));
   }
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
@@ -164,9 +148,9 @@ void Hydrodynamics::flow(const Kinematics& at, Flow& out) const {
     Vec3 f, up;
     ball_water(b.ball, at.x[n], at.v[n], at.a[n], water_at(n), f, nullptr, nullptr, nullptr);
     ball_water(floating, at.x[n], at.v[n], at.a[n], calm, up, nullptr, nullptr, nullptr);
-    f -= up;
-    out.force.push_back(-f), out.place.push_back(at.x[n]);
+    out.force[static_cast<size_t>(mesh_.block[n])] += up - f;
   }
+  return out;
 }
 
 // In statics before every iteration: what the line search needs of forces without a potential.
@@ -183,17 +167,16 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
   if (begins || flow_.place.empty() || feeders_) {
     Kinematics now = committed;
     if (begins) now.step = h;
-    flow(now, flow_);
+    flow_ = flow(now);
   }
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {
   see_feeders(accepted, true);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
-  Flow& now = spare_;
-  flow(accepted, now);
-  if (accepted.step > 0 && flow_.place.size() == now.place.size()) work_ += work(flow_, now);
-  std::swap(flow_, now);
+  Flow now = flow(accepted);
+  if (accepted.step > 0 && !flow_.place.empty()) work_ += work(flow_, now);
+  flow_ = std::move(now);
   if (sea_.waves.none()) return;
   std::vector<Vec3> looked(accepted.x.size());
   for (size_t n = 0; n < looked.size(); ++n) looked[n] = wave_place(accepted, n);
@@ -213,11 +196,7 @@ Energy Hydrodynamics::energy(const Kinematics& at) const {
     const size_t n = static_cast<size_t>(b.node);
     e.potential += ball_potential(b.ball, at.x[n], calm);
   }
-  if (!(at.step > 0) && !flow_.place.empty()) {
-    Flow now;
-    flow(at, now);
-    e.potential -= work(flow_, now);
-  }
+  if (!(at.step > 0) && !flow_.place.empty()) e.potential -= work(flow_, flow(at));
   e.work = work_;
   return e;
 }
@@ -263,7 +242,9 @@ void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, d
 void Hydrodynamics::fields(FieldRegistry& registry) const {
   const std::string effective = "effective_tension";
   const auto& all = registry.sources();
-  if (std::none_of(all.begin(), all.end(), [&](const FieldSource& f) { return f.name == effective; })) return;
+  if (walls_.empty() ||
+      std::none_of(all.begin(), all.end(), [&](const FieldSource& f) { return f.name == effective; }))
+    return;
   registry.add({{.name = "wall_tension",
                  .unit = "N",
                  .history = Field::History::behind_ends,
@@ -272,14 +253,15 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
                  .order = 10},
                 [this](const Kinematics& k, std::span<double> out) {
                   std::vector<double> weight(out.size(), 0), sum(out.size(), 0);
-                  for (const Piece& p : pieces_)
+                  for (const Piece& p : pieces_) {
+                    const Wall& wall = walls_[static_cast<size_t>(mesh_.element(p.at).type)];
                     for (const int node : {p.at.first, p.at.second}) {
                       if (node >= mesh_.owned) continue;
                       const size_t n = static_cast<size_t>(node);
                       const double depth = sea_.surface - k.x[n].z();
                       const double out_ = sea_.density * sea_.gravity * std::max(depth, 0.0);
-                      const double in = p.pressure + p.contents * sea_.gravity * depth;
-                      const double more = p.inside * in - p.outside * out_;
+                      const double in = wall.pressure + wall.contents * sea_.gravity * depth;
+                      const double more = wall.inside * in - wall.outside * out_;
                       if (mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[n])].two_sided) {
                         if (weight[n] == 0 || std::abs(out[n] + more) > std::abs(out[n] + sum[n]))
                           sum[n] = more;
@@ -289,6 +271,7 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
                       weight[n] += 1 / p.section.length;
                       sum[n] += more / p.section.length;
                     }
+                  }
                   for (size_t n = 0; n < out.size(); ++n)
                     if (weight[n] > 0) out[n] += sum[n] / weight[n];
                 },
@@ -314,12 +297,14 @@ std::vector<HistoryKind> Hydrodynamics::history() const {
   return {history_kind<WorkDone>("sums of a rank"), history_kind<Place>("places of waves")};
 }
 
-std::vector<HistoryRecord> Hydrodynamics::save() const {
+std::vector<HistoryRecord> Hydrodynamics::records(NodeRange of) const {
   if (mesh_.owned == 0) return {};
-  std::vector<HistoryRecord> out{record_of(mesh_.global[0], 0, WorkDone{work_}, kSums)};
+  std::vector<HistoryRecord> out;
+  if (of.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kSums));
   if (place_.empty()) return out;
   const auto put = [&](int node, int key, const Vec3& x) {
-    out.push_back(record_of(mesh_.global[static_cast<size_t>(node)], key, Place{x}, kPlaces));
+    const int global = mesh_.global[static_cast<size_t>(node)];
+    if (of.has(global)) out.push_back(record_of(global, key, Place{x}, kPlaces));
   };
   for (int n = 0; n < mesh_.owned; ++n) put(n, kOwn, place_[static_cast<size_t>(n)]);
   for (const Piece& p : pieces_)
@@ -332,7 +317,7 @@ std::vector<HistoryRecord> Hydrodynamics::save() const {
 // A state that is gone on from has been looked at already.
 void Hydrodynamics::restore(const std::vector<HistoryRecord>& records) {
   work_ = 0;
-  flow_.clear(), start_.clear(), place_.clear();
+  flow_ = {}, start_.clear(), place_.clear();
   wave_known_ = false;
   for (const HistoryRecord& r : records) {
     if (r.kind == kSums) {

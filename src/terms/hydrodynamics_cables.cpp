@@ -102,9 +102,11 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& 
   for (int i = 0; i < q.count; ++i) {
     const Piece& p = pieces_[static_cast<size_t>(q.piece[i])];
     if (p.idle) continue;
+    const int a = mesh_.block[static_cast<size_t>(p.at.first)],
+              b = mesh_.block[static_cast<size_t>(p.at.second)];
     // Of a tied end the derivatives are asked one by one.
-    if (wet >> i & 1 && !(assembler.tied(p.blocks[0]) || assembler.tied(p.blocks[1])))
-      assembler.add_weighted(p.blocks[0], p.blocks[1], f[i], J[i]);
+    if (wet >> i & 1 && !(assembler.tied(a) || assembler.tied(b)))
+      assembler.add_weighted(a, b, f[i], J[i]);
     else
       evaluate(p, trial, assembler);
   }

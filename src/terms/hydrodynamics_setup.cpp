@@ -29,7 +29,6 @@ std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::
   out.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
-    const model::LineType& t = c.line_types[static_cast<size_t>(g.type)];
     Hydrodynamics::Piece& p = out.emplace_back();
     p.at = e, p.beam = g.beam;
     p.section = water_section(c, g.type, g.length);
@@ -40,10 +39,6 @@ std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::
     WaterSection& w = p.section;
     for (double* of : {&w.drag_normal, &w.drag_axial, &w.added_normal, &w.added_axial, &w.displaced_mass})
       *of *= bare;
-    // The pressure of the sea goes through floats and marine growth; the pipe under them bears it.
-    p.outside = M_PI / 4 * t.outer_diameter * t.outer_diameter;
-    p.inside = M_PI / 4 * t.inner_diameter * t.inner_diameter;
-    p.contents = t.contents_density, p.pressure = t.contents_pressure;
   }
   return out;
 }
@@ -78,6 +73,12 @@ std::vector<Hydrodynamics::Ball> balls_of(const LocalMesh& mesh, const model::Ca
 }  // namespace
 
 Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, const model::Case& c)
-    : Hydrodynamics(mesh, sea_of(c), pieces_of(mesh, c), balls_of(mesh, c)) {}
+    : Hydrodynamics(mesh, sea_of(c), pieces_of(mesh, c), balls_of(mesh, c)) {
+  for (const model::LineType& t : c.line_types)
+    // The pressure of the sea goes through floats and marine growth; the pipe under them bears it.
+    walls_.push_back({M_PI / 4 * t.inner_diameter * t.inner_diameter,
+                      M_PI / 4 * t.outer_diameter * t.outer_diameter, t.contents_density,
+                      t.contents_pressure});
+}
 
 }  // namespace hawser

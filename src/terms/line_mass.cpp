@@ -39,15 +39,7 @@ double load_work(const LineMassTerm::Piece& p, const Kinematics& k, const Vec3& 
 }  // namespace
 
 LineMassTerm::LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped)
-    : mesh_(mesh), pieces_(std::move(pieces)), ramped_(std::move(ramped)) {
-  for (Piece& p : pieces_) {
-    const int a = mesh_.block[p.at.first], b = mesh_.block[p.at.second];
-    if (p.beam)
-      p.blocks[0] = a, p.blocks[1] = a + 1, p.blocks[2] = b, p.blocks[3] = b + 1;
-    else
-      p.blocks[0] = a, p.blocks[1] = b;
-  }
-}
+    : mesh_(mesh), pieces_(std::move(pieces)), ramped_(std::move(ramped)) {}
 
 LineMassTerm::LineMassTerm(const LocalMesh& mesh, Built built)
     : LineMassTerm(mesh, std::move(built.pieces), std::move(built.ramped)) {}
@@ -64,7 +56,7 @@ LineMassTerm::Built LineMassTerm::build(const LocalMesh& mesh, const model::Case
     Piece p;
     p.at = e;
     p.beam = g.beam;
-    p.section = {g.length, t.mass_per_length, t.rotary_inertia, Mat3::Identity()};
+    p.section = {g.length, t.mass_per_length, t.rotary_inertia};
     p.load = Vec3(0, 0, -c.environment.gravity * t.mass_per_length);
     p.first_ramped = static_cast<int>(out.ramped.size());
     const double from = mesh.mesh->nodes[g.first].arc, to = from + g.length;
@@ -103,12 +95,12 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Piece& p : pieces_) {
     if (p.idle) continue;
     const Vec3 w = load(p, trial.time);
-    const std::span<const int> blocks(p.blocks, p.beam ? 4 : 2);
+    const int a = mesh_.block[p.at.first], b = mesh_.block[p.at.second], blocks[] = {a, a + 1, b, b + 1};
     if (!p.beam) {
       const size_t i = p.at.first, j = p.at.second;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
-      assembler.add_masses(p.blocks[0], p.blocks[1], f, m.own, m.shared);
+      assembler.add_masses(a, b, f, m.own, m.shared);
     } else if (assembler.wants_tangent()) {
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
       assembler.add(blocks, f, K, C, M);

@@ -1,4 +1,6 @@
 // History of contact of lines with lines through a checkpoint.
+#include <algorithm>
+#include <array>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -31,29 +33,34 @@ std::vector<HistoryKind> LinePairs::history() const {
           history_kind<Deepest>("deepest")};
 }
 
-std::vector<HistoryRecord> LinePairs::save() const {
+std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
   std::vector<HistoryRecord> records;
+  const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
   for (int n = 0; n < mesh_.owned; ++n) {
     const Account& a = accounts_[n];
-    if (a.friction != 0 || a.damping != 0) records.push_back(record_of(mesh_.global[n], 0, a, kSums));
+    if (wanted(n) && (a.friction != 0 || a.damping != 0))
+      records.push_back(record_of(mesh_.global[n], 0, a, kSums));
   }
-  if (deepest_.first >= 0) records.push_back(record_of(element(deepest_.first).first, 0, deepest_, kDeepest));
+  if (deepest_.first >= 0 && of.has(element(deepest_.first).first))
+    records.push_back(record_of(element(deepest_.first).first, 0, deepest_, kDeepest));
   std::map<int, int> number;  // of records at a node
   for (const Pair& p : pairs_) {
     if (!p.history) continue;
+    const ContactSegment &a = segment(p.a), &b = segment(p.b);
+    const std::array nodes{a.first, a.second, b.first, b.second};
+    if (std::none_of(nodes.begin(), nodes.end(), wanted)) continue;
     HistoryRecord r;
     int part = 0;
     for (const auto& points : *p.history) {
       for (const LinePairHistory& h : points) put(PairPoint{p.key.first, p.key.second, part, h}, r.values);
       ++part;
     }
-    for (const ContactSegment* s : {&segment(p.a), &segment(p.b)})
-      for (const int node : {s->first, s->second}) {
-        if (node >= mesh_.owned) continue;
-        r.node = mesh_.global[node];
-        r.key = number[r.node]++;
-        records.push_back(r);
-      }
+    for (const int node : nodes) {
+      if (!wanted(node)) continue;
+      r.node = mesh_.global[node];
+      r.key = number[r.node]++;
+      records.push_back(r);
+    }
   }
   return records;
 }

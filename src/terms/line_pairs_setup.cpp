@@ -14,6 +14,7 @@ constexpr auto all = [](const auto&) { return true; };
 
 std::vector<double> radii(const std::vector<LineContactElement>& elements) {
   std::vector<double> r;
+  r.reserve(elements.size());
   for (const LineContactElement& e : elements) r.push_back(e.radius);
   return r;
 }
@@ -74,7 +75,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
 
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
   const ContactSegment& s = this->segment(segment);
-  AxisEnds out = element_axis(at, element(s.global), s.first, s.second, settings(s.global).tangent);
+  AxisEnds out = element_axis(at, element(s.global), s.first, s.second);
   if (fed_end(segment) >= 0) out.length = feeders_->rest(s.global, at, false)->length;
   return out;
 }

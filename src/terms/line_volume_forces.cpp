@@ -14,7 +14,7 @@ std::optional<AxisContact::Rolls> LineVolumeContact::rolls(const Pair& pair, con
              after = volumes_.trial_pose(pair.volume).rotation.conjugate();
   AxisContact::Rolls r;
   for (size_t i = 0; i < 2; ++i)
-    r.ends[i] = axis_roll(before * pair.start.shape.turn(i), after * shape.turn(i), settings(pair).tangent);
+    r.ends[i] = axis_roll(before * pair.start.shape.turn(i), after * shape.turn(i), Vec3::UnitX());
   return r;
 }
 

@@ -23,20 +23,22 @@ std::vector<HistoryKind> LineVolumeContact::history() const {
           history_kind<ContactWork>("sums of an element"), history_kind<GapSpring>("gap springs")};
 }
 
-std::vector<HistoryRecord> LineVolumeContact::save() const {
+std::vector<HistoryRecord> LineVolumeContact::records(NodeRange of) const {
   std::vector<HistoryRecord> records;
+  const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
-    if (e.counted && !accounts_[i].empty())
+    if (e.counted && wanted(e.first) && !accounts_[i].empty())
       records.push_back(record_of(mesh_.global[e.first], 0, accounts_[i], kSums));
   }
   const auto add = [&](const Pair& pair, Kind kind, const auto& all) {
+    const LocalElement& e = local(pair);
+    if (!wanted(e.first) && !wanted(e.second)) return;
     HistoryRecord r;
     r.kind = kind;
     for (const auto& one : all) put(one, r.values);
-    const LocalElement& e = local(pair);
     for (const int node : {e.first, e.second}) {
-      if (node >= mesh_.owned) continue;
+      if (!wanted(node)) continue;
       r.node = mesh_.global[node];
       r.key = 2 * pair.volume + (node == e.second);
       records.push_back(r);

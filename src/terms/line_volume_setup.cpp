@@ -33,8 +33,7 @@ bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
 // does not depend on the trial's positions, and the tangent is exact.
 AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[element];
-  AxisEnds out =
-      element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second, elements_[element].tangent);
+  AxisEnds out = element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second);
   if (feeders_)
     if (const auto rest = feeders_->rest(e.global, at, false)) out.length = rest->length;
   return out;

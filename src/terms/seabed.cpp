@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hawser {
 
@@ -71,22 +72,26 @@ PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool deri
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
 
+ContactStart SeabedTerm::start(const Point& p) const {
+  const Start& s = starts_[place(p)];
+  if (laid()) return {s.point, s.gap, s.tangent, laid_[place(p)].slip, laid_[place(p)].normal};
+  return {s.point, s.gap, s.tangent, history(p).slip, history(p).normal};
+}
+
 // Statics comes here before every iteration: a laid line keeps where its friction is reckoned from.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
   const bool statics = h <= 0;
-  if (!statics) laid_ = false;
+  if (!statics) laid_ = {};
   pressed_.resize(statics && friction_on_ ? points_.size() : 0);
   for (const Point& p : points_) {
-    ContactStart& start = starts_[place(p)];
-    if (!(statics && laid_)) {
+    Start& start = starts_[place(p)];
+    if (!laid()) {
       const Vec3 x = of_nodes(p, committed.x);
       ContactTrial at;
       // So far that what it lands from in this step is known.
       locate(p, x, std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[p.node]), at);
       start.point = x;
       start.gap = at.gap;
-      start.slip = history(p).slip;
-      start.normal = history(p).normal;
     }
     if (law(p).law.friction.active()) start.tangent = tangent(p, committed);
     ContactTrial unused;
@@ -151,10 +156,10 @@ Vec3 SeabedTerm::strayed(const Point& p, const Vec3& x) const {
 
 // Evaluated again at the accepted state. Energies: trapezoid over the step.
 void SeabedTerm::commit(const Kinematics& accepted) {
-  for (const Point& p : points_) {
+  for (Point& p : points_) {
     ContactTrial at;
     const PointContact c = contact(p, accepted, false, at);
-    History& last = histories_[place(p)];
+    const History& last = history(p);
     History next;
     if (c.normal.elastic > 0) next = History(c, at.normal), next.active = true;
     if (const double pulled = pull(p, at, accepted.step).force; pulled > 0) {
@@ -162,22 +167,36 @@ void SeabedTerm::commit(const Kinematics& accepted) {
       next.force -= pulled * at.normal, next.damping_force -= pulled;
     }
     hold(p, at.gap, accepted.step > 0, next);
-    next.friction_work = last.friction_work, next.damping_work = last.damping_work;
-    if (accepted.step > 0 && (next.active || last.active || last.held)) {
-      const Vec3 moved = of_nodes(p, accepted.x) - start(p).point;
-      next.friction_work -= 0.5 * (next.friction + last.friction).dot(moved);
-      next.damping_work -=
+    if (p.counted && accepted.step > 0 && (next.active || last.active || last.held)) {
+      const Vec3 moved = of_nodes(p, accepted.x) - starts_[place(p)].point;
+      account_.friction -= 0.5 * (next.friction + last.friction).dot(moved);
+      account_.damping -=
           0.5 * (next.damping_force * next.normal + last.damping_force * last.normal).dot(moved);
     }
-    last = next;
+    if (next.active || next.held || next.deepest != 0)
+      remember(p, next);
+    else if (p.touch >= 0)
+      vacant_.push_back(std::exchange(p.touch, -1));
   }
+}
+
+void SeabedTerm::remember(Point& p, const History& h) {
+  if (p.touch < 0 && vacant_.empty()) {
+    // Room for twice as many would be as much as all else that is kept of the points.
+    const size_t n = histories_.size();
+    if (n == histories_.capacity()) histories_.reserve(n + n / 8 + 16);
+    p.touch = static_cast<int>(n), histories_.emplace_back();
+  } else if (p.touch < 0) {
+    p.touch = vacant_.back(), vacant_.pop_back();
+  }
+  histories_[p.touch] = h;
 }
 
 // What friction that grows from the start of a laid line has taken up, as if it were pressed by what presses
 // it at the last iteration: convex, and exact for equal coefficients and lengths.
 double SeabedTerm::friction_potential(const Point& p, const Vec3& x, const Vec3& normal) const {
   const FrictionLaw& f = law(p).law.friction;
-  const ContactStart& from = start(p);
+  const ContactStart from = start(p);
   const Vec3 slip = from.slip + (x - from.point);
   const double along = slip.dot(from.tangent), up = slip.dot(normal), pressed = pressed_[place(p)];
   const double across2 = std::max(0.0, slip.squaredNorm() - along * along - up * up);
@@ -195,12 +214,11 @@ double SeabedTerm::friction_potential(const Point& p, const Vec3& x, const Vec3&
 // In statics of trials: the line search goes down this.
 Energy SeabedTerm::energy(const Kinematics& at) const {
   Energy e;
+  e.friction = account_.friction, e.damping = account_.damping;
   for (const Point& p : points_) {
     if (!p.counted) continue;
-    const History& h = history(p);
-    e.friction += h.friction_work, e.damping += h.damping_work;
     if (at.step > 0) {
-      e.strain += h.potential;
+      e.strain += history(p).potential;
       continue;
     }
     ContactTrial trial;
@@ -208,7 +226,7 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
     e.strain += c.normal.potential;
     if (kept(p, at.step))
       e.strain += 0.5 * law(p).law.normal.stiffness * strayed(p, of_nodes(p, at.x)).squaredNorm();
-    if (friction_on_ && laid_ && law(p).law.friction.active() && !pressed_.empty())
+    if (friction_on_ && laid() && law(p).law.friction.active() && !pressed_.empty())
       e.strain += friction_potential(p, of_nodes(p, at.x), trial.normal);
   }
   return e;

@@ -136,26 +136,26 @@ std::vector<int> SeabedTerm::lay(MPI_Comm comm, const Kinematics& at, const std:
       }
     }
   }
+  laid_.resize(points_.size());
   for (const Point& p : points_) {
     const Vec3 here = of_nodes(p, at.x);
     ContactTrial seen;
     locate(p, here, 0, seen);
-    ContactStart& start = starts_[place(p)];
+    Start& start = starts_[place(p)];
+    Laid& slipped = laid_[place(p)];
     start.point = here;
     start.gap = seen.gap;
-    start.normal = seen.normal;
-    start.slip.setZero();
+    slipped = {Vec3::Zero(), seen.normal};
     if (const Origin* laid = origin(p)) {  // all of the way from there counts, also that down to the bed
-      start.point = laid->point, start.normal = laid->normal;
+      start.point = laid->point, slipped.normal = laid->normal;
       start.gap = 0;
       continue;
     }
     const auto found = pulled.find(number(p));
     if (found == pulled.end()) continue;
     const Vec3 t = tangent(p, at);
-    start.slip = found->second * (t - seen.normal * seen.normal.dot(t));
+    slipped.slip = found->second * (t - seen.normal * seen.normal.dot(t));
   }
-  laid_ = true;
   return unsaid;
 }
 

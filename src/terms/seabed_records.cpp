@@ -9,38 +9,46 @@
 
 namespace hawser {
 
-std::vector<HistoryKind> SeabedTerm::history() const { return {history_kind<History>("points")}; }
+std::vector<HistoryKind> SeabedTerm::history() const {
+  return {history_kind<History>("points"), history_kind<Account>("sums of a rank")};
+}
 
-std::vector<HistoryRecord> SeabedTerm::save() const {
+std::vector<HistoryRecord> SeabedTerm::records(NodeRange of) const {
   std::vector<HistoryRecord> records;
   for (const Point& p : points_) {
-    const History& h = history(p);
-    if (!h.active && h.deepest == 0 && h.friction_work == 0 && h.damping_work == 0) continue;
-    HistoryRecord r;
-    put(h, r.values);
-    for (const int node : {p.node, p.second}) {
-      if (!mesh_.owns(node)) continue;
-      r.node = mesh_.global[node];
-      r.key = p.second < 0 ? 0 : node == p.node ? 1 : 2;
-      records.push_back(r);
-    }
+    if (p.touch < 0) continue;
+    for (const int node : {p.node, p.second})
+      if (mesh_.owns(node) && of.has(mesh_.global[node]))
+        records.push_back(record_of(mesh_.global[node],
+                                    p.second < 0     ? 0
+                                    : node == p.node ? 1
+                                                     : 2,
+                                    history(p)));
   }
+  if (mesh_.owned > 0 && of.has(mesh_.global[0]))
+    records.push_back(record_of(mesh_.global[0], 0, account_, 1));
   return records;
 }
 
 void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
   std::map<std::pair<int, int>, size_t> at;  // by node of the mesh and key
   for (size_t i = 0; i < points_.size(); ++i) {
-    const Point& p = points_[i];
-    histories_[i] = {};
+    Point& p = points_[i];
+    p.touch = -1;
     const auto global = [this](int node) { return mesh_.global[node]; };
     at[{global(p.node), p.second < 0 ? 0 : 1}] = i;
     if (p.second >= 0) at[{global(p.second), 2}] = i;
   }
+  histories_.clear(), vacant_.clear(), account_ = {};
   for (const HistoryRecord& r : records) {
+    if (r.kind == 1) {
+      const Account sum = entry<Account>(r);
+      account_.friction += sum.friction, account_.damping += sum.damping;
+      continue;
+    }
     const auto found = at.find({r.node, r.key});
     if (found == at.end()) continue;
-    histories_[found->second] = entry<History>(r);
+    remember(points_[found->second], entry<History>(r));
   }
 }
 

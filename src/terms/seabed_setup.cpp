@@ -15,7 +15,6 @@ namespace hawser {
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws)
     : SeabedTerm(mesh, std::shared_ptr<const Surface>(), std::move(laws)) {
   plane_ = plane;
-  for (size_t i = 0; i < points_.size(); ++i) histories_[i].normal = starts_[i].normal = plane.normal;
 }
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws)
@@ -47,7 +46,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
       const LocalElement& e = mesh.elements[i];
       p->node = e.first, p->second = e.second, p->element = static_cast<int>(i), p->counted = e.counted;
     }
-  starts_.resize(points_.size()), histories_.resize(points_.size());
+  starts_.resize(points_.size());
   if (surface_) seen_.resize(points_.size());
 }
 

@@ -46,7 +46,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       const LocalElement& e = mesh.elements[i];
       if (!e.counted || !(radius[i] > 0)) continue;
       const Element& g = mesh.element(e);
-      AxisEnds ends = element_axis(at, g, e.first, e.second, Vec3::UnitX());
+      AxisEnds ends = element_axis(at, g, e.first, e.second);
       if (feeders)
         if (const auto rest = feeders->rest(e.global, at, false)) {
           if (rest->idle) continue;

@@ -47,17 +47,19 @@ std::vector<HistoryKind> StructureTerm::history() const {
           history_kind<Bent>("plastic bending"), history_kind<Bent>("plastic bending inside a feeder")};
 }
 
-std::vector<HistoryRecord> StructureTerm::save() const {
+std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
   if (mesh_.owned == 0) return {};
-  std::vector<HistoryRecord> out{
-      record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums)};
+  std::vector<HistoryRecord> out;
+  const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
+  if (wanted(0))
+    out.push_back(record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums));
   for (const Cable& c : cables_)
     for (const int n : {c.at.first, c.at.second})
-      if (n < mesh_.owned && c.start.stretch != 0)
+      if (wanted(n) && c.start.stretch != 0)
         out.push_back(record_of(mesh_.global[n], c.at.global, Stretched{c.start.stretch}, kStretched));
   for (const Beam& b : beams_)
     for (const int n : {b.at.first, b.at.second}) {
-      if (!b.reference.set || n >= mesh_.owned) continue;
+      if (!b.reference.set || !wanted(n)) continue;
       HistoryRecord& r = out.emplace_back(HistoryRecord{mesh_.global[n], b.at.global, {}, kBent});
       r.values.assign(set_.data() + b.memory, set_.data() + b.memory + b.remembered());
     }
@@ -65,7 +67,7 @@ std::vector<HistoryRecord> StructureTerm::save() const {
     if (fed_[k].inside.empty()) continue;
     const Feeder& f = feeders_->list()[k];
     for (const int i : {f.mouth, f.mouth + 1})
-      if (const int n = mesh_.find(feeders_->node(f, i)); mesh_.owns(n))
+      if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && wanted(n))
         out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
   }
   return out;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <random>
 
 #include "hawser/math/so3.hpp"
@@ -17,6 +18,7 @@ struct Set {
   BeamSection s;
   BeamReference r;
   BeamEnds e;
+  std::shared_ptr<const Mat3> axes;  // of r
 };
 
 Set random_set(unsigned seed, double bend, double beta, bool turned) {
@@ -27,14 +29,15 @@ Set random_set(unsigned seed, double bend, double beta, bool turned) {
   t.s = {1.3, 2e3, 15, 40, 23, seed % 2 ? 900. : 0., beta};
   t.e.q1 = exp_so3(2 * vec());
   t.e.q2 = t.e.q1 * exp_so3(bend * vec());
+  Mat3 turn = Mat3::Identity();
   if (turned) {
-    t.r.axes = exp_so3(vec()).toRotationMatrix();
-    t.r.aligned = false;
+    turn = exp_so3(vec()).toRotationMatrix();
+    t.axes = std::make_shared<const Mat3>(turn), t.r.axes = t.axes.get();
     t.r.psi = 0.1 * vec();
     t.r.strain = 0.01;
   }
   t.e.x1 = vec();
-  t.e.x2 = t.e.x1 + t.e.q1 * (t.r.axes * (1.35 * (Vec3::UnitX() + 0.3 * bend * vec())));
+  t.e.x2 = t.e.x1 + t.e.q1 * (turn * (1.35 * (Vec3::UnitX() + 0.3 * bend * vec())));
   t.e.v1 = vec(), t.e.v2 = vec(), t.e.w1 = vec(), t.e.w2 = vec();
   return t;
 }

@@ -85,10 +85,11 @@ TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
     BeamSection s{1.2, rope.initial(), pipe.initial() + (i % 2 ? 30 : 0), 0, 40, 0, i % 3 ? 0.0 : 0.2};
     s.EI3 = s.EI2, s.tension = &rope, s.moment = &pipe;
     BeamReference r;
-    if (i > 5) r.axes = exp_so3(random()).toRotationMatrix(), r.aligned = false, r.psi = 0.1 * random();
+    Mat3 turn = Mat3::Identity();
+    if (i > 5) turn = exp_so3(random()).toRotationMatrix(), r.axes = &turn, r.psi = 0.1 * random();
     BeamEnds e;
     e.x1 = random(), e.q1 = exp_so3(random()), e.q2 = e.q1 * exp_so3(0.4 * random());
-    e.x2 = e.x1 + e.q1 * (r.axes * Vec3(1.25, 0.1 * u(g), 0.1 * u(g)));
+    e.x2 = e.x1 + e.q1 * (turn * Vec3(1.25, 0.1 * u(g), 0.1 * u(g)));
     e.v1 = random(), e.v2 = random(), e.w1 = random(), e.w2 = random();
     Mat12 K, C, Kd;
     Vec12 f, a, b, c, d;

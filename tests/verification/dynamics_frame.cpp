@@ -32,9 +32,10 @@ struct Frame {
 
 Frame frame(int per_leg, double h, double rho, double until) {
   const double L = 10.0 / per_leg;
-  BeamChain::Piece along_x{{L, 1e6, 1e3, 1e3, 1e3, 1e6, 0}, Vec3(20, 10, 10), 1, Mat3::Identity()};
+  BeamChain::Piece along_x{{L, 1e6, 1e3, 1e3, 1e3, 1e6, 0}, Vec3(20, 10, 10), 1};
   BeamChain::Piece along_y = along_x;
-  along_y.axes << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // columns y, -x, z
+  static const Mat3 axes_y{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};  // columns y, -x, z
+  along_y.axes = &axes_y;
   std::vector<Vec3> nodes{Vec3::Zero()};
   std::vector<BeamChain::Piece> pieces;
   for (int i = 1; i <= per_leg; ++i) nodes.push_back({i * L, 0, 0}), pieces.push_back(along_x);

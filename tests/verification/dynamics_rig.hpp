@@ -49,9 +49,9 @@ class BeamChain {
  public:
   struct Piece {
     BeamSection section;
-    Vec3 rotary = Vec3::Zero();    // kg m, per length
-    double mass_per_length = 0;    // kg/m
-    Mat3 axes = Mat3::Identity();  // element axes in the axes of its nodes (columns)
+    Vec3 rotary = Vec3::Zero();  // kg m, per length
+    double mass_per_length = 0;  // kg/m
+    const Mat3* axes = nullptr;  // as MassSection has them
   };
 
   // Element i joins nodes i and i + 1; all nodes start with the identity.
@@ -65,7 +65,6 @@ class BeamChain {
       const Piece& p = pieces[static_cast<size_t>(e.global)];
       BeamReference reference;
       reference.axes = p.axes;
-      reference.aligned = p.axes.isIdentity(0);
       beams.push_back({e, {}, p.section, reference});
       LineMassTerm::Piece m;
       m.at = e;

@@ -41,7 +41,7 @@ struct Bend {
       const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
       BeamEnds e;
       e.x1 = s->state().x[i], e.x2 = s->state().x[j], e.q1 = s->state().q[i], e.q2 = s->state().q[j];
-      b.reference = beam_reference(b.section, e, Mat3::Identity());
+      b.reference = beam_reference(b.section, e);
     }
   }
   Vec3 tip() const { return s->state().x.back(); }

@@ -24,8 +24,9 @@ struct CheckpointField {
 // What a term keeps, and how; the kinds are the same on all ranks.
 struct CheckpointHistory {
   std::vector<HistoryKind> kinds;
-  std::vector<HistoryRecord> records;                     // of this rank's owned nodes
-  std::function<std::vector<HistoryRecord>()> make = {};  // as in CheckpointField
+  std::vector<HistoryRecord> records;  // of this rank's owned nodes
+  // As in CheckpointField, of some nodes at a time.
+  std::function<std::vector<HistoryRecord>(NodeRange)> make = {};
 };
 
 // Names (map keys) are the same on all ranks; a rank without records of a term gives an empty list.

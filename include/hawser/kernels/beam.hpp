@@ -46,9 +46,8 @@ inline constexpr int kBendingPlaces = 3;
 struct BeamReference {
   // Element axes in the material axes of its nodes (columns; first along the line) and the stress-free
   // relative rotation and chord strain: zero for a straight element that has not expanded.
-  Mat3 axes = Mat3::Identity();
-  bool aligned = true;      // axes is the identity
-  Vec3 psi = Vec3::Zero();  // rad, in element axes
+  const Mat3* axes = nullptr;  // not owned; null: they are the same
+  Vec3 psi = Vec3::Zero();     // rad, in element axes
   double strain = 0;
   // Of plastic bending: PlasticBending::memory() numbers for each of kBendingPlaces; null: never bent.
   const double* set = nullptr;
@@ -102,8 +101,8 @@ double beam_bow(const BeamReference& r, const BeamEnds& e);
 // come to where `e` has it. What was dissipated on the way, J.
 double beam_bend(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* set);
 
-// The stress-free reference of an element whose ends are placed as in `e`, with its axes given in node 1's
-// material axes; for lines that are curved when free of stress.
-BeamReference beam_reference(const BeamSection& s, const BeamEnds& e, const Mat3& axes);
+// The stress-free reference of an element whose ends are placed as in `e`, with node 1's material axes; for
+// lines that are curved when free of stress.
+BeamReference beam_reference(const BeamSection& s, const BeamEnds& e);
 
 }  // namespace hawser

@@ -12,10 +12,10 @@
 namespace hawser {
 
 struct MassSection {
-  double length = 0;             // m, unstretched
-  double mass_per_length = 0;    // kg/m
-  Vec3 rotary = Vec3::Zero();    // kg m, per length, about the element axes (along, 2, 3)
-  Mat3 axes = Mat3::Identity();  // element axes in node axes (columns)
+  double length = 0;           // m, unstretched
+  double mass_per_length = 0;  // kg/m
+  Vec3 rotary = Vec3::Zero();  // kg m, per length, about the element axes (along, 2, 3)
+  const Mat3* axes = nullptr;  // element axes in node axes (columns), not owned; null: they are the same
 };
 
 struct MassEnds {

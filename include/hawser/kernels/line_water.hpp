@@ -20,7 +20,6 @@ struct WaterSection {
   double displaced_mass = 0;                 // kg/m, rho A
   double added_normal = 0, added_axial = 0;  // kg/m, rho Ca A
   double drag_normal = 0, drag_axial = 0;    // kg/m², rho Cd D/2 and rho Cd pi D/2
-  Vec3 axis = Vec3::UnitX();                 // beam: along the element, in node axes
 };
 
 // The water at a node.

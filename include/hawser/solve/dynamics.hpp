@@ -125,7 +125,7 @@ class Dynamics {
   void load(Vec u);
   void solve_once();
   void put(const std::vector<double>& u);
-  void solve_masses();
+  std::vector<double> solve_masses();
   void catch_up(const Supports& before, State& s);
   void settle(int node, double h);
 
@@ -145,7 +145,7 @@ class Dynamics {
     EventSearch search;
     std::vector<double> at_start;  // what the events are looked for by, before the first try
   } tries_;
-  std::vector<double> local_u_, gathered_, reactions_;
+  std::vector<double> local_u_, reactions_;
   MeanForces mean_;              // of the committed state
   std::vector<double> carried_;  // what they add to the residuals of the step
   double expected_ = -1;         // s, the step that the system was last told to expect
@@ -155,7 +155,7 @@ class Dynamics {
   bool old_tangent_ = false;     // of an iteration before
   double first_ = 0;  // N, size of the first residual of this Newton solution, and of what makes it up
   int counted_ = -1;  // iterations to a residual far above rounding; < 0: not there yet
-  VecHandle u_, r_, solution_;
+  VecHandle u_, r_;
   MatHandle J_;
   Handle<TS, TSDestroy> ts_;
   SNES snes_ = nullptr;

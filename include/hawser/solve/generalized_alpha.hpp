@@ -20,8 +20,10 @@ struct AlphaCoefficients {
 // A committed state with the algorithmic accelerations that the scheme carries from step to step.
 struct AlphaState {
   State s;
-  std::vector<Vec3> ax, aw;  // algorithmic accelerations, m/s² and rad/s² (material)
-  std::vector<Mat3> ad;      // and of the directors, 1/s²; empty where no node rotates
+  // Algorithmic accelerations, m/s², rad/s² (material), and of the directors, 1/s²; the last two are empty
+  // where no node rotates.
+  std::vector<Vec3> ax, aw;
+  std::vector<Mat3> ad;
 };
 
 // Whether any node of the whole mesh rotates. Else states in time have no directors. The same on all ranks.

@@ -76,8 +76,8 @@ class Assembler {
   bool convex_ = false, sending_ = false;
   int owned_blocks_ = 0;
   const std::vector<int>* global_block_ = nullptr;
-  const std::vector<Mat3>* retraction_ = nullptr;   // per local block
-  const std::vector<char>* is_rotation_ = nullptr;  // per local block
+  const std::vector<Mat3>* retraction_ = nullptr;  // of rotations
+  const std::vector<int>* turn_of_ = nullptr;      // of retraction_, per local block; -1: a position
   const std::vector<unsigned char>* held_ =
       nullptr;  // per local block: bit c set when component c is prescribed
 };

@@ -49,6 +49,12 @@ class ForceTerm {
   // there are, the same on all ranks.
   virtual std::vector<HistoryKind> history() const { return {}; }
   virtual std::vector<HistoryRecord> save() const { return {}; }
+  // The same of some nodes, for terms that keep much: a checkpoint is not in memory as a whole.
+  virtual std::vector<HistoryRecord> records(NodeRange of) const {
+    std::vector<HistoryRecord> some = save();
+    std::erase_if(some, [of](const HistoryRecord& r) { return !of.has(r.node); });
+    return some;
+  }
   virtual void restore(const std::vector<HistoryRecord>& records) { (void)records; }
 };
 

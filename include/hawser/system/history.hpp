@@ -2,6 +2,7 @@
 // what another version kept in another way is noticed and not misread.
 #pragma once
 
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -30,6 +31,12 @@ struct HistoryRecord {
   int key = 0;                 // whatever the term tells its records apart by (a volume, say)
   std::vector<double> values;  // the quantities of its kind, of one entry or of several one after the other
   int kind = 0;                // index into the term's kinds
+};
+
+// Nodes of the mesh, `end` not among them.
+struct NodeRange {
+  int first = 0, end = std::numeric_limits<int>::max();
+  bool has(int node) const { return node >= first && node < end; }
 };
 
 // The quantities of a type are said once, by its function

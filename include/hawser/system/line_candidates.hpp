@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -113,8 +114,9 @@ class LineCandidates {
   double skin(int element) const;
   SweptAxis at_rest(int element) const;
   bool excluded(const SweptAxis& p, const SweptAxis& q) const;
-  std::vector<SweptAxis> from_others() const;
-  std::vector<std::pair<int, int>> search(const std::vector<SweptAxis>& others);
+  // boxes: of this rank's axes.
+  std::vector<SweptAxis> from_others(std::span<const Box> boxes) const;
+  std::vector<std::pair<int, int>> search() const;
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
@@ -127,7 +129,6 @@ class LineCandidates {
   // Of local_: what half way in time is off the middle of the straight way.
   std::vector<std::array<Vec3, 4>> bend_;
   double made_ = 0, span_ = 0;             // s, when that was and the time to the end of the paths
-  std::vector<Box> boxes_;                 // theirs, then those of other ranks' axes
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
   std::vector<ContactSegment> segments_;
   std::vector<CandidatePair> pairs_;

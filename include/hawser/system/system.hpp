@@ -73,14 +73,15 @@ class System {
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;
   MatHandle create_matrix() const;
-  // Local values of a ghosted vector after refreshing its ghosts, copied to `out` (3 * local blocks).
-  void gather(Vec u, std::vector<double>& out) const;
+  // Local values of a ghosted vector after refreshing its ghosts, copied to `out` (3 * local blocks). False:
+  // they were there already.
+  bool gather(Vec u, std::vector<double>& out) const;
 
   // r = sum of all terms at the trial state, and of what is `carried` (3 * local blocks; empty: nothing);
   // held components of r are zero, their reactions are kept.
   void residual(const Kinematics& trial, Vec r, std::span<const double> carried = {});
   // Of the last residual() of all terms: the forces that are means over the step, without their weight; 3 *
-  // local blocks, valid for owned blocks.
+  // local blocks, valid for owned blocks. Only cables have some: empty in a mesh without.
   const std::vector<double>& mean_forces() const { return mean_; }
   // J = K T(u) + wC C + wM M; rows and columns of held components are the identity's. `u` are the local
   // increments that led to the trial (3 * local blocks).
@@ -154,9 +155,9 @@ class System {
   };
   std::vector<Events> events_;
   PetscLogEvent limit_event_ = -1;
-  std::vector<char> is_rotation_;
+  std::vector<int> turn_of_;  // by local block: place in retraction_; -1: a position
   std::vector<double> force_, mean_;
-  std::vector<Mat3> retraction_;
+  std::vector<Mat3> retraction_;  // of rotations
   std::vector<Tie> ties_;
   std::vector<int> tie_of_;           // by local block; -1: not tied
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations

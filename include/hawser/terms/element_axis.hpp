@@ -8,17 +8,14 @@
 
 namespace hawser {
 
-// first, second: local nodes of the element's ends; tangent: of a beam's axis, in the material axes of its
-// nodes.
-inline AxisEnds element_axis(const Kinematics& at, const Element& e, int first, int second,
-                             const Vec3& tangent) {
+// first, second: local nodes of the element's ends.
+inline AxisEnds element_axis(const Kinematics& at, const Element& e, int first, int second) {
   const size_t i = first, j = second;
   AxisEnds a;
   a.beam = e.beam;
   a.length = e.length;
   a.x1 = at.x[i], a.x2 = at.x[j], a.v1 = at.v[i], a.v2 = at.v[j];
   if (!a.beam) return a;
-  a.tangent = tangent;
   a.q1 = at.q[i], a.q2 = at.q[j], a.w1 = at.w[i], a.w2 = at.w[j];
   return a;
 }

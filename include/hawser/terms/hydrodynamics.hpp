@@ -19,12 +19,8 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   struct Piece {
     LocalElement at;
     bool beam = true;
-    int blocks[4] = {};
-    WaterSection section;
     bool idle = false;  // inside a feeder: no water
-    // For the wall tension: areas of the bore and of the bare pipe, density and pressure of the contents.
-    double inside = 0, outside = 0;     // m²
-    double contents = 0, pressure = 0;  // kg/m³, Pa at the still water level
+    WaterSection section;
   };
   struct Ball {
     int node = 0;  // local, owned
@@ -48,16 +44,20 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override;
+  std::vector<HistoryRecord> save() const override { return records({}); }
+  std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:
-  // Forces of flow in generalised coordinates, and these coordinates, of the counted pieces one after the
-  // other: four of a beam, two of a cable, one of a ball.
+  // For the wall tension: areas of the bore and of the bare pipe, density and pressure of the contents.
+  struct Wall {
+    double inside = 0, outside = 0;     // m²
+    double contents = 0, pressure = 0;  // kg/m³, Pa at the still water level
+  };
+  // Forces of flow on what this rank counts, and where they act, by local block: position of a node and,
+  // where it rotates, its direction along the line; what is conjugate to that is a moment.
   struct Flow {
     std::vector<Vec3> force, place;
-    void clear() { force.clear(), place.clear(); }
-    void reserve(size_t n) { force.reserve(n), place.reserve(n); }
   };
   // Cables that are taken together, where they are wholly wet; in the last some lanes repeat its last.
   struct Four {
@@ -83,14 +83,14 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   WaterEnds ends(const Piece& p, const Kinematics& k) const {
     return ends(p, k, water_at(static_cast<size_t>(p.at.first)), water_at(static_cast<size_t>(p.at.second)));
   }
-  void places(const Piece& p, const Kinematics& k, Vec3* out) const;
-  void flow(const Kinematics& at, Flow& out) const;
+  Flow flow(const Kinematics& at) const;
   static double work(const Flow& from, const Flow& to);
 
   const LocalMesh& mesh_;
   Feeders* feeders_ = nullptr;
   Sea sea_;
   std::vector<Piece> pieces_;
+  std::vector<Wall> walls_;  // by line type; empty: wall tensions are not shown
   std::vector<Ball> balls_;
   std::vector<Four> fours_;  // all cables
   std::vector<int> beams_;   // pieces
@@ -103,7 +103,6 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   mutable std::vector<WaveMotion> wave_;  // cache: what they are at wave_time_
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
-  Flow spare_;       // for the next
   Flow flow_;        // of the last accepted state; in statics of the last iteration
   double work_ = 0;  // J, done by drag and added mass on what this rank counts
 };

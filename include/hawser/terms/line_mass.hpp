@@ -27,11 +27,10 @@ class LineMassTerm final : public ForceTerm,
   struct Piece {
     LocalElement at;
     bool beam = true;
-    int blocks[4] = {};
+    bool idle = false;  // inside a feeder: neither mass nor weight
     MassSection section;
     Vec3 load = Vec3::Zero();          // N/m, weight and lasting loads
     int first_ramped = 0, ramped = 0;  // into the list of ramped loads
-    bool idle = false;                 // inside a feeder: neither mass nor weight
   };
 
   LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped_loads);

@@ -56,7 +56,8 @@ class SeabedTerm final : public ForceTerm {
   Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override;
+  std::vector<HistoryRecord> save() const override { return records({}); }
+  std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
   // Off in the first stage of statics. While off no slip is kept.
@@ -79,7 +80,6 @@ class SeabedTerm final : public ForceTerm {
   struct History : SurfaceContactPoint {
     using SurfaceContactPoint::SurfaceContactPoint;
     bool active = false;
-    double friction_work = 0, damping_work = 0;  // J, taken out so far; suction's is damping's
     // How deep it has been since it landed [m], and whether the soil holds it: until it is lifted too far.
     double deepest = 0;
     bool held = false;
@@ -88,13 +88,29 @@ class SeabedTerm final : public ForceTerm {
     static void quantities(Self& self, Each&& each) {
       SurfaceContactPoint::quantities(self, each, "N", "J");
       each("touches", "", self.active);
-      each("friction work", "J", self.friction_work), each("damping work", "J", self.damping_work);
       each("deepest", "m", self.deepest), each("held by suction", "", self.held);
     }
   };
-  // Where a point was laid.
+  // J, taken out so far at the points that this rank counts; suction's is damping's.
+  struct Account {
+    double friction = 0, damping = 0;
+
+    template <class Self, class Each>
+    static void quantities(Self& self, Each&& each) {
+      each("friction work", "J", self.friction), each("damping work", "J", self.damping);
+    }
+  };
+  // Of a point at the start of the step: where it was, how far off the bed, and which way the line ran.
+  struct Start {
+    Vec3 point = Vec3::Zero(), tangent = Vec3::UnitX();
+    double gap = 0;
+  };
+  // Where a point was laid; the slip and normal that friction in statics is reckoned from.
   struct Origin {
     Vec3 point, normal;
+  };
+  struct Laid {
+    Vec3 slip, normal;
   };
   // Of a bed that is a surface, changes the time and never the answer: no force nearer than `clear` to
   // `centre` (the signed distance is 1-Lipschitz); nearest triangle of the last query.
@@ -104,11 +120,12 @@ class SeabedTerm final : public ForceTerm {
     int hint = -1;
   };
   // Most points are out of touch: what is read of all of them at every evaluation is as little as can be, and
-  // the rest of a point stands in the other lists, at its place.
+  // the rest of a point stands in the other lists, at its place. Only those that touch have a history.
   struct Point {
     int node = 0, second = -1;  // local; second: of the element it is half way along, -1 at a node
     int element = -1;           // local
     int law = 0;                // of laws_
+    int touch = -1;             // of histories_; -1: none
     bool counted = true;        // this rank counts it in sums
   };
   // What nodes have, at the point; and what of a force on the point a node bears.
@@ -122,8 +139,13 @@ class SeabedTerm final : public ForceTerm {
   }
   size_t place(const Point& p) const { return static_cast<size_t>(&p - points_.data()); }
   const PointLaw& law(const Point& p) const { return laws_[p.law]; }
-  const ContactStart& start(const Point& p) const { return starts_[place(p)]; }
-  const History& history(const Point& p) const { return histories_[place(p)]; }
+  ContactStart start(const Point& p) const;
+  const History& history(const Point& p) const {
+    static const History none;
+    return p.touch < 0 ? none : histories_[p.touch];
+  }
+  void remember(Point& p, const History& h);
+  bool laid() const { return !laid_.empty(); }
   const Origin* origin(const Point& p) const {
     return origins_.empty() || !origins_[place(p)] ? nullptr : &*origins_[place(p)];
   }
@@ -168,8 +190,11 @@ class SeabedTerm final : public ForceTerm {
   Box bounds_ = Box::everything();                  // of the surface
   std::vector<PointLaw> laws_;                      // each once
   std::vector<Point> points_;
-  std::vector<ContactStart> starts_;
+  std::vector<Start> starts_;
+  std::vector<Laid> laid_;  // of a static state; empty: of none, slip and normal are the histories'
   std::vector<History> histories_;
+  std::vector<int> vacant_;  // places in histories_ of points that have left the bed
+  Account account_;
   std::vector<double> pressed_;                 // N, at the last prepare() of statics with friction
   std::vector<std::optional<Origin>> origins_;  // empty: nothing was laid
   mutable std::vector<Seen> seen_;              // empty: a plane
@@ -178,7 +203,7 @@ class SeabedTerm final : public ForceTerm {
   std::vector<bool> buried_;  // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
   LineNeighbours line_;
   std::vector<bool> laid_at_start_;  // by line of the mesh
-  bool friction_on_ = true, laid_ = false;
+  bool friction_on_ = true;
 };
 
 }  // namespace hawser
