@@ -1,4 +1,4 @@
-// The class Actions: supports, feeders and volumes after an action. A line that is cut is two from the start
+// The class Actions: tied ends, feeders and volumes after an action. A line that is cut is two from the start
 // (model/cut_lines.cpp), and the cut lets their joint go.
 #include "hawser/app/actions.hpp"
 
@@ -20,8 +20,7 @@ int Actions::node(const Action& a) const {
 }
 
 bool Actions::held(int node) const {
-  return on_any_rank(sim_.system().comm(),
-                     std::any_of(supports_.begin(), supports_.end(), [&](const Support& s) {
+  return on_any_rank(sim_.system().comm(), std::any_of(tied_.begin(), tied_.end(), [&](const TiedNode& s) {
                        return s.position_mask == 7 && sim_.local().global[s.node] == node;
                      }));
 }
@@ -85,8 +84,7 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
 void Actions::again(const Action& a, const Found& found, double time) {
   switch (a.kind) {
     case Action::Kind::release:
-      std::erase_if(supports_,
-                    [&, n = node(a)](const Support& s) { return sim_.local().global[s.node] == n; });
+      std::erase_if(tied_, [&, n = node(a)](const TiedNode& s) { return sim_.local().global[s.node] == n; });
       break;
     case Action::Kind::attach:
       hold(a, found);
@@ -109,7 +107,7 @@ void Actions::again(const Action& a, const Found& found, double time) {
 void Actions::hold(const Action& a, const Found& found) {
   const int n = sim_.local().find(node(a));
   if (n < 0) return;
-  Support s;
+  TiedNode s;
   s.node = n, s.at = Vec3(found.place.data());
   const int body = sim_.model().body_index(a.body);
   if (sim_.model().floats(body))
@@ -120,7 +118,7 @@ void Actions::hold(const Action& a, const Found& found) {
     const auto& q = found.rotation;
     s.rotation_mask = 7, s.rotation = Quat(q[0], q[1], q[2], q[3]);
   }
-  supports_.push_back(s);
+  tied_.push_back(s);
 }
 
 void Actions::feed(const Action& a, double speed, double time) {

@@ -217,7 +217,7 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
     const std::vector<size_t> now = due_at(at.time, values(at), stage);
     if (now.empty()) return messages;
     happen(now, at, stage, messages,
-           [&] { system.support(actions_.supports(), BodyMotion(system.supports().motion())); });
+           [&] { system.tie(actions_.tied(), BodyMotion(system.tied_nodes().motion())); });
   }
 }
 
@@ -299,7 +299,7 @@ std::vector<std::string> Events::apply_due() {
       return events_[i].what.action.kind != Action::Kind::release;
     });
     const double before = changes ? energy() : 0;
-    happen(now, at, "", messages, [&] { d.release(actions_.supports()); });
+    happen(now, at, "", messages, [&] { d.release(actions_.tied()); });
     if (changes) d.add_support_work(energy() - before);
   }
   return messages;

@@ -84,7 +84,7 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   }
   if (messages.empty()) return messages;
   System& system = sim_.system();
-  system.support(actions_.supports(), BodyMotion(system.supports().motion()));
+  system.tie(actions_.tied(), BodyMotion(system.tied_nodes().motion()));
   return messages;
 }
 

@@ -67,7 +67,7 @@ void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional
         sim_.feeders()->see_mouth(f);
         return moved;
       },
-      [&] { return sim_.feeders()->with_held(sim_.system().supports().list()); });
+      [&] { return sim_.feeders()->with_held(sim_.system().tied_nodes().list()); });
 }
 
 // The node that was held leaves with the material that is there: where the free part has its own unstretched
@@ -218,7 +218,7 @@ void Feeding::shift(Feeder& f, double by) {
   }
   f.outside_at_start = all.outside(f);
   System& system = sim_.system();
-  system.support(all.with_held(system.supports().list()), BodyMotion(system.supports().motion()));
+  system.tie(all.with_held(system.tied_nodes().list()), BodyMotion(system.tied_nodes().motion()));
 }
 
 void Feeding::save(io::Checkpoint& to) const {
@@ -268,7 +268,7 @@ void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
     sim_.feeders()->see_mouth(f);
   }
   System& system = sim_.system();
-  system.support(sim_.feeders()->with_held(system.supports().list()), BodyMotion(system.supports().motion()));
+  system.tie(sim_.feeders()->with_held(system.tied_nodes().list()), BodyMotion(system.tied_nodes().motion()));
 }
 
 }  // namespace hawser::app

@@ -56,7 +56,7 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
 
 // Local nodes whose place is prescribed for as long as the run lasts.
 std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const Feeders* feeders,
-                            const std::vector<Support>& supports) {
+                            const std::vector<TiedNode>& tied) {
   std::set<int> let_go;  // nodes of the mesh
   if (feeders) {
     const std::vector<int> fed = feeders->fed_nodes();
@@ -68,7 +68,7 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
       let_go.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
     }
   std::vector<int> held;
-  for (const Support& s : supports)
+  for (const TiedNode& s : tied)
     if (s.position_mask != 0 && !let_go.count(local.global[s.node])) held.push_back(s.node);
   return held;
 }
@@ -135,8 +135,8 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   const Kinematics at = start.state.view(0);
   bodies_->fix_drawn(comm, case_, at);
   if (!case_.links.empty()) links_ = add<Links>(comm, case_, local(), bodies_, at);
-  if (feeders_) feeders_->clamp(start.ends), start.supports = feeders_->with_held(start.supports);
-  const std::vector<int> held = held_nodes(case_, local(), feeders_, start.supports);
+  if (feeders_) feeders_->clamp(start.ends), start.tied = feeders_->with_held(start.tied);
+  const std::vector<int> held = held_nodes(case_, local(), feeders_, start.tied);
   add_seabed(at, held);
   add_contact(at, held, surfaces);
   add_bodies(std::move(surfaces), std::move(skeletons));
@@ -148,7 +148,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (feeders) system_->add(std::move(feeders));
 
   state_ = std::move(start.state);
-  system_->support(std::move(start.supports), [b = bodies_](int body, double t) { return b->pose(body, t); });
+  system_->tie(std::move(start.tied), [b = bodies_](int body, double t) { return b->pose(body, t); });
 }
 
 // The mesh over the ranks.

@@ -99,7 +99,7 @@ void Dynamics::prepare(double h, const State* end) {
 void Dynamics::load(Vec u) {
   const bool others = system_.gather(u, local_u_);
   if (loaded_ && !others) return;
-  alpha_trial(system_.mesh(), system_.supports(), alpha_, h_, committed_, local_u_, trial_);
+  alpha_trial(system_.mesh(), system_.tied_nodes(), alpha_, h_, committed_, local_u_, trial_);
   loaded_ = true;
 }
 
@@ -167,7 +167,7 @@ int Dynamics::try_step(double h) {
   if (!copied_) trial_ = committed_;
   copied_ = true;
   alpha_mean_carried(alpha_, mean_, carried_);
-  alpha_predict(system_.mesh(), system_.supports(), h, committed_, local_u_);
+  alpha_predict(system_.mesh(), system_.tied_nodes(), h, committed_, local_u_);
   put(local_u_);
   system_.forget_stiffening();
   tries_.info.iterations = 0;
@@ -188,7 +188,7 @@ void Dynamics::commit() {
   const LocalMesh& m = system_.mesh();
   const auto of = [](const std::vector<double>& rows, size_t i) { return rows.empty() ? 0 : rows[i]; };
   const auto add_work = [&](const auto& force) {
-    for (const Support& s : system_.supports().list()) {
+    for (const TiedNode& s : system_.tied_nodes().list()) {
       if (s.node >= m.owned || s.frame >= 0) continue;
       const size_t b = 3 * static_cast<size_t>(m.block[static_cast<size_t>(s.node)]);
       const int n = m.rotates(s.node) ? 6 : 3;
@@ -250,8 +250,8 @@ void Dynamics::start(const State& state) {
   State& s = committed_.s;
   s.a.assign(n, Vec3::Zero()), s.alpha.assign(n, Vec3::Zero());
   s.directors.clear(), s.director_weight = 0;
-  system_.supports().rates(s.time, s);
-  system_.supports().follow(s);
+  system_.tied_nodes().rates(s.time, s);
+  system_.tied_nodes().follow(s);
   last_step_ = 0;
   const double h = control_.proposal();  // that it moves: dampers act from the start
   prepare(h);
@@ -268,7 +268,7 @@ void Dynamics::start(const State& state) {
     s.a[i] -= Eigen::Map<const Vec3>(p);
     if (system_.mesh().rotates(static_cast<int>(i))) s.alpha[i] -= Eigen::Map<const Vec3>(p + 3);
   }
-  system_.supports().follow(s);
+  system_.tied_nodes().follow(s);
   alpha_start(system_.mesh(), committed_);
   system_.residual(s.view(h), r_.get());
   reactions_ = system_.reactions();

@@ -16,7 +16,7 @@ constexpr double kFarthest = 0.1;  // m and rad that a node may settle by; where
 }  // namespace
 
 void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
-                         const std::function<std::vector<Support>()>& supports) {
+                         const std::function<std::vector<TiedNode>()>& nodes) {
   // Where an event has just happened no step went before, and the forces are those that the next one begins
   // with (see start), not those of statics.
   const double h = last_step_ > 0 ? last_step_ : control_.proposal();
@@ -45,7 +45,7 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
   system_.spread(committed_.s);
   system_.spread(committed_.ax);
   if (has_directors(m)) system_.spread(committed_.aw), system_.spread(committed_.ad);
-  system_.support(supports(), BodyMotion(system_.supports().motion()));
+  system_.tie(nodes(), BodyMotion(system_.tied_nodes().motion()));
   prepare(control_.proposal());  // another element can touch others
   mean.resize(mean_.q.size(), 0), all.resize(reactions_.size(), 0);
   if (settles >= 0) settle(settles, h);

@@ -30,7 +30,7 @@ void alpha_start(const LocalMesh& mesh, AlphaState& state) {
   state.ad = s.directors;
 }
 
-void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoefficients& c, double h,
+void alpha_trial(const LocalMesh& mesh, const TiedNodes& tied, const AlphaCoefficients& c, double h,
                  const AlphaState& from, const std::vector<double>& u, AlphaState& trial) {
   State& s = trial.s;
   s.time = from.s.time + h;
@@ -53,7 +53,7 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
       advance(p + 3, from.s.w[n], from.aw[n], from.s.alpha[n], s.w[n], trial.aw[n], s.alpha[n]);
   }
   // What is prescribed moves exactly, not as the scheme would have it (no ringing at rho = 1).
-  supports.rates(s.time, s);
+  tied.rates(s.time, s);
   s.director_weight = m1 / k2;
   for (size_t n = 0; n < s.x.size(); ++n) {
     if (!mesh.rotates(static_cast<int>(n))) continue;
@@ -62,8 +62,8 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
     trial.ad[n] = (rate1 - rate0 - k1 * from.ad[n]) / k2;
     s.directors[n] = m1 * trial.ad[n] + m0 * from.ad[n] - d0 * from.s.directors[n];
   }
-  supports.follow(s);
-  for (const Support& p : supports.list()) {
+  tied.follow(s);
+  for (const TiedNode& p : tied.list()) {
     const size_t n = p.node;
     if (p.frame >= 0 && p.position_mask == 7) {
       const size_t f = p.frame;
@@ -83,7 +83,7 @@ void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoe
   }
 }
 
-void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, const AlphaState& from,
+void alpha_predict(const LocalMesh& mesh, const TiedNodes& tied, double h, const AlphaState& from,
                    std::vector<double>& u) {
   u.resize(3 * static_cast<size_t>(mesh.blocks()));
   for (size_t n = 0; n < from.s.x.size(); ++n) {
@@ -92,7 +92,7 @@ void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, co
     if (mesh.rotates(static_cast<int>(n)))
       Eigen::Map<Vec3>(p + 3, 3) = h * from.s.w[n] + (0.5 * h * h) * from.aw[n];
   }
-  supports.increments(from.s, from.s.time + h, u.data());
+  tied.increments(from.s, from.s.time + h, u.data());
 }
 
 namespace {

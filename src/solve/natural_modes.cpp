@@ -43,7 +43,7 @@ MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
   system.tangent(at, weights, zero, false, J.get());
   MatHandle A = symmetric_part(J.get());
-  const auto& is_held = system.supports().held();
+  const auto& is_held = system.tied_nodes().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
     for (int c = 0; c < 3; ++c) {
       if (!(is_held[b] >> c & 1)) continue;
@@ -59,7 +59,7 @@ MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights
 long free_components(const System& system) {
   long free = 0;
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
-    for (int c = 0; c < 3; ++c) free += !(system.supports().held()[b] >> c & 1);
+    for (int c = 0; c < 3; ++c) free += !(system.tied_nodes().held()[b] >> c & 1);
   MPI_Allreduce(MPI_IN_PLACE, &free, 1, MPI_LONG, MPI_SUM, system.comm());
   return free;
 }
@@ -84,8 +84,8 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
     mode.shape[n] = block(mesh.block[n]);
     if (mesh.rotates(static_cast<int>(n))) mode.rotation[n] = at.q[n] * block(mesh.block[n] + 1);
   }
-  for (const int i : system.supports().ties()) {
-    const Support& s = system.supports().list()[i];
+  for (const int i : system.tied_nodes().to_frames()) {
+    const TiedNode& s = system.tied_nodes().list()[i];
     const int frame = mesh.block[s.frame];
     mode.shape[s.node] = block(frame) + at.q[s.frame] * block(frame + 1).cross(s.at);
   }

@@ -131,7 +131,7 @@ class Relaxation : StaticTrial {
     PetscScalar* r = nullptr;
     check(VecGetArray(r_.get(), &r));
     for (size_t i = 0; i < momentum_.size(); ++i)
-      if (!(system_.supports().held()[i / 3] >> (i % 3) & 1))
+      if (!(system_.tied_nodes().held()[i / 3] >> (i % 3) & 1))
         r[i] += mass(i / 3) * (local_[i] - momentum_[i]);
     check(VecRestoreArray(r_.get(), &r));
   }

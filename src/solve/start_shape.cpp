@@ -122,9 +122,9 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
       line.from == 0 && c.statics.enabled && model::laid_with_friction(c, whole) &&
       g.nodes[span.first_node].rotates)
     if (const int here = mesh.find(span.first_node); here >= 0) {
-      Support s;
+      TiedNode s;
       s.position_mask = 0, s.rotation_mask = 1, s.node = here;
-      out.supports.push_back(s);
+      out.tied.push_back(s);
     }
   const int twist = twist_end(c, whole);
   for (const int end : {0, 1}) {
@@ -137,7 +137,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     if (const int here = mesh.find(node); joint && here >= 0)
       out.state.x[here] = e.at;  // exactly as the other ends there
     if (joint && (end != twist || !g.nodes[node].rotates)) continue;
-    Support s;
+    TiedNode s;
     if (joint) s.position_mask = 0;
     s.body = e.kind == model::EndKind::body ? c.body_index(e.body) : -1;
     s.at = e.at;
@@ -155,7 +155,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     }
     if (const int here = mesh.find(node); here >= 0) {
       s.node = here;
-      out.supports.push_back(s);
+      out.tied.push_back(s);
     }
   }
 }
@@ -169,14 +169,14 @@ void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out)
     const Node& node = g.nodes[global];
     const LineSpan& span = g.lines[node.line];
     const model::Line& line = c.lines[node.line];
-    Support s;
+    TiedNode s;
     s.node = n, s.frame = frame;
     if (mesh.rotates(n) && mesh.rotates(frame) &&
         rigid(c, global == span.first_node ? line.end_a : line.end_b)) {
       s.rotation_mask = 7;
       s.rotation = out.state.q[frame].conjugate() * out.state.q[n];
     }
-    out.supports.push_back(s);
+    out.tied.push_back(s);
   }
 }
 

@@ -127,7 +127,7 @@ void StaticTrial::step(double factor) {
   std::vector<double> u(local_);
   for (double& x : u) x *= factor;
   retract(system_.mesh(), state_, u.data(), trial_);
-  system_.supports().follow(trial_);
+  system_.tied_nodes().follow(trial_);
 }
 
 bool StaticTrial::clear() {
@@ -184,13 +184,13 @@ void StaticTrial::push(int attempt, double share, State& s) const {
     const double bump =
         share * 0.01 * attempt * L * std::sin(M_PI * z) * (1 + 0.3 * std::sin(9 * z + attempt));
     Vec3 d = bump * Vec3(0.31, 0.52, -0.79);
-    const unsigned char held = system_.supports().held()[m.block[i]];
+    const unsigned char held = system_.tied_nodes().held()[m.block[i]];
     for (int c = 0; c < 3; ++c)
       if (held >> c & 1) d[c] = 0;
     s.x[i] += d;
     // A node turned over against its neighbours is a saddle of rotations.
     const size_t b = m.block[i];
-    if (!m.rotates(n) || system_.supports().held()[b + 1]) continue;
+    if (!m.rotates(n) || system_.tied_nodes().held()[b + 1]) continue;
     const double angle = share * 0.05 * attempt;
     s.q[i] = s.q[i] * exp_so3(angle * Vec3(0.1 * std::sin(5 * z), std::sin(37 * z + 1), std::cos(41 * z)));
   }

@@ -21,7 +21,7 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
   int lines = 1;
   for (const Node& n : mesh_.mesh->nodes) lines = std::max(lines, n.line + 1);
   sums_ = 2 * static_cast<size_t>(lines);
-  supports_ = Supports(mesh_, {}, {});
+  tied_nodes_ = TiedNodes(mesh_, {}, {});
   for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
   // A moment of a floating body is judged as a force over a metre.
   if (mesh_.mesh->line_nodes() < static_cast<int>(mesh_.mesh->nodes.size()))
@@ -69,16 +69,16 @@ void System::add(std::unique_ptr<ForceTerm> term) {
   terms_.push_back(std::move(term));
 }
 
-void System::support(std::vector<Support> supports, BodyMotion motion) {
-  supports_ = Supports(mesh_, std::move(supports), std::move(motion));
+void System::tie(std::vector<TiedNode> nodes, BodyMotion motion) {
+  tied_nodes_ = TiedNodes(mesh_, std::move(nodes), std::move(motion));
   index_ties();
 }
 
 void System::index_ties() {
-  tie_of_.assign(supports_.ties().empty() ? 0 : static_cast<size_t>(mesh_.blocks()), -1);
+  tie_of_.assign(tied_nodes_.to_frames().empty() ? 0 : static_cast<size_t>(mesh_.blocks()), -1);
   ties_.clear();
-  for (const int i : supports_.ties()) {
-    const Support& s = supports_.list()[i];
+  for (const int i : tied_nodes_.to_frames()) {
+    const TiedNode& s = tied_nodes_.list()[i];
     Tie t;
     t.block = mesh_.block[s.node], t.frame = mesh_.block[s.frame];
     t.turns = mesh_.rotates(s.node) && s.rotation_mask == 7;
@@ -92,7 +92,7 @@ void System::index_ties() {
 
 void System::see_ties(const Kinematics& trial) {
   for (size_t i = 0; i < ties_.size(); ++i) {
-    const Support& s = supports_.list()[supports_.ties()[i]];
+    const TiedNode& s = tied_nodes_.list()[tied_nodes_.to_frames()[i]];
     const size_t f = s.frame;
     const Mat3 R = trial.q[f].toRotationMatrix();
     ties_[i].place = -R * hat(s.at);
@@ -104,8 +104,8 @@ void System::see_ties(const Kinematics& trial) {
 // What acts on tied nodes acts on their frames: the force, and its moment and that of the node's rotation in
 // the frame's axes. It stays at the node as what the tie carries.
 void System::add_to_frames(const Kinematics& trial) {
-  for (const int i : supports_.ties()) {
-    const Support& s = supports_.list()[i];
+  for (const int i : tied_nodes_.to_frames()) {
+    const TiedNode& s = tied_nodes_.list()[i];
     if (s.node >= mesh_.owned) continue;
     const int block = mesh_.block[s.node], frame = mesh_.block[s.frame];
     const auto at = [this](int b) { return Eigen::Map<Vec3>(force_.data() + 3 * b); };
@@ -174,7 +174,7 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
   add_to_frames(trial);
   check(VecGetArray(r, &p));
   std::copy_n(force_.begin(), owned, p);
-  const auto& held = supports_.held();
+  const auto& held = tied_nodes_.held();
   for (size_t b = 0; b < owned / 3; ++b)
     if (held[b])
       for (size_t c = 0; c < 3; ++c)
@@ -198,7 +198,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   assembler.global_block_ = &mesh_.global_block;
   assembler.retraction_ = &retraction_;
   assembler.turn_of_ = &turn_of_;
-  assembler.held_ = &supports_.held();
+  assembler.held_ = &tied_nodes_.held();
   see_ties(trial);
   if (!ties_.empty()) assembler.ties_ = &ties_, assembler.tie_of_ = &tie_of_;
   for (size_t i = 0; i < terms_.size(); ++i) {
@@ -207,8 +207,8 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   }
   // The force f of a tie turns with its frame: d(y x R'f) = hat(y) hat(R'f) theta. Far from a solution, what
   // of it pulls at the arm and so holds the frame.
-  for (const int i : supports_.ties()) {
-    const Support& s = supports_.list()[i];
+  for (const int i : tied_nodes_.to_frames()) {
+    const TiedNode& s = tied_nodes_.list()[i];
     if (s.node >= mesh_.owned || !mesh_.rotates(s.frame)) continue;
     const Vec3 force(force_.data() + 3 * mesh_.block[s.node]);
     const Vec3 f = trial.q[s.frame].conjugate() * force;
@@ -219,7 +219,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
     const int block = mesh_.block[s.frame] + 1;
     assembler.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
   }
-  const auto& held = supports_.held();
+  const auto& held = tied_nodes_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
     if (!held[b] && !shifted) continue;

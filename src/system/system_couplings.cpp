@@ -64,12 +64,13 @@ void System::spread(State& s) const {
   if (!s.directors.empty()) exchange_.spread(s.directors);
 }
 
-// Held nodes of other ranks move as their supports say here too, and their columns of the tangent are zero.
+// Held nodes of other ranks move here too as what they are tied to, and their columns of the tangent are
+// zero.
 void System::reghost_supports() {
   constexpr size_t kWidth = 12;
-  std::vector<Support> kept;
+  std::vector<TiedNode> kept;
   std::vector<double> mine;
-  for (const Support& s : supports_.list()) {
+  for (const TiedNode& s : tied_nodes_.list()) {
     if (s.node >= mesh_.chain) continue;
     kept.push_back(s);
     if (s.node >= mesh_.owned) continue;
@@ -85,14 +86,14 @@ void System::reghost_supports() {
     const double* d = everyone.data() + i;
     const int local = mesh_.find(static_cast<int>(d[0]));
     if (local < mesh_.chain) continue;
-    Support s;
+    TiedNode s;
     s.node = local, s.body = static_cast<int>(d[1]);
     s.at = Vec3(d[2], d[3], d[4]), s.rotation = Quat(d[5], d[6], d[7], d[8]);
     s.position_mask = static_cast<unsigned char>(d[9]), s.rotation_mask = static_cast<unsigned char>(d[10]);
     s.frame = d[11] < 0 ? -1 : mesh_.find(static_cast<int>(d[11]));
     kept.push_back(s);
   }
-  supports_ = Supports(mesh_, std::move(kept), BodyMotion(supports_.motion()));
+  tied_nodes_ = TiedNodes(mesh_, std::move(kept), BodyMotion(tied_nodes_.motion()));
   index_ties();
 }
 

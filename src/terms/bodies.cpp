@@ -1,5 +1,5 @@
 // The class Bodies: where a body is, from its prescribed motion, from the state of its own node or from the
-// line it rides on, and how all ranks learn it. Ends of lines on bodies: system/supports.hpp.
+// line it rides on, and how all ranks learn it. Ends of lines on bodies: system/tied_nodes.hpp.
 #include "hawser/terms/bodies.hpp"
 
 #include "hawser/base/gather.hpp"

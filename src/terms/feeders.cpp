@@ -51,8 +51,8 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       Feeder f;
       f.line = static_cast<int>(l), f.at_b = at_b, f.feed = *end.feed;
       f.name = fmt::format("end {} of line {}", at_b ? 'B' : 'A', c.lines[l].name);
-      f.support.body = end.kind == model::EndKind::body ? c.body_index(end.body) : -1;
-      f.support.at = end.at;
+      f.tied.body = end.kind == model::EndKind::body ? c.body_index(end.body) : -1;
+      f.tied.at = end.at;
       const FedStart start = fed_start(*mesh.mesh, mesh.mesh->lines[l], at_b, f.feed.stock);
       f.mouth = start.inside, f.length = f.offset = start.length;
       see_mouth(f);
@@ -65,7 +65,7 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
 }
 
 void Feeders::clamp(const std::vector<std::array<Quat, 2>>& ends) {
-  for (Feeder& f : feeders_) f.support.rotation = ends[f.line][f.at_b];
+  for (Feeder& f : feeders_) f.tied.rotation = ends[f.line][f.at_b];
 }
 
 int Feeders::elements(const Feeder& f) const { return mesh_.mesh->lines[f.line].elements; }
@@ -189,15 +189,15 @@ std::vector<std::array<int, 2>> Feeders::inside() const {
   return out;
 }
 
-std::vector<Support> Feeders::with_held(const std::vector<Support>& supports) const {
+std::vector<TiedNode> Feeders::with_held(const std::vector<TiedNode>& tied) const {
   std::vector<int> fed = fed_nodes();
-  std::vector<Support> out;
-  for (const Support& s : supports)
+  std::vector<TiedNode> out;
+  for (const TiedNode& s : tied)
     if (!std::binary_search(fed.begin(), fed.end(), mesh_.global[s.node])) out.push_back(s);
   for (const Feeder& f : feeders_)
     for (int i = 0; i <= f.mouth; ++i)
       if (const int here = mesh_.find(node(f, i)); here >= 0) {
-        out.push_back(f.support);
+        out.push_back(f.tied);
         out.back().node = here;
         if (mesh_.rotates(here)) out.back().rotation_mask = 7;
       }

@@ -1,6 +1,6 @@
 // The class RigidBodies: floating bodies with inertia, weight, springs and dampers as a force term, their
 // energy and work, and conversion between centre of mass and body frame. The equations of one body:
-// kernels/rigid_body.cpp. Ends of lines that are tied to a body: system/supports.hpp.
+// kernels/rigid_body.cpp. Ends of lines that are tied to a body: system/tied_nodes.hpp.
 #include "hawser/terms/rigid_bodies.hpp"
 
 #include <algorithm>

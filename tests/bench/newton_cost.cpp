@@ -58,7 +58,7 @@ void newton(benchmark::State& state) {
     configure_linear_solver(k->get(), system, "bench_");
   }
   // The parts of an iteration, so that one sees where the time goes.
-  const auto state_part = [&] { alpha_trial(system.mesh(), system.supports(), alpha, h, from, u, trial); };
+  const auto state_part = [&] { alpha_trial(system.mesh(), system.tied_nodes(), alpha, h, from, u, trial); };
   const auto residual_part = [&] { system.residual(trial.s.view(h), r.get()); };
   const auto tangent_part = [&] {
     system.tangent(trial.s.view(h), alpha_weights(alpha, h), u, false, J.get());

@@ -48,7 +48,7 @@ inline Eigen::MatrixXd dense_tangent(System& system, const Kinematics& at, const
 // The matrices of the linearised motion about `at`.
 inline ModalMatrices modal_matrices(System& system, const Kinematics& at) {
   ModalMatrices m;
-  const auto& held = system.supports().held();
+  const auto& held = system.tied_nodes().held();
   for (int b = 0; b < system.mesh().owned_blocks; ++b)
     for (int c = 0; c < 3; ++c)
       if (!(held[static_cast<size_t>(b)] >> c & 1)) m.dof.push_back(3 * b + c);

@@ -38,8 +38,8 @@ class StepTangent {
       from.s.v[i] = 0.4 * noise3(g, 1);
       if (mesh.rotates(static_cast<int>(i))) from.s.w[i] = 0.5 * noise3(g, 2);
     }
-    system.supports().rates(0, from.s);
-    system.supports().follow(from.s);
+    system.tied_nodes().rates(0, from.s);
+    system.tied_nodes().follow(from.s);
     alpha_start(mesh, from);
     system.prepare(from.s.view(h), h);
     std::vector<double> u(3 * static_cast<size_t>(mesh.blocks()), 0);
@@ -48,7 +48,7 @@ class StepTangent {
         for (int i = 0; i < 3; ++i)
           u[static_cast<size_t>(3 * (mesh.block[static_cast<size_t>(n)] + k) + i)] =
               (k ? angle : place) * noise(mesh.global[static_cast<size_t>(n)], 3 * k + i, 5);
-    system.supports().increments(from.s, h, u.data());
+    system.tied_nodes().increments(from.s, h, u.data());
     return {system, std::move(from), h, std::move(u)};
   }
 
@@ -88,7 +88,7 @@ class StepTangent {
   std::vector<double> residual_at(double step, const std::vector<double>& d) {
     std::vector<double> moved = u_;
     for (size_t i = 0; i < u_.size(); ++i) moved[i] += step * d[i];
-    alpha_trial(system_.mesh(), system_.supports(), kAlpha, h_, from_, moved, to_);
+    alpha_trial(system_.mesh(), system_.tied_nodes(), kAlpha, h_, from_, moved, to_);
     return residual(system_, to_.s, h_);
   }
 

@@ -99,7 +99,7 @@ inline std::vector<double> direction(const System& system, const Trial& t, int p
     for (int k = 0; k <= m.rotates(n); ++k)
       for (int c = 0; c < 3; ++c) {
         const size_t b = static_cast<size_t>(m.block[static_cast<size_t>(n)] + k);
-        const auto& mask = system.supports().held();
+        const auto& mask = system.tied_nodes().held();
         const bool is_held = !mask.empty() && (mask[b] >> c & 1);
         if (is_held == held)
           d[3 * b + static_cast<size_t>(c)] =

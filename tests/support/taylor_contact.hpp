@@ -25,15 +25,15 @@ inline constexpr double kContactRadius = 0.1, kNormalStiffness = 1e5;
 inline std::unique_ptr<SuiteModel> held_model(MPI_Comm comm, const Placement& at) {
   auto m = std::make_unique<SuiteModel>(comm, at);
   // One position held by components, one rotation by a component: an end as dynamics has it.
-  std::vector<Support> s;
+  std::vector<TiedNode> s;
   const LocalMesh& l = m->system->mesh();
   for (int n = 0; n < l.nodes(); ++n)
     if (l.global[static_cast<size_t>(n)] == 3) {
-      Support held;
+      TiedNode held;
       held.node = n, held.position_mask = 7, held.rotation_mask = 1;
       s.push_back(held);
     }
-  m->system->support(s, {});
+  m->system->tie(s, {});
   return m;
 }
 

@@ -93,7 +93,7 @@ struct Rig {
       contact->fed_by(feeders);
       system->add(std::move(between));
     }
-    system->support(feeders->with_held({}), {});
+    system->tie(feeders->with_held({}), {});
   }
 
   // They commit last.
@@ -199,8 +199,8 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     // So long that it pulls: the chord is beyond the unstretched length of 5 m.
     for (Vec3& x : from.s.x) x *= 1.4;
     if (crossed) lay_across(from.s);
-    for (Feeder& f : r.feeders->list()) f.support.at *= 1.4, f.resting = false;
-    r.system->support(r.feeders->with_held({}), {});
+    for (Feeder& f : r.feeders->list()) f.tied.at *= 1.4, f.resting = false;
+    r.system->tie(r.feeders->with_held({}), {});
     std::optional<Roller> roller;
     if (on == On::roller) roller.emplace(r, from.s.view(0)), r.put_on(roller->surface());
     r.add_feeders();

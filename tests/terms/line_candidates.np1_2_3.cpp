@@ -93,7 +93,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
         s->q[static_cast<size_t>(n)] *= exp_so3(1.2 * noise3(mesh_of->global[static_cast<size_t>(n)], 99));
   const auto held = [](Model& m, int n) {
     const LocalMesh& mesh_of = m.sim.local();
-    return m.sim.system().supports().held()[static_cast<size_t>(mesh_of.block[static_cast<size_t>(n)])];
+    return m.sim.system().tied_nodes().held()[static_cast<size_t>(mesh_of.block[static_cast<size_t>(n)])];
   };
   long touching = 0, anew = 0, listed = 0, kept = 0, held_ghosts = 0;
   for (int step = 0; step < 60; ++step) {

@@ -38,12 +38,12 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
       const auto at = [&](double step, const std::vector<double>& d) {
         std::vector<double> u = m.trial.u;
         for (size_t i = 0; i < u.size(); ++i) u[i] += step * d[i];
-        alpha_trial(mesh, system.supports(), alpha, h, from, u, to);
+        alpha_trial(mesh, system.tied_nodes(), alpha, h, from, u, to);
         return residual(system, to.s, h);
       };
       // Mean forces are among what is checked, with the weight of the scheme.
       EXPECT_GT(alpha_mean(alpha).weight, 1);
-      alpha_trial(mesh, system.supports(), alpha, h, from, m.trial.u, to);
+      alpha_trial(mesh, system.tied_nodes(), alpha, h, from, m.trial.u, to);
       MatHandle J = system.create_matrix();
       system.tangent(to.s.view(h), alpha_weights(alpha, h), m.trial.u, false, J.get());
       for (int k = 0; k < 4; ++k) {
@@ -68,7 +68,7 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
 TEST(StepTangent, DirectorsFollowTheirAccelerations) {
   Mesh mesh = suite_mesh();
   const LocalMesh l = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
-  const Supports none(l, {}, {});
+  const TiedNodes none(l, {}, {});
   for (const double rho : {1.0, 0.8}) {
     const AlphaCoefficients c(rho);
     double before = 0;

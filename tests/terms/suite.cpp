@@ -139,7 +139,7 @@ TEST(Suite, TurnsWithTheModel) {
     if (c.name == "point loads and masses" || c.name == "everything") continue;  // weight: see below
     if (c.name.starts_with("water")) continue;                                   // level: see below
     const auto m = c.build(PETSC_COMM_SELF, {}), turned = c.build(PETSC_COMM_SELF, at);
-    m->system->support({}, {}), turned->system->support({}, {});
+    m->system->tie({}, {}), turned->system->tie({}, {});
     const LocalMesh& mesh = m->system->mesh();
     const auto f = residual(*m->system, state_of(mesh, m->trial), m->trial.h);
     const auto g = residual(*turned->system, state_of(mesh, turned->trial), turned->trial.h);
@@ -164,7 +164,7 @@ TEST(Suite, WaterTurnsWithTheModelAboutTheVertical) {
   const Placement at{exp_so3({0, 0, 1.3}), Vec3(2, -1, 0)};
   for (const SuiteCase& c : water_cases()) {
     const auto m = c.build(PETSC_COMM_SELF, {}), turned = c.build(PETSC_COMM_SELF, at);
-    m->system->support({}, {}), turned->system->support({}, {});
+    m->system->tie({}, {}), turned->system->tie({}, {});
     const LocalMesh& mesh = m->system->mesh();
     const auto f = residual(*m->system, state_of(mesh, m->trial), m->trial.h);
     const auto g = residual(*turned->system, state_of(mesh, turned->trial), turned->trial.h);

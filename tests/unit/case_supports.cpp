@@ -230,7 +230,7 @@ TEST(CaseSupports, SharpBendsAndLongElementsAreDoubted) {
 }
 
 // Events know rollers by the name of their group, of their box, or their own.
-TEST(Supports, AreSwitchedByName) {
+TEST(TiedNodes, AreSwitchedByName) {
   const auto off = [](const std::string& name) {
     const model::Case c = read(
         "{at: 5, type: flat" + kRoller + "}, {at: 15, type: flat" + kRoller + "}",

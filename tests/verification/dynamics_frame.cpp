@@ -45,9 +45,9 @@ Frame frame(int per_leg, double h, double rho, double until) {
   system.add(std::make_unique<TimedLoad>(system.mesh(), per_leg, Vec3::UnitZ(), Vec3::Zero(), [](double t) {
     return t < 1 ? 50 * t : t < 2 ? 50 * (2 - t) : 0.0;
   }));
-  Support root;
+  TiedNode root;
   root.rotation_mask = 7;
-  system.support({root}, {});
+  system.tie({root}, {});
   DynamicsSettings settings;
   settings.step.fixed = h, settings.rho_infinity = rho;
   Dynamics d(system, settings);

@@ -51,9 +51,9 @@ Spin spin_up(int elements, double h, double rho) {
   c.statics.enabled = false;
   c.dynamics.step = h, c.dynamics.rho_infinity = rho, c.dynamics.duration = 20;
   Simulation s(PETSC_COMM_SELF, c);
-  std::vector<Support> supports = s.system().supports().list();
+  std::vector<TiedNode> supports = s.system().tied_nodes().list();
   supports.at(0).body = 0;
-  s.system().support(supports, [](int, double time) { return root(time); });
+  s.system().tie(supports, [](int, double time) { return root(time); });
   Dynamics& d = s.dynamics();
   d.start(s.state());
   Spin out;

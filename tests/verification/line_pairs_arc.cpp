@@ -51,7 +51,7 @@ int follow_motion(Simulation& s, double end, double longest) {
     const double next = std::min(last.time + step, end);
     try {
       std::vector<double> u(3 * static_cast<size_t>(s.local().blocks()), 0);
-      s.system().supports().increments(last, next, u.data());
+      s.system().tied_nodes().increments(last, next, u.data());
       // The free nodes go with the ends, in proportion.
       const LineSpan& l = s.mesh().lines[1];
       const size_t a = static_cast<size_t>(l.first_node), b = a + static_cast<size_t>(l.nodes) - 1;

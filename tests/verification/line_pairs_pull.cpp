@@ -49,7 +49,7 @@ Drawn draw(double theta, double way, int elements) {
     const State last = s.state();
     // The ends first, Newton does the rest.
     std::vector<double> u(3 * static_cast<size_t>(s.local().blocks()), 0);
-    s.system().supports().increments(last, i / static_cast<double>(steps), u.data());
+    s.system().tied_nodes().increments(last, i / static_cast<double>(steps), u.data());
     State& now = s.state();
     State moved = last;
     retract(s.local(), last, u.data(), moved);
@@ -88,7 +88,7 @@ Drawn draw(double theta, double way, int elements) {
   }
   const std::vector<double>& f = s.system().reactions();
   Vec3 sum = Vec3::Zero();
-  for (const Support& held : s.system().supports().list())
+  for (const TiedNode& held : s.system().tied_nodes().list())
     if (s.mesh().nodes[static_cast<size_t>(held.node)].line == 1)
       sum += Eigen::Map<const Vec3>(f.data() + 3 * s.local().block[static_cast<size_t>(held.node)]);
   out.friction = sum.dot(pull), out.normal = -sum.z(), out.aside = sum.dot(Vec3::UnitZ().cross(pull));

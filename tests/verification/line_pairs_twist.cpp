@@ -48,10 +48,10 @@ void carry(Simulation& s, const State& last, double next) {
   const double time = last.time;
   s.state().time = next;
   std::vector<double> u(3 * static_cast<size_t>(s.local().blocks()), 0);
-  s.system().supports().increments(last, next, u.data());
+  s.system().tied_nodes().increments(last, next, u.data());
   for (int n = 0; n < s.local().nodes(); ++n) {
     const size_t i = static_cast<size_t>(n);
-    if (s.system().supports().held()[static_cast<size_t>(s.local().block[i])]) continue;
+    if (s.system().tied_nodes().held()[static_cast<size_t>(s.local().block[i])]) continue;
     const double part = last.x[i].z() / (kLength + kShift);
     const double angle = part * 2 * M_PI * (std::max(next - 1, 0.0) - std::max(time - 1, 0.0)) / 4;
     const Quat turn = exp_so3(Vec3(0, 0, angle));

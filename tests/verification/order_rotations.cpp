@@ -78,7 +78,7 @@ End top_run(double until, double h, double rho) {
   mesh.lines[0].nodes = 1;
   System system(PETSC_COMM_SELF, local_mesh(mesh, {0}, 0, 1));
   system.add(std::make_unique<TopTerm>());
-  system.support({Support{}}, {});
+  system.tie({TiedNode{}}, {});
   DynamicsSettings settings;
   settings.rho_infinity = rho, settings.tolerance = 1e-13, settings.step.fixed = h;
   Dynamics d(system, settings);

@@ -26,14 +26,14 @@ class Actions {
 
   explicit Actions(Simulation& simulation) : sim_(simulation) {}
 
-  // Before any of them: the supports that they change, those of the system.
-  void begin() { supports_ = sim_.system().supports().list(); }
+  // Before any of them: the tied nodes that they change, those of the system.
+  void begin() { tied_ = sim_.system().tied_nodes().list(); }
   // In the accepted state `at`. SolveError where it cannot be done. Collective.
   Found act(const model::Action& action, const Kinematics& at);
   // In a run that goes on from a checkpoint: what it did at this time [s].
   void again(const model::Action& action, const Found& found, double time);
   // Of the local nodes; to be given to the system.
-  const std::vector<Support>& supports() const { return supports_; }
+  const std::vector<TiedNode>& tied() const { return tied_; }
 
   // m, how far the end that an action attaches is from where it is expected; where its node is owned.
   double away(const model::Action& action, const Kinematics& at) const;
@@ -47,7 +47,7 @@ class Actions {
   void feed(const model::Action& action, double speed, double time);
 
   Simulation& sim_;
-  std::vector<Support> supports_;
+  std::vector<TiedNode> tied_;
 };
 
 }  // namespace hawser::app

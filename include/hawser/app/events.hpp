@@ -72,7 +72,7 @@ class Events {
   // All of these, with what goes on from there. Where one of them cannot be, none has happened.
   void happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
               std::vector<std::string>& messages, const std::function<void()>& go_on);
-  // One of them, done and reported; the system's supports are not changed yet.
+  // One of them, done and reported; the system's tied nodes are not changed yet.
   void happen(size_t event, const Kinematics& at, const std::string& stage,
               std::vector<std::string>& messages);
   std::vector<std::string> at_rest(const std::string& stage);

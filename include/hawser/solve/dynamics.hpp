@@ -45,10 +45,10 @@ class Dynamics {
 
   // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
   void start(const State& state);
-  // Goes on with other supports, of the local nodes: what they held before moves on from where it is, with
+  // Goes on with other nodes tied, of the local ones: what they held before moves on from where it is, with
   // accelerations that jump; what they hold anew is caught in a plastic impact (docs/theory/events.md).
   // Collective.
-  void release(std::vector<Support> supports);
+  void release(std::vector<TiedNode> nodes);
   // Energy that an event has put into the system or taken from it, J, of this rank's share.
   void add_support_work(double work) { support_work_ += work; }
   // How a node of the mesh goes on: position, velocity and acceleration in m and s, node axes and their rates
@@ -64,7 +64,7 @@ class Dynamics {
   // goes on, on ranks that know. Mean forces and reactions change by as much as the forces of the state do;
   // all else goes on as it did. Collective.
   void hand_over(const std::function<std::optional<Moved>()>& change,
-                 const std::function<std::vector<Support>()>& supports);
+                 const std::function<std::vector<TiedNode>()>& nodes);
   // What a checkpoint carries beside the state.
   struct Carried {
     double step_proposal = 0;
@@ -126,7 +126,7 @@ class Dynamics {
   void solve_once();
   void put(const std::vector<double>& u);
   std::vector<double> solve_masses();
-  void catch_up(const Supports& before, State& s);
+  void catch_up(const TiedNodes& before, State& s);
   void settle(int node, double h);
 
   System& system_;

@@ -7,7 +7,7 @@
 
 #include "hawser/state/state.hpp"
 #include "hawser/system/assembler.hpp"
-#include "hawser/system/supports.hpp"
+#include "hawser/system/tied_nodes.hpp"
 
 namespace hawser {
 
@@ -36,14 +36,14 @@ double alpha_stored(const AlphaCoefficients& c);
 void alpha_start(const LocalMesh& mesh, AlphaState& state);
 
 // The scheme's velocity and acceleration of a trial increment u (3 * local blocks, ghosts included) over a
-// step h from `from`; configuration by retraction; prescribed components from the supports; the weight of
-// mean forces. The directors' accelerations are those from which the same formulas make their rates: R
-// hat(w), exactly.
-void alpha_trial(const LocalMesh& mesh, const Supports& supports, const AlphaCoefficients& c, double h,
+// step h from `from`; configuration by retraction; prescribed components from what nodes are tied to; the
+// weight of mean forces. The directors' accelerations are those from which the same formulas make their
+// rates: R hat(w), exactly.
+void alpha_trial(const LocalMesh& mesh, const TiedNodes& tied, const AlphaCoefficients& c, double h,
                  const AlphaState& from, const std::vector<double>& u, AlphaState& trial);
 
 // Increment that the scheme predicts when the algorithmic acceleration does not change.
-void alpha_predict(const LocalMesh& mesh, const Supports& supports, double h, const AlphaState& from,
+void alpha_predict(const LocalMesh& mesh, const TiedNodes& tied, double h, const AlphaState& from,
                    std::vector<double>& u);
 
 // What forces that are given as their mean S over the step make of the scheme (theory, "Cables"): algorithmic

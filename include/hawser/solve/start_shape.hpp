@@ -9,14 +9,14 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/state.hpp"
-#include "hawser/system/supports.hpp"
+#include "hawser/system/tied_nodes.hpp"
 #include "hawser/terms/bodies.hpp"
 
 namespace hawser {
 
 struct StartShape {
-  State state;                    // of this rank's local nodes, at t = 0, at rest
-  std::vector<Support> supports;  // of this rank's local nodes
+  State state;                 // of this rank's local nodes, at t = 0, at rest
+  std::vector<TiedNode> tied;  // of this rank's local nodes
   // Of all lines: node axes at ends A and B, in the frame of the body there (or space).
   std::vector<std::array<Quat, 2>> ends;
   std::vector<std::string> notes;  // of clamped ends that point against their line

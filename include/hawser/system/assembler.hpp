@@ -19,7 +19,7 @@ struct Weights {
   double shift_position = 0, shift_rotation = 0;
 };
 
-// The tangent of a node that is tied to a frame of the state (Supports): what its unknowns stand for.
+// The tangent of a node that is tied to a frame of the state (TiedNodes): what its unknowns stand for.
 //   dx = dX + place theta + (v, a by theta: rate theta), place = -R hat(y), rate = -R hat(w x y)
 //   of a rotation that is tied as well: turn theta.
 struct Tie {

@@ -1,4 +1,4 @@
-// One rank's share of the discrete equations: terms, supports, and their assembly into PETSc objects.
+// One rank's share of the discrete equations: terms, tied nodes, and their assembly into PETSc objects.
 #pragma once
 
 #include <petscmat.h>
@@ -11,7 +11,7 @@
 #include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/ghost_exchange.hpp"
-#include "hawser/system/supports.hpp"
+#include "hawser/system/tied_nodes.hpp"
 
 namespace hawser {
 
@@ -44,7 +44,7 @@ class System {
 
   MPI_Comm comm() const { return comm_; }
   const LocalMesh& mesh() const { return mesh_; }
-  const Supports& supports() const { return supports_; }
+  const TiedNodes& tied_nodes() const { return tied_nodes_; }
   const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
   // Of an element of a line, all terms that act on it: see ActsOnElements.
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const {
@@ -52,7 +52,7 @@ class System {
   }
 
   void add(std::unique_ptr<ForceTerm> term);
-  void support(std::vector<Support> supports, BodyMotion motion);
+  void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
   // Asks the terms who sees whom in a coming step of h [s]; where ghosts or matrix do not hold it, makes
   // room: then vectors, matrices and solvers are to be made anew, and states spread. Before prepare().
@@ -139,7 +139,7 @@ class System {
   Couplings couplings_;  // what the matrix holds beyond the chains
   bool coupled_ = false;
   GhostExchange exchange_;
-  Supports supports_;
+  TiedNodes tied_nodes_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   // Those of the terms that have a role (roles.hpp).
   std::vector<CouplesNodes*> couple_nodes_;

@@ -16,7 +16,7 @@
 #include "hawser/model/feed.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/system/supports.hpp"
+#include "hawser/system/tied_nodes.hpp"
 
 namespace hawser {
 
@@ -29,7 +29,7 @@ struct Feeder {
   bool at_b = false;
   std::string name;  // "end A of line mooring"
   model::Feed feed;
-  Support support;  // of a node that is held at the feeder
+  TiedNode tied;  // of a node that is held at the feeder
   bool beam = false;
   CableSection cable;  // of the element at the mouth, of its own length
   BeamSection bar;     // likewise, of a line that resists bending
@@ -108,8 +108,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   // of the step that began with the committed state, and of a beam M²/2EI.
   FedPull pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
 
-  // The supports with those of what is inside feeders, of the local nodes.
-  std::vector<Support> with_held(const std::vector<Support>& supports) const;
+  // The tied nodes with those of what is inside feeders, of the local nodes.
+  std::vector<TiedNode> with_held(const std::vector<TiedNode>& tied) const;
   // Nodes of the mesh that are held at a feeder or may once be.
   std::vector<int> fed_nodes() const;
 

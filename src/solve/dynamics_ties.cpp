@@ -1,5 +1,5 @@
-// The part of the class Dynamics that goes on with other supports: ends that are let go of, and ends that are
-// caught (docs/theory/events.md).
+// The part of the class Dynamics that goes on with other nodes tied: ends that are let go of, and ends that
+// are caught (docs/theory/events.md).
 #include <algorithm>
 #include <cmath>
 
@@ -11,19 +11,19 @@ namespace {
 
 constexpr double kJustBefore = 1e-9;  // of the time, or s
 
-bool holds(const Supports& supports, int node) {
-  return std::any_of(supports.list().begin(), supports.list().end(),
-                     [node](const Support& s) { return s.node == node && s.position_mask == 7; });
+bool holds(const TiedNodes& tied, int node) {
+  return std::any_of(tied.list().begin(), tied.list().end(),
+                     [node](const TiedNode& s) { return s.node == node && s.position_mask == 7; });
 }
 
 }  // namespace
 
-void Dynamics::release(std::vector<Support> supports) {
+void Dynamics::release(std::vector<TiedNode> nodes) {
   State s = committed_.s;
-  const Supports before = system_.supports();
+  const TiedNodes before = system_.tied_nodes();
   // Of a body whose velocity jumps here the end leaves with the one before.
   before.rates(s.time - kJustBefore * std::max(1.0, s.time), s);
-  system_.support(std::move(supports), BodyMotion(before.motion()));
+  system_.tie(std::move(nodes), BodyMotion(before.motion()));
   control_.begin_anew();
   catch_up(before, s);
   start(s);
@@ -32,13 +32,13 @@ void Dynamics::release(std::vector<Support> supports) {
 // Velocities after a plastic impact of what is held anew: with the mass matrix M of the free nodes and of
 // what is caught, no impulse acts on the free ones, M dv = 0 there, and what is caught has the velocity of
 // what catches it.
-void Dynamics::catch_up(const Supports& before, State& s) {
+void Dynamics::catch_up(const TiedNodes& before, State& s) {
   const LocalMesh& m = system_.mesh();
   State held = s;
-  system_.supports().rates(s.time, held);
-  system_.supports().follow(held);
+  system_.tied_nodes().rates(s.time, held);
+  system_.tied_nodes().follow(held);
   std::vector<int> caught;
-  for (const Support& h : system_.supports().list())
+  for (const TiedNode& h : system_.tied_nodes().list())
     if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) caught.push_back(h.node);
   if (!on_any_rank(system_.comm(), !caught.empty())) return;
   const double h = control_.proposal();
@@ -66,8 +66,8 @@ void Dynamics::catch_up(const Supports& before, State& s) {
     s.v[i] -= Eigen::Map<const Vec3>(p);
     if (m.rotates(static_cast<int>(i))) s.w[i] -= Eigen::Map<const Vec3>(p + 3);
   }
-  system_.supports().rates(s.time, s);
-  system_.supports().follow(s);
+  system_.tied_nodes().rates(s.time, s);
+  system_.tied_nodes().follow(s);
   system_.spread(s);
 }
 

@@ -14,7 +14,7 @@
 namespace hawser {
 
 // One support of a local node. Components of its position (and material rotation) increments are prescribed.
-struct Support {
+struct TiedNode {
   int node = 0;                      // local
   int body = -1;                     // with prescribed motion; -1: fixed in space
   int frame = -1;                    // local node of the frame it is tied to; -1: prescribed
@@ -26,17 +26,17 @@ struct Support {
 
 using BodyMotion = std::function<RigidPose(int body, double time)>;
 
-class Supports {
+class TiedNodes {
  public:
-  Supports() = default;
-  Supports(const LocalMesh& mesh, std::vector<Support> supports, BodyMotion motion);
+  TiedNodes() = default;
+  TiedNodes(const LocalMesh& mesh, std::vector<TiedNode> nodes, BodyMotion motion);
 
   // Held components by local block, one bit a component.
   const std::vector<unsigned char>& held() const { return held_; }
-  const std::vector<Support>& list() const { return supports_; }
+  const std::vector<TiedNode>& list() const { return nodes_; }
   const BodyMotion& motion() const { return motion_; }
-  // The list's supports that are tied to a frame of the state.
-  const std::vector<int>& ties() const { return ties_; }
+  // Those of the list that are tied to a frame of the state.
+  const std::vector<int>& to_frames() const { return to_frames_; }
 
   // Writes the prescribed entries of the local increment u that take `from` to time t.
   void increments(const State& from, double t, double* u) const;
@@ -46,12 +46,12 @@ class Supports {
   void follow(State& s) const;
 
  private:
-  RigidPose pose(const Support& s, double t) const;
+  RigidPose pose(const TiedNode& s, double t) const;
   const LocalMesh* mesh_ = nullptr;
-  std::vector<Support> supports_;
+  std::vector<TiedNode> nodes_;
   BodyMotion motion_;
   std::vector<unsigned char> held_;
-  std::vector<int> ties_;
+  std::vector<int> to_frames_;
 };
 
 }  // namespace hawser

@@ -1,29 +1,29 @@
-// The class Supports: increments and rates of nodes held in space or by a moving body, and positions,
+// The class TiedNodes: increments and rates of nodes held in space or by a moving body, and positions,
 // rotations and rates of nodes tied to a rigid frame.
-#include "hawser/system/supports.hpp"
+#include "hawser/system/tied_nodes.hpp"
 
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
 
-Supports::Supports(const LocalMesh& mesh, std::vector<Support> supports, BodyMotion motion)
-    : mesh_(&mesh), supports_(std::move(supports)), motion_(std::move(motion)) {
+TiedNodes::TiedNodes(const LocalMesh& mesh, std::vector<TiedNode> nodes, BodyMotion motion)
+    : mesh_(&mesh), nodes_(std::move(nodes)), motion_(std::move(motion)) {
   held_.assign(mesh.blocks(), 0);
-  for (size_t i = 0; i < supports_.size(); ++i) {
-    const Support& s = supports_[i];
-    if (s.frame >= 0) ties_.push_back(static_cast<int>(i));
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    const TiedNode& s = nodes_[i];
+    if (s.frame >= 0) to_frames_.push_back(static_cast<int>(i));
     const size_t b = mesh.block[s.node];
     held_[b] |= s.position_mask;
     if (mesh.rotates(s.node)) held_[b + 1] |= s.rotation_mask;
   }
 }
 
-RigidPose Supports::pose(const Support& s, double t) const {
+RigidPose TiedNodes::pose(const TiedNode& s, double t) const {
   return s.body < 0 ? RigidPose{} : motion_(s.body, t);
 }
 
-void Supports::increments(const State& from, double t, double* u) const {
-  for (const Support& s : supports_) {
+void TiedNodes::increments(const State& from, double t, double* u) const {
+  for (const TiedNode& s : nodes_) {
     const size_t n = s.node;
     double* p = u + 3 * mesh_->block[n];
     const RigidPose b = pose(s, t);
@@ -40,8 +40,8 @@ void Supports::increments(const State& from, double t, double* u) const {
   }
 }
 
-void Supports::rates(double t, State& out) const {
-  for (const Support& s : supports_) {
+void TiedNodes::rates(double t, State& out) const {
+  for (const TiedNode& s : nodes_) {
     const size_t n = s.node;
     const RigidPose b = pose(s, t);
     if (s.frame >= 0) {  // follow() moves it; a single component that is held does not turn
@@ -65,9 +65,9 @@ void Supports::rates(double t, State& out) const {
   }
 }
 
-void Supports::follow(State& out) const {
-  for (const int i : ties_) {
-    const Support& s = supports_[i];
+void TiedNodes::follow(State& out) const {
+  for (const int i : to_frames_) {
+    const TiedNode& s = nodes_[i];
     const size_t n = s.node, f = s.frame;
     const Mat3 D =
         out.directors.empty() ? director_acceleration(out.q[f], out.w[f], out.alpha[f]) : out.directors[f];
