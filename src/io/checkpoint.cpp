@@ -53,7 +53,13 @@ void agree(MPI_Comm comm, bool good, const std::string& names) {
 
 constexpr double kMostKinds = 100;  // of records of a term
 constexpr int kRecordHead = 4;      // numbers of a record before its values
-constexpr int kPiece = 500;         // nodes whose records are handed over at a time
+
+// How many nodes' records are handed over at a time: an even part of them, so that terms which look through
+// all that they keep for each part do so a limited number of times.
+int nodes_at_a_time(int nodes_total) {
+  constexpr int kParts = 16, kFewest = 500;
+  return std::max(kFewest, nodes_total / kParts + 1);
+}
 
 struct Slot {
   std::string index;
@@ -150,7 +156,8 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
       }
     };
     look(history.records);
-    for (int n = 0; history.make && n < nodes_total; n += kPiece) look(history.make({n, n + kPiece}));
+    const int some = nodes_at_a_time(nodes_total);
+    for (int n = 0; history.make && n < nodes_total; n += some) look(history.make({n, n + some}));
   }
   room.index = describe(c, nodes_total);
   agree(comm, good, room.index);
@@ -194,7 +201,8 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
 
   for (auto& [name, history] : c.history) {
     const long long head = at++;
-    for (NodeRange of{0, kPiece}; of.first < nodes_total; of = {of.end, of.end + kPiece}) {
+    const int some = nodes_at_a_time(nodes_total);
+    for (NodeRange of{0, some}; of.first < nodes_total; of = {of.end, of.end + some}) {
       if (history.make) history.records = history.make(of);
       std::vector<const HistoryRecord*> sorted;
       for (const auto& r : history.records)
@@ -202,7 +210,8 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
       std::stable_sort(sorted.begin(), sorted.end(), [](const HistoryRecord* a, const HistoryRecord* b) {
         return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
       });
-      std::vector<long long> start(kPiece + 1, 0);  // of each node's records; then their end
+      std::vector<long long> start(static_cast<size_t>(some) + 1,
+                                   0);  // of each node's records; then their end
       for (const auto* r : sorted) start[r->node - of.first + 1] += kRecordHead + std::ssize(r->values);
       all_reduce(comm, MPI_SUM, start);
       for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
