@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace hawser::model {
 namespace {
@@ -21,39 +23,47 @@ std::vector<double> plain_lengths(const Section& s) {
   return l;
 }
 
-// A node with the number `first` among the section's is moved to `second`, m from its beginning.
-using Moved = std::pair<std::size_t, double>;
+// By the number of a node among the section's: where it is to be, m from the section's beginning.
+using Moved = std::map<std::size_t, double>;
 
-// `at` [m]: where the section's nodes are; [from, from + at.back()] is the section.
-std::vector<Moved> moved_nodes(const std::vector<double>& at, double from,
-                               const std::vector<double>& places) {
-  std::vector<Moved> out = {{0, 0}};
+// `at` [m]: where the section's nodes are without it. Each place has the node that is nearest to it, or the
+// one beside the section's end; of two that want the same node it is the nearer one's.
+Moved moved_nodes(const std::vector<double>& at, double from, const std::vector<double>& places) {
+  struct Wish {
+    double place = 0, apart = 0, off = 0;
+    std::size_t node = 0;
+  };
   const std::size_t last = at.size() - 1;
-  bool moves = false;
+  std::vector<Wish> wishes;
   for (const double arc : places) {
     const double place = arc - from;
     const auto after = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), place) - at.begin());
-    if (after == 0 || after > last) continue;
-    const double element = at[after] - at[after - 1], apart = kApart * element;
-    if (place - out.back().second < apart || at[last] - place < apart) continue;
+    if (last < 2 || after == 0 || after > last) continue;
     const std::size_t nearest = place - at[after - 1] < at[after] - place ? after - 1 : after;
-    const std::size_t node = std::min(std::max(nearest, out.back().first + 1), last - 1);
-    if (node <= out.back().first) continue;
-    moves |= std::abs(at[node] - place) > kSame * element;
-    out.emplace_back(node, place);
+    const std::size_t node = std::clamp<std::size_t>(nearest, 1, last - 1);
+    wishes.push_back({place, kApart * (at[after] - at[after - 1]), std::abs(at[node] - place), node});
   }
-  out.emplace_back(last, at[last]);
-  return moves ? out : std::vector<Moved>{};
+  std::stable_sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.off < b.off; });
+  Moved out = {{0, 0}, {last, at[last]}};
+  for (const Wish& w : wishes) {
+    const auto next = out.lower_bound(w.node);
+    if (next->first == w.node || next->second - w.place < w.apart ||
+        w.place - std::prev(next)->second < w.apart)
+      continue;
+    out.emplace(w.node, w.off > kSame * w.apart ? w.place : at[w.node]);
+  }
+  return out;
 }
 
 std::vector<double> lengths(const Section& s, double from, const std::vector<double>& places) {
   std::vector<double> l = plain_lengths(s);
   std::vector<double> at = {0};
   for (const double x : l) at.push_back(at.back() + x);
-  const std::vector<Moved> moved = moved_nodes(at, from, places);
-  for (std::size_t k = 1; k < moved.size(); ++k) {
-    const auto [a, x] = moved[k - 1];
-    const auto [b, y] = moved[k];
+  const Moved moved = moved_nodes(at, from, places);
+  for (auto to = std::next(moved.begin()); to != moved.end(); ++to) {
+    const auto& [a, x] = *std::prev(to);
+    const auto& [b, y] = *to;
+    if (x == at[a] && y == at[b]) continue;
     for (std::size_t i = a; i < b; ++i) l[i] *= (y - x) / (at[b] - at[a]);
   }
   return l;
