@@ -1,10 +1,11 @@
 // Vertex clustering: cells of an even grid, and where the vertex of each goes.
 #include "hawser/geometry/coarse_mesh.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "hawser/math/symmetric.hpp"
 
 namespace hawser {
 namespace {
@@ -28,16 +29,17 @@ struct Cell {
   Vec3 offset = Vec3::Zero(), sum = Vec3::Zero();
   int members = 0;
 
-  // The least of it that is nearest to the mean: along no direction in which all planes nearly agree.
+  // Its minimum; the mean of the vertices in directions of which the planes say nearly nothing: along a
+  // plane, or along the edge of two.
   Vec3 vertex(double edge) const {
     constexpr double kAgreed = 1e-2;
     const Vec3 mean = sum / members, off = offset - planes * mean;
-    const Eigen::SelfAdjointEigenSolver<Mat3> along(planes);
+    const Eigenpairs along = eigenpairs(planes);
     Vec3 move = Vec3::Zero();
     for (int i = 0; i < 3; ++i)
-      if (along.eigenvalues()[i] > kAgreed * along.eigenvalues()[2]) {
-        const Vec3 axis = along.eigenvectors().col(i);
-        move += axis.dot(off) / along.eigenvalues()[i] * axis;
+      if (along.values[i] > kAgreed * along.values[2]) {
+        const Vec3 axis = along.vectors.col(i);
+        move += axis.dot(off) / along.values[i] * axis;
       }
     return move.norm() < edge ? Vec3(mean + move) : mean;
   }

@@ -160,10 +160,10 @@ struct Kept {
 
 std::vector<HistoryKind> BodiesInWater::history() const { return {history_kind<Kept>("body in water")}; }
 
-std::vector<HistoryRecord> BodiesInWater::save() const {
+std::vector<HistoryRecord> BodiesInWater::records(NodeRange of) const {
   std::vector<HistoryRecord> out;
   for (const Wet& b : list_)
-    out.push_back(record_of(b.global, 0, Kept{b.work, b.looked.centre, b.looked.drag}));
+    if (of.has(b.global)) out.push_back(record_of(b.global, 0, Kept{b.work, b.looked.centre, b.looked.drag}));
   return out;
 }
 

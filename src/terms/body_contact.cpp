@@ -278,13 +278,13 @@ double BodyContactTerm::largest_penetration() const {
 // Kept with the node of the first floating body of a pair.
 std::vector<HistoryKind> BodyContactTerm::history() const { return {history_kind<Pair>("sums of a pair")}; }
 
-std::vector<HistoryRecord> BodyContactTerm::save() const {
+std::vector<HistoryRecord> BodyContactTerm::records(NodeRange of) const {
   std::vector<HistoryRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
     const int node =
         bodies_of_volumes_[p.a].global >= 0 ? bodies_of_volumes_[p.a].global : bodies_of_volumes_[p.b].global;
-    if (p.counted) out.push_back(record_of(node, static_cast<int>(i), p));
+    if (p.counted && of.has(node)) out.push_back(record_of(node, static_cast<int>(i), p));
   }
   return out;
 }

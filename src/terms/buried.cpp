@@ -108,9 +108,10 @@ void BuriedTerm::fields(FieldRegistry& registry) const {
 
 std::vector<HistoryKind> BuriedTerm::history() const { return {history_kind<Point>("points")}; }
 
-std::vector<HistoryRecord> BuriedTerm::save() const {
+std::vector<HistoryRecord> BuriedTerm::records(NodeRange of) const {
   std::vector<HistoryRecord> records;
-  for (const Point& p : points_) records.push_back(record_of(mesh_.global[p.node], 0, p));
+  for (const Point& p : points_)
+    if (of.has(mesh_.global[p.node])) records.push_back(record_of(mesh_.global[p.node], 0, p));
   return records;
 }
 

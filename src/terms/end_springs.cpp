@@ -105,9 +105,10 @@ void EndSprings::commit(const Kinematics& accepted) {
 
 std::vector<HistoryKind> EndSprings::history() const { return {history_kind<WorkDone>("sums of an end")}; }
 
-std::vector<HistoryRecord> EndSprings::save() const {
+std::vector<HistoryRecord> EndSprings::records(NodeRange of) const {
   std::vector<HistoryRecord> out;
-  for (const size_t i : driven_) out.push_back({mesh_.global[springs_[i].node], 0, {work_[i]}});
+  for (const size_t i : driven_)
+    if (const int node = mesh_.global[springs_[i].node]; of.has(node)) out.push_back({node, 0, {work_[i]}});
   return out;
 }
 

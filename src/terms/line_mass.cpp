@@ -144,8 +144,8 @@ void LineMassTerm::commit(const Kinematics& accepted) {
 
 std::vector<HistoryKind> LineMassTerm::history() const { return {history_kind<WorkDone>("sums of a rank")}; }
 
-std::vector<HistoryRecord> LineMassTerm::save() const {
-  if (ramped_.empty() || mesh_.owned == 0) return {};
+std::vector<HistoryRecord> LineMassTerm::records(NodeRange of) const {
+  if (ramped_.empty() || mesh_.owned == 0 || !of.has(mesh_.global[0])) return {};
   return {record_of(mesh_.global[0], 0, WorkDone{work_})};
 }
 

@@ -152,10 +152,11 @@ double Links::round_off(const Kinematics& at, double h) const {
 
 std::vector<HistoryKind> Links::history() const { return {history_kind<Link>("sums of a link")}; }
 
-std::vector<HistoryRecord> Links::save() const {
+std::vector<HistoryRecord> Links::records(NodeRange of) const {
   std::vector<HistoryRecord> out;
   for (size_t i = 0; i < list_.size(); ++i)
-    if (list_[i].counted) out.push_back(record_of(list_[i].owner, static_cast<int>(i), list_[i]));
+    if (list_[i].counted && of.has(list_[i].owner))
+      out.push_back(record_of(list_[i].owner, static_cast<int>(i), list_[i]));
   return out;
 }
 

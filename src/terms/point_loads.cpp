@@ -126,10 +126,11 @@ double PointLoads::dead_load() const {
 // Records of a node's loads keep their order, which is that of the case.
 std::vector<HistoryKind> PointLoads::history() const { return {history_kind<WorkDone>("sums of a load")}; }
 
-std::vector<HistoryRecord> PointLoads::save() const {
+std::vector<HistoryRecord> PointLoads::records(NodeRange of) const {
   std::vector<HistoryRecord> records;
   std::unordered_map<int, int> count;
-  for (size_t i = 0; i < work_.size(); ++i) records.push_back({global_[i], count[global_[i]]++, {work_[i]}});
+  for (size_t i = 0; i < work_.size(); ++i)
+    if (of.has(global_[i])) records.push_back({global_[i], count[global_[i]]++, {work_[i]}});
   return records;
 }
 

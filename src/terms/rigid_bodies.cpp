@@ -193,9 +193,10 @@ double RigidBodies::round_off(const Kinematics& at, double h) const {
 
 std::vector<HistoryKind> RigidBodies::history() const { return {history_kind<Floating>("sums of a body")}; }
 
-std::vector<HistoryRecord> RigidBodies::save() const {
+std::vector<HistoryRecord> RigidBodies::records(NodeRange of) const {
   std::vector<HistoryRecord> out;
-  for (const Floating& f : list_) out.push_back(record_of(f.global, 0, f));
+  for (const Floating& f : list_)
+    if (of.has(f.global)) out.push_back(record_of(f.global, 0, f));
   return out;
 }
 

@@ -48,13 +48,9 @@ class ForceTerm {
   // Committed history of the owned nodes, and back (records may arrive in any order); the kinds of record
   // there are, the same on all ranks.
   virtual std::vector<HistoryKind> history() const { return {}; }
-  virtual std::vector<HistoryRecord> save() const { return {}; }
-  // The same of some nodes, for terms that keep much: a checkpoint is not in memory as a whole.
-  virtual std::vector<HistoryRecord> records(NodeRange of) const {
-    std::vector<HistoryRecord> some = save();
-    std::erase_if(some, [of](const HistoryRecord& r) { return !of.has(r.node); });
-    return some;
-  }
+  // Of these nodes: checkpoints are not made as a whole.
+  virtual std::vector<HistoryRecord> records(NodeRange) const { return {}; }
+  std::vector<HistoryRecord> save() const { return records({}); }
   virtual void restore(const std::vector<HistoryRecord>& records) { (void)records; }
 };
 

@@ -13,7 +13,7 @@
 
 namespace hawser {
 
-// One support of a local node. Components of its position (and material rotation) increments are prescribed.
+// A local node, of whose position (and material rotation) increments components are prescribed.
 struct TiedNode {
   int node = 0;                      // local
   int body = -1;                     // with prescribed motion; -1: fixed in space

@@ -27,7 +27,7 @@ class BodiesInWater final : public ForceTerm, public ScalesResiduals {
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override;
+  std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:

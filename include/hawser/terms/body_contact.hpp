@@ -65,7 +65,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override;
+  std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
   // SolveError where two volumes are far deeper in each other than corners and edges have met. Collective.

@@ -35,7 +35,7 @@ class BuriedTerm final : public ForceTerm {
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override;
+  std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:

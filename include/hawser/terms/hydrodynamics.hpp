@@ -44,7 +44,6 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override { return records({}); }
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 

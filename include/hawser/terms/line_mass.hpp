@@ -51,7 +51,7 @@ class LineMassTerm final : public ForceTerm,
   void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations left out
   double round_off(const Kinematics& at, double h) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override;
+  std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:

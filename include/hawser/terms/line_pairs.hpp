@@ -73,7 +73,6 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   // line_contact_force, line_contact_normal_force, line_friction_force, line_penetration.
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override { return records({}); }
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 

@@ -50,7 +50,6 @@ class LineVolumeContact final : public ForceTerm,
   // contact_force, contact_normal_force, friction_force as the element's shape functions share them out.
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override { return records({}); }
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 

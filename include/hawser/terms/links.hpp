@@ -39,7 +39,7 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
   Energy energy(const Kinematics& at) const override;
   double round_off(const Kinematics& at, double h) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override;
+  std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:

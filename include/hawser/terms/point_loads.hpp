@@ -34,7 +34,7 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override;
+  std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:

@@ -56,7 +56,6 @@ class SeabedTerm final : public ForceTerm {
   Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override { return records({}); }
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 

@@ -61,7 +61,6 @@ class StructureTerm final : public ForceTerm,
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> save() const override { return records({}); }
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
