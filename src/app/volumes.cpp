@@ -40,8 +40,8 @@ bool same_file(const model::Volume& a, const model::Volume& b) {
   return !a.shape && !b.shape && a.mesh == b.mesh && a.scale == b.scale && a.closed == b.closed;
 }
 
-// The vertices of a moving mesh are written at every output: so many are enough for a picture, and take 120
-// kB.
+// The vertices of a moving mesh are written at every output, since XDMF cannot describe a motion. This many
+// are enough for a picture; they take 120 kB an output.
 constexpr int kDrawnVertices = 10000;
 bool drawn_coarser(const model::Case& c, size_t volume, size_t vertices) {
   return c.output.xdmf && c.body_index(c.volumes[volume].body) >= 0 && vertices > kDrawnVertices;
