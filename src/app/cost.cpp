@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "hawser/app/events.hpp"
-#include "hawser/app/feeding.hpp"
+#include "hawser/app/feeder_nodes.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/base/error.hpp"
 
@@ -62,14 +62,14 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
       std::vector<std::pair<double, double>> way;  // CPU s, simulated s
       const OutputTimes times(c);
       Dynamics& d = sim.dynamics();
-      Feeding feeding(sim);
+      FeederNodes feeder_nodes(sim);
       events.begin();
       d.start(sim.state());
       const double at_rest = cpu_time();
       d.run(
           trial.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
           [&](const StepInfo& info) {
-            feeding.agree(), events.apply_due(), feeding.hand_over();
+            feeder_nodes.agree(), events.apply_due(), feeder_nodes.hand_over();
             way.push_back({cpu_time() - at_rest, info.time});
             return !over();
           });

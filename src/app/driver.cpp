@@ -15,7 +15,7 @@
 
 #include "hawser/app/cost.hpp"
 #include "hawser/app/events.hpp"
-#include "hawser/app/feeding.hpp"
+#include "hawser/app/feeder_nodes.hpp"
 #include "hawser/app/output_place.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/app/progress.hpp"
@@ -100,7 +100,7 @@ void finish_failed(Recorder& recorder, const Progress& progress, const SolveErro
 
 // The time steps of a run up to `end` [s], with outputs, checkpoints and events. True: stopped by a signal
 // before its end, on all ranks. Throws SolveError with everything on disk. Collective.
-bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, Feeding& feeding,
+bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, FeederNodes& feeder_nodes,
                Progress& progress) {
   const Stage stage("dynamics");
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
@@ -118,7 +118,7 @@ bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, 
   };
   bool stopped = false;
   const auto observer = [&](const StepInfo& info) {
-    feeding.agree();
+    feeder_nodes.agree();
     recorder.step(info, d.kinematics(), d.support_work());
     progress.step(info.time, info.h, info.iterations);
     const double slack = time_tolerance(info.time);
@@ -136,7 +136,7 @@ bool integrate(Simulation& sim, double end, Recorder& recorder, Events& events, 
     if (output || stop) recorder.output(d.kinematics()), output_at = next_multiple(info.time, every);
     // What was shown is the state before it, what is saved the one after.
     for (const std::string& e : events.apply_due()) progress.say(e);
-    feeding.hand_over();
+    feeder_nodes.hand_over();
     if (save || stop) {
       if (last || stop || checkpoint_every > 0 || agreed[1]) save_state();
       checkpoint_at = checkpoint_every > 0 ? next_multiple(info.time, checkpoint_every) : output_at;
@@ -234,10 +234,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
   }
 
   Recorder& recorder = record();
-  Feeding feeding(sim);
+  FeederNodes feeder_nodes(sim);
   if (restarted) {
     for (const std::string& e : events.restore(checkpoint)) progress.say(e);
-    feeding.restore(checkpoint, options.restart);
+    feeder_nodes.restore(checkpoint, options.restart);
     restore(checkpoint, sim);
     for (const std::string& e : events.apply_due()) progress.say(e);
     // A new file begins with the state the run goes on from.
@@ -255,7 +255,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     recorder.start(sim.state().view(0), sim.state().view(0));
   }
 
-  const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeding, progress);
+  const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);
   progress.end();
   for (const std::string& e : events.not_happened()) progress.say("note: " + e);
   if (c.dynamics.enabled)

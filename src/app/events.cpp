@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-#include "hawser/app/feeding.hpp"
+#include "hawser/app/feeder_nodes.hpp"
 #include "hawser/app/output_times.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
@@ -254,12 +254,12 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
     for (Feeder& f : sim_.feeders()->list())
       if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) left[&f] += a.paid_out;
   }
-  Feeding feeding(sim_);
+  FeederNodes feeder_nodes(sim_);
   for (bool more = !left.empty(); more;) {
     more = false;
     for (auto& [f, length] : left) {
       const double most = sim_.feeders()->element_length(*f, f->mouth), by = std::clamp(length, -most, most);
-      feeding.shift(*f, by);
+      feeder_nodes.shift(*f, by);
       more |= (length -= by) != 0;
     }
     try {

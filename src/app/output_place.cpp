@@ -7,7 +7,6 @@
 
 #include <filesystem>
 
-#include "hawser/app/files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/xml_text.hpp"

@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <sstream>
 
-#include "hawser/app/feeding.hpp"
-#include "hawser/app/files.hpp"
+#include "hawser/app/feeder_nodes.hpp"
+#include "hawser/app/restart_file.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
@@ -205,7 +205,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, Recorder& recorder, const
     c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
   recorder.save(c);
   events.save(c);
-  Feeding(simulation).save(c);
+  FeederNodes(simulation).save(c);
   return c;
 }
 

@@ -1,6 +1,6 @@
-// Loops over arrays without branches. This file is compiled with -ffast-math, without which neither are sums
-// put in another order nor are sin, cos and exp those of the C library for vectors (four units in the last
-// place).
+// The sums over the components of a sea, as loops over arrays without branches. This file is compiled with
+// -ffast-math, without which neither are sums put in another order nor are sin, cos and exp those of the C
+// library for vectors (four units in the last place).
 #include "hawser/kernels/wave_sums.hpp"
 
 #include <algorithm>

@@ -12,6 +12,7 @@
 #include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
 #include "hawser/solve/linear_solver.hpp"
+#include "hawser/solve/stability.hpp"
 
 namespace hawser {
 namespace {

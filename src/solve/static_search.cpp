@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/solve/stability.hpp"
 #include "hawser/system/imbalance.hpp"
 
 namespace hawser {

@@ -88,47 +88,23 @@ void Assembler::add(std::span<const int> blocks, const double* f, const double* 
   put(block, n, J);
 }
 
-// Unknowns u = P z of the tied blocks: K' = P'(K P + (C + director_weight M) V), C' = P'C P, M' = P'M P, with
-// the rates V that a turned frame gives. The turning of the forces' arms is the frame's (System::tangent).
+// By the unknowns of the frames (FrameTies). The turning of the forces' arms is added by the ties themselves.
 void Assembler::add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  std::vector<int> to;  // blocks of z
-  const auto place = [&to](int block) {
-    const auto at = std::find(to.begin(), to.end(), block);
-    if (at != to.end()) return 3 * (at - to.begin());
-    to.push_back(block);
-    return 3 * static_cast<std::ptrdiff_t>(to.size() - 1);
-  };
   const Eigen::Index m = 3 * static_cast<Eigen::Index>(blocks.size());
-  Matrix P = Matrix::Zero(m, 2 * m), V = Matrix::Zero(m, 2 * m), W = Matrix::Zero(m, m);
-  for (Eigen::Index i = 0; i < m; i += 3) {
-    const int block = blocks[i / 3], tie = (*tie_of_)[block];
-    if (tie < 0) {
-      P.block<3, 3>(i, place(block)).setIdentity();
-      continue;
-    }
-    const Tie& t = (*ties_)[tie];
-    if (block != t.block) {
-      P.block<3, 3>(i, place(t.frame + 1)) = t.turn;
-      continue;
-    }
-    P.block<3, 3>(i, place(t.frame)).setIdentity();
-    if (t.point) continue;
-    P.block<3, 3>(i, place(t.frame + 1)) = t.place;
-    V.block<3, 3>(i, place(t.frame + 1)) = t.rate;
-    if (M) W.middleCols<3>(i) = t.director_weight * Eigen::Map<const Matrix>(M, m, m).middleCols<3>(i);
-  }
+  const auto of = [m](const double* A) { return Eigen::Map<const Matrix>(A, m, m); };
+  const auto [to, P, V] = ties_->unknowns(blocks);
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(to.size());
-  P.conservativeResize(m, size), V.conservativeResize(m, size);
-  Matrix k = W * V;
-  if (K) k += Eigen::Map<const Matrix>(K, m, m) * P;
-  if (C) k += Eigen::Map<const Matrix>(C, m, m) * V;
+  Matrix k = Matrix::Zero(m, size);
+  if (K) k += of(K) * P;
+  if (C) k += of(C) * V;
+  if (M) k += ties_->director_weight() * of(M) * V;
   Matrix J = weights_.K * P.transpose() * k;
   for (Eigen::Index j = 0; j < size; j += 3)
     if (const int turn = (*turn_of_)[to[j / 3]]; turn >= 0)
       J.middleCols<3>(j) = (J.middleCols<3>(j) * (*retraction_)[turn]).eval();
-  if (C) J += weights_.C * P.transpose() * Eigen::Map<const Matrix>(C, m, m) * P;
-  if (M) J += weights_.M * P.transpose() * Eigen::Map<const Matrix>(M, m, m) * P;
+  if (C) J += weights_.C * P.transpose() * of(C) * P;
+  if (M) J += weights_.M * P.transpose() * of(M) * P;
   std::vector<double> own(J.data(), J.data() + J.size());
   own.push_back(0);
   put(to.data(), static_cast<int>(to.size()), own.data());

@@ -1,5 +1,5 @@
-// The part of System that assembles: residual and tangent from all force terms, forces of tied nodes on their
-// frames, the norms that judge convergence, and calls handed on to the terms.
+// The part of System that assembles: residual and tangent from all force terms, the norms that judge
+// convergence, and calls handed on to the terms.
 #include "hawser/system/system.hpp"
 
 #include <petscvec.h>
@@ -71,53 +71,7 @@ void System::add(std::unique_ptr<ForceTerm> term) {
 
 void System::tie(std::vector<TiedNode> nodes, BodyMotion motion) {
   tied_nodes_ = TiedNodes(mesh_, std::move(nodes), std::move(motion));
-  index_ties();
-}
-
-void System::index_ties() {
-  tie_of_.assign(tied_nodes_.to_frames().empty() ? 0 : static_cast<size_t>(mesh_.blocks()), -1);
-  ties_.clear();
-  for (const int i : tied_nodes_.to_frames()) {
-    const TiedNode& s = tied_nodes_.list()[i];
-    Tie t;
-    t.block = mesh_.block[s.node], t.frame = mesh_.block[s.frame];
-    t.turns = mesh_.rotates(s.node) && s.rotation_mask == 7;
-    t.point = !mesh_.rotates(s.frame);
-    t.turn = s.rotation.conjugate().toRotationMatrix();
-    tie_of_[t.block] = static_cast<int>(ties_.size());
-    if (t.turns) tie_of_[t.block + 1] = static_cast<int>(ties_.size());
-    ties_.push_back(t);
-  }
-}
-
-void System::see_ties(const Kinematics& trial) {
-  for (size_t i = 0; i < ties_.size(); ++i) {
-    const TiedNode& s = tied_nodes_.list()[tied_nodes_.to_frames()[i]];
-    const size_t f = s.frame;
-    const Mat3 R = trial.q[f].toRotationMatrix();
-    ties_[i].place = -R * hat(s.at);
-    ties_[i].rate = -R * hat(trial.w[f].cross(s.at));
-    ties_[i].director_weight = trial.director_weight;
-  }
-}
-
-// What acts on tied nodes acts on their frames: the force, and its moment and that of the node's rotation in
-// the frame's axes. It stays at the node as what the tie carries.
-void System::add_to_frames(const Kinematics& trial) {
-  for (const int i : tied_nodes_.to_frames()) {
-    const TiedNode& s = tied_nodes_.list()[i];
-    if (s.node >= mesh_.owned) continue;
-    const int block = mesh_.block[s.node], frame = mesh_.block[s.frame];
-    const auto at = [this](int b) { return Eigen::Map<Vec3>(force_.data() + 3 * b); };
-    const Vec3 force = at(block);
-    Vec3 moment = s.at.cross(trial.q[s.frame].conjugate() * force);
-    if (mesh_.rotates(s.node) && s.rotation_mask == 7) moment += s.rotation * at(block + 1);
-    at(frame) += force;
-    squares_[frame] += force.squaredNorm();
-    if (!mesh_.rotates(s.frame)) continue;
-    at(frame + 1) += moment;
-    squares_[frame + 1] += moment.squaredNorm();
-  }
+  ties_ = FrameTies(mesh_, tied_nodes_);
 }
 
 bool System::gather(Vec u, std::vector<double>& out) const {
@@ -153,6 +107,7 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
   std::fill(squares_.begin(), squares_.end(), 0.0);
   assembler.squares_ = &squares_;
   assembler.owned_blocks_ = mesh_.owned_blocks;
+  assembler.ties_ = &ties_;
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].force);
     terms_[i]->evaluate(trial, assembler);
@@ -171,7 +126,8 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
     std::copy_n(p, owned, force_.begin());
     check(VecRestoreArray(r, &p));
   }
-  add_to_frames(trial);
+  ties_.move(trial);
+  ties_.add_forces(force_, squares_);
   check(VecGetArray(r, &p));
   std::copy_n(force_.begin(), owned, p);
   const auto& held = tied_nodes_.held();
@@ -199,26 +155,13 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   assembler.retraction_ = &retraction_;
   assembler.turn_of_ = &turn_of_;
   assembler.held_ = &tied_nodes_.held();
-  see_ties(trial);
-  if (!ties_.empty()) assembler.ties_ = &ties_, assembler.tie_of_ = &tie_of_;
+  ties_.move(trial);
+  assembler.ties_ = &ties_;
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].tangent);
     terms_[i]->evaluate(trial, assembler);
   }
-  // The force f of a tie turns with its frame: d(y x R'f) = hat(y) hat(R'f) theta. Far from a solution, what
-  // of it pulls at the arm and so holds the frame.
-  for (const int i : tied_nodes_.to_frames()) {
-    const TiedNode& s = tied_nodes_.list()[i];
-    if (s.node >= mesh_.owned || !mesh_.rotates(s.frame)) continue;
-    const Vec3 force(force_.data() + 3 * mesh_.block[s.node]);
-    const Vec3 f = trial.q[s.frame].conjugate() * force;
-    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = hat(s.at) * hat(f);
-    if (convex)
-      K = std::max(-s.at.dot(f), 0.0) *
-          (Mat3::Identity() - s.at * s.at.transpose() / std::max(s.at.squaredNorm(), 1e-300));
-    const int block = mesh_.block[s.frame] + 1;
-    assembler.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
-  }
+  ties_.add_geometric_stiffness(force_, convex, assembler);
   const auto& held = tied_nodes_.held();
   const bool shifted = weights.shift_position != 0 || weights.shift_rotation != 0;
   for (int b = 0; b < mesh_.owned_blocks; ++b) {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "hawser/app/end_forces.hpp"
-#include "hawser/app/feeding.hpp"
+#include "hawser/app/feeder_nodes.hpp"
 #include "hawser/app/run_parts.hpp"
 #include "hawser/app/simulation.hpp"
 #include "hawser/app/volumes.hpp"
@@ -60,7 +60,7 @@ std::vector<Release> releases(const std::string& input) {
   c = app::with_targets_met(MPI_COMM_WORLD, std::move(c), volumes, progress);
   app::Simulation sim(MPI_COMM_WORLD, c, app::surfaces(volumes), app::skeletons(c, volumes));
   sim.solve_statics();
-  app::Feeding feeding(sim);
+  app::FeederNodes feeder_nodes(sim);
   Dynamics& d = sim.dynamics();
   d.start(sim.state());
   const auto energy = [&] {
@@ -78,12 +78,12 @@ std::vector<Release> releases(const std::string& input) {
   d.run(
       c.dynamics.duration, [&](double) { return c.dynamics.duration; },
       [&](const StepInfo&) {
-        feeding.agree();
+        feeder_nodes.agree();
         const Feeder& f = sim.feeders()->list().front();
         const int mouth = f.mouth;
         const double length = f.length, force = felt();
         const auto before = energy();
-        feeding.hand_over();
+        feeder_nodes.hand_over();
         if (f.mouth == mouth) return true;
         const auto after = energy();
         out.push_back({after[0] - before[0], after[1] - before[1], felt() - force, length});

@@ -5,11 +5,15 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <numeric>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#include "hawser/base/error.hpp"
 
 namespace hawser {
 
@@ -58,6 +62,18 @@ inline std::string first_text(MPI_Comm comm, std::string mine) {
   mine.resize(length);
   MPI_Bcast(mine.data(), length, MPI_CHAR, first, comm);
   return mine;
+}
+
+// Runs `work` on rank 0 only; an InputError there is thrown on all ranks. Collective.
+inline void on_root(MPI_Comm comm, const std::function<void()>& work) {
+  std::string text;
+  if (rank_of(comm) == 0) try {
+      work();
+    } catch (const InputError& e) {
+      text = e.what();
+    }
+  text = first_text(comm, std::move(text));
+  if (!text.empty()) throw InputError(text);
 }
 
 // Of the rank with the largest value (the first of equal ones), told to all if that is above `least`; whether

@@ -24,7 +24,7 @@
 #include "hawser/model/contact_properties.hpp"
 #include "hawser/model/environment.hpp"
 #include "hawser/model/event.hpp"
-#include "hawser/model/feed.hpp"
+#include "hawser/model/feeder.hpp"
 #include "hawser/model/links.hpp"
 #include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"

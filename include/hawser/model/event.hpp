@@ -5,7 +5,7 @@
 #include <string>
 
 #include "hawser/math/types.hpp"
-#include "hawser/model/feed.hpp"
+#include "hawser/model/feeder.hpp"
 
 namespace hawser::model {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/math/types.hpp"
+#include "hawser/system/frame_ties.hpp"
 #include "hawser/system/own_blocks.hpp"
 
 namespace hawser {
@@ -17,17 +18,6 @@ namespace hawser {
 struct Weights {
   double K = 1, C = 0, M = 0;
   double shift_position = 0, shift_rotation = 0;
-};
-
-// The tangent of a node that is tied to a frame of the state (TiedNodes): what its unknowns stand for.
-//   dx = dX + place theta + (v, a by theta: rate theta), place = -R hat(y), rate = -R hat(w x y)
-//   of a rotation that is tied as well: turn theta.
-struct Tie {
-  int block = 0, frame = 0;  // local blocks: of the node's position, of the frame's
-  bool turns = false;        // the node's rotation is tied as well
-  bool point = false;        // the frame has no rotation: the end of a cable
-  Mat3 place = Mat3::Zero(), rate = Mat3::Zero(), turn = Mat3::Identity();
-  double director_weight = 0;  // 1/s, of rate in the acceleration
 };
 
 class Assembler {
@@ -54,7 +44,7 @@ class Assembler {
   // What follows, until it is off again, is for rows that other ranks own as well: they get it from here.
   void send(bool on) { sending_ = on; }
   // Whether the derivatives by a block belong to a frame as well, so that add_weighted() cannot take them.
-  bool tied(int block) const { return tie_of_ && (*tie_of_)[block] >= 0; }
+  bool tied(int block) const { return ties_->tied(block); }
   void add_weighted(int a, int b, const double* f, const double* J);
 
  private:
@@ -64,10 +54,9 @@ class Assembler {
   void add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M);
   void add_elsewhere(int row, int column, const double* J, int m);
 
-  const std::vector<Tie>* ties_ = nullptr;
-  const std::vector<int>* tie_of_ = nullptr;  // per local block: index into ties_, -1: it is not tied
-  std::vector<double>* force_ = nullptr;      // 3 * local blocks
-  std::vector<double>* mean_ = nullptr;       // 3 * local blocks, of the means alone, without their weight
+  const FrameTies* ties_ = nullptr;
+  std::vector<double>* force_ = nullptr;  // 3 * local blocks
+  std::vector<double>* mean_ = nullptr;   // 3 * local blocks, of the means alone, without their weight
   double mean_weight_ = 1;
   std::vector<double>* squares_ = nullptr;  // by block, sums of squares of what was added to owned rows
   Mat matrix_ = nullptr;

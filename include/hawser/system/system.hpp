@@ -122,13 +122,10 @@ class System {
 
  private:
   void size_arrays();
-  void index_ties();
-  void see_ties(const Kinematics& trial);
-  void add_to_frames(const Kinematics& trial);
   void sum(std::span<double> values) const;  // over the ranks, in place
   std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored,
                                   const std::vector<ImpactEvent>& strikes) const;
-  void reghost_supports();
+  void reghost_ties();
   void with_frames(Couplings& c) const;
   // The blocks of the tangent in this rank's rows, sorted: row and column as local blocks (a node with
   // itself, its chain neighbours, and what it is coupled with).
@@ -140,6 +137,7 @@ class System {
   bool coupled_ = false;
   GhostExchange exchange_;
   TiedNodes tied_nodes_;
+  FrameTies ties_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   // Those of the terms that have a role (roles.hpp).
   std::vector<CouplesNodes*> couple_nodes_;
@@ -157,9 +155,7 @@ class System {
   PetscLogEvent limit_event_ = -1;
   std::vector<int> turn_of_;  // by local block: place in retraction_; -1: a position
   std::vector<double> force_, mean_;
-  std::vector<Mat3> retraction_;  // of rotations
-  std::vector<Tie> ties_;
-  std::vector<int> tie_of_;           // by local block; -1: not tied
+  std::vector<Mat3> retraction_;      // of rotations
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
   std::vector<double> squares_;       // of what made up the last residual(), by block
   size_t sums_ = 0;                   // that they are summed to

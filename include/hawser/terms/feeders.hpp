@@ -1,7 +1,7 @@
 // Winches, tensioners and reels: what pays a line out at one of its ends and hauls it in. The line's elements
 // from that end on are a stock that is held at the feeder and idle; the one that leaves it, at the mouth, has
-// an unstretched length of its own. How much a tensioner lets out: kernels/feed.cpp; nodes that leave and are
-// caught: app/feeding.cpp. See docs/theory/feeders.md.
+// an unstretched length of its own. How much a tensioner lets out: kernels/feeder_law.cpp; nodes that leave
+// and are caught: app/feeder_nodes.cpp. See docs/theory/feeders.md.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@
 
 #include "hawser/kernels/beam.hpp"
 #include "hawser/kernels/cable.hpp"
-#include "hawser/kernels/feed.hpp"
+#include "hawser/kernels/feeder_law.hpp"
 #include "hawser/mesh/local_mesh.hpp"
-#include "hawser/model/feed.hpp"
+#include "hawser/model/feeder.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/tied_nodes.hpp"

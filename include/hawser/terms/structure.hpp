@@ -104,4 +104,8 @@ class StructureTerm final : public ForceTerm,
   double last_step_ = 0;  // s, that led to the committed state
 };
 
+// Positions, rotations and rates of an element's ends.
+BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k);
+CableEnds ends(const StructureTerm::Cable& c, const Kinematics& k);
+
 }  // namespace hawser

@@ -1,6 +1,6 @@
 // What a winch lets out in a step by its tension, the force of the element at its mouth, and the energy that
 // a changed unstretched length brings.
-#include "hawser/kernels/feed.hpp"
+#include "hawser/kernels/feeder_law.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "hawser/kernels/beam.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/case.hpp"
-#include "hawser/model/feed.hpp"
+#include "hawser/model/feeder.hpp"
 #include "hawser/model/longest_step.hpp"
 
 namespace hawser::test::feed_test {

@@ -52,7 +52,7 @@ Coupled System::couple(const Kinematics& committed, double h) {
     set_coupling_ghosts(mesh_, couplings_.nodes);
     exchange_ = GhostExchange(comm_, mesh_);
     size_arrays();
-    reghost_supports();
+    reghost_ties();
   }
   for (CouplesNodes* t : couple_nodes_) t->update_ghosts();
   return fits ? Coupled::otherwise : Coupled::anew;
@@ -66,7 +66,7 @@ void System::spread(State& s) const {
 
 // Held nodes of other ranks move here too as what they are tied to, and their columns of the tangent are
 // zero.
-void System::reghost_supports() {
+void System::reghost_ties() {
   constexpr size_t kWidth = 12;
   std::vector<TiedNode> kept;
   std::vector<double> mine;
@@ -94,7 +94,7 @@ void System::reghost_supports() {
     kept.push_back(s);
   }
   tied_nodes_ = TiedNodes(mesh_, std::move(kept), BodyMotion(tied_nodes_.motion()));
-  index_ties();
+  ties_ = FrameTies(mesh_, tied_nodes_);
 }
 
 VecHandle System::create_vector() const {

@@ -1,6 +1,6 @@
-// The class Feeding: when the element at a feeder's mouth is divided or joined with the next one, and how the
-// node between them moves then (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
-#include "hawser/app/feeding.hpp"
+// The class FeederNodes: when the element at a feeder's mouth is divided or joined with the next one, and how
+// the node between them moves then (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
+#include "hawser/app/feeder_nodes.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +29,7 @@ double of_all(MPI_Comm comm, bool known, double value) {
 
 }  // namespace
 
-void Feeding::agree() {
+void FeederNodes::agree() {
   if (!sim_.feeders()) return;
   const MPI_Comm comm = sim_.system().comm();
   for (Feeder& f : sim_.feeders()->list()) {
@@ -42,7 +42,7 @@ void Feeding::agree() {
   }
 }
 
-void Feeding::hand_over() {
+void FeederNodes::hand_over() {
   Feeders* all = sim_.feeders();
   if (!all) return;
   const double time = sim_.dynamics().committed().s.time;
@@ -58,7 +58,8 @@ void Feeding::hand_over() {
   }
 }
 
-void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved) {
+void FeederNodes::hand_over(Feeder& f, int mouth, double length,
+                            const std::optional<Dynamics::Moved>& moved) {
   sim_.dynamics().hand_over(
       [&] {
         if (mouth != f.mouth) sim_.structure().hand_over(sim_.system().comm(), f, mouth);
@@ -73,7 +74,7 @@ void Feeding::hand_over(Feeder& f, int mouth, double length, const std::optional
 // The node that was held leaves with the material that is there: where the free part has its own unstretched
 // length and the strain of the whole, of a beam on the cubic between its ends, and from there to where it is
 // in balance; velocity and acceleration are between those of the ends.
-Dynamics::Moved Feeding::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
+Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
   const double share = all.element_length(f, f.mouth) / f.length;  // from the free end
   const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
@@ -102,7 +103,7 @@ Dynamics::Moved Feeding::leaving(const Feeder& f, const Kinematics& k, const Loc
   return m;
 }
 
-void Feeding::let_out(Feeder& f) {
+void FeederNodes::let_out(Feeder& f) {
   const Feeders& all = *sim_.feeders();
   const int node = all.node(f, f.mouth);
   const double whole = all.element_length(f, f.mouth);
@@ -123,7 +124,7 @@ void Feeding::let_out(Feeder& f) {
 }
 
 // N, on all ranks.
-double Feeding::felt(const Feeder& f) {
+double FeederNodes::felt(const Feeder& f) {
   EndForces ends(sim_.system(), sim_.feeders());
   ends.evaluate(sim_.dynamics().kinematics(),
                 std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
@@ -132,7 +133,8 @@ double Feeding::felt(const Feeder& f) {
 
 // The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
 // that with which the mean strain of the two elements stays.
-std::optional<Dynamics::Moved> Feeding::caught(const Feeder& f, const Kinematics& k, double& length) const {
+std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinematics& k,
+                                                   double& length) const {
   const Feeders& all = *sim_.feeders();
   const int held = all.node(f, f.mouth), caught = all.node(f, f.mouth + 1), next = all.node(f, f.mouth + 2);
   const LocalMesh& local = sim_.local();
@@ -157,13 +159,13 @@ std::optional<Dynamics::Moved> Feeding::caught(const Feeder& f, const Kinematics
   return moved;
 }
 
-void Feeding::haul_in(Feeder& f) {
+void FeederNodes::haul_in(Feeder& f) {
   double length = 0;
   const std::optional<Dynamics::Moved> moved = caught(f, sim_.dynamics().kinematics(), length);
   hand_over(f, f.mouth + 1, length, moved);
 }
 
-void Feeding::refuse_all_out(const Feeder& f, double time) const {
+void FeederNodes::refuse_all_out(const Feeder& f, double time) const {
   if (f.mouth == 0 && f.length >= sim_.feeders()->element_length(f, 0))
     throw SolveError(
         "the stock at {} runs out at t = {:.6g} s: give the line more length there and the feeder that much "
@@ -171,7 +173,7 @@ void Feeding::refuse_all_out(const Feeder& f, double time) const {
         f.name, time);
 }
 
-void Feeding::refuse_all_in(const Feeder& f, double time) const {
+void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
   const Feeders& all = *sim_.feeders();
   int others = 0;  // elements that another feeder of the line has
   for (const Feeder& o : sim_.feeders()->list())
@@ -184,7 +186,7 @@ void Feeding::refuse_all_in(const Feeder& f, double time) const {
         f.name);
 }
 
-void Feeding::shift(Feeder& f, double by) {
+void FeederNodes::shift(Feeder& f, double by) {
   Feeders& all = *sim_.feeders();
   State& state = sim_.state();
   const auto put = [&](const std::optional<Dynamics::Moved>& moved) {
@@ -221,7 +223,7 @@ void Feeding::shift(Feeder& f, double by) {
   system.tie(all.with_held(system.tied_nodes().list()), BodyMotion(system.tied_nodes().motion()));
 }
 
-void Feeding::save(io::Checkpoint& to) const {
+void FeederNodes::save(io::Checkpoint& to) const {
   if (!sim_.feeders()) return;
   double work = sim_.feeders()->work();
   all_reduce(sim_.system().comm(), MPI_SUM, work);
@@ -238,7 +240,7 @@ void Feeding::save(io::Checkpoint& to) const {
   }
 }
 
-void Feeding::restore(const io::Checkpoint& from, const std::string& path) {
+void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
   const auto refuse = [&](const std::string& why) {
     return InputError("cannot go on from {}: {}", path, why);
   };

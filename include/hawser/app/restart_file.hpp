@@ -3,15 +3,11 @@
 
 #include <mpi.h>
 
-#include <functional>
 #include <string>
 
 #include "hawser/mesh/mesh.hpp"
 
 namespace hawser::app {
-
-// Runs `work` on rank 0 only; an InputError there is thrown on all ranks. Collective.
-void on_root(MPI_Comm comm, const std::function<void()>& work);
 
 // Throws InputError unless `path` is a results file of lines cut like those of `mesh`. Collective.
 void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh);

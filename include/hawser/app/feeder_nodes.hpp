@@ -11,9 +11,9 @@
 
 namespace hawser::app {
 
-class Feeding {
+class FeederNodes {
  public:
-  explicit Feeding(Simulation& simulation) : sim_(simulation) {}
+  explicit FeederNodes(Simulation& simulation) : sim_(simulation) {}
 
   // After a step was accepted, before it is shown. Collective.
   void agree();

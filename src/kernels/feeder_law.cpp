@@ -1,7 +1,7 @@
 // The implicit speed law of a winch or tensioner: a scalar equation whose left side grows with its unknown,
 // solved by Newton's method between bounds. Which law an end has, and how it acts on the line:
 // terms/feeders.cpp.
-#include "hawser/kernels/feed.hpp"
+#include "hawser/kernels/feeder_law.hpp"
 
 #include <algorithm>
 #include <cmath>

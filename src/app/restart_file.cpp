@@ -1,6 +1,5 @@
-// Whether the lines of a results file are those of the case, node by node, before a restart from it; and how
-// an input error on rank 0 reaches all ranks.
-#include "hawser/app/files.hpp"
+// Whether the lines of a results file are those of the case, node by node, before a restart from it.
+#include "hawser/app/restart_file.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -41,17 +40,6 @@ void compare_lines(const std::string& path, const Mesh& mesh) {
 }
 
 }  // namespace
-
-void on_root(MPI_Comm comm, const std::function<void()>& work) {
-  std::string text;
-  if (rank_of(comm) == 0) try {
-      work();
-    } catch (const InputError& e) {
-      text = e.what();
-    }
-  text = first_text(comm, std::move(text));
-  if (!text.empty()) throw InputError(text);
-}
 
 void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh) {
   on_root(comm, [&] {

@@ -1,5 +1,5 @@
 // Length that a feeder pays out by its rows of speed: the integral of straight pieces.
-#include "hawser/model/feed.hpp"
+#include "hawser/model/feeder.hpp"
 
 #include <algorithm>
 

@@ -1,0 +1,97 @@
+// The class FrameTies: how forces at tied nodes, and their derivatives, become those of the frames.
+#include "hawser/system/frame_ties.hpp"
+
+#include <algorithm>
+
+#include "hawser/math/so3.hpp"
+#include "hawser/system/assembler.hpp"
+
+namespace hawser {
+
+FrameTies::FrameTies(const LocalMesh& mesh, const TiedNodes& tied) {
+  if (!tied.to_frames().empty()) tie_of_.assign(static_cast<size_t>(mesh.blocks()), -1);
+  for (const int i : tied.to_frames()) {
+    const TiedNode& s = tied.list()[i];
+    Tie t;
+    t.block = mesh.block[s.node], t.frame = mesh.block[s.frame], t.frame_node = s.frame;
+    t.owned = s.node < mesh.owned;
+    t.turns = mesh.rotates(s.node) && s.rotation_mask == 7;
+    t.point = !mesh.rotates(s.frame);
+    t.arm = s.at;
+    t.turn = s.rotation.conjugate().toRotationMatrix();
+    tie_of_[t.block] = static_cast<int>(ties_.size());
+    if (t.turns) tie_of_[t.block + 1] = static_cast<int>(ties_.size());
+    ties_.push_back(t);
+  }
+}
+
+void FrameTies::move(const Kinematics& trial) {
+  director_weight_ = trial.director_weight;
+  for (Tie& t : ties_) {
+    t.R = trial.q[t.frame_node].toRotationMatrix();
+    t.place = -t.R * hat(t.arm);
+    t.rate = -t.R * hat(trial.w[t.frame_node].cross(t.arm));
+  }
+}
+
+void FrameTies::add_forces(std::vector<double>& force, std::vector<double>& squares) const {
+  const auto at = [&force](int b) { return Eigen::Map<Vec3>(force.data() + 3 * b); };
+  for (const Tie& t : ties_) {
+    if (!t.owned) continue;
+    const Vec3 f = at(t.block);
+    at(t.frame) += f;
+    squares[t.frame] += f.squaredNorm();
+    if (t.point) continue;
+    Vec3 moment = t.arm.cross(t.R.transpose() * f);
+    if (t.turns) moment += t.turn.transpose() * at(t.block + 1);
+    at(t.frame + 1) += moment;
+    squares[t.frame + 1] += moment.squaredNorm();
+  }
+}
+
+void FrameTies::add_geometric_stiffness(const std::vector<double>& force, bool convex,
+                                        Assembler& assembler) const {
+  for (const Tie& t : ties_) {
+    if (!t.owned || t.point) continue;
+    const Vec3 f = t.R.transpose() * Eigen::Map<const Vec3>(force.data() + 3 * t.block);
+    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = hat(t.arm) * hat(f);
+    if (convex)
+      K = std::max(-t.arm.dot(f), 0.0) *
+          (Mat3::Identity() - t.arm * t.arm.transpose() / std::max(t.arm.squaredNorm(), 1e-300));
+    const int block = t.frame + 1;
+    assembler.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
+  }
+}
+
+FrameTies::Unknowns FrameTies::unknowns(std::span<const int> blocks) const {
+  Unknowns z;
+  const auto place = [&z](int block) {
+    const auto at = std::find(z.to.begin(), z.to.end(), block);
+    if (at != z.to.end()) return 3 * (at - z.to.begin());
+    z.to.push_back(block);
+    return 3 * static_cast<std::ptrdiff_t>(z.to.size() - 1);
+  };
+  const Eigen::Index m = 3 * static_cast<Eigen::Index>(blocks.size());
+  z.P = z.V = Eigen::MatrixXd::Zero(m, 2 * m);
+  for (Eigen::Index i = 0; i < m; i += 3) {
+    const int block = blocks[i / 3];
+    if (!tied(block)) {
+      z.P.block<3, 3>(i, place(block)).setIdentity();
+      continue;
+    }
+    const Tie& t = ties_[tie_of_[block]];
+    if (block != t.block) {
+      z.P.block<3, 3>(i, place(t.frame + 1)) = t.turn;
+      continue;
+    }
+    z.P.block<3, 3>(i, place(t.frame)).setIdentity();
+    if (t.point) continue;
+    z.P.block<3, 3>(i, place(t.frame + 1)) = t.place;
+    z.V.block<3, 3>(i, place(t.frame + 1)) = t.rate;
+  }
+  const Eigen::Index size = 3 * static_cast<Eigen::Index>(z.to.size());
+  z.P.conservativeResize(m, size), z.V.conservativeResize(m, size);
+  return z;
+}
+
+}  // namespace hawser
