@@ -1,5 +1,5 @@
 // Forces, tangent, energy and accepted steps of SeabedTerm: gap, normal force, friction and suction at each
-// point. The law at a point: kernels/volume_contact.cpp, its friction kernels/friction_law.hpp; the rest is
+// point. The law at a point: kernels/point_contact.cpp, its friction kernels/friction_law.hpp; the rest is
 // in seabed_*.cpp.
 #include "hawser/terms/seabed.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "hawser/kernels/axis_projection.hpp"
+#include "hawser/kernels/axis_closest_point.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser::axis_approach_test {

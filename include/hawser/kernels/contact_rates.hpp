@@ -2,7 +2,7 @@
 // position, velocity, gap and normal of the trial and through what the step started from.
 #pragma once
 
-#include "hawser/kernels/volume_contact.hpp"
+#include "hawser/kernels/point_contact.hpp"
 
 namespace hawser {
 

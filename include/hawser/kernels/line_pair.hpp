@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "hawser/kernels/axis_projection.hpp"
+#include "hawser/kernels/axis_closest_point.hpp"
 #include "hawser/kernels/contact_intervals.hpp"
 #include "hawser/kernels/contact_point.hpp"
 #include "hawser/kernels/line_pair_law.hpp"

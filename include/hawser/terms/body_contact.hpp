@@ -1,8 +1,8 @@
 // Contact of bodies with bodies: what stands out of one volume against the surface of another.
 //
-// An edge is an axis like the element of a line, a corner one of no length (axis_contact.hpp), attached to
-// its body. By the basis of its stiffness a volume touches with its corners and balls (per_point), its edges
-// (per_length) or its faces (per_area); model::body_pairs says who leads. No friction. See
+// An edge is an axis like the element of a line, a corner one of no length (contact_along_axis.hpp), attached
+// to its body. By the basis of its stiffness a volume touches with its corners and balls (per_point), its
+// edges (per_length) or its faces (per_area); model::body_pairs says who leads. No friction. See
 // docs/theory/body-contact.md.
 #pragma once
 
@@ -18,8 +18,8 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/against_body.hpp"
-#include "hawser/terms/axis_contact.hpp"
 #include "hawser/terms/body_skeleton.hpp"
+#include "hawser/terms/contact_along_axis.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hawser/kernels/impact.hpp"
-#include "hawser/kernels/volume_contact.hpp"
+#include "hawser/kernels/point_contact.hpp"
 #include "hawser/model/case.hpp"
 
 namespace hawser {

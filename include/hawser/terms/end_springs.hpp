@@ -8,7 +8,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/terms/attached.hpp"
+#include "hawser/terms/between_points.hpp"
 
 namespace hawser {
 

@@ -15,7 +15,7 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/line_candidates.hpp"
 #include "hawser/terms/active_contact.hpp"
-#include "hawser/terms/axis_contact.hpp"
+#include "hawser/terms/contact_along_axis.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 
 namespace hawser {

@@ -9,7 +9,7 @@
 #include "hawser/kernels/link.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/terms/attached.hpp"
+#include "hawser/terms/between_points.hpp"
 
 namespace hawser {
 

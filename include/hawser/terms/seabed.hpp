@@ -1,6 +1,6 @@
 // The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node and
 // half way along cables' elements, shared out by the length of line that belongs to each. The law at a point,
-// with friction and the tangent of both: kernels/volume_contact.cpp. See docs/theory/seabed.md.
+// with friction and the tangent of both: kernels/point_contact.cpp. See docs/theory/seabed.md.
 #pragma once
 
 #include <mpi.h>
@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "hawser/geometry/surface.hpp"
+#include "hawser/kernels/point_contact.hpp"
 #include "hawser/kernels/suction.hpp"
-#include "hawser/kernels/volume_contact.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/contact_points.hpp"

@@ -1,7 +1,7 @@
 // Forces of contact on an axis and their tangent: the law at the Gauss points of each panel (a part of an
 // interval in contact), what the ends of panels add as they move with the unknowns, and the roll of a beam
 // about its own axis.
-#include "hawser/terms/axis_contact.hpp"
+#include "hawser/terms/contact_along_axis.hpp"
 
 #include <algorithm>
 #include <cmath>

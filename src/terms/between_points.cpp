@@ -1,7 +1,7 @@
 // Points and directions that are fixed to a node, a body or space: where they are, and the exact force and
 // tangent of what acts between two of them (links, end springs). Ends of lines on bodies:
 // system/tied_nodes.hpp.
-#include "hawser/terms/attached.hpp"
+#include "hawser/terms/between_points.hpp"
 
 #include <algorithm>
 #include <array>

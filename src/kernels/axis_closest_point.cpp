@@ -1,6 +1,6 @@
 // The projection of a point onto an element axis by a bracketed Newton iteration, which gives contact of
 // lines with lines its nearest point.
-#include "hawser/kernels/axis_projection.hpp"
+#include "hawser/kernels/axis_closest_point.hpp"
 
 #include <algorithm>
 #include <cmath>
