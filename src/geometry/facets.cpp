@@ -93,9 +93,7 @@ std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, cons
   double reach = padded();
   const auto visit = [&](int t) {
     if (best && t == best->triangle) return;
-    // No point of the facet is farther from the flat one than it bulges.
-    const double far = reach + facets.bulge(t);
-    if (facets.squared_distance(t, y) > far * far) return;
+    if (!facets.may_reach(t, y, reach)) return;
     const PatchPoint p = facets.closest(t, y);
     if (!(p.squared_distance <= limit)) return;
     if (p.squared_distance == limit && best && t > best->triangle) return;

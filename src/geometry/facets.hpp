@@ -42,6 +42,12 @@ class Facets {
   PatchPoint closest(int t, const Vec3& y) const;
   // m², from y to the flat facet; what closest() says of it but for rounding, and quicker.
   double squared_distance(int t, const Vec3& y) const;
+  // False where the facet is certainly farther than `reach` [m] from y: no point of it is farther from the flat
+  // one than it bulges. It takes a fraction of the time of closest().
+  bool may_reach(int t, const Vec3& y, double reach) const {
+    const double far = reach + bulge(t);
+    return !(squared_distance(t, y) > far * far);
+  }
   bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < triangles_.size(); }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
