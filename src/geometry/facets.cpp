@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace hawser::detail {
@@ -76,6 +77,13 @@ double Facets::squared_distance(int t, const Vec3& y) const {
                                             : squared_distance_to(a - y, b - y, c - y);
 }
 
+// Beyond a centre of curvature of a patch the point that is found need not be its nearest; none is farther
+// from the flat facet than it bulges.
+double Facets::least_distance(int t, const Vec3& y) const {
+  if (!curved(t) || one_nearest_point(y, patch(t))) return std::sqrt(closest(t, y).squared_distance);
+  return std::max(0.0, std::sqrt(squared_distance(t, y)) - bulge(t));
+}
+
 FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) : chosen_(chosen) {
   std::vector<Box> boxes;
   for (int t = 0; facets.has(t); ++t) boxes.push_back(facets.box(t));
@@ -83,31 +91,70 @@ FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) 
   if (!facets.any_curved()) hash_ = SpatialHash(boxes, chosen);
 }
 
+// The nearest of the facets that it is shown, no farther than max_distance [m].
+class FacetSearch::Best {
+ public:
+  Best(const FacetSearch& search, const Facets& facets, const Vec3& y, double max_distance)
+      : facets_(facets),
+        y_(y),
+        rounding_(1e-12 * (y.cwiseAbs().maxCoeff() + search.tree_.box().diagonal())),
+        squared(max_distance * max_distance),
+        reach(padded()) {}
+
+  void visit(int t) {
+    if ((foot && t == foot->triangle) || !facets_.may_reach(t, y_, reach)) return;
+    const PatchPoint p = facets_.closest(t, y_);
+    if (!(p.squared_distance <= squared)) return;
+    if (p.squared_distance == squared && foot && t > foot->triangle) return;
+    foot = Foot{p, t};
+    squared = p.squared_distance, reach = padded();
+  }
+
+ private:
+  double padded() const { return (1 + 1e-9) * std::sqrt(squared) + rounding_; }
+
+  const Facets& facets_;
+  const Vec3& y_;
+  double rounding_;
+
+ public:
+  double squared, reach;  // m², m: what is farther does not count; with room for rounding
+  std::optional<Foot> foot;
+};
+
 std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, const Vec3& y,
                                                       double max_distance, int hint) const {
   if (!y.allFinite() || !(max_distance >= 0)) return std::nullopt;
-  std::optional<Foot> best;
-  double limit = max_distance * max_distance;
-  const double rounding = 1e-12 * (y.cwiseAbs().maxCoeff() + tree_.box().diagonal());
-  const auto padded = [&] { return (1 + 1e-9) * std::sqrt(limit) + rounding; };
-  double reach = padded();
-  const auto visit = [&](int t) {
-    if (best && t == best->triangle) return;
-    // No point of the facet is farther from the flat one than it bulges.
-    const double far = reach + facets.bulge(t);
-    if (facets.squared_distance(t, y) > far * far) return;
-    const PatchPoint p = facets.closest(t, y);
-    if (!(p.squared_distance <= limit)) return;
-    if (p.squared_distance == limit && best && t > best->triangle) return;
-    best = Foot{p, t};
-    limit = p.squared_distance, reach = padded();
-  };
+  Best best(*this, facets, y, max_distance);
+  const auto visit = [&](int t) { best.visit(t); };
   if (facets.has(hint) && (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)])) visit(hint);
-  if (!hash_.empty() && limit <= std::pow(kNearBy * hash_.side(), 2))
-    hash_.nearest(y, limit, visit);
+  if (!hash_.empty() && best.squared <= std::pow(kNearBy * hash_.side(), 2))
+    hash_.nearest(y, best.squared, visit);
   else
-    tree_.nearest(y, limit, visit);
-  return best;
+    tree_.nearest(y, best.squared, visit);
+  return best.foot;
+}
+
+std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, const Vec3& y,
+                                                      const NearFacets& near) const {
+  const double moved = (y - near.place).norm();
+  Best best(*this, facets, y, std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < near.count; ++i) {
+    if (near.facets[i].least - moved > best.reach) return best.foot;
+    best.visit(near.facets[i].triangle);
+  }
+  return near.others - moved > best.reach ? best.foot : std::nullopt;
+}
+
+NearFacets FacetSearch::about(const Facets& facets, const Vec3& place) const {
+  NearFacets near(place);
+  double squared = std::numeric_limits<double>::infinity();
+  tree_.nearest(place, squared, [&](int t) {
+    if (!facets.may_reach(t, place, near.others)) return;
+    near.add({t, facets.least_distance(t, place)});
+    squared = near.others * near.others;
+  });
+  return near;
 }
 
 }  // namespace hawser::detail

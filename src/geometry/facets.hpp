@@ -6,6 +6,7 @@
 
 #include "hawser/geometry/box_tree.hpp"
 #include "hawser/geometry/mesh_bends.hpp"
+#include "hawser/geometry/near_facets.hpp"
 #include "hawser/geometry/smooth_patch.hpp"
 #include "hawser/geometry/spatial_hash.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
@@ -42,6 +43,14 @@ class Facets {
   PatchPoint closest(int t, const Vec3& y) const;
   // m², from y to the flat facet; what closest() says of it but for rounding, and quicker.
   double squared_distance(int t, const Vec3& y) const;
+  // False where the facet is certainly farther than `reach` [m] from y: no point of it is farther from the
+  // flat one than it bulges. It takes a fraction of the time of closest().
+  bool may_reach(int t, const Vec3& y, double reach) const {
+    const double far = reach + bulge(t);
+    return !(squared_distance(t, y) > far * far);
+  }
+  // m, no point of the facet is nearer to y: the distance itself where it is certain.
+  double least_distance(int t, const Vec3& y) const;
   bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < triangles_.size(); }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
@@ -71,6 +80,9 @@ class FacetSearch {
   // Nothing when none is within max_distance [m]. `hint`: a facet that is likely to be near. Of facets at
   // equal distance always the same, whatever the hint and the limit.
   std::optional<Foot> nearest(const Facets& facets, const Vec3& y, double max_distance, int hint) const;
+  // The same of all facets by those about a place near y, or nothing where they do not suffice.
+  std::optional<Foot> nearest(const Facets& facets, const Vec3& y, const NearFacets& near) const;
+  NearFacets about(const Facets& facets, const Vec3& place) const;
   const BoxTree& tree() const { return tree_; }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
@@ -80,6 +92,8 @@ class FacetSearch {
   }
 
  private:
+  class Best;
+
   SpatialHash hash_;  // empty where facets are curved
   BoxTree tree_;
   std::vector<bool> chosen_;

@@ -245,7 +245,10 @@ std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& 
                                                               double within) const {
   std::optional<FacetSearch::Foot> best;
   double limit = within * within;
+  const double rounding = 1e-12 * (y.cwiseAbs().maxCoeff() + tree_.box().diagonal());
+  const auto padded = [&] { return (1 + 1e-9) * std::sqrt(limit) + rounding; };
   const auto test = [&](int t) {
+    if (!facets_.may_reach(t, y, padded())) return;
     const PatchPoint p = facets_.closest(t, y);
     if (!(p.squared_distance <= limit)) return;
     if (p.squared_distance == limit && best && t > best->triangle) return;

@@ -217,6 +217,19 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   return foot ? d.seen(y, max_distance, *foot) : std::nullopt;
 }
 
+std::optional<SurfacePoint> MeshSurface::query_again(const Vec3& y, double max_distance, int hint,
+                                                     NearFacets& near) const {
+  const Data& d = *data_;
+  if (distance(d.bounds, y) > max_distance) return std::nullopt;
+  auto foot = d.active.nearest(d.facets, y, near);
+  if (!foot) {
+    near = d.active.about(d.facets, y);
+    foot = d.active.nearest(d.facets, y, near);
+  }
+  if (!foot || !(foot->squared_distance <= max_distance * max_distance)) return query(y, max_distance, hint);
+  return d.seen(y, max_distance, d.on_face_or_edge(*foot, y));
+}
+
 // What is seen from y of its nearest point.
 std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_distance,
                                                     const FacetSearch::Foot& c) const {
@@ -269,15 +282,13 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
   return s;
 }
 
-// Beyond a centre of curvature of a patch the point that is found need not be its nearest; none is farther
-// from the flat facet than it bulges.
 double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const {
   if (!(distance > 0)) return distance;
   const Facets& facets = data_->facets;
   double squared = distance * distance;
   const auto visit = [&](int t) {
     if (!facets.curved(t) || one_nearest_point(y, facets.patch(t))) return;
-    const double least = std::max(0.0, std::sqrt(facets.squared_distance(t, y)) - facets.bulge(t));
+    const double least = facets.least_distance(t, y);
     squared = std::min(squared, least * least);
   };
   if (facets.any_curved()) data_->active.tree().nearest(y, squared, visit);

@@ -34,9 +34,12 @@ std::optional<SurfacePoint> LineVolumeFinder::query(const LineVolumePair& pair, 
     if (!s.paired || distance > within) return std::nullopt;
     return SurfacePoint{distance, s.direction, Mat3::Zero(), s.anchor};
   }
-  const FacetGroup* only = pair.group(group);
-  return only ? surface(pair).query_group(*only, y, within, either_side)
-              : surface(pair).query(y, within, pair.hint);
+  if (const FacetGroup* only = pair.group(group))
+    return surface(pair).query_group(*only, y, within, either_side);
+  // What touches is asked about near the same places of the surface in each trial and in each step.
+  if (pair.points.empty()) return surface(pair).query(y, within, pair.hint);
+  if (pair.asked == pair.near_facets.size()) pair.near_facets.emplace_back();
+  return surface(pair).query_again(y, within, pair.hint, pair.near_facets[pair.asked++]);
 }
 
 bool LineVolumeFinder::one_facet_group(const LineVolumePair& pair, double motion) const {

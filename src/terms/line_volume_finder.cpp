@@ -140,9 +140,10 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
 
 std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int group, const AxisShape& shape,
                                                       const RigidPose& pose) const {
+  const std::vector<ContactInterval>& before = intervals_at_start(pair);
+  pair.asked = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
   const bool near = gap.may_touch();
-  const std::vector<ContactInterval>& before = intervals_at_start(pair);
   // Where there is neither a beginning nor an end of contact, nor a lift-off within, less will do.
   const int levels = touched_all_along(pair, group) ? panel_levels(pair.length, pair.radius) : pair.levels;
   std::vector<ContactInterval> intervals;
@@ -171,6 +172,7 @@ void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisSha
 void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape,
                                      const RigidPose& pose) const {
   ContactQuadrature& f = pair.found;
+  pair.asked = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
   // Behind one of several facet groups the middle sees nothing.
   const bool near = by_gap() || pair.group(group) || gap.may_touch();

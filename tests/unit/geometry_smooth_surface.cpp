@@ -235,6 +235,46 @@ TEST(GeometrySmoothSurface, NearestOfAll) {
   }
 }
 
+// What is kept of the facets near a place never shows in an answer, to the last bit, however far the next
+// question is from it, also beyond centres of curvature; and a short way off it spares the search.
+TEST(GeometrySmoothSurface, AskedAgainNearAPlace) {
+  const auto part = [](std::size_t count) {
+    std::vector<bool> active(count);
+    for (std::size_t t = 0; t < count; t += 1 + t % 3) active[t] = true;
+    return active;
+  };
+  for (const double noise : {0.0, 0.03, 0.08})
+    for (const bool smooth : {false, true})
+      for (const bool partial : {false, true}) {
+        const TriangleMesh m = rough_mesh(noise);
+        const MeshSurface surface(m, partial ? part(m.triangles.size()) : std::vector<bool>(), {smooth});
+        Random random(6);
+        int same = 0, kept = 0;
+        for (int i = 0; i < 1000; ++i) {
+          const Vec3 y = random(0.1, 1.4) * random.vec();
+          const double within = i % 2 ? kInfinity : 0.3;
+          NearFacets near;
+          surface.query_again(y, within, -1, near);
+          for (const double far : {0.0, 1e-6, 1e-3, 0.01, 0.1, 1.0}) {
+            const Vec3 x = y + far * random.vec(), before = near.place;
+            const auto one = surface.query_again(x, within, -1, near), other = surface.query(x, within);
+            ASSERT_EQ(one.has_value(), other.has_value()) << x.transpose();
+            if (!one) continue;
+            ASSERT_EQ(one->triangle, other->triangle) << x.transpose();
+            ASSERT_EQ(one->feature, other->feature);
+            ASSERT_EQ(one->distance, other->distance);
+            ASSERT_EQ(one->point, other->point);
+            ASSERT_EQ(one->normal, other->normal);
+            ASSERT_EQ(one->curvature, other->curvature);
+            if (far == 1e-3) ++same, kept += near.place == before;
+          }
+        }
+        printf("  %s facets, noise %.2f%s: a search in %d of %d\n", smooth ? "curved" : "flat", noise,
+               partial ? ", part" : "", same - kept, same);
+        EXPECT_GT(kept, 0.8 * same);
+      }
+}
+
 // Neighbours share their edge to the last bit, and no patch folds.
 // No place of any patch is nearer than what is called free, also beyond centres of curvature, where the point
 // that is found need not be the nearest; near a round surface all of the distance is free.

@@ -50,6 +50,8 @@ class MeshSurface final : public Surface {
   MeshSurface& operator=(MeshSurface&&) noexcept;
 
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
+  std::optional<SurfacePoint> query_again(const Vec3& y, double max_distance, int hint,
+                                          NearFacets& near) const override;
   double free_radius(const Vec3& y, double distance, int hint = -1) const override;
   Box bounds() const override;  // of the active part and all inside the mesh
   void facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const override;

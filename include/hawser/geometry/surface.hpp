@@ -16,6 +16,7 @@
 #include "hawser/geometry/box.hpp"
 #include "hawser/geometry/closest_point.hpp"
 #include "hawser/geometry/facet_groups.hpp"
+#include "hawser/geometry/near_facets.hpp"
 #include "hawser/math/types.hpp"
 
 namespace hawser {
@@ -39,6 +40,13 @@ class Surface {
   // farther outside. A point inside is always reported, however deep. `hint` is the `triangle` of an
   // earlier answer near y, or -1: it changes the time, never the answer.
   virtual std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const = 0;
+
+  // The same answer where it is asked for again and again near a place: `near` keeps what is known of the
+  // facets there, is renewed where it does not suffice, and changes nothing but the time.
+  virtual std::optional<SurfacePoint> query_again(const Vec3& y, double max_distance, int hint,
+                                                  NearFacets& /*near*/) const {
+    return query(y, max_distance, hint);
+  }
 
   // m: no point of the body is nearer to y than that, where query() says it is `distance` away or farther.
   // Less than `distance` where query() may take a near place for the nearest, and where the body begins

@@ -53,6 +53,10 @@ struct LineVolumePair {
   mutable ClearanceTube clearance;
   int hint = -1;
   mutable std::array<int, 3> ahead{-1, -1, -1};
+  // The facets near each place of the axis that is asked about, in the order in which a trial asks, and the
+  // number of places that this trial has asked about.
+  mutable std::vector<NearFacets> near_facets;
+  mutable size_t asked = 0;
   // Of the trial.
   ContactQuadrature found;
   NearGroups near;  // of the axis of `found`
