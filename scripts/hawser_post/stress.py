@@ -45,25 +45,22 @@ def von_mises(wall, wall_tension, moment, torsion, outside, inside):
 
 
 def of_type(values):
-    """Of a line type of the case, m: outer diameter, inner diameter of its wall, bore of its contents, diameter over all
-    coatings; NaN: not given."""
+    """Of a line type of the case, m: outer and inner diameter of its wall, bore of its contents; NaN: not given."""
     if not isinstance(values, dict):
-        return np.nan, np.nan, np.nan, np.nan
+        return np.nan, np.nan, np.nan
     pipe, contents = (v if isinstance(v, dict) else {} for v in (values.get("pipe"), values.get("contents")))
     outer = metres(pipe.get("outer_diameter", values.get("outer_diameter")), np.nan)
     wall = metres(pipe.get("wall_thickness", pipe.get("wall")), np.nan)
     inner = metres(contents.get("inner_diameter", pipe.get("inner_diameter")), outer - 2 * wall)
     bore = inner if contents else np.nan
-    coatings = pipe.get("coatings") if isinstance(pipe.get("coatings"), list) else []
-    outermost = outer + 2 * sum(metres(layer.get("thickness"), 0.0) for layer in coatings if isinstance(layer, dict))
-    return outer, inner if 0 <= inner < outer else np.nan, bore, outermost
+    return outer, inner if 0 <= inner < outer else np.nan, bore
 
 
 def types_along(results, line):
-    """What `of_type` gives at the nodes of a line on the side of end A and on that of end B: 2 x 4 x nodes."""
+    """What `of_type` gives at the nodes of a line on the side of end A and on that of end B: 2 x 3 x nodes."""
     ends = np.cumsum(lengths(results, line))
     if len(ends) == 0 or np.isnan(ends).any():
-        return np.full((2, 4, len(line.arc)), np.nan)
+        return np.full((2, 3, len(line.arc)), np.nan)
     sizes = np.array([of_type(t) for t in types_of(results, line)])
     close = 1e-9 * max(ends[-1], 1.0)
     return np.array([sizes[np.clip(np.searchsorted(ends, line.arc + shift), 0, len(ends) - 1)].T for shift in (-close, close)])
@@ -97,19 +94,19 @@ def outside_pressure(results, line):
 def walls_along(results, line, outer=None, thickness=None):
     """The wall [m] as given or as the case has it, on the side of end A and on that of end B of each node, with its axial
     force [N] and the pressures outside and inside [Pa], outputs x nodes; NaN where the line is no pipe. The pressure
-    inside is that of the results, whose wall tension is effective tension + p_i A_i - p_e A_e with all coatings
-    (docs/theory/water.md); coatings hand the pressure outside on to the wall and carry no tension of their own."""
+    inside is that of the results, whose wall tension is effective tension + p_i A_i - p_e A_e of the wall under all coatings
+    (docs/theory/water.md), which hand the pressure outside on to it and carry no tension of their own."""
     if (outer is None) != (thickness is None) or outer is not None and not (outer > 0 and 0 < thickness <= outer / 2):
         raise Refusal("the stress of a pipe needs --outer-diameter and --wall, above 0, the wall at most half of the diameter")
     if outer is not None and outer > THICKEST:
         raise Refusal(f"--outer-diameter {outer:g} is in m: no pipe is as thick as that")
     effective, outside = results.field("effective_tension", line), outside_pressure(results, line)
     sides = []
-    for own_outer, own_inner, bore, outermost in types_along(results, line):
+    for own_outer, own_inner, bore in types_along(results, line):
         wall = Wall(np.where(np.isnan(own_inner), np.nan, own_outer), own_inner) if outer is None else Wall(outer, outer - 2 * thickness)
         inside = np.zeros(effective.shape)
         if results.has("wall_tension"):
-            by_contents = results.field("wall_tension", line) - effective + outside * np.pi / 4 * outermost**2
+            by_contents = results.field("wall_tension", line) - effective + outside * np.pi / 4 * own_outer**2
             inside = np.where(np.isnan(bore), 0.0, by_contents / (np.pi / 4 * bore**2))  # without contents none
         sides.append((wall, effective + np.pi / 4 * (inside * wall.inner**2 - outside * wall.outer**2), outside, inside))
     if all(np.isnan(tension).all() for _, tension, _, _ in sides):

@@ -162,7 +162,7 @@ void finish_environment(const Value& v, const CaseSource& source, model::Environ
 
 void finish_in_water(const Value& v, const model::Water& water, model::LineType& t) {
   if (!(t.displaced_diameter > 0)) t.displaced_diameter = t.outer_diameter;
-  if (!(t.drag_diameter > 0)) t.drag_diameter = t.displaced_diameter;
+  if (!(t.drag_diameter > 0)) t.drag_diameter = t.outer_diameter;
   if (const Value* c = v.find("contents")) {
     const bool bore = c->has("inner_diameter"), pipe = v.has("pipe");
     if (bore && pipe) refuse((*c)["inner_diameter"], "'pipe' already says what it is; remove one of them");
@@ -178,9 +178,11 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
     t.mass_per_length += t.contents_density * M_PI / 4 * t.inner_diameter * t.inner_diameter;
   }
   if (const Value* g = v.find("marine_growth")) {
-    const double d = t.displaced_diameter, D = d + 2 * (*g)["thickness"].number;
-    t.mass_per_length += (*g)["density"].number * M_PI / 4 * (D * D - d * d);
-    t.displaced_diameter = D;
+    // Around the outside, whatever part of that displaces water.
+    const double d = t.outer_diameter, D = d + 2 * (*g)["thickness"].number,
+                 area = M_PI / 4 * (D * D - d * d);
+    t.mass_per_length += (*g)["density"].number * area;
+    t.displaced_diameter = std::sqrt(std::pow(t.displaced_diameter, 2) + 4 / M_PI * area);
     t.drag_diameter += D - d;
   }
 }

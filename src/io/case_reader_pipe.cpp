@@ -86,7 +86,7 @@ void read_pipe(const Value& v, bool uneven_bed, model::LineType& t) {
   }
   t.rotary_inertia = Vec3(inertia, inertia / 2, inertia / 2);
   t.outer_diameter = t.contact_diameter = outside;
-  t.inner_diameter = d;
+  t.wall_diameter = D, t.inner_diameter = d;
   read_strength(p, m, uneven_bed, t);
 }
 

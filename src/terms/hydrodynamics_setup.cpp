@@ -74,11 +74,12 @@ std::vector<Hydrodynamics::Ball> balls_of(const LocalMesh& mesh, const model::Ca
 
 Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, const model::Case& c)
     : Hydrodynamics(mesh, sea_of(c), pieces_of(mesh, c), balls_of(mesh, c)) {
-  for (const model::LineType& t : c.line_types)
-    // The pressure of the sea goes through floats and marine growth; the pipe under them bears it.
-    walls_.push_back({M_PI / 4 * t.inner_diameter * t.inner_diameter,
-                      M_PI / 4 * t.outer_diameter * t.outer_diameter, t.contents_density,
-                      t.contents_pressure});
+  for (const model::LineType& t : c.line_types) {
+    // Coatings, floats and marine growth hand the pressure of the sea on to the wall under them.
+    const double wall = t.wall_diameter > 0 ? t.wall_diameter : t.outer_diameter;
+    walls_.push_back({M_PI / 4 * t.inner_diameter * t.inner_diameter, M_PI / 4 * wall * wall,
+                      t.contents_density, t.contents_pressure});
+  }
 }
 
 }  // namespace hawser

@@ -61,6 +61,7 @@ TEST(LineTypes, CoatingsAndContents) {
   const double D = 0.27305, D1 = D + 0.006, D2 = D1 + 0.1, d = D - 2 * 0.0127;
   EXPECT_NEAR(t.outer_diameter, D2, 1e-12);
   EXPECT_NEAR(t.displaced(), D2, 1e-12);
+  EXPECT_NEAR(t.wall_diameter, D, 1e-12);
   EXPECT_NEAR(
       t.mass_per_length,
       bare.mass_per_length + M_PI / 4 * (900 * (D1 * D1 - D * D) + 800 * (D2 * D2 - D1 * D1) + 870 * d * d),
@@ -102,6 +103,7 @@ TEST(LineTypes, ByWeights) {
   const model::LineType t = type_of("weight: {in_air: 90 kgf/m, submerged: 45 kgf/m}" + rest);
   EXPECT_NEAR(t.mass_per_length, 90, 1e-9);
   EXPECT_NEAR(1025 * M_PI / 4 * t.displaced() * t.displaced(), 45, 1e-9);
+  EXPECT_EQ(t.dragged(), 0.25);  // of the outside, whatever part of it displaces water
   // Full of water of 1025 kg/m³ on the sheet, full of gas in the case.
   const double bore = M_PI / 4 * 0.01;
   const model::LineType gas = type_of(

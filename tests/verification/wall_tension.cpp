@@ -90,6 +90,20 @@ TEST(WallTension, HangingPipe) {
     }
 }
 
+// The wall of a coated pipe bears the pressure of the sea at its end as without the coating: on the wall's
+// own area.
+TEST(WallTension, CoatedPipe) {
+  std::string text = hanging(true, "");
+  const std::string plain = "outer_diameter: 0.3, mass_per_length: 200, EA: 1e10, EI: 1e5, GJ: 1e5";
+  text.replace(
+      text.find(plain), plain.size(),
+      "pipe: {outer_diameter: 0.3, wall_thickness: 0.02, coatings: [{thickness: 0.05, density: 700}]}");
+  const Shown s = shown(text);
+  const double pressure = kRho * kG * -s.position.back();
+  EXPECT_NEAR(s.effective.back(), 0, 1e-3);
+  EXPECT_NEAR(s.wall.back(), -kQuarter * 0.3 * 0.3 * pressure, 1e-2);
+}
+
 // Sinking rods that are filled or overgrown, v = v_t tanh(t/tau): weight, inertia, displaced and drag
 // diameter.
 TEST(WallTension, FilledAndOvergrownRodsSink) {
@@ -101,6 +115,11 @@ TEST(WallTension, FilledAndOvergrownRodsSink) {
   const double grown = 300 + 1325 * kQuarter * (0.6 * 0.6 - 0.5 * 0.5);
   for (const Kind& k : {Kind{", contents: {inner_diameter: 0.4, density: 900}", filled, 0.5, 0.5},
                         {", marine_growth: {thickness: 0.05}", grown, 0.6, 0.6},
+                        // Free-flooding: less volume than the outside has, which drags all the same; growth
+                        // is a ring around the outside.
+                        {", displaced_diameter: 0.3", 300, 0.3, 0.5},
+                        {", displaced_diameter: 0.3, marine_growth: {thickness: 0.05}", grown,
+                         std::sqrt(0.3 * 0.3 + 0.6 * 0.6 - 0.5 * 0.5), 0.6},
                         {", drag_diameter: 0.8, marine_growth: {thickness: 0.05}", grown, 0.6, 0.9}}) {
     model::Case c = io::read_case_text(
         std::string(

@@ -38,6 +38,7 @@ struct LineType {
   LineKind kind = LineKind::beam;  // `bending: false` makes a cable: EA only, may go slack
   double outer_diameter = 0;       // m
   double contact_diameter = 0;     // m, default outer_diameter
+  double wall_diameter = 0;        // m, outside of the wall under the coatings of a pipe; 0: outer_diameter
   double mass_per_length = 0;      // kg/m, in air, with contents and marine growth
   double EA = 0;                   // N; of a table its slope at no strain
   double EI2 = 0, EI3 = 0;         // N m², about the section's axes 2 and 3; of a table: at no curvature
@@ -55,14 +56,14 @@ struct LineType {
 
   // In water. The axial drag acts on the skin, pi times the drag diameter.
   double displaced_diameter = 0;  // m, of the volume that water is driven out of; 0: outer_diameter
-  double drag_diameter = 0;       // m; 0: displaced_diameter
+  double drag_diameter = 0;       // m; 0: outer_diameter
   double Cd_normal = 1.2, Cd_axial = 0, Ca_normal = 1, Ca_axial = 0;
   double inner_diameter = 0;     // m, of the bore; 0: none
   double contents_density = 0;   // kg/m³
   double contents_pressure = 0;  // Pa above the atmosphere, in the bore at the still water level
 
   double displaced() const { return displaced_diameter > 0 ? displaced_diameter : outer_diameter; }
-  double dragged() const { return drag_diameter > 0 ? drag_diameter : displaced(); }
+  double dragged() const { return drag_diameter > 0 ? drag_diameter : outer_diameter; }
 };
 
 // u(t) for t >= 0, with u and its first two derivatives continuous.
