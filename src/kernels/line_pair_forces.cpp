@@ -81,8 +81,9 @@ struct LinePairPass::Slopes {
 // With the slave's place xi given, everything depends on D = x - y and T = y' at a given eta, on the
 // sections' turns and on eta, which follows from D . y' = 0:
 //   d eta = ((dx - dy) . y' + D . dy') / (y' . y' - D . y'').
-LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, const LinePairForce& c,
-                                          const Rows& rows) const {
+// flatten: else products of small matrices are calls.
+[[gnu::flatten]] LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from,
+                                                           const LinePairForce& c, const Rows& rows) const {
   using F = LinePairForce;
   const bool rubs = set_.law.friction.active();
   const size_t na = slave_.now.count(), nb = master_.now.count();

@@ -92,6 +92,7 @@ Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Forc
 
 }  // namespace
 
+// flatten: else most operations on numbers with derivatives are calls.
 [[gnu::flatten]] Force line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives) {
   Force r;
   if (derivatives) r.by.setZero();
