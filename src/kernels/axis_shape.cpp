@@ -1,4 +1,4 @@
-// Shape functions of an element axis, cubic for beams and linear for cables, and what they are attached to.
+// An element axis, cubic for beams and straight for cables, from its nodes, and how it is attached to them.
 #include "hawser/kernels/axis_shape.hpp"
 
 namespace hawser {
@@ -21,29 +21,6 @@ AxisShape::AxisShape(const AxisEnds& e) : count_(e.beam ? 4 : 2), length_(e.leng
   const double bend = std::max((X_[1] - (X_[2] - X_[0])).norm(), (X_[3] - (X_[2] - X_[0])).norm());
   // slope = chord + H2'(X1 - chord) + H4'(X3 - chord), and |H2'| + |H4'| <= 1
   slope_bound_ = std::min(slope_bound_, straight + bend);
-}
-
-AxisShape::Weights AxisShape::functions(double z) const {
-  if (count_ == 2) return {1 - z, z, 0, 0};
-  const double z2 = z * z, z3 = z2 * z;
-  return {1 - 3 * z2 + 2 * z3, z - 2 * z2 + z3, 3 * z2 - 2 * z3, z3 - z2};
-}
-
-AxisShape::Weights AxisShape::derivatives(double z) const {
-  if (count_ == 2) return {-1, 1, 0, 0};
-  const double z2 = z * z;
-  return {-6 * z + 6 * z2, 1 - 4 * z + 3 * z2, 6 * z - 6 * z2, 3 * z2 - 2 * z};
-}
-
-AxisShape::Weights AxisShape::second_derivatives(double z) const {
-  if (count_ == 2) return {0, 0, 0, 0};
-  return {-6 + 12 * z, -4 + 6 * z, 6 - 12 * z, 6 * z - 2};
-}
-
-Vec3 AxisShape::combine(const Weights& w, const std::array<Vec3, kMost>& v) const {
-  Vec3 s = w[0] * v[0] + w[1] * v[1];
-  if (count_ == 4) s += w[2] * v[2] + w[3] * v[3];
-  return s;
 }
 
 BezierAxis AxisShape::bezier() const {

@@ -26,6 +26,13 @@ Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
   return by_t * ((Mat3::Identity() - t * t.transpose()) / chord.norm());
 }
 
+// Adds column times gradient to rows of m from `row` on. Row by row, as they lie in m: a product of Eigen's
+// would be made one coefficient at a time.
+template <int n, class Matrix>
+void add_product(const Eigen::Matrix<double, n, 1>& column, const Gradient& gradient, Matrix& m, int row) {
+  for (int i = 0; i < n; ++i) m.row(row + i).template head<kByX>() += column[i] * gradient;
+}
+
 // The columns that belong to a position or a turn.
 template <class Matrix>
 auto of(Matrix& m, size_t position) {
@@ -74,8 +81,9 @@ struct LinePairPass::Slopes {
 // With the slave's place xi given, everything depends on D = x - y and T = y' at a given eta, on the
 // sections' turns and on eta, which follows from D . y' = 0:
 //   d eta = ((dx - dy) . y' + D . dy') / (y' . y' - D . y'').
-LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, const LinePairForce& c,
-                                          const Rows& rows) const {
+// flatten: else products of small matrices are calls.
+[[gnu::flatten]] LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from,
+                                                           const LinePairForce& c, const Rows& rows) const {
   using F = LinePairForce;
   const bool rubs = set_.law.friction.active();
   const size_t na = slave_.now.count(), nb = master_.now.count();
@@ -127,7 +135,7 @@ LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from, con
     if (rubs && rows.by_eta[m] != 0) by_m -= rows.by_eta[m] * by(F::kAlong);
     if (from.is_new && rows.by_xi[m] != 0) by_m += rows.by_xi[m] * by(F::kSlope);
   }
-  if (s.slides_on) s.by.leftCols<kByX>() += by_eta.lazyProduct(s.eta_by);
+  if (s.slides_on) add_product<6>(by_eta, s.eta_by, s.by, 0);
   if (!rubs) return s;
   for (const bool of_master : {false, true}) {
     const PairAxis& axis = of_master ? master_ : slave_;
@@ -221,11 +229,11 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
       for (const size_t r : rows) {
         const Vec3& v = vector(r);
         const int first = r < kTurns ? 0 : 3, row = 3 * static_cast<int>(r);
-        g.K.middleRows<3>(row) -= w * rows.share[r] * s.by.middleRows<3>(first);
-        if (s.slides_on && rows.by_eta[r] != 0)
-          g.K.block<3, kByX>(row, 0) -= Vec3(w * rows.by_eta[r] * v).lazyProduct(s.eta_by);
-        if (set_.moves)
-          g.C.middleRows<3>(row) -= Vec3(w * rows.share[r] * s.by_rate.segment<3>(first)).lazyProduct(rate);
+        for (int i = 0; i < 3; ++i) {
+          g.K.row(row + i) -= w * rows.share[r] * s.by.row(first + i);
+          if (set_.moves) g.C.row(row + i) -= w * rows.share[r] * s.by_rate[first + i] * rate;
+        }
+        if (s.slides_on && rows.by_eta[r] != 0) add_product<3>(-w * rows.by_eta[r] * v, s.eta_by, g.K, row);
         // Moving ends take the Gauss points along: the derivative along xi does the rest.
         const Vec3 along =
             (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.share[r] * s.by_xi.segment<3>(first);
@@ -238,7 +246,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
     }
     for (const MovingEnd& end : ends)
       for (int r = 0; r < static_cast<int>(kMost) && end.moves; ++r)
-        g.K.block<3, kByX>(3 * r, 0) += end.force[r].lazyProduct(end.by);
+        add_product<3>(end.force[r], end.by, g.K, 3 * r);
   }
 }
 

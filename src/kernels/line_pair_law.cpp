@@ -92,7 +92,8 @@ Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Forc
 
 }  // namespace
 
-Force line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives) {
+// flatten: else most operations on numbers with derivatives are calls.
+[[gnu::flatten]] Force line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives) {
   Force r;
   if (derivatives) r.by.setZero();
   const double d = at.away.norm();

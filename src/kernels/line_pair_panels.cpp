@@ -130,14 +130,14 @@ void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
 // Slip is interpolated between the Gauss points of one interval. Material that did not touch has none.
 LinePairPass::Start LinePairPass::start(double xi) const {
   Start s;
-  s.is_new = std::none_of(history_.begin(), history_.end(),
-                          [xi](const LinePairHistory& h) { return h.from <= xi && xi <= h.to; });
-  if (s.is_new) return s;
-  const auto after =
-      std::find_if(history_.begin(), history_.end(), [xi](const LinePairHistory& h) { return h.xi > xi; });
+  // Points lie in the order of their places: if a panel has xi, one of those beside xi is in it.
+  const auto after = std::partition_point(history_.begin(), history_.end(),
+                                          [xi](const LinePairHistory& h) { return h.xi <= xi; });
   const LinePairHistory* b = after != history_.end() ? &*after : nullptr;
   const LinePairHistory* a = after != history_.begin() ? &*(after - 1) : nullptr;
-  if (!a && !b) return s;
+  const auto has = [xi](const LinePairHistory* h) { return h && h->from <= xi && xi <= h->to; };
+  s.is_new = !has(a) && !has(b);
+  if (s.is_new) return s;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
   // Outside the outermost point: down to nothing where contact ends, for beyond there is none.
   const double x0 = a ? a->xi : b->from, x1 = b ? b->xi : a->to;

@@ -2,6 +2,7 @@
 #include "hawser/kernels/stencil.hpp"
 
 #include "hawser/math/so3.hpp"
+#include "hawser/math/wide3.hpp"
 
 namespace hawser {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 struct Part {
   int block = -1;
   bool turns = false;
-  Mat3 E, D;
+  wide::Mat E = {}, D = {};
 };
 struct Row {
   size_t index = 0;
@@ -20,10 +21,22 @@ struct Row {
   std::array<Part, 2> parts;
   size_t count = 0;
 
-  void add(const Part& p) { parts[count++] = p; }
+  void add(int block) { parts[count++] = {block}; }
+  void add_turning(int block, const Mat3& E, const Mat3& D) {
+    parts[count++] = {block, true, wide::load(E), wide::load(D)};
+  }
   auto begin() const { return parts.begin(); }
   auto end() const { return parts.begin() + static_cast<std::ptrdiff_t>(count); }
 };
+
+// Of a row-major matrix in blocks of three: one of them.
+template <class Matrix>
+wide::Mat block_at(const Matrix& m, size_t row, size_t column) {
+  constexpr size_t kWidth = Matrix::ColsAtCompileTime;
+  const double* p = m.data() + 3 * (row * kWidth + column);
+  const auto line = [p](size_t i) { return wide::Row{p[i], p[i + 1], p[i + 2], 0}; };
+  return {{line(0), line(kWidth), line(2 * kWidth)}};
+}
 
 }  // namespace
 
@@ -40,45 +53,45 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
     const AttachedPosition& p = at[i];
     Row& r = rows[count++];
     r.index = i, r.of = &p;
-    if (p.position >= 0) r.add({p.position, false, {}, {}});
-    if (p.rotation >= 0) r.add({p.rotation, true, -p.R * hat(p.arm), -p.R * hat(p.w.cross(p.arm))});
+    if (p.position >= 0) r.add(p.position);
+    if (p.rotation >= 0) r.add_turning(p.rotation, -p.R * hat(p.arm), -p.R * hat(p.w.cross(p.arm)));
   }
   for (size_t i = 0; g.rotates && i < turns.size(); ++i) {
     if (turns[i].rotation < 0) continue;
     Row& r = rows[count++];
     r.index = AttachedForces::kPositions + i, r.couple = true, r.of = &turns[i];
-    r.add({turns[i].rotation, true, turns[i].R, {}});
+    r.add_turning(turns[i].rotation, turns[i].R, Mat3::Zero());
   }
   const int m = 3 * blocks;
-  const auto put = [m](double* to, int i, int j, const Mat3& b) {
+  const auto put = [m](double* to, int i, int j, const wide::Mat& b) {
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) to[(3 * i + r) * m + 3 * j + c] += b(r, c);
+      for (int c = 0; c < 3; ++c) to[(3 * i + r) * m + 3 * j + c] += b.r[r][c];
   };
   for (size_t i = 0; i < count; ++i)
     for (const Part& p : rows[i]) {
       const Row& row = rows[i];
       const Vec3& F = g.F[row.index];
-      const Vec3 on_block = p.turns ? Vec3(p.E.transpose() * F) : F;
+      const Vec3 on_block = p.turns ? wide::vec(wide::left(wide::load(F), p.E)) : F;
       for (int r = 0; r < 3; ++r) f[3 * p.block + r] += on_block[r];
       if (!K) continue;
       for (size_t j = 0; j < count; ++j)
         for (const Part& q : rows[j]) {
           const Row& column = rows[j];
-          Mat3 k = block_of(g.K, row.index, column.index);
+          wide::Mat k = block_at(g.K, row.index, column.index);
           if (q.turns) k = k * q.E;
-          if (!column.couple) {
-            Mat3 c = block_of(g.C, row.index, column.index);
+          if (C && !column.couple) {
+            wide::Mat c = block_at(g.C, row.index, column.index);
             if (q.turns) k += c * q.D, c = c * q.E;
-            if (p.turns) c = p.E.transpose() * c;
+            if (p.turns) c = wide::transposed_times(p.E, c);
             put(C, p.block, q.block, c);
           }
-          if (p.turns) k = p.E.transpose() * k;
+          if (p.turns) k = wide::transposed_times(p.E, k);
           put(K, p.block, q.block, k);
         }
       if (!p.turns || !turning) continue;
       // Arm and couple, in material axes, turn with the node.
       const Mat3 by_turn = hat(row.of->R.transpose() * F);
-      put(K, p.block, p.block, row.couple ? by_turn : Mat3(hat(row.of->arm) * by_turn));
+      put(K, p.block, p.block, wide::load(row.couple ? by_turn : Mat3(hat(row.of->arm) * by_turn)));
     }
 }
 

@@ -1,7 +1,8 @@
-// Choice of the direct solver and of the elimination order for a Newton step.
+// Choice of the direct solver for a Newton step.
 #include "hawser/solve/linear_solver.hpp"
 
 #include "hawser/base/gather.hpp"
+#include "hawser/solve/lu.hpp"
 #include "hawser/solve/substructure.hpp"
 
 namespace hawser {
@@ -22,17 +23,13 @@ void configure_linear_solver(KSP ksp, const System& system, const char* prefix) 
   check(KSPSetType(ksp, KSPPREONLY));
   PC pc = nullptr;
   check(KSPGetPC(ksp, &pc));
-  // Chains in their own order have no fill; turn by turn on a drum that order costs tens of times what
-  // minimum degree does.
-  const MatOrderingType order = system.coupled() ? MATORDERINGQMD : MATORDERINGNATURAL;
-  if (size > 1 && shared_unknowns(system) <= kMaxShared) {
-    use_substructuring(pc, order);
+  if (size == 1) {
+    use_lu(pc, system.coupled());
+  } else if (shared_unknowns(system) <= kMaxShared) {
+    use_substructuring(pc, system.coupled());
   } else {
     check(PCSetType(pc, PCLU));
-    if (size > 1)
-      check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-    else
-      check(PCFactorSetMatOrderingType(pc, order));
+    check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
   }
   check(KSPSetFromOptions(ksp));
 }

@@ -8,6 +8,7 @@
 
 #include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
+#include "hawser/solve/lu.hpp"
 #include "pc_shell.hpp"
 
 namespace hawser {
@@ -25,7 +26,7 @@ struct Substructure {
   std::vector<int> ghosts;           // positions in G of this rank's ghosts, in the order of Ao's columns
   Eigen::MatrixXd Z;                 // Ad^-1 Ao
   Eigen::PartialPivLU<Eigen::MatrixXd> small;
-  MatOrderingType order = MATORDERINGNATURAL;
+  bool coupled = false;
   bool ready = false;
 };
 
@@ -85,8 +86,7 @@ PetscErrorCode setup(PC pc) {
     PetscCall(KSPSetType(s->chains.get(), KSPPREONLY));
     PC lu = nullptr;
     PetscCall(KSPGetPC(s->chains.get(), &lu));
-    PetscCall(PCSetType(lu, PCLU));
-    PetscCall(PCFactorSetMatOrderingType(lu, s->order));
+    use_lu(lu, s->coupled);
   }
   PetscCall(KSPSetOperators(s->chains.get(), Ad, Ad));
   PetscCall(KSPSetUp(s->chains.get()));
@@ -144,9 +144,9 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-void use_substructuring(PC pc, MatOrderingType order) {
+void use_substructuring(PC pc, bool coupled) {
   auto s = std::make_unique<Substructure>();
-  s->order = order;
+  s->coupled = coupled;
   use_shell(pc, "chains cut between ranks", std::move(s), setup, apply);
 }
 

@@ -98,7 +98,8 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
   LinePairPass::Settings s;
   s.law = pair.law;
   if (!friction_on_) s.law.friction = {};
-  s.moves = moves, s.convex = convex;
+  s.moves = moves && pair.law.normal.damping > 0;  // nothing else depends on velocities
+  s.convex = convex;
   for (size_t k = 0; k < kParts; ++k) {
     const bool swapped = k >= 3;
     const ProjectOn part = static_cast<ProjectOn>(k % 3);
@@ -149,8 +150,10 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!found.active) continue;
     const AttachedForces g = forces(pair, A, B, found, mode);
     std::fill(std::begin(f), std::end(f), 0.0);
-    if (tangent) std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
-    stencil_of(A, B).to_blocks(g, !assembler.convex(), f, tangent ? K : nullptr, tangent ? C : nullptr);
+    const bool damped = tangent && trial.step > 0 && pair.law.normal.damping > 0;
+    if (tangent) std::fill(std::begin(K), std::end(K), 0.0);
+    if (damped) std::fill(std::begin(C), std::end(C), 0.0);
+    stencil_of(A, B).to_blocks(g, !assembler.convex(), f, tangent ? K : nullptr, damped ? C : nullptr);
     int blocks[8], n = 0;
     for (const bool second : {false, true}) {
       const ContactSegment& s = segment(second ? pair.b : pair.a);
@@ -160,8 +163,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
         if ((second ? B : A).beam()) blocks[n++] = b + 1;
       }
     }
-    assembler.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr,
-                  tangent && trial.step > 0 ? C : nullptr, nullptr);
+    assembler.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr, damped ? C : nullptr, nullptr);
   }
 }
 

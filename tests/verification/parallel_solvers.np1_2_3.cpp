@@ -2,6 +2,7 @@
 // answers are those of one rank.
 #include "hawser/app/share_nodes.hpp"
 #include "hawser/solve/linear_solver.hpp"
+#include "hawser/solve/lu.hpp"
 #include "hawser/solve/substructure.hpp"
 #include "verification/line_pairs_rig.hpp"
 
@@ -134,13 +135,13 @@ void substructured(KSP ksp, const System&) {
   PC pc = nullptr;
   check(KSPSetType(ksp, KSPPREONLY));
   check(KSPGetPC(ksp, &pc));
-  use_substructuring(pc, MATORDERINGQMD);
+  use_substructuring(pc, true);
 }
 
 class ParallelSolvers : public ::testing::Test {
  protected:
   void SetUp() override { MPI_Comm_size(PETSC_COMM_WORLD, &ranks_); }
-  std::string expected(const char* several) const { return ranks_ == 1 ? "lu" : several; }
+  std::string expected(const char* several) const { return ranks_ == 1 ? "LU of nonzero blocks" : several; }
   int ranks_ = 1;
 };
 
@@ -202,6 +203,65 @@ TEST_F(ParallelSolvers, WhereManyTouchAcrossTheCutMumpsSolves) {
   if (ranks_ > 1) {
     EXPECT_LT(difference(solve(PETSC_COMM_WORLD, mat(), substructured), one), 1e-8);
   }
+}
+
+// What a solution leaves of the right-hand side, of all blocks of the matrix that are stored.
+double residual_of(KSP ksp, Mat A) {
+  VecHandle b, x, r;
+  check(MatCreateVecs(A, x.out(), b.out()));
+  check(VecDuplicate(b.get(), r.out()));
+  check(VecSet(b.get(), 1));
+  check(KSPSetOperators(ksp, A, A));
+  check(KSPSolve(ksp, b.get(), x.get()));
+  check(MatMult(A, x.get(), r.get()));
+  check(VecAXPY(r.get(), -1, b.get()));
+  PetscReal norm = 0;
+  check(VecNorm(r.get(), NORM_INFINITY, &norm));
+  return norm;
+}
+
+// Every block in the pattern, all but those on the diagonal zero, then more and more of them in use, then
+// fewer again, and a matrix of another pattern.
+TEST_F(ParallelSolvers, BlocksComeIntoUseAndGoOutOfIt) {
+  const auto matrix = [](PetscInt n) {
+    MatHandle A;
+    check(MatCreateSeqBAIJ(PETSC_COMM_SELF, 3, 3 * n, 3 * n, n, nullptr, A.out()));
+    return A;
+  };
+  const auto put = [](Mat A, PetscInt i, PetscInt j, double size) {
+    double block[9];
+    for (int k = 0; k < 9; ++k) block[k] = size * (k % 4 == 0 ? 4 : std::sin(k + i + 2.0 * j));
+    check(MatSetValuesBlocked(A, 1, &i, 1, &j, block, INSERT_VALUES));
+  };
+  const auto done = [](Mat A) {
+    check(MatAssemblyBegin(A, MAT_FINAL_ASSEMBLY));
+    check(MatAssemblyEnd(A, MAT_FINAL_ASSEMBLY));
+  };
+  KspHandle ksp;
+  PC pc = nullptr;
+  check(KSPCreate(PETSC_COMM_SELF, ksp.out()));
+  check(KSPSetType(ksp.get(), KSPPREONLY));
+  check(KSPGetPC(ksp.get(), &pc));
+  use_lu(pc, true);
+
+  const MatHandle A = matrix(5);
+  for (PetscInt i = 0; i < 5; ++i)
+    for (PetscInt j = 0; j < 5; ++j) put(A.get(), i, j, i == j ? 2 : 0);
+  for (const double beside : {0.0, 0.3, 0.7}) {
+    for (PetscInt i = 0; i < 4; ++i) put(A.get(), i, i + 1, beside), put(A.get(), i + 1, i, -beside);
+    done(A.get());
+    EXPECT_LT(residual_of(ksp.get(), A.get()), 1e-13) << beside;
+  }
+  for (const double corner : {0.5, 0.0}) {
+    put(A.get(), 0, 4, corner), put(A.get(), 3, 1, corner);
+    done(A.get());
+    EXPECT_LT(residual_of(ksp.get(), A.get()), 1e-13) << corner;
+  }
+  check(KSPReset(ksp.get()));
+  const MatHandle B = matrix(7);
+  for (PetscInt i = 0; i < 7; ++i) put(B.get(), i, i, 2), put(B.get(), i, (3 * i + 1) % 7, 0.4);
+  done(B.get());
+  EXPECT_LT(residual_of(ksp.get(), B.get()), 1e-13);
 }
 
 }  // namespace

@@ -31,9 +31,21 @@ class AxisShape {
   explicit AxisShape(const AxisEnds& ends);
 
   int count() const { return count_; }  // generalised positions: 4 for a beam, 2 for a cable
-  Weights functions(double xi) const;
-  Weights derivatives(double xi) const;
-  Weights second_derivatives(double xi) const;
+  // Inline, like what is made of them: contact asks for them many times at each of its points.
+  Weights functions(double xi) const {
+    if (count_ == 2) return {1 - xi, xi, 0, 0};
+    const double z2 = xi * xi, z3 = z2 * xi;
+    return {1 - 3 * z2 + 2 * z3, xi - 2 * z2 + z3, 3 * z2 - 2 * z3, z3 - z2};
+  }
+  Weights derivatives(double xi) const {
+    if (count_ == 2) return {-1, 1, 0, 0};
+    const double z2 = xi * xi;
+    return {-6 * xi + 6 * z2, 1 - 4 * xi + 3 * z2, 6 * xi - 6 * z2, 3 * z2 - 2 * xi};
+  }
+  Weights second_derivatives(double xi) const {
+    if (count_ == 2) return {0, 0, 0, 0};
+    return {-6 + 12 * xi, -4 + 6 * xi, 6 - 12 * xi, 6 * xi - 2};
+  }
   Vec3 point(double xi) const { return combine(functions(xi), X_); }
   Vec3 slope(double xi) const { return combine(derivatives(xi), X_); }        // dx/dxi, m
   Vec3 bend(double xi) const { return combine(second_derivatives(xi), X_); }  // d²x/dxi², m
@@ -61,7 +73,11 @@ class AxisShape {
   const Quat& turn(size_t end) const { return q_[end]; }
 
  private:
-  Vec3 combine(const Weights& w, const std::array<Vec3, kMost>& v) const;
+  Vec3 combine(const Weights& w, const std::array<Vec3, kMost>& v) const {
+    Vec3 s = w[0] * v[0] + w[1] * v[1];
+    if (count_ == 4) s += w[2] * v[2] + w[3] * v[3];
+    return s;
+  }
 
   int count_;
   double length_, slope_bound_;

@@ -59,7 +59,7 @@ class LinePairPass {
     LinePairLaw law;
     double share = 0.5;       // of the pressure: slave_share of the radii
     double slave_radius = 0;  // m
-    bool moves = true;        // in dynamics
+    bool moves = true;        // in dynamics; without damping it makes no difference
     bool convex = false;      // leave out negative stiffness
     bool swapped = false;     // the slave is the second of the two in what add() adds to
   };

@@ -49,8 +49,9 @@ struct Stencil {
   std::array<AttachedPosition, AttachedForces::kTurns> turns;  // rotation and R; of a cable none
 
   void add(const AttachedPosition& p) { at[positions++] = p; }
-  // Adds to f[3n], K and C (3n)x(3n), row-major, n = blocks; K and C may be null together. turning: K with
-  // what forces bring whose arms turn with their nodes, which may be negative stiffness.
+  // Adds to f[3n], K and C (3n)x(3n), row-major, n = blocks; K and C may be null together, and C alone where
+  // g.C is zero. turning: K with what forces bring whose arms turn with their nodes, which may be negative
+  // stiffness.
   void to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const;
 };
 

@@ -12,9 +12,9 @@
 
 namespace hawser {
 
-// Makes `pc` (on more than one rank, for MPIBAIJ matrices) the substructuring solver, with this order (a name
-// that lives on) for a rank's own LU. Collective.
-void use_substructuring(PC pc, MatOrderingType order);
+// Makes `pc` (on more than one rank, for MPIBAIJ matrices) the substructuring solver. coupled: of
+// use_lu() for a rank's own part. Collective.
+void use_substructuring(PC pc, bool coupled);
 
 // Largest number of shared unknowns for which the dense small system is a good idea.
 inline constexpr int kMaxShared = 400;
