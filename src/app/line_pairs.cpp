@@ -17,20 +17,38 @@
 namespace hawser::app {
 namespace {
 
-// Ends of two lines at one place of one body, or of space: one point for what is near along the lines.
-std::vector<std::pair<int, int>> joined_ends(const model::Case& c, const Mesh& mesh) {
-  struct Place {
-    const model::End* end;
-    int node;
-    double diameter;
+// A held end of a line, and the one at its other end.
+struct Place {
+  const model::End *end, *other;
+  int node;
+  double diameter, length;  // m, of contact; of the line
+};
+
+// Round lines that part at an angle from one point overlap near it: so far along both together [m] that with
+// half of the angle between their chords they would be clear of each other. Half, since lines that sag, or
+// are pulled together, part at less than their chords do. Not more than half of the shorter line; 0 where one
+// ends free.
+double overlap(const model::Case& c, const Place& p, const Place& q) {
+  if (p.other->kind == model::EndKind::free || q.other->kind == model::EndKind::free) return 0;
+  const auto chord = [&c](const Place& x) -> Vec3 {
+    return (model::end_position(c, *x.other) - model::end_position(c, *x.end)).stableNormalized();
   };
+  const Vec3 u = chord(p), v = chord(q);
+  const double angle = 2 * std::atan2((u - v).norm(), (u + v).norm());
+  return std::min(0.5 * (p.diameter + q.diameter) / std::max(std::sin(angle / 4), 1e-9),
+                  0.5 * std::min(p.length, q.length));
+}
+
+// Ends of two lines at one place of one body, or of space: one point for what is near along the lines.
+std::vector<CandidateSettings::Joined> joined_ends(const model::Case& c, const Mesh& mesh) {
   std::vector<Place> places;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
     const LineSpan& s = mesh.lines[l];
-    places.push_back({&line.end_a, s.first_node, c.line_type(line.sections.front().type).contact_diameter});
+    const auto diameter = [&c](const model::Section& at) { return c.line_type(at.type).contact_diameter; };
+    places.push_back({&line.end_a, &line.end_b, s.first_node, diameter(line.sections.front()), s.length});
     places.push_back(
-        {&line.end_b, s.first_node + s.nodes - 1, c.line_type(line.sections.back().type).contact_diameter});
+        {&line.end_b, &line.end_a, s.first_node + s.nodes - 1, diameter(line.sections.back()), s.length});
   }
   std::erase_if(places, [](const Place& p) { return p.end->kind == model::EndKind::free; });
   double widest = 0;
@@ -39,14 +57,14 @@ std::vector<std::pair<int, int>> joined_ends(const model::Case& c, const Mesh& m
   const auto where = [](const Place& p) { return std::tie(p.end->kind, p.end->body, p.end->at.x(), p.node); };
   std::sort(places.begin(), places.end(),
             [&](const Place& p, const Place& q) { return where(p) < where(q); });
-  std::vector<std::pair<int, int>> out;
+  std::vector<CandidateSettings::Joined> out;
   for (size_t i = 0; i < places.size(); ++i)
     for (size_t j = i + 1; j < places.size(); ++j) {
       const Place &p = places[i], &q = places[j];
       if (p.end->kind != q.end->kind || p.end->body != q.end->body || q.end->at.x() - p.end->at.x() > widest)
         break;
-      if ((p.end->at - q.end->at).norm() < 0.5 * (p.diameter + q.diameter))
-        out.push_back(ordered(p.node, q.node));
+      if (p.other != q.end && (p.end->at - q.end->at).norm() < 0.5 * (p.diameter + q.diameter))
+        out.push_back({std::min(p.node, q.node), std::max(p.node, q.node), overlap(c, p, q)});
     }
   return out;
 }

@@ -73,7 +73,8 @@ PetscErrorCode take_over(Mat A, NonzeroBlocks& s) {
   PetscCall(MatGetRowIJ(A, 0, PETSC_FALSE, PETSC_TRUE, &m.rows, &m.starts, &m.columns, &known));
   if (!known) SETERRQ(PETSC_COMM_SELF, PETSC_ERR_SUP, "a matrix without rows of blocks");
   PetscCall(MatSeqBAIJGetArray(A, &m.values));
-  if (A != s.of || pattern != s.pattern) s.used.assign(m.starts[m.rows], 0);
+  const size_t blocks = m.starts[m.rows];
+  if (A != s.of || pattern != s.pattern || s.used.size() != blocks) s.used.assign(blocks, 0);
   s.of = A, s.pattern = pattern;
   if (find_used(m, s.used) || !s.matrix)
     PetscCall(make_matrix(PetscObjectComm(reinterpret_cast<PetscObject>(A)), m, s));

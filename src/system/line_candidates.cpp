@@ -266,10 +266,11 @@ bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
                                   arc_of(mesh_.mesh->elements[last].second));
     return std::min(std::abs(s.arc[0] - arc), std::abs(s.arc[1] - arc));
   };
-  for (const auto& [m, n] : settings_.joined) {
+  for (const auto& [m, n, within] : settings_.joined) {
     const int line = nodes[m].line, other = nodes[n].line;
-    if (line == p.line && other == q.line && from(p, m) + from(q, n) < apart) return true;
-    if (line == q.line && other == p.line && from(q, m) + from(p, n) < apart) return true;
+    const double most = std::max(apart, within);
+    if (line == p.line && other == q.line && from(p, m) + from(q, n) < most) return true;
+    if (line == q.line && other == p.line && from(q, m) + from(p, n) < most) return true;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "hawser/solve/stability.hpp"
 #include "verification/statics_newton.hpp"
 
 namespace hawser::statics_planar_test {

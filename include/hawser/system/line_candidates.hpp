@@ -53,7 +53,12 @@ struct CandidateSettings {
   // Pairs of lines (indices, any order; a line with itself too) that do not see each other.
   std::vector<std::pair<int, int>> excluded;
   // Mesh nodes of different lines that are one point (ends at one fairlead): arc lengths go on through it.
-  std::vector<std::pair<int, int>> joined;
+  // What is nearer along them than so many diameters, or than `within` [m], is no contact.
+  struct Joined {
+    int first = 0, second = 0;
+    double within = 0;
+  };
+  std::vector<Joined> joined;
 };
 
 // An element's axis as four Bézier points, now and at the end of the path foreseen, together with all that is
