@@ -26,8 +26,8 @@ struct Place {
 
 // Round lines that part at an angle from one point overlap near it: so far along both together [m] that with
 // half of the angle between their chords they would be clear of each other. Half, since lines that sag, or
-// are pulled together, part at less than their chords do. Not more than half of the shorter line; 0 where one
-// ends free.
+// are pulled together, part at less than their chords do. 0 where one ends free, and where this would be more
+// than half of the shorter line: such lines lie side by side, or are twisted, and touch.
 double overlap(const model::Case& c, const Place& p, const Place& q) {
   if (p.other->kind == model::EndKind::free || q.other->kind == model::EndKind::free) return 0;
   const auto chord = [&c](const Place& x) -> Vec3 {
@@ -35,8 +35,8 @@ double overlap(const model::Case& c, const Place& p, const Place& q) {
   };
   const Vec3 u = chord(p), v = chord(q);
   const double angle = 2 * std::atan2((u - v).norm(), (u + v).norm());
-  return std::min(0.5 * (p.diameter + q.diameter) / std::max(std::sin(angle / 4), 1e-9),
-                  0.5 * std::min(p.length, q.length));
+  const double both = 0.5 * (p.diameter + q.diameter) / std::max(std::sin(angle / 4), 1e-9);
+  return both < 0.5 * std::min(p.length, q.length) ? both : 0;
 }
 
 // Ends of two lines at one place of one body, or of space: one point for what is near along the lines.
