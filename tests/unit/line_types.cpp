@@ -158,3 +158,17 @@ TEST(LineTypes, TableOfTheCheck) {
 
 }  // namespace
 }  // namespace hawser::line_types_test
+// The first row of a table of yielding is the bending stiffness, with `EI` or without.
+TEST(LineTypes, StiffnessOfATableOfPlasticity) {
+  const std::string rest = "mass_per_length: 90, outer_diameter: 0.25, EA: 500 MN, GJ: 10 kNm2",
+                    table = ", plasticity: {table: [[0.01, 500], [0.1, 2000]]}";
+  for (const std::string EI : {"", ", EI: 51 kNm2"}) {
+    const model::LineType t = type_of(rest + EI + table);
+    EXPECT_NEAR(t.EI2, 50e3, 1e-6) << EI;
+    EXPECT_EQ(t.EI3, t.EI2);
+  }
+  expect_refused(rest + ", EI: 60 kNm2" + table, "its first row makes EI 5e+04 N m2, but the type has 6e+04");
+  expect_refused(rest + ", plasticity: {ramberg_osgood: {yield_moment: 600, A: 0.4, B: 12}}",
+                 "line_types.t.EI: required key is missing");
+}
+
