@@ -110,6 +110,30 @@ TEST(LineTypes, ByWeights) {
       rest);
   EXPECT_NEAR(gas.mass_per_length, 90 - 925 * bore, 1e-9);
   EXPECT_NEAR(gas.displaced(), t.displaced(), 1e-12);
+  // Of the drained line in air and the flooded one under water they are of the material alone, and a bore
+  // inside of that there is none.
+  const std::string drained =
+      "weight: {in_air: 338.893, submerged: 121.79}, outer_diameter: 0.3, EA: 60 MN, bending: false";
+  const model::LineType open = type_of(drained);
+  EXPECT_NEAR(9.80665 * (open.mass_per_length - 1025 * M_PI / 4 * open.displaced() * open.displaced()),
+              121.79, 1e-9);
+  expect_refused(
+      drained + ", contents: {inner_diameter: 0.25, density: flooded}",
+      "line_types.t.contents.inner_diameter: a bore of 0.25 m does not fit into the 0.1658 m that the line "
+      "displaces by its weights: if those are of the drained line in air and of the flooded line under water "
+      "leave 'contents' out, or give the weight of the empty line with closed ends as 'submerged'");
+  const double closed = 121.79 - 9.80665 * 1025 * M_PI / 4 * 0.25 * 0.25;
+  const model::LineType full = type_of("weight: {in_air: 338.893, submerged: " + std::to_string(closed) +
+                                       "}, outer_diameter: 0.3, EA: 60 MN, bending: false, contents: "
+                                       "{inner_diameter: 0.25, density: flooded}");
+  EXPECT_NEAR(9.80665 * (full.mass_per_length - 1025 * M_PI / 4 * full.displaced() * full.displaced()),
+              121.79, 1e-3);
+  expect_refused(
+      "mass_per_length: 30, displaced_diameter: 0.2, outer_diameter: 0.3, EA: 60 MN, bending: false, "
+      "contents: "
+      "{inner_diameter: 0.25, density: 900}",
+      "a bore of 0.25 m does not fit into the 0.2 m that the line displaces: 'displaced_diameter' is that of "
+      "the closed line, with its bore");
   // A floating hose.
   EXPECT_LT(type_of("weight: {in_air: 0.2 kN/m, submerged: -0.1 kN/m}" + rest).mass_per_length,
             1025 * M_PI / 4 * 0.25 * 0.25);
@@ -144,20 +168,6 @@ TEST(LineTypes, Refusals) {
   expect_refused("outer_diameter: 0.1, EA: 1 MN", "mass_per_length (or weight)");
 }
 
-TEST(LineTypes, TableOfTheCheck) {
-  const std::string table = model::line_type_table(
-      case_of("weight: {in_air: 900, submerged: 450}, outer_diameter: 0.25, EA: 500 MN, EI: 50 kNm2, GJ: 10 "
-              "kNm2, breaking_load: 2 MN, minimum_bend_radius: 3.5"));
-  EXPECT_NE(
-      table.find("t              91.77        900        450       5e+05          50       2000       3.5\n"),
-      std::string::npos)
-      << table;
-  const std::string dry = model::line_type_table(case_of(kPipe + "}", "gravity: 9.81"));
-  EXPECT_NE(dry.find(" - "), std::string::npos) << dry;
-}
-
-}  // namespace
-}  // namespace hawser::line_types_test
 // The first row of a table of yielding is the bending stiffness, with `EI` or without.
 TEST(LineTypes, StiffnessOfATableOfPlasticity) {
   const std::string rest = "mass_per_length: 90, outer_diameter: 0.25, EA: 500 MN, GJ: 10 kNm2",
@@ -172,3 +182,17 @@ TEST(LineTypes, StiffnessOfATableOfPlasticity) {
                  "line_types.t.EI: required key is missing");
 }
 
+TEST(LineTypes, TableOfTheCheck) {
+  const std::string table = model::line_type_table(
+      case_of("weight: {in_air: 900, submerged: 450}, outer_diameter: 0.25, EA: 500 MN, EI: 50 kNm2, GJ: 10 "
+              "kNm2, breaking_load: 2 MN, minimum_bend_radius: 3.5"));
+  EXPECT_NE(
+      table.find("t              91.77        900        450       5e+05          50       2000       3.5\n"),
+      std::string::npos)
+      << table;
+  const std::string dry = model::line_type_table(case_of(kPipe + "}", "gravity: 9.81"));
+  EXPECT_NE(dry.find(" - "), std::string::npos) << dry;
+}
+
+}  // namespace
+}  // namespace hawser::line_types_test
