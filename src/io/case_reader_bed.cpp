@@ -147,11 +147,13 @@ double sunk(const model::Seabed& bed, double force, double diameter) {
   return high;
 }
 
+constexpr double kKnownHeight = 0.1;  // m, to which surveys know the height of a bed
+
 // How deep the axis of a line may start [m]: on or in the soil that it may be pressed into, and what a bed's
 // height is known to.
 double deepest_start(const model::Case& c, const model::LineType& t) {
-  constexpr double kKnown = 0.1, kPressed = 3;  // m; times the weight
-  return kKnown + t.contact_diameter +
+  constexpr double kPressed = 3;  // times the weight
+  return kKnownHeight + t.contact_diameter +
          sunk(c.environment.seabed, kPressed * c.environment.gravity * t.mass_per_length, t.contact_diameter);
 }
 
@@ -165,6 +167,7 @@ class BedCheck {
       grid_ = dynamic_cast<const HeightGrid*>(bed_.surface.get());
       box_ = bed_.surface->bounds();
       size();
+      if (grid_) steps();
     }
     for (model::Line& line : c_.lines) {
       rest(line, line.end_a, line.sections.front(), false);
@@ -187,6 +190,18 @@ class BedCheck {
     const char* kind = grid_ ? "grid" : "mesh";
     if (const std::string odd = other_units(size, kSizes, c_); !odd.empty())
       c_.refuse(fmt::format("environment.seabed.{}.file", kind), "{}: the bed {}", bed_.file, odd);
+  }
+  // A smooth surface through a step of the ground has a hollow below it and a rise above it that no one
+  // measured.
+  void steps() const {
+    const HeightGrid::Overshoot o = grid_->overshoot();
+    if (o.by < kKnownHeight) return;
+    c_.notes.push_back(
+        fmt::format("environment.seabed.grid: the smooth surface through the heights of {} goes {:.2g} m {} "
+                    "them at x {:.4g}, y "
+                    "{:.4g}, beside a step, and less elsewhere; if lines come there, give more heights "
+                    "across the step, or a mesh",
+                    bed_.file, o.by, o.above ? "above" : "below", o.at.x(), o.at.y()));
   }
   // Whether a share of the line's length is in the soil or where it comes out of it.
   static bool buried(const model::Line& line, double share) {

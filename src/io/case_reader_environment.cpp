@@ -175,6 +175,17 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
     if (t.inner_diameter >= t.outer_diameter)
       refuse((*c)["inner_diameter"], "{:g} m is not inside the outside of {:g} m", t.inner_diameter,
              t.outer_diameter);
+    // The bore is inside of what the line displaces, or its contents would weigh in the water though they
+    // displace none.
+    if (t.inner_diameter >= t.displaced_diameter)
+      refuse((*c)["inner_diameter"],
+             "a bore of {:g} m does not fit into the {:.4g} m that the line displaces{}", t.inner_diameter,
+             t.displaced_diameter,
+             v.has("weight")
+                 ? " by its weights: if those are of the drained line in air and of the flooded line under "
+                   "water leave 'contents' out, or give the weight of the empty line with closed ends as "
+                   "'submerged'"
+                 : ": 'displaced_diameter' is that of the closed line, with its bore");
     t.mass_per_length += t.contents_density * M_PI / 4 * t.inner_diameter * t.inner_diameter;
   }
   if (const Value* g = v.find("marine_growth")) {

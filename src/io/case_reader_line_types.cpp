@@ -45,7 +45,7 @@ void read_plasticity(const Value& v, model::LineType& t) {
     refuse(p[curve ? "ramberg_osgood" : "table"], e.what());
   }
   const double slope = t.plastic_bending->initial();
-  if (!curve && std::abs(slope - t.EI2) > 0.05 * t.EI2)
+  if (!curve && v.has("EI") && std::abs(slope - t.EI2) > 0.05 * t.EI2)
     refuse(p["table"], "its first row makes EI {:.4g} N m2, but the type has {:.4g}; they must agree to 5 %",
            slope, t.EI2);
   t.EI2 = t.EI3 = slope;
@@ -53,8 +53,9 @@ void read_plasticity(const Value& v, model::LineType& t) {
 
 void finish_bending(const Value& v, model::LineType& t) {
   if (v.has("pipe")) return read_plasticity(v, t);
+  const bool stiffness_by_table = v.has("plasticity") && v["plasticity"].has("table");
   for (const char* key : {"EI", "GJ"})
-    if (!v.has(key))
+    if (!v.has(key) && !(stiffness_by_table && std::string_view(key) == "EI"))
       refuse_key(v, v.where + "." + key,
                  "required key is missing; a type that resists bending needs EI and GJ (a type that doesn't "
                  "says 'bending: false')");

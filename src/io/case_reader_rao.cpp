@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "hawser/io/case_values.hpp"
@@ -123,6 +124,38 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
   beyond(slow, "longer", "longest", lowest, table.lowest());
 }
 
+// Where the phase turns fast from row to row, the straight line between them has a response that the vessel
+// has not.
+void check_phases(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
+                  std::vector<std::string>& notes) {
+  constexpr double kTold = 0.01;  // of the sea's energy
+  std::map<RaoTable::Turn, double> found;
+  double all = 0;
+  for (const WaveComponent& w : waves.components()) {
+    const double energy = w.amplitude * w.amplitude;
+    all += energy;
+    for (const RaoTable::Turn& t : table.turns(w.omega, std::atan2(w.y, w.x) - bow)) found[t] += energy;
+  }
+  std::erase_if(found, [&](const auto& f) { return f.second < kTold * all; });
+  if (found.empty()) return;
+  const auto& [t, energy] = *std::max_element(
+      found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+  const double unit = t.freedom < 3 ? 1 : kDegree;
+  const char* name = t.freedom < 3 ? "m/m" : "deg/m";
+  notes.push_back(
+      fmt::format("{}: in waves to {:.4g} deg as seen from the bow the phase of {} turns by {:.3g} deg from "
+                  "{:.4g} to {:.4g} s, where "
+                  "{:.3g} % of the sea's energy is, and the straight line between these rows makes the "
+                  "amplitude fall from {:.3g} to "
+                  "{:.3g} {} there{}; if the vessel's does not, give rows between them",
+                  key, t.direction / kDegree, kNames[t.freedom], t.angle / kDegree, 2 * M_PI / t.to,
+                  2 * M_PI / t.from, 100 * energy / all, t.ends / unit, t.least / unit, name,
+                  found.size() > 1 ? fmt::format(" (and so in {} other place{} of the table)",
+                                                 found.size() - 1, found.size() > 2 ? "s" : "")
+                                   : ""));
+}
+
 }  // namespace
 
 model::TableMotion read_rao(const model::Value& rao, const model::Environment& sea, const model::Body& body,
@@ -137,6 +170,7 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
   const double heading = std::atan2(bow.y(), bow.x());
   check_gaps(table, waves, heading + yaw, rao.where, notes);
   check_reach(table, waves, heading + yaw, rao.where, notes);
+  check_phases(table, waves, heading + yaw, rao.where, notes);
   const RaoMotion motion(table, waves, body.position, heading, yaw);
   // The highest of many components is ten times that of the peak and hardly there.
   const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);

@@ -42,17 +42,15 @@ RaoTable::RaoTable(std::vector<Row> rows) {
     const size_t i = place(direction_, r.direction) * omega_.size() + place(omega_, r.omega);
     if (given[i]) throw std::invalid_argument("a frequency and direction of responses is there twice");
     rows_[i] = r.response, given[i] = 1;
+    for (size_t k = 0; k < 6; ++k) largest_[k] = std::max(largest_[k], std::abs(r.response[k]));
   }
   if (std::find(given.begin(), given.end(), 0) != given.end())
     throw std::invalid_argument("every direction of responses needs the same frequencies");
 }
 
 Response RaoTable::at(double omega, double direction) const {
-  const double w = std::clamp(omega, omega_.front(), omega_.back());
-  size_t i = std::upper_bound(omega_.begin(), omega_.end(), w) - omega_.begin();
-  i = std::clamp<size_t>(i, 1, std::max<size_t>(omega_.size() - 1, 1)) - 1;
-  const size_t next = std::min(i + 1, omega_.size() - 1);
-  const double z = next > i ? (w - omega_[i]) / (omega_[next] - omega_[i]) : 0;
+  const auto [i, next] = frequencies_beside(omega);
+  const double z = next > i ? (omega - omega_[i]) / (omega_[next] - omega_[i]) : 0;
 
   const auto [a, b] = either_side(direction);
   const double gap = a != b ? all_round(direction_[b] - direction_[a]) : 1;
@@ -62,6 +60,36 @@ Response RaoTable::at(double omega, double direction) const {
     r[k] = (1 - y) * ((1 - z) * row(a, i)[k] + z * row(a, next)[k]) +
            y * ((1 - z) * row(b, i)[k] + z * row(b, next)[k]);
   return r;
+}
+
+std::pair<size_t, size_t> RaoTable::frequencies_beside(double omega) const {
+  if (!(omega > omega_.front())) return {0, 0};
+  if (!(omega < omega_.back())) return {omega_.size() - 1, omega_.size() - 1};
+  const auto above = std::upper_bound(omega_.begin(), omega_.end(), omega);
+  const size_t next = above - omega_.begin();
+  return {next - 1, next};
+}
+
+std::vector<RaoTable::Turn> RaoTable::turns(double omega, double direction) const {
+  constexpr double kSmall = 0.1;  // of the largest amplitude in the table
+  std::vector<Turn> out;
+  const auto [i, next] = frequencies_beside(omega);
+  if (omega - omega_[i] < kSame || omega_[next] - omega < kSame) return out;
+  const auto [a, b] = either_side(direction);
+  for (size_t d : {a, b}) {
+    const size_t other = d == a ? b : a;
+    if (a != b && std::abs(std::remainder(direction - direction_[other], 2 * M_PI)) < kSame) continue;
+    for (size_t k = 0; k < 6; ++k) {
+      const std::complex<double> p = row(d, i)[k], q = row(d, next)[k];
+      const double small = std::min(std::abs(p), std::abs(q));
+      if (!(small > kSmall * largest_[k]) || !((p * std::conj(q)).real() < 0)) continue;
+      // The distance of the straight line from zero.
+      const double least = std::abs((p * std::conj(q)).imag()) / std::abs(q - p);
+      out.push_back({k, direction_[d], omega_[i], omega_[next], std::abs(std::arg(q / p)), small, least});
+    }
+    if (a == b) break;
+  }
+  return out;
 }
 
 RaoTable::Between RaoTable::neighbours(double direction) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "hawser/kernels/stokes_wave.hpp"
 
@@ -87,25 +88,56 @@ struct Random {
   double next() { return (static_cast<double>(bits() >> 11) + 0.5) / 9007199254740992.0; }
 };
 
-// Uniform angles, kept as often as cos^2s of half the angle says.
-double direction_of(double mean, double spreading, Random& random) {
-  while (spreading > 0) {
-    const double off = M_PI * (2 * random.next() - 1), kept = random.next();
-    if (kept < std::pow(std::cos(off / 2), 2 * spreading)) return mean + off;
+// The angle off the mean direction that a share of the waves is to the right of, by cos^2s of half the angle.
+class Spreading {
+ public:
+  explicit Spreading(double s) : below_(kCells + 1, 0) {
+    const double widest = std::min(M_PI, 9 / std::sqrt(s));  // beyond it there is less than 1e-9
+    first_ = -widest, step_ = 2 * widest / kCells;
+    const auto density = [&](int i) { return std::pow(std::cos((first_ + i * step_) / 2), 2 * s); };
+    for (int i = 0; i < kCells; ++i) below_[i + 1] = below_[i] + density(i) + density(i + 1);
   }
-  return mean;
+  double angle(double share) const {
+    const double sum = std::min(share, 1 - 1e-12) * below_.back();  // a share of 1 has no angle of its own
+    const auto above = std::upper_bound(below_.begin() + 1, below_.end() - 1, sum);
+    const auto i = above - below_.begin() - 1;
+    return first_ + step_ * (static_cast<double>(i) + (sum - below_[i]) / (below_[i + 1] - below_[i]));
+  }
+
+ private:
+  static constexpr int kCells = 4096;
+  std::vector<double> below_;
+  double first_ = 0, step_ = 0;
+};
+
+// Most of the energy of a sea is in a few dozen components, too few for directions drawn at random: their
+// mean would be off by several degrees. So the components lie side by side in random order, each as wide as
+// its energy, and have the direction that belongs to their middle.
+void spread(std::vector<WaveComponent>& components, double mean, double spreading, Random& random) {
+  std::vector<size_t> order(components.size());
+  std::iota(order.begin(), order.end(), 0);
+  for (size_t i = order.size(); i > 1; --i)
+    std::swap(order[i - 1], order[static_cast<size_t>(random.next() * static_cast<double>(i))]);
+  double all = 0, so_far = 0;
+  for (const WaveComponent& c : components) all += c.amplitude * c.amplitude;
+  const Spreading shape(spreading);
+  for (const size_t i : order) {
+    WaveComponent& c = components[i];
+    const double energy = c.amplitude * c.amplitude;
+    const double theta = mean + shape.angle((so_far + 0.5 * energy) / all);
+    c.x = std::cos(theta), c.y = std::sin(theta);
+    so_far += energy;
+  }
 }
 
 // A bin of a spectrum as a component: its energy [m²] exactly, a frequency [rad/s] in the middle half of it.
 // Anywhere in it two neighbours could come so near to each other that three hours are short for their beat.
-WaveComponent component_of(double energy, double from, double to, double direction, double spreading,
-                           Random& random) {
+WaveComponent component_of(double energy, double from, double to, double direction, Random& random) {
   WaveComponent c;
   c.amplitude = std::sqrt(2 * energy);
   c.omega = from + (0.25 + 0.5 * random.next()) * (to - from);
   c.phase = 2 * M_PI * random.next();
-  const double theta = direction_of(direction, spreading, random);
-  c.x = std::cos(theta), c.y = std::sin(theta);
+  c.x = std::cos(direction), c.y = std::sin(direction);
   return c;
 }
 
@@ -129,8 +161,9 @@ std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, 
     const size_t from = kFine * i, to = from + kFine;
     // What the range leaves out goes to all bins.
     const double energy = (g.sum[to] - g.sum[from]) / g.sum.back() * spectrum.height * spectrum.height / 16;
-    out.push_back(component_of(energy, g.omega[from], g.omega[to], direction, spreading, random));
+    out.push_back(component_of(energy, g.omega[from], g.omega[to], direction, random));
   }
+  if (spreading > 0) spread(out, direction, spreading, random);
   return out;
 }
 
@@ -153,10 +186,11 @@ std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, doubl
   for (int i = 1; i <= count; ++i) {
     const double to = i < count ? first * std::pow(last / first, static_cast<double>(i) / count) : last;
     const double sum = below(to);
-    const WaveComponent c = component_of(sum - so_far, from, to, direction, spreading, random);
+    const WaveComponent c = component_of(sum - so_far, from, to, direction, random);
     if (sum > so_far) out.push_back(c);
     from = to, so_far = sum;
   }
+  if (spreading > 0) spread(out, direction, spreading, random);
   return out;
 }
 

@@ -1,12 +1,13 @@
 // Whether the depths of water, bed and ends fit each other, whether the bed is as stiff as soil, what a
-// current does in statics to a slack line on the bed, which nothing holds across there, and buoys
-// that moving water passes through.
+// current does in statics to a slack line on the bed, which nothing holds across there, and to linear waves,
+// and buoys that moving water passes through.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "hawser/kernels/waves.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/doubts.hpp"
@@ -185,12 +186,46 @@ void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector
        26});
 }
 
+// The wave that stands for a sea of linear waves: its peak, or the highest of those given. Period 0: none.
+Waves::Row leading_wave(const Waves& w) {
+  Waves::Row out;
+  if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table)
+    out.period = w.peak_period, out.direction = w.direction;
+  else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::components)
+    out = *std::max_element(w.rows.begin(), w.rows.end(),
+                            [](const Waves::Row& a, const Waves::Row& b) { return a.height < b.height; });
+  return out;
+}
+
+// Linear waves are those of still water: the current neither stretches nor steepens them.
+void doubt_waves_on_current(const Case& c, std::vector<Doubt>& out) {
+  constexpr double kMuch = 0.1;  // of the speed of the waves: a fifth of their length
+  const Water& w = c.environment.water;
+  const Waves::Row wave = leading_wave(w.waves);
+  if (!c.dynamics.enabled || w.current.profile.empty() || !(wave.period > 0)) return;
+  const CurrentRow& top = w.current.profile.front();
+  const double along = w.current.time_factor.at(0) * top.speed * std::cos(top.direction - wave.direction);
+  const double omega = 2 * M_PI / wave.period,
+               speed = omega / wave_number(omega, w.depth, c.environment.gravity);
+  if (std::abs(along) < kMuch * speed) return;
+  out.push_back(
+      {"environment.waves",
+       fmt::format(
+           "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear waves "
+           "are as long and as steep here as without a current, though it makes them {}; a single wave "
+           "as 'stokes' with its own 'current' has that, and shows how much it matters",
+           std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
+           along > 0 ? "longer and flatter" : "shorter and steeper"),
+       28});
+}
+
 }  // namespace
 
 void doubt_sea(const Case& c, std::vector<Doubt>& out) {
   doubt_soil(c, out);
   doubt_depths(c, out);
   doubt_bed_in_reach(c, out);
+  doubt_waves_on_current(c, out);
   for (const Line& line : c.lines) {
     doubt_anchor(c, line, line.end_a, "end_a", out);
     doubt_anchor(c, line, line.end_b, "end_b", out);

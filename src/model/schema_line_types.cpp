@@ -74,7 +74,8 @@ Key plasticity() {
            "5 %"),
        rows("table",
             "bending moment over curvature, `[[1/m, N m], ...]`, when bent for the first time: straight from "
-            "row to row and beyond the last, never steeper than before; its first row makes `EI`",
+            "row to row and beyond the last, never steeper than before; its first row makes `EI`, "
+            "which need not be given, and otherwise agrees with it to 5 %",
             items(2))},
       "bending that yields and remembers, the same in all directions "
       "([theory](../theory/plastic-bending.md))");
@@ -125,7 +126,8 @@ Key line_types() {
                             "bending moment over curvature, `[[1/m, N m], ...]`, rising from zero and the "
                             "same in all directions: a monotone cubic, elastic, straight beyond the rows",
                             required, items(1))})},
-             "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3", or_else_note(kStiffness)),
+             "bending stiffness, or `[EI2, EI3]` about the section's axes 2 and 3",
+             or_else_note("none: needed unless `bending: false`, `pipe` or a table of `plasticity`")),
       plasticity(),
       number({"GJ", &LineType::GJ}, bending_stiffness, "torsion stiffness", above(0),
              or_else_note(kStiffness)),

@@ -11,6 +11,32 @@
 #include "hawser/system/imbalance.hpp"
 
 namespace hawser {
+namespace {
+
+// Where the accepted state has an element bent by more than 60 degrees no step is short enough for long: it
+// stands for a shape that it cannot have. Empty: none is. Collective.
+std::string folded_element(const System& system, const Kinematics& at) {
+  constexpr double kFolded = M_PI / 3, kFollowed = M_PI / 9;  // rad from end to end
+  struct {
+    double turn = 0, length = 0;  // rad, m
+    int node = -1;
+  } worst;
+  const LocalMesh& mesh = system.mesh();
+  for (const LocalElement& e : mesh.elements) {
+    if (!mesh.element(e).beam) continue;
+    const double turn = at.q[e.first].angularDistance(at.q[e.second]);
+    if (turn > worst.turn) worst = {turn, mesh.element(e).length, mesh.global[e.first]};
+  }
+  if (!broadcast_largest(system.comm(), worst.turn, kFolded, worst)) return {};
+  return fmt::format(
+      "; {}, is bent by {:.0f} degrees within an element of {:.3g} m: elements of {:.2g} m would follow "
+      "that, and if it "
+      "is not meant to fold, a slower motion, 'EI' or 'stiffness_damping' keeps it from it",
+      mesh.mesh->place(worst.node), worst.turn * 180 / M_PI, worst.length,
+      worst.length * kFollowed / worst.turn);
+}
+
+}  // namespace
 
 // In this order: did Newton's iteration converge, does a rotation tell which way it went, is all that acts in
 // the step known (candidates, tunnelling, penetration), are impacts resolved.
@@ -94,8 +120,8 @@ Dynamics::Decision Dynamics::decide() {
   ++tries_.info.rejected;
   tries_.search = {}, tries_.event = HUGE_VAL;  // what is shorter may not reach the event
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
-  throw SolveError("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}",
-                   committed_.s.time, h_, verdict.because);
+  throw SolveError("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}{}",
+                   committed_.s.time, h_, verdict.because, folded_element(system_, committed_.s.view(h_)));
 }
 
 }  // namespace hawser

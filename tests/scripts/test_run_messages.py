@@ -75,6 +75,31 @@ class Messages(unittest.TestCase):
         self.assertIn("degrees to have this direction at end B: at both ends it is the direction from end A to end B; "
                       "is [0, 0, 1] meant?", output)
 
+    def test_beam_that_folds(self):
+        whip = """\
+hawser: 1
+environment: {gravity: 0}
+line_types:
+  whip: {outer_diameter: 0.05, mass_per_length: 5, EA: 100 MN, EI: 2 kN m2, GJ: 1.5 kN m2}
+bodies:
+  hub: {motion: {rotation: {axis: [0, 0, 1], rate: 6}, ramp: 5}}
+statics: false
+lines:
+  whip:
+    sections: [{type: whip, length: 20, elements: 20}]
+    end_a: {body: hub, at: [0, 0, 0], clamped: true, direction: [1, 0, 0]}
+    end_b: free
+    start: {points: [[0, 0, 0], [20, 0, 0]]}
+contact: {between_lines: false}
+dynamics: {duration: 12, step: 0.05, min_step: 0.05}
+"""
+        write(self.folder, "rod.yaml", whip)
+        result = self.hawser("run", "rod.yaml")
+        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
+        self.assertRegex(result.stderr, r"stopped at t = .*; line whip, arc length \d+ m, is bent by \d+ degrees within an element "
+                         r"of 1 m: elements of 0\.\d+ m would follow that, and if it is not meant to fold, a slower motion, 'EI' or "
+                         r"'stiffness_damping' keeps it from it")
+
     def test_no_blow_without_tension(self):
         write(self.folder, "rod.yaml", """\
 hawser: 1

@@ -198,5 +198,55 @@ dynamics: {duration: 20}
       "to 60 deg away from it: give rows for the directions of the sea");
 }
 
+// The straight line between amplitudes of 1 whose phases differ by 150 degrees is cos 75 degrees from zero.
+TEST(CaseRao, PhasesThatTurnFromRowToRow) {
+  const auto notes = [](const std::string& sea, const std::string& heave_8, const std::string& heave_10) {
+    std::vector<std::string> out;
+    for (const std::string& note : io::read_case_text(fmt::format(R"(
+hawser: 1
+environment: {{water: {{depth: 100}}, waves: {{{}, ramp: 0}}}}
+line_types: {{chain: {{outer_diameter: 0.1, mass_per_length: 40, EA: 1e8, bending: false}}}}
+bodies:
+  ship:
+    position: [0, 0, 0]
+    motion:
+      rao:
+        rows:
+        - [4, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0]
+        - [8, 0, 0, 0, 0, 0, {}, 0, 0, 0, 0, 0]
+        - [10, 0, 0, 0, 0, 0, {}, 0, 0, 0, 0, 0]
+        - [60, 0, 0, 0, 0, 0, 1, 150, 0, 0, 0, 0, 0, 0]
+lines:
+  mooring: {{sections: [{{type: chain, length: 120, elements: 12}}], end_a: {{anchor: [100, 0, -50]}}, end_b: {{body: ship, at: [0, 0, 0]}}}}
+dynamics: {{duration: 20}}
+)",
+                                                                  sea, heave_8, heave_10),
+                                                      "/nowhere/case.yaml")
+                                       .notes)
+      if (note.find("turns by") != std::string::npos) out.push_back(note);
+    return out;
+  };
+  const auto wave = [](double period) { return fmt::format("regular: {{height: 3, period: {}}}", period); };
+  const auto found = notes(wave(9), "1, 0, 0", "1, 150, 0");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0],
+            "bodies.ship.motion.rao: in waves to 0 deg as seen from the bow the phase of heave turns by 150 "
+            "deg from 8 to "
+            "10 s, where 100 % of the sea's energy is, and the straight line between these rows makes the "
+            "amplitude "
+            "fall from 1 to 0.259 m/m there; if the vessel's does not, give rows between them");
+  EXPECT_TRUE(notes(wave(9), "1, 60, 0", "1, 149, 0").empty());
+  EXPECT_TRUE(notes(wave(9), "0.05, 0, 0", "1, 150, 0").empty());
+  EXPECT_TRUE(notes(wave(8), "1, 0, 0", "1, 150, 0").empty());
+  EXPECT_TRUE(notes(wave(7), "1, 0, 0", "1, 150, 0").empty());
+  EXPECT_TRUE(notes("jonswap: {hs: 3, tp: 5}", "1, 0, 0", "1, 150, 0").empty());
+  const auto sea =
+      notes("jonswap: {hs: 3, tp: 8}", "1, 120, 0", "1, 0, 0");  // from 4 to 8, 8 to 10, 10 to 60 s
+  ASSERT_EQ(sea.size(), 1U);
+  EXPECT_NE(sea[0].find("fall from 1 to 0.5 m/m there (and so in 2 other places of the table);"),
+            std::string::npos)
+      << sea[0];
+}
+
 }  // namespace
 }  // namespace hawser::case_rao_test

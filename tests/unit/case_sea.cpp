@@ -79,5 +79,34 @@ TEST(CaseSea, SuctionOfTheSeabed) {
   expect_part(c, "suction up to 2000 N/m² over 0.05 m");
 }
 
+// The smooth surface of a grid is beyond its heights beside a cliff, and not on a slope.
+TEST(CaseSea, GridWithAStep) {
+  const fs::path folder = fs::path(testing::TempDir()) / "hawser_step";
+  fs::create_directories(folder);
+  const auto notes = [&](double rise, double slope) {
+    std::ofstream file(folder / "bed.xyz");
+    for (int x = -200; x <= 200; x += 10)
+      for (int y = -20; y <= 20; y += 10)
+        file << x << " " << y << " " << -100 + (x < 0 ? 0 : rise) + slope * x << "\n";
+    file.close();
+    std::vector<std::string> out;
+    for (const std::string& n : read("{seabed: {grid: {file: bed.xyz}}}", folder).notes)
+      if (n.find("the smooth surface") != std::string::npos) out.push_back(n);
+    return out;
+  };
+  const auto cliff = notes(10, 0);
+  ASSERT_EQ(cliff.size(), 1U);
+  EXPECT_TRUE(cliff[0].starts_with("environment.seabed.grid: the smooth surface through the heights of "))
+      << cliff[0];
+  EXPECT_NE(cliff[0].find("bed.xyz goes 1.1 m "), std::string::npos) << cliff[0];
+  EXPECT_NE(
+      cliff[0].find(", beside a step, and less elsewhere; if lines come there, give more heights across the "
+                    "step, or a mesh"),
+      std::string::npos)
+      << cliff[0];
+  EXPECT_TRUE(notes(0.9, 0).empty());  // 0.097 m
+  EXPECT_TRUE(notes(0, 0.5).empty());
+}
+
 }  // namespace
 }  // namespace hawser::case_sea_test

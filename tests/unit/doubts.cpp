@@ -70,6 +70,30 @@ TEST(Doubts, NoneOfAnyShippedCase) {
   EXPECT_GE(cases, 16);
 }
 
+// In deep water the waves of 11 s have a speed of g 11/2 pi = 17.2 m/s; a current across them does nothing to
+// them.
+TEST(Doubts, LinearWavesOnACurrent) {
+  const auto current = [](const std::string& with) {
+    return Changes{{"{speed: 0.2, direction_deg: 90}", with}};
+  };
+  EXPECT_TRUE(notes(current("{speed: 1.7, ramp: 5}")).empty());
+  EXPECT_TRUE(notes(current("{speed: 3, direction_deg: 90, ramp: 5}")).empty());
+  expect_doubt(
+      current("{speed: 1.75, ramp: 5}"),
+      "environment.waves: the current of 1.75 m/s along the waves of 11 s is 10 % of their speed, and linear "
+      "waves are as long and as steep here as without a current, though it makes them longer and flatter;");
+  expect_doubt(
+      current("{speed: 2, direction_deg: 150, ramp: 5}"),
+      "of 1.73 m/s against the waves of 11 s is 10 % of their speed, and linear waves are as long and as "
+      "steep here as without a current, though it makes them shorter and steeper;");
+  Changes stokes = current("{speed: 2, direction_deg: 180, ramp: 5}");
+  stokes.push_back({"jonswap: {hs: 5, tp: 11}", "stokes: {height: 5, period: 11}"});
+  EXPECT_TRUE(notes(stokes).empty());
+  stokes.back().second =
+      "components: [{height: 1, period: 4}, {height: 5, period: 11}, {height: 1, period: 20}]";
+  expect_doubt(stokes, "of 2 m/s against the waves of 11 s is 12 %");
+}
+
 // Without weight and water nothing follows from the line type for the line.
 Changes weightless(const std::string& from, const std::string& to) {
   return {{from, to},

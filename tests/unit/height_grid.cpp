@@ -109,6 +109,39 @@ TEST(HeightGrid, DistanceAndItsDerivatives) {
   }
 }
 
+// Beside a step of 1 between equally spaced heights the slopes of a cubic spline fall by r = sqrt(3) - 2 from
+// point to point, from S = 3/(3 + sqrt(3)) on either side of the step: the spline is S u (1 - u) (r (1 - u) -
+// u) in the cell before it.
+TEST(HeightGrid, OvershootBesideAStep) {
+  const double r = std::sqrt(3) - 2, S = 3 / (3 + std::sqrt(3));
+  double most = 0, where = 0;
+  for (double u = 0; u < 1; u += 1e-5)
+    if (const double z = S * u * (1 - u) * (r * (1 - u) - u); z < most) most = z, where = u;
+  const auto long_row = spaced(-300, 300, 60), short_row = spaced(0, 40, 4);
+  const auto step = [](double x) { return x > 0.1 ? -90.0 : -100.0; };
+  const auto along_x = grid(long_row, short_row, [&](double x, double) { return step(x); }).overshoot();
+  EXPECT_NEAR(along_x.by, -10 * most, 1e-6);
+  // The hollow below the step and the rise above it are alike.
+  EXPECT_NEAR(along_x.at.x(), along_x.above ? 20 - 10 * where : 10 * where - 10, 1e-2);
+  const auto along_y = grid(short_row, long_row, [&](double, double y) { return -step(y); }).overshoot();
+  EXPECT_NEAR(along_y.by, -10 * most, 1e-6);
+  EXPECT_NEAR(along_y.at.y(), along_y.above ? 10 * where - 10 : 20 - 10 * where, 1e-2);
+  // Neighbours that are not quite level do not hide it.
+  const auto noise = [&](double x, double) { return step(x) + 0.01 * std::sin(7 * x * x); };
+  EXPECT_NEAR(grid(long_row, short_row, noise).overshoot().by, -10 * most, 0.05);
+}
+
+// The tops of hills between the points are no overshoot, of a dozen points from hill to hill, nor is a plane.
+TEST(HeightGrid, NoOvershootOfHills) {
+  const auto hills = [](double x, double y) {
+    return 2 * std::sin(M_PI / 6 * x + 0.4) * std::cos(M_PI / 6 * y);
+  };
+  EXPECT_LT(grid(spaced(0, 60, 60), spaced(0, 60, 60), hills).overshoot().by, 0.01);
+  EXPECT_LT(
+      grid(spaced(0, 9, 3), spaced(0, 9, 3, 0.3), [](double x, double y) { return x - y; }).overshoot().by,
+      1e-12);
+}
+
 TEST(HeightGrid, RefusesWhatIsNoGrid) {
   EXPECT_THROW(HeightGrid({0}, {0, 1}, {0, 0}), std::invalid_argument);
   EXPECT_THROW(HeightGrid({0, 1}, {0, 1}, {0, 0, 0}), std::invalid_argument);

@@ -112,6 +112,30 @@ TEST(LineTypes, ByWeights) {
       rest);
   EXPECT_NEAR(gas.mass_per_length, 90 - 925 * bore, 1e-9);
   EXPECT_NEAR(gas.displaced(), t.displaced(), 1e-12);
+  // Of the drained line in air and the flooded one under water they are of the material alone, and a bore
+  // inside of that there is none.
+  const std::string drained =
+      "weight: {in_air: 338.893, submerged: 121.79}, outer_diameter: 0.3, EA: 60 MN, bending: false";
+  const model::LineType open = type_of(drained);
+  EXPECT_NEAR(9.80665 * (open.mass_per_length - 1025 * M_PI / 4 * open.displaced() * open.displaced()),
+              121.79, 1e-9);
+  expect_refused(
+      drained + ", contents: {inner_diameter: 0.25, density: flooded}",
+      "line_types.t.contents.inner_diameter: a bore of 0.25 m does not fit into the 0.1658 m that the line "
+      "displaces by its weights: if those are of the drained line in air and of the flooded line under water "
+      "leave 'contents' out, or give the weight of the empty line with closed ends as 'submerged'");
+  const double closed = 121.79 - 9.80665 * 1025 * M_PI / 4 * 0.25 * 0.25;
+  const model::LineType full = type_of("weight: {in_air: 338.893, submerged: " + std::to_string(closed) +
+                                       "}, outer_diameter: 0.3, EA: 60 MN, bending: false, contents: "
+                                       "{inner_diameter: 0.25, density: flooded}");
+  EXPECT_NEAR(9.80665 * (full.mass_per_length - 1025 * M_PI / 4 * full.displaced() * full.displaced()),
+              121.79, 1e-3);
+  expect_refused(
+      "mass_per_length: 30, displaced_diameter: 0.2, outer_diameter: 0.3, EA: 60 MN, bending: false, "
+      "contents: "
+      "{inner_diameter: 0.25, density: 900}",
+      "a bore of 0.25 m does not fit into the 0.2 m that the line displaces: 'displaced_diameter' is that of "
+      "the closed line, with its bore");
   // A floating hose.
   EXPECT_LT(type_of("weight: {in_air: 0.2 kN/m, submerged: -0.1 kN/m}" + rest).mass_per_length,
             1025 * M_PI / 4 * 0.25 * 0.25);
@@ -144,6 +168,20 @@ TEST(LineTypes, Refusals) {
       "weighs more than the line full of it");
   expect_refused(weight + rest + ", contents: {density: 1000}", "the diameter of the bore");
   expect_refused("outer_diameter: 0.1, EA: 1 MN", "mass_per_length (or weight)");
+}
+
+// The first row of a table of yielding is the bending stiffness, with `EI` or without.
+TEST(LineTypes, StiffnessOfATableOfPlasticity) {
+  const std::string rest = "mass_per_length: 90, outer_diameter: 0.25, EA: 500 MN, GJ: 10 kNm2",
+                    table = ", plasticity: {table: [[0.01, 500], [0.1, 2000]]}";
+  for (const std::string EI : {"", ", EI: 51 kNm2"}) {
+    const model::LineType t = type_of(rest + EI + table);
+    EXPECT_NEAR(t.EI2, 50e3, 1e-6) << EI;
+    EXPECT_EQ(t.EI3, t.EI2);
+  }
+  expect_refused(rest + ", EI: 60 kNm2" + table, "its first row makes EI 5e+04 N m2, but the type has 6e+04");
+  expect_refused(rest + ", plasticity: {ramberg_osgood: {yield_moment: 600, A: 0.4, B: 12}}",
+                 "line_types.t.EI: required key is missing");
 }
 
 TEST(LineTypes, TableOfTheCheck) {

@@ -31,6 +31,15 @@ class HeightGrid final : public Surface {
   };
   Height at(double x, double y) const;
 
+  // The place on a line of the grid where the spline is furthest above (or below) both heights beside it,
+  // more than the shape of a hill (or hollow) explains: beside a step.
+  struct Overshoot {
+    double by = 0;  // m; 0: nowhere
+    Eigen::Vector2d at = Eigen::Vector2d::Zero();
+    bool above = false;
+  };
+  Overshoot overshoot() const;
+
   bool covers(const Vec3& p) const {
     return p.x() >= x_.front() && p.x() <= x_.back() && p.y() >= y_.front() && p.y() <= y_.back();
   }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <complex>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,10 +37,27 @@ class RaoTable {
   };
   Between neighbours(double direction) const;
 
+  // Two neighbouring frequencies of the table at one of its directions between which the phase of a response
+  // turns by more than 90 degrees, though neither amplitude is small: the straight line between them passes
+  // near zero.
+  struct Turn {
+    size_t freedom = 0;                      // 0 to 5, surge to yaw
+    double direction = 0, from = 0, to = 0;  // rad, rad/s
+    double angle = 0;                        // rad
+    double ends = 0, least = 0;              // the smaller amplitude of the two, and the least between them
+    bool operator<(const Turn& b) const {
+      return std::tie(freedom, direction, from) < std::tie(b.freedom, b.direction, b.from);
+    }
+  };
+  // Those that the response to this wave is made of.
+  std::vector<Turn> turns(double omega, double direction) const;
+
   double lowest() const { return omega_.front(); }  // rad/s
   double highest() const { return omega_.back(); }
 
  private:
+  // Places in the table of the frequencies on either side; twice the same beyond its ends.
+  std::pair<size_t, size_t> frequencies_beside(double omega) const;
   // Places in the table, all round, of the directions on either side; the first may be this one.
   std::pair<size_t, size_t> either_side(double direction) const;
   const Response& row(size_t direction, size_t omega) const {
@@ -47,6 +65,7 @@ class RaoTable {
   }
   std::vector<double> omega_, direction_;  // ascending; directions in [0, 2 pi)
   std::vector<Response> rows_;
+  std::array<double, 6> largest_{};  // amplitudes of all rows
 };
 
 // A table of one side of a vessel whose halves are alike, with the other side: to -direction surge, heave and

@@ -60,8 +60,9 @@ struct SpectrumRow {
 };
 
 // `count` components with the energy of bins of frequency, from 0.35 to 10 times that of the peak; for a
-// spreading cos^(2s)((theta - direction)/2) with s > 0 each has a direction of its own. Phases and places in
-// the bins from `seed`, the same on every machine and rank.
+// spreading cos^(2s)((theta - direction)/2) with s > 0 each has a direction of its own, such that the energy
+// by direction is that of the spreading. Phases, places in the bins and directions from `seed`, the same on
+// every machine and rank.
 std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, int count, std::uint64_t seed,
                                      double spreading = 0);
 // The same from rows: bins that grow geometrically from the first row to the last, or from 1/50 of the last

@@ -34,7 +34,7 @@ void doubt_elements(const Case& c, std::vector<Doubt>& out);
 // Rotations about axes of space that are other axes of the body.
 void doubt_bodies(const Case& c, std::vector<Doubt>& out);
 // Depths of water and bed, soil that is none, ends far from the bed, and currents that push aside what lies
-// on it.
+// on it or that would change the waves.
 void doubt_sea(const Case& c, std::vector<Doubt>& out);
 // Time steps, times between outputs, and motions that begin with a jump of velocity.
 void doubt_times(const Case& c, std::vector<Doubt>& out);
