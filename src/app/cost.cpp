@@ -35,7 +35,8 @@ double cpu_time() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
+TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
+                   const std::function<void(const Kinematics&)>& look) {
   TrialRun trial;
   const double begun = cpu_time();
   const auto over = [&] { return cpu_time() - begun > budget; };
@@ -58,6 +59,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
     } else {
       sim.check_inside();
     }
+    if (look) look(sim.state().view(0));
     if (c.dynamics.enabled) {
       std::vector<std::pair<double, double>> way;  // CPU s, simulated s
       const OutputTimes times(c);
@@ -70,6 +72,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget) {
           trial.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
           [&](const StepInfo& info) {
             feeder_nodes.agree(), events.apply_due(), feeder_nodes.hand_over();
+            if (look) look(d.kinematics());
             way.push_back({cpu_time() - at_rest, info.time});
             return !over();
           });

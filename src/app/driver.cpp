@@ -25,6 +25,7 @@
 #include "hawser/app/share_nodes.hpp"
 #include "hawser/app/start_contact.hpp"
 #include "hawser/app/volumes.hpp"
+#include "hawser/app/water_errors.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/base/share_of_time.hpp"
@@ -335,7 +336,10 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   TrialRun tried;
   double checkpoint = planned_numbers(sim, recorder);
   if (trial) {
-    tried = trial_run(sim, c, std::max(kTrial - searched, kLeast));
+    WaterErrors water(MPI_COMM_SELF, sim);
+    tried =
+        trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) { water.step(at); });
+    for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
     fmt::print("{}\n", cost_sentence(tried));
     fmt::print("{}\n", memory_sentence(read, peak_memory()));
     if (tried.moved)

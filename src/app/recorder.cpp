@@ -66,6 +66,7 @@ Recorder::Recorder(MPI_Comm comm, Simulation& simulation, std::vector<io::Volume
       end_forces_(simulation.system(), simulation.feeders()),
       peaks_(simulation),
       element_errors_(comm, simulation.model(), simulation.local(), simulation.feeders()),
+      water_errors_(comm, simulation),
       folds_(simulation.model(), simulation.local(), simulation.feeders()),
       snaps_(simulation.model(), simulation.local()),
       utilisation_(simulation.model(), simulation.local()),
@@ -281,6 +282,7 @@ void Recorder::correct_ends(const Kinematics& at) {
 void Recorder::stage(size_t place) {
   const Kinematics at = sim_.state().view(0);
   fill(at, true);
+  water_errors_.look(at);
   const double last = static_cast<double>(sim_.model().stages.size()) - 1;
   file_->write_output(static_cast<double>(place) - last, values_, body_poses(sim_, at), {}, ends_);
 }
@@ -312,6 +314,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   const auto &on_a = values_[before_], &on_b = values_[after_];
   folds_.look(shown, on_a, on_b);
   snaps_.look(info.time, info.h, on_a, on_b);
+  water_errors_.step(shown);
   if (statistics_) statistics_->add(info.time, values_);
   if (at_stations_) at_stations_->add(info.time, stations_->at(values_));
   if (clashes_) clashes_->step(info.time);

@@ -81,6 +81,7 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
               : "contact is too soft for what presses; a normal_stiffness that is given can be raised, an "
                 "automatic one is as high as the line's EA asks: is its tension more than it bears?"));
   }
+  for (const std::string& w : water_errors_.warnings()) warnings_.push_back(w);
   for (const std::string& w : pipes_.warnings(comm_)) warnings_.push_back(w);
   if (supports_)
     for (const std::string& w : supports_->warnings()) warnings_.push_back(w);

@@ -197,6 +197,25 @@ WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, dou
   return flow_force<true>(s, b.m, still);
 }
 
+Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam) {
+  const Motion<2> c = cable_motion(e);
+  if (!beam) {
+    Forces<2> o;
+    evaluate<false, false, Part::flow>(s, c, false, o);
+    return -vec(o.f[0] + o.f[1]);
+  }
+  // Hermite's cubics are linear where the tangents are the chord and change as it does.
+  Motion<4> m;
+  for (int i = 0; i < 2; ++i) {
+    m.X[2 * i] = c.X[i], m.V[2 * i] = c.V[i], m.A[2 * i] = c.A[i];
+    m.X[2 * i + 1] = c.X[1] - c.X[0], m.V[2 * i + 1] = c.V[1] - c.V[0], m.A[2 * i + 1] = c.A[1] - c.A[0];
+  }
+  put_water(e.water1, e.water2, m);
+  Forces<4> o;
+  evaluate<true, false, Part::flow>(s, m, false, o);
+  return -vec(o.f[0] + o.f[2]);
+}
+
 void ball_water(const WaterBall& b, const Vec3& x, const Vec3& v, const Vec3& a, const Water& water, Vec3& f,
                 Mat3* K, Mat3* C, Mat3* M) {
   const Wetting wet = ball_wetting((water.surface - x.z()) / b.radius);

@@ -119,6 +119,25 @@ dynamics: {duration: 20}
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertNotIn("warning", result.stdout)
 
+    def test_elements_that_miss_the_current(self):
+        text = """\
+hawser: 1
+environment:
+  water: {depth: 100}
+  current: {profile: [{depth: 0, speed: 0.2}, {depth: 44, speed: 0.2}, {depth: 46, speed: 1}, {depth: 48, speed: 0.2}]}
+line_types: {cable: {outer_diameter: 0.3, mass_per_length: 200, EA: 100 MN, bending: false}}
+lines:
+  cable: {sections: [{type: cable, length: 99.8, elements: 10}], end_a: {anchor: [0, 0, -100]}, end_b: {anchor: [0, 0, 0]}}
+"""
+        told = "warning: line cable has elements of 9.98 m at arc length 54.89 m"
+        write(self.folder, "coarse.yaml", text)
+        write(self.folder, "fine.yaml", text.replace("elements: 10", "elements: 400"))
+        for command in "run", "check":
+            coarse, fine = (run(HAWSER, command, self.folder / f"{name}.yaml") for name in ("coarse", "fine"))
+            self.assertEqual((coarse.returncode, fine.returncode), (0, 0), coarse.stderr + fine.stderr)
+            self.assertIn(told, coarse.stdout)
+            self.assertNotIn("warning", fine.stdout)
+
     def test_lines_that_start_in_one_another(self):
         line = """  {}:
     sections: [{{type: wire, length: 20, elements: 20}}]

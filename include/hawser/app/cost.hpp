@@ -1,6 +1,7 @@
 // What a run will about cost, from a trial run on this machine.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "hawser/app/simulation.hpp"
@@ -22,8 +23,9 @@ struct TrialRun {
   std::string failure;  // why the run stops there, if it does
 };
 // Runs statics and dynamics until they have spent that many CPU s, a step of each at least. On one rank: each
-// looks at its own clock.
-TrialRun trial_run(Simulation& sim, const model::Case& c, double budget);
+// looks at its own clock. look: at the equilibrium and after every step.
+TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
+                   const std::function<void(const Kinematics&)>& look = {});
 
 // CPU s
 double expected_cost(const TrialRun& trial);

@@ -23,6 +23,7 @@
 #include "hawser/app/support_log.hpp"
 #include "hawser/app/touchdown.hpp"
 #include "hawser/app/utilisation.hpp"
+#include "hawser/app/water_errors.hpp"
 #include "hawser/io/results.hpp"
 
 namespace hawser::app {
@@ -104,6 +105,7 @@ class Recorder {
   std::unique_ptr<Stations> stations_;           // likewise
   std::unique_ptr<NodeStatistics> at_stations_;  // likewise
   ElementErrors element_errors_;
+  WaterErrors water_errors_;
   Folds folds_;
   Snaps snaps_;
   Utilisation utilisation_;

@@ -59,6 +59,7 @@ class Simulation {
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
   Feeders* feeders() { return feeders_; }  // of lines' ends; null: there are none
   const Feeders* feeders() const { return feeders_; }
+  const Hydrodynamics* water() const { return water_; }  // on lines; null: there is none
   const Links* links() const { return links_; }    // springs and dampers of the case; null: there are none
   SeabedTerm* seabed() { return seabed_; }         // null: there is none
   LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines

@@ -61,6 +61,8 @@ struct WaterForce {
 };
 // Of buoyancy it has what a surface off `still` [m] changes.
 WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still);
+// Their sum over a straight element that stays straight, N, without any buoyancy.
+Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam);
 
 // Forces on a round buoy or clump weight at a node.
 struct WaterBall {

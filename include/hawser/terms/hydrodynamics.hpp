@@ -34,6 +34,20 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   void fed_by(Feeders* feeders) { feeders_ = feeders; }
   void scale_current(double factor) { sea_.current_scale = factor; }
 
+  // Whether the water has a velocity anywhere.
+  bool moving() const { return !sea_.calm(); }
+  bool has_waves() const { return !sea_.waves.none(); }
+  bool has_current() const { return !sea_.current.none(); }
+  double above_still_water(double z) const { return z - sea_.surface; }
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  // What drag and inertia of the water exert on a piece cut into so many equal parts, at the ends of which
+  // the motion of the water is looked at, and how far that is from four times as many. Changes nothing.
+  struct FlowError {
+    double force = 0, error = 0;  // N, sizes summed over the parts
+    bool crossed = false;         // by the surface
+  };
+  FlowError flow_error(const Kinematics& at, const Piece& p, int parts) const;
+
   std::string_view name() const override { return "hydrodynamics"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -72,7 +86,6 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
   void evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const;
   unsigned flow(const Four& q, const Kinematics& at, WaterForce* out) const;
-  bool moving() const { return !sea_.calm(); }
   Water water(const Kinematics& at, size_t node) const;
   Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;

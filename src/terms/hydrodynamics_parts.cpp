@@ -1,0 +1,53 @@
+// What the flow would exert on an element of Hydrodynamics if that had more nodes
+// (docs/theory/element-length.md).
+#include "hawser/terms/hydrodynamics.hpp"
+
+namespace hawser {
+
+// The parts lie on the chord and move with it, so that the water alone makes the difference. The surface is
+// linear over the whole piece for the same reason: a line that floats follows it, whatever its form.
+Hydrodynamics::FlowError Hydrodynamics::flow_error(const Kinematics& at, const Piece& p, int parts) const {
+  FlowError out;
+  if (p.idle) return out;
+  constexpr int kFiner = 4;
+  const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
+  const Water first = water(at, i), second = water(at, j);
+  struct Cut {
+    Vec3 x, v, a;
+    Water water;
+  };
+  const auto cut = [&](int k) {
+    const double s = static_cast<double>(k) / (kFiner * parts);
+    const auto between = [s](const Vec3& a, const Vec3& b) { return Vec3((1 - s) * a + s * b); };
+    Cut c{between(at.x[i], at.x[j]), between(at.v[i], at.v[j]), between(at.a[i], at.a[j]),
+          k == 0 ? first : second};
+    if (k == 0 || k == kFiner * parts) return c;
+    c.water = sea_.still_at(c.x.z(), at.time);
+    if (has_waves() && at.step > 0)
+      c.water = c.water + sea_.waves_at(between(wave_place(at, i), wave_place(at, j)), at.time);
+    c.water.surface = (1 - s) * first.surface + s * second.surface;
+    return c;
+  };
+  const auto force = [&](const Cut& a, const Cut& b, int pieces) {
+    WaterSection part = p.section;
+    part.length /= pieces;
+    return straight_flow_force(part, {a.x, b.x, a.v, b.v, a.a, b.a, a.water, b.water}, p.beam);
+  };
+  Cut from = cut(0);
+  for (int part = 0; part < parts; ++part) {
+    Vec3 fine = Vec3::Zero();
+    Cut last = from;
+    for (int k = 1; k <= kFiner; ++k) {
+      const Cut next = cut(kFiner * part + k);
+      const Vec3 f = force(last, next, kFiner * parts);
+      fine += f, out.force += f.norm();
+      last = next;
+    }
+    out.error += (force(from, last, parts) - fine).norm();
+    from = last;
+  }
+  out.crossed = (at.x[i].z() - first.surface) * (at.x[j].z() - second.surface) < 0;
+  return out;
+}
+
+}  // namespace hawser

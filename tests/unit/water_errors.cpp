@@ -1,0 +1,138 @@
+// Warnings about elements that are too long for a current or for waves, by hand.
+#include "hawser/app/water_errors.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "hawser/app/simulation.hpp"
+#include "hawser/io/case_reader.hpp"
+
+namespace hawser::app::water_errors_test {
+namespace {
+
+// What is told of a cable, `more` besides, where it starts; a step that ends at `time` led there, 0: none
+// did.
+std::vector<std::string> told(const std::string& sea, const std::string& line, double time = 0) {
+  const model::Case c = io::read_case_text(fmt::format(R"(
+hawser: 1
+environment: {{gravity: 9.81, water: {{density: 1000, depth: 1000}}, {}}}
+line_types:
+  rope: {{outer_diameter: 0.3, mass_per_length: 70.6858, EA: 1.0e7, bending: false, Cd_normal: 1.2, Ca_normal: 1}}
+  bar: {{outer_diameter: 0.3, mass_per_length: 70.6858, EA: 1.0e9, bending: false, Cd_normal: 1.2}}
+  chain: {{outer_diameter: 0.3, mass_per_length: 170.6858, EA: 1.0e7, bending: false, Cd_normal: 1.2}}
+  rod: {{outer_diameter: 0.3, mass_per_length: 70.6858, EA: 1.0e7, EI: 1.0e4, GJ: 1.0e4, Cd_normal: 0, Ca_normal: 1, Ca_axial: 1}}
+lines: {}
+)",
+                                                       sea, line),
+                                           "/nowhere/case.yaml");
+  Simulation sim(MPI_COMM_SELF, c);
+  WaterErrors errors(MPI_COMM_SELF, sim);
+  State& s = sim.state();
+  s.time = time;
+  errors.look(s.view(time > 0 ? 0.1 : 0));
+  return errors.warnings();
+}
+
+std::string upright(double length, const std::string& type = "rope", const std::string& name = "l") {
+  return fmt::format(
+      "{{{}: {{sections: [{{type: {}, length: {}, elements: 1}}], start: straight, end_a: {{anchor: [0, 0, "
+      "-10]}}, end_b: {{anchor: [0, 0, 0]}}}}}}",
+      name, type, length);
+}
+
+const char* const kJet =
+    "current: {profile: [{depth: 0, speed: 0}, {depth: 5, speed: 1}, {depth: 10, speed: 0}]}";
+
+// A jet between two nodes: drag of 1/2 rho Cd D times the integral of u², 10/3 m³/s², of which an element
+// has nothing and its halves have all.
+TEST(WaterErrors, CurrentBetweenTheNodes) {
+  const std::vector<std::string> all = told(kJet, upright(10));
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(
+      all.front(),
+      "line l has elements of 10 m at arc length 5 m (5 m below the still water, t = 0 s), between whose "
+      "nodes the current is not linear, so that the forces of the flow on the elements of the line are "
+      "off by about 100 % of their largest sum, 0.6 kN: give it elements of 5 m there");
+  EXPECT_EQ(told(kJet, upright(10, "rod")).size(), 0U);  // which has no drag
+  // What is linear from node to node is right.
+  EXPECT_TRUE(told("current: {profile: [{depth: 0, speed: 2}, {depth: 10, speed: 1}]}", upright(10)).empty());
+  EXPECT_TRUE(told("current: {speed: 1}", upright(10)).empty());
+}
+
+// 600 N turn a tension of 10 MN or more by less than 1e-4: that of a bar is 53 MN, that of the rope 0.53.
+TEST(WaterErrors, OfNoMatterBesideTheTension) {
+  EXPECT_EQ(told(kJet, upright(9.5)).size(), 1U);
+  EXPECT_TRUE(told(kJet, upright(9.5, "bar")).empty());
+}
+
+// A level element that sees 0.09 of 0.1233 m²/s² lacks 600 N of drag. The chain weighs 98 kN in water.
+TEST(WaterErrors, OfNoMatterBesideTheWeight) {
+  const auto level = [](const std::string& type) {
+    return told(
+               "current: {profile: [{depth: 10, speed: 0.3}, {depth: 11, speed: 0.4}, {depth: 12, speed: "
+               "0.3}]}",
+               fmt::format(
+                   "{{l: {{sections: [{{type: {}, length: 100, elements: 1}}], start: straight, end_a: "
+                   "{{anchor: [0, 0, -10]}}, end_b: {{anchor: [0, 99.98, -12]}}}}}}",
+                   type))
+        .size();
+  };
+  EXPECT_EQ(level("rope"), 1U);
+  EXPECT_EQ(level("chain"), 0U);
+}
+
+// A current that misses an element's middle by a twentieth: 0.407 of 8.407 m³/s² on the lower line, and of
+// 44.407 on both.
+TEST(WaterErrors, LinesThatAreJoinedBearTogether) {
+  const auto both = [](const std::string& end, const std::string& joints) {
+    return told(
+        "current: {profile: [{depth: 0, speed: 2}, {depth: 10, speed: 2}, {depth: 11, speed: 2.1}, "
+        "{depth: 12, speed: 2}]}",
+        fmt::format("{{high: {{sections: [{{type: rope, length: 9, elements: 9}}], start: straight, "
+                    "end_a: {{anchor: [0, 0, -1]}}, end_b: {{{0}}}}}, deep: {{sections: [{{type: rope, "
+                    "length: 2, elements: 1}}], start: straight, end_a: {{{0}}}, end_b: {{anchor: [0, "
+                    "0, -12]}}}}}}{1}",
+                    end, joints));
+  };
+  EXPECT_TRUE(both("joint: knot", "\njoints: {knot: {start: [0, 0, -10]}}").empty());
+  const std::vector<std::string> apart = both("anchor: [0, 0, -10]", "");
+  ASSERT_EQ(apart.size(), 1U);
+  EXPECT_TRUE(apart.front().starts_with("line deep has elements of 2 m at arc length 1 m (11 m below"))
+      << apart.front();
+  EXPECT_NE(apart.front().find("off by about 4.8 %"), std::string::npos) << apart.front();
+}
+
+// A level line far below the surface in a wave of 100 m, whose acceleration has the same size everywhere and
+// turns by phi from node to node: an element has cos(phi/2) of it, four times as many sin(phi/2)/4
+// tan(phi/8), each cos(phi/8).
+TEST(WaterErrors, WavesBetweenTheNodes) {
+  const double period = std::sqrt(2 * M_PI * 100 / 9.81);
+  const auto level = [&](int elements, double time = 40) {
+    return told(
+        fmt::format("waves: {{regular: {{height: 0.5, period: {:.12g}}}}}", period),
+        fmt::format("{{l: {{sections: [{{type: rod, length: 200, elements: {}}}], start: straight, end_a: "
+                    "{{anchor: [0, 0, -10]}}, end_b: {{anchor: [200, 0, -10]}}}}}}",
+                    elements),
+        time);
+  };
+  const std::vector<std::string> all = level(16);
+  ASSERT_EQ(all.size(), 1U);
+  const double phi = M_PI / 4;
+  const double percent =
+      100 * (std::sin(phi / 2) / (4 * std::tan(phi / 8)) - std::cos(phi / 2)) / std::cos(phi / 8);
+  EXPECT_NE(all.front().find(fmt::format("off by about {:.1f} %", percent)), std::string::npos)
+      << all.front();
+  EXPECT_NE(all.front().find("between whose nodes the waves are not linear"), std::string::npos)
+      << all.front();
+  EXPECT_TRUE(all.front().ends_with("give it elements of 3.1 m there")) << all.front();
+  EXPECT_TRUE(level(32).empty());     // 1.2 %
+  EXPECT_EQ(level(2).size(), 1U);     // as long as the wave: all nodes see the same
+  EXPECT_TRUE(level(16, 0).empty());  // waves act in motion
+}
+
+}  // namespace
+}  // namespace hawser::app::water_errors_test
