@@ -16,7 +16,7 @@ namespace {
 // Where the accepted state has an element bent by more than 60 degrees no step is short enough for long: it
 // stands for a shape that it cannot have. Empty: none is. Collective.
 std::string folded_element(const System& system, const Kinematics& at) {
-  constexpr double kFolded = M_PI / 3, kFollowed = M_PI / 9;  // rad from end to end
+  constexpr double kFolded = M_PI / 3, kKept = M_PI / 9;  // rad from end to end
   struct {
     double turn = 0, length = 0;  // rad, m
     int node = -1;
@@ -33,7 +33,7 @@ std::string folded_element(const System& system, const Kinematics& at) {
       "that, and if it "
       "is not meant to fold, a slower motion, 'EI' or 'stiffness_damping' keeps it from it",
       mesh.mesh->place(worst.node), worst.turn * 180 / M_PI, worst.length,
-      worst.length * kFollowed / worst.turn);
+      worst.length * kKept / worst.turn);
 }
 
 }  // namespace
