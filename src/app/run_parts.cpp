@@ -105,11 +105,20 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 namespace {
 
 StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
+  constexpr int kLong = 500;  // steps of dynamic relaxation; lines that come to rest take fewer
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
+  bool told = !sim.line_pairs();
   const StaticsReport s = sim.solve_statics(
       [&](const StaticsReport& now) {
         progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+        if (told || now.relaxation_steps < kLong) return;
+        told = true;
+        progress.say(
+            fmt::format("note: statics has not come to rest in {} steps of dynamic relaxation; if slack "
+                        "lines lie in folds that touch "
+                        "one another, 'contact: {{between_lines: false}}' leaves that out and may end it",
+                        kLong));
       },
       falls);
   for (size_t i = before; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
