@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "hawser/app/feeder_nodes.hpp"
-#include "hawser/app/restart_file.hpp"
+#include "hawser/app/restart_file_check.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"

@@ -2,7 +2,7 @@
 // derivatives by the point and those along the line come from the same source. The law: friction_law.hpp.
 #pragma once
 
-#include "hawser/kernels/point_contact.hpp"
+#include "hawser/kernels/surface_contact_law.hpp"
 
 namespace hawser {
 

@@ -88,7 +88,8 @@ void Assembler::add(std::span<const int> blocks, const double* f, const double* 
   put(block, n, J);
 }
 
-// By the unknowns of the frames (FrameTies). The turning of the forces' arms is added by the ties themselves.
+// By the unknowns of the frames (TiedNodeForces). The turning of the forces' arms is added by the ties
+// themselves.
 void Assembler::add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index m = 3 * static_cast<Eigen::Index>(blocks.size());

@@ -71,7 +71,7 @@ void System::add(std::unique_ptr<ForceTerm> term) {
 
 void System::tie(std::vector<TiedNode> nodes, BodyMotion motion) {
   tied_nodes_ = TiedNodes(mesh_, std::move(nodes), std::move(motion));
-  ties_ = FrameTies(mesh_, tied_nodes_);
+  ties_ = TiedNodeForces(mesh_, tied_nodes_);
 }
 
 bool System::gather(Vec u, std::vector<double>& out) const {

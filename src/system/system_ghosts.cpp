@@ -94,7 +94,7 @@ void System::reghost_ties() {
     kept.push_back(s);
   }
   tied_nodes_ = TiedNodes(mesh_, std::move(kept), BodyMotion(tied_nodes_.motion()));
-  ties_ = FrameTies(mesh_, tied_nodes_);
+  ties_ = TiedNodeForces(mesh_, tied_nodes_);
 }
 
 VecHandle System::create_vector() const {

@@ -1,6 +1,6 @@
-// Forces, tangent, energy and accepted steps of LinePairs, of the pairs in the candidate list. The law of
-// two lines: kernels/line_pair_law.cpp, its sum along them kernels/line_pair_forces.cpp; the rest is in
-// line_pairs_*.cpp.
+// Forces, tangent, energy and accepted steps of LinePairs, of the pairs in the candidate list. Closest
+// points: kernels/axis_closest_point.cpp; the law of two lines: kernels/line_pair_law.cpp, its sum along
+// them: kernels/line_pair_forces.cpp; the rest is in line_pairs_*.cpp.
 #include "hawser/terms/line_pairs.hpp"
 
 #include <algorithm>

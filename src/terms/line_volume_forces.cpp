@@ -1,7 +1,7 @@
 // Adds the contact of lines with volumes (triangle meshes and exact shapes) to residual and tangent: the
 // force on each element that touches goes to its nodes, the opposite force to the floating body that it
 // touches. The sum along the element is in contact_along_axis.cpp, the law at a point in
-// kernels/point_contact.cpp.
+// kernels/surface_contact_law.cpp.
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {

@@ -1,6 +1,6 @@
 // Forces, tangent, energy and accepted steps of SeabedTerm: gap, normal force, friction and suction at each
-// point. The law at a point: kernels/point_contact.cpp, its friction kernels/friction_law.hpp; the rest is
-// in seabed_*.cpp.
+// point. The law at a point: kernels/surface_contact_law.cpp, its friction kernels/friction_law.hpp; the rest
+// is in seabed_*.cpp.
 #include "hawser/terms/seabed.hpp"
 
 #include <algorithm>

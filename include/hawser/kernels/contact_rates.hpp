@@ -2,7 +2,7 @@
 // position, velocity, gap and normal of the trial and through what the step started from.
 #pragma once
 
-#include "hawser/kernels/point_contact.hpp"
+#include "hawser/kernels/surface_contact_law.hpp"
 
 namespace hawser {
 

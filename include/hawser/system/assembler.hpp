@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hawser/math/types.hpp"
-#include "hawser/system/frame_ties.hpp"
 #include "hawser/system/own_blocks.hpp"
+#include "hawser/system/tied_node_forces.hpp"
 
 namespace hawser {
 
@@ -54,7 +54,7 @@ class Assembler {
   void add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M);
   void add_elsewhere(int row, int column, const double* J, int m);
 
-  const FrameTies* ties_ = nullptr;
+  const TiedNodeForces* ties_ = nullptr;
   std::vector<double>* force_ = nullptr;  // 3 * local blocks
   std::vector<double>* mean_ = nullptr;   // 3 * local blocks, of the means alone, without their weight
   double mean_weight_ = 1;

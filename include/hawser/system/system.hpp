@@ -137,7 +137,7 @@ class System {
   bool coupled_ = false;
   GhostExchange exchange_;
   TiedNodes tied_nodes_;
-  FrameTies ties_;
+  TiedNodeForces ties_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   // Those of the terms that have a role (roles.hpp).
   std::vector<CouplesNodes*> couple_nodes_;

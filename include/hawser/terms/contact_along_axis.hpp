@@ -9,7 +9,7 @@
 
 #include "hawser/kernels/axis_roll.hpp"
 #include "hawser/kernels/contact_rates.hpp"
-#include "hawser/terms/contact_points.hpp"
+#include "hawser/terms/surface_contact_points.hpp"
 
 namespace hawser {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "hawser/kernels/impact.hpp"
-#include "hawser/kernels/point_contact.hpp"
+#include "hawser/kernels/surface_contact_law.hpp"
 #include "hawser/model/case.hpp"
 
 namespace hawser {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hawser/kernels/clearance_tube.hpp"
-#include "hawser/terms/contact_points.hpp"
 #include "hawser/terms/contact_volumes.hpp"
+#include "hawser/terms/surface_contact_points.hpp"
 
 namespace hawser {
 

@@ -1,7 +1,7 @@
 // Floating bodies: rigid, with mass and weight; springs pull them towards the place that their prescribed
 // motion has for them. The equations: kernels/rigid_body.cpp. Ends of lines are tied to one in
 // solve/start_shape.cpp (hold_ends), follow it by system/tied_nodes.hpp, and hand it what acts on them by
-// system/frame_ties.hpp.
+// system/tied_node_forces.hpp.
 #pragma once
 
 #include <array>

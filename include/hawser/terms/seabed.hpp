@@ -1,6 +1,6 @@
 // The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node and
 // half way along cables' elements, shared out by the length of line that belongs to each. The law at a point,
-// with friction and the tangent of both: kernels/point_contact.cpp. See docs/theory/seabed.md.
+// with friction and the tangent of both: kernels/surface_contact_law.cpp. See docs/theory/seabed.md.
 #pragma once
 
 #include <mpi.h>
@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "hawser/geometry/surface.hpp"
-#include "hawser/kernels/point_contact.hpp"
 #include "hawser/kernels/suction.hpp"
+#include "hawser/kernels/surface_contact_law.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/terms/contact_points.hpp"
 #include "hawser/terms/line_neighbours.hpp"
+#include "hawser/terms/surface_contact_points.hpp"
 
 namespace hawser {
 

@@ -2,7 +2,7 @@
 // their derivatives by position, velocity and roll by automatic differentiation. The scalar laws are in
 // contact_law.hpp (normal force) and friction_law.hpp; terms/contact_along_axis.cpp sums along an element,
 // terms/seabed.cpp over nodes.
-#include "hawser/kernels/point_contact.hpp"
+#include "hawser/kernels/surface_contact_law.hpp"
 
 #include <unsupported/Eigen/AutoDiff>
 

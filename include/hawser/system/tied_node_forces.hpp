@@ -17,10 +17,10 @@ namespace hawser {
 
 class Assembler;
 
-class FrameTies {
+class TiedNodeForces {
  public:
-  FrameTies() = default;
-  FrameTies(const LocalMesh& mesh, const TiedNodes& tied);
+  TiedNodeForces() = default;
+  TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied);
 
   bool tied(int block) const { return !tie_of_.empty() && tie_of_[block] >= 0; }
   // Takes the frames as they are at a trial state. Before all that follows.

@@ -1,5 +1,5 @@
 // The law of contact of a point with a surface.
-#include "hawser/kernels/point_contact.hpp"
+#include "hawser/kernels/surface_contact_law.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// The class FrameTies: how forces at tied nodes, and their derivatives, become those of the frames.
-#include "hawser/system/frame_ties.hpp"
+// The class TiedNodeForces: how forces at tied nodes, and their derivatives, become those of the frames.
+#include "hawser/system/tied_node_forces.hpp"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 
 namespace hawser {
 
-FrameTies::FrameTies(const LocalMesh& mesh, const TiedNodes& tied) {
+TiedNodeForces::TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied) {
   if (!tied.to_frames().empty()) tie_of_.assign(static_cast<size_t>(mesh.blocks()), -1);
   for (const int i : tied.to_frames()) {
     const TiedNode& s = tied.list()[i];
@@ -25,7 +25,7 @@ FrameTies::FrameTies(const LocalMesh& mesh, const TiedNodes& tied) {
   }
 }
 
-void FrameTies::move(const Kinematics& trial) {
+void TiedNodeForces::move(const Kinematics& trial) {
   director_weight_ = trial.director_weight;
   for (Tie& t : ties_) {
     t.R = trial.q[t.frame_node].toRotationMatrix();
@@ -34,7 +34,7 @@ void FrameTies::move(const Kinematics& trial) {
   }
 }
 
-void FrameTies::add_forces(std::vector<double>& force, std::vector<double>& squares) const {
+void TiedNodeForces::add_forces(std::vector<double>& force, std::vector<double>& squares) const {
   const auto at = [&force](int b) { return Eigen::Map<Vec3>(force.data() + 3 * b); };
   for (const Tie& t : ties_) {
     if (!t.owned) continue;
@@ -49,8 +49,8 @@ void FrameTies::add_forces(std::vector<double>& force, std::vector<double>& squa
   }
 }
 
-void FrameTies::add_geometric_stiffness(const std::vector<double>& force, bool convex,
-                                        Assembler& assembler) const {
+void TiedNodeForces::add_geometric_stiffness(const std::vector<double>& force, bool convex,
+                                             Assembler& assembler) const {
   for (const Tie& t : ties_) {
     if (!t.owned || t.point) continue;
     const Vec3 f = t.R.transpose() * Eigen::Map<const Vec3>(force.data() + 3 * t.block);
@@ -63,7 +63,7 @@ void FrameTies::add_geometric_stiffness(const std::vector<double>& force, bool c
   }
 }
 
-FrameTies::Unknowns FrameTies::unknowns(std::span<const int> blocks) const {
+TiedNodeForces::Unknowns TiedNodeForces::unknowns(std::span<const int> blocks) const {
   Unknowns z;
   const auto place = [&z](int block) {
     const auto at = std::find(z.to.begin(), z.to.end(), block);

@@ -1,5 +1,5 @@
 // Whether the lines of a results file are those of the case, node by node, before a restart from it.
-#include "hawser/app/restart_file.hpp"
+#include "hawser/app/restart_file_check.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

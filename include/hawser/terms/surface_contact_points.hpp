@@ -9,7 +9,7 @@
 #include "hawser/kernels/contact_intervals.hpp"
 #include "hawser/kernels/contact_point.hpp"
 #include "hawser/kernels/motion.hpp"
-#include "hawser/kernels/point_contact.hpp"
+#include "hawser/kernels/surface_contact_law.hpp"
 
 namespace hawser {
 
