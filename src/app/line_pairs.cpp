@@ -17,19 +17,33 @@
 namespace hawser::app {
 namespace {
 
-// A held end of a line, and the one at its other end.
+// An end of a line that is held, and where the line goes from there: its other end, as long as nothing is
+// cut.
 struct Place {
-  const model::End *end, *other;
+  const model::End *end, *other;  // null: this end is a cut to come
   int node;
   double diameter, length;  // m, of contact; of the line
 };
+
+Place place(const model::Case& c, const model::Line& line, bool at_a, const LineSpan& span) {
+  const model::Line& all = line.whole ? *line.whole : line;
+  const auto pick = [at_a](const model::Line& l, bool other) { return at_a != other ? &l.end_a : &l.end_b; };
+  const model::End *own = pick(line, false), *here = pick(all, false);
+  const bool cut = own->kind != here->kind || own->body != here->body || own->at != here->at;
+  double length = 0;
+  for (const model::Section& s : all.sections) length += s.length;
+  const model::Section& section = at_a ? line.sections.front() : line.sections.back();
+  return {own, cut ? nullptr : pick(all, true), at_a ? span.first_node : span.first_node + span.nodes - 1,
+          c.line_type(section.type).contact_diameter, length};
+}
 
 // Round lines that part at an angle from one point overlap near it: so far along both together [m] that with
 // half of the angle between their chords they would be clear of each other. Half, since lines that sag, or
 // are pulled together, part at less than their chords do. 0 where one ends free, and where this would be more
 // than half of the shorter line: such lines lie side by side, or are twisted, and touch.
 double overlap(const model::Case& c, const Place& p, const Place& q) {
-  if (p.other->kind == model::EndKind::free || q.other->kind == model::EndKind::free) return 0;
+  for (const Place* x : {&p, &q})
+    if (!x->other || x->other->kind == model::EndKind::free) return 0;
   const auto chord = [&c](const Place& x) -> Vec3 {
     return (model::end_position(c, *x.other) - model::end_position(c, *x.end)).stableNormalized();
   };
@@ -42,14 +56,8 @@ double overlap(const model::Case& c, const Place& p, const Place& q) {
 // Ends of two lines at one place of one body, or of space: one point for what is near along the lines.
 std::vector<CandidateSettings::Joined> joined_ends(const model::Case& c, const Mesh& mesh) {
   std::vector<Place> places;
-  for (size_t l = 0; l < c.lines.size(); ++l) {
-    const model::Line& line = c.lines[l];
-    const LineSpan& s = mesh.lines[l];
-    const auto diameter = [&c](const model::Section& at) { return c.line_type(at.type).contact_diameter; };
-    places.push_back({&line.end_a, &line.end_b, s.first_node, diameter(line.sections.front()), s.length});
-    places.push_back(
-        {&line.end_b, &line.end_a, s.first_node + s.nodes - 1, diameter(line.sections.back()), s.length});
-  }
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const bool at_a : {true, false}) places.push_back(place(c, c.lines[l], at_a, mesh.lines[l]));
   std::erase_if(places, [](const Place& p) { return p.end->kind == model::EndKind::free; });
   double widest = 0;
   for (const Place& p : places) widest = std::max(widest, p.diameter);

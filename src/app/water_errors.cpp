@@ -133,7 +133,7 @@ void WaterErrors::look(const Kinematics& at) {
 }
 
 std::vector<std::string> WaterErrors::warnings() const {
-  std::vector<std::string> out;
+  std::vector<std::pair<double, std::string>> found;  // largest part of the force first
   for (const Group& g : groups_) {
     Where w = g.where;
     if (g.error <= g.bears() || !broadcast_largest(comm_, w.error, 0, w)) continue;
@@ -145,15 +145,27 @@ std::vector<std::string> WaterErrors::warnings() const {
     const double percent = 100 * g.error / g.force;
     // Waves shorter than a line is thick are none of Morison's formula.
     const double good = std::max(w.length / g.parts, std::min(w.diameter, w.length));
-    out.push_back(fmt::format(
-        "line {} has elements of {:.3g} m at arc length {:.4g} m ({:.3g} m {} the still water, t = {:.4g} "
-        "s), "
-        "{}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % of their "
-        "largest sum, {:.3g} kN: give it elements of {:.2g} m there",
-        mesh_.mesh->lines[w.line].name, w.length, w.arc, std::abs(w.z), w.z > 0 ? "above" : "below", g.time,
-        why, joined > 1 ? fmt::format("the {} lines that are joined there", joined) : "the line", percent,
-        percent < 9.95 ? 1 : 0, g.force / 1000, good));
+    found.emplace_back(
+        -percent,
+        fmt::format(
+            "line {} has elements of {:.3g} m at arc length {:.4g} m ({:.3g} m {} the still water, t = "
+            "{:.4g} "
+            "s), "
+            "{}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % of their "
+            "largest sum, {:.3g} kN: give it elements of {:.2g} m there",
+            mesh_.mesh->lines[w.line].name, w.length, w.arc, std::abs(w.z), w.z > 0 ? "above" : "below",
+            g.time, why, joined > 1 ? fmt::format("the {} lines that are joined there", joined) : "the line",
+            percent, percent < 9.95 ? 1 : 0, g.force / 1000, good));
   }
+  constexpr size_t kMost = 3;  // of a farm of lines that are alike
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> out;
+  for (const auto& [order, text] : found)
+    if (out.size() < kMost) out.push_back(text);
+  if (found.size() > kMost)
+    out.back() += fmt::format("; the elements of {} more lines are too long for the flow, by less",
+                              found.size() - kMost);
   return out;
 }
 

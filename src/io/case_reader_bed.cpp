@@ -196,12 +196,12 @@ class BedCheck {
   void steps() const {
     const HeightGrid::Overshoot o = grid_->overshoot();
     if (o.by < kKnownHeight) return;
-    c_.notes.push_back(
-        fmt::format("environment.seabed.grid: the smooth surface through the heights of {} goes {:.2g} m {} "
-                    "them at x {:.4g}, y "
-                    "{:.4g}, beside a step, and less elsewhere; if lines come there, give more heights "
-                    "across the step, or a mesh",
-                    bed_.file, o.by, o.above ? "above" : "below", o.at.x(), o.at.y()));
+    c_.notes.push_back(fmt::format(
+        "environment.seabed.grid: the smooth surface through the heights of {} goes {:.2g} m {} "
+        "them at x {:.4g}, y "
+        "{:.4g}, beside a step or a bend, and less elsewhere; if lines come there, give more heights "
+        "across the step, or a mesh",
+        bed_.file, o.by, o.above ? "above" : "below", o.at.x(), o.at.y()));
   }
   // Whether a share of the line's length is in the soil or where it comes out of it.
   static bool buried(const model::Line& line, double share) {

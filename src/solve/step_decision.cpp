@@ -24,7 +24,8 @@ std::string folded_element(const System& system, const Kinematics& at) {
   const LocalMesh& mesh = system.mesh();
   for (const LocalElement& e : mesh.elements) {
     if (!mesh.element(e).beam) continue;
-    const double turn = at.q[e.first].angularDistance(at.q[e.second]);
+    const Vec3 from = at.q[e.first] * Vec3::UnitX(), to = at.q[e.second] * Vec3::UnitX();
+    const double turn = std::atan2(from.cross(to).norm(), from.dot(to));
     if (turn > worst.turn) worst = {turn, mesh.element(e).length, mesh.global[e.first]};
   }
   if (!broadcast_largest(system.comm(), worst.turn, kFolded, worst)) return {};

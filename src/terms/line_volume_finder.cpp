@@ -194,13 +194,18 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
 
 const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
-  if (clear(pair, shape, pose) || pair.found.of.same_configuration(shape, pose)) return pair.found;
+  if (clear(pair, shape, pose)) return pair.found;
+  if (pair.found.of.same_configuration(shape, pose)) {
+    pair.asked = pair.asked_by_search;
+    return pair.found;
+  }
   pair.found.clear();
   pair.found.of = {true, shape, pose};
   pair.near = {};
   if (pair.several) find_facet_groups(pair, shape, pose);
   for (int w = 0; w < pair.facet_groups(); ++w)
     at_nodes() ? find_at_nodes(pair, w, shape, pose) : find_along(pair, w, shape, pose);
+  pair.asked_by_search = pair.asked;
   return pair.found;
 }
 

@@ -128,7 +128,7 @@ void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   pair.points = std::move(was.points);
   pair.springs = was.springs;
   pair.hint = was.hint, pair.ahead = was.ahead, pair.clearance = was.clearance;
-  pair.near_facets = std::move(was.near_facets);
+  if (!pair.points.empty()) pair.near_facets = std::move(was.near_facets);
 }
 
 // Whether several facet groups may be met in the step; gap springs see none, but where they begin.

@@ -100,8 +100,9 @@ TEST(CaseSea, GridWithAStep) {
       << cliff[0];
   EXPECT_NE(cliff[0].find("bed.xyz goes 1.1 m "), std::string::npos) << cliff[0];
   EXPECT_NE(
-      cliff[0].find(", beside a step, and less elsewhere; if lines come there, give more heights across the "
-                    "step, or a mesh"),
+      cliff[0].find(
+          ", beside a step or a bend, and less elsewhere; if lines come there, give more heights across the "
+          "step, or a mesh"),
       std::string::npos)
       << cliff[0];
   EXPECT_TRUE(notes(0.9, 0).empty());  // 0.097 m

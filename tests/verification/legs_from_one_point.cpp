@@ -43,5 +43,13 @@ TEST(LegsFromOnePoint, AreNotPriedApart) {
     }
 }
 
+// A cut to come changes nothing before: the line is in two parts, whose ends at the cut are nowhere yet.
+TEST(LegsFromOnePoint, NorWhereOneIsCutLater) {
+  const char* cut = "dynamics: {duration: 2}\nevents: [{cut: {line: p, at: 25.025}, time: 1.9}]\n";
+  const std::vector<Vec3> whole = at_rest(legs(6, 0.001, "")), parts = at_rest(legs(6, 0.001, cut));
+  ASSERT_GE(parts.size(), whole.size());
+  for (size_t n = 0; n < 40; ++n) EXPECT_LT((parts[n] - whole[n]).norm(), 1e-6) << n;
+}
+
 }  // namespace
 }  // namespace hawser::test::legs_from_one_point

@@ -57,6 +57,7 @@ struct LineVolumePair {
   // number of places that this trial has asked about.
   mutable std::vector<NearFacets> near_facets;
   mutable size_t asked = 0;
+  size_t asked_by_search = 0;  // of these: those of the search for `found`
   // Of the trial.
   ContactQuadrature found;
   NearGroups near;  // of the axis of `found`
