@@ -22,16 +22,21 @@ constexpr int kMostParts = 64;     // that are tried
 // at one: this is a sixteenth of what waves cost. A prime number does not go with the period of the waves.
 constexpr int kSteps = 47;
 
-// The first line of those that joints hold together, of each line.
+// The first line of those that joints hold together, of each line (union-find).
 std::vector<size_t> joined_lines(const Mesh& mesh) {
   std::vector<size_t> group(mesh.lines.size());
   std::iota(group.begin(), group.end(), size_t{0});
+  const auto first = [&group](size_t line) {
+    while (group[line] != line) line = group[line] = group[group[line]];
+    return line;
+  };
   for (const Node& n : mesh.nodes)
     for (const int to : {n.pinned_to, n.tied_to}) {
       if (n.body >= 0 || to < 0 || mesh.nodes[to].body >= 0) continue;
-      const size_t a = group[n.line], b = group[mesh.nodes[to].line];
-      std::replace(group.begin(), group.end(), std::max(a, b), std::min(a, b));
+      const size_t a = first(n.line), b = first(mesh.nodes[to].line);
+      group[std::max(a, b)] = std::min(a, b);
     }
+  for (size_t line = 0; line < group.size(); ++line) group[line] = first(line);
   return group;
 }
 
@@ -149,9 +154,8 @@ std::vector<std::string> WaterErrors::warnings() const {
         -percent,
         fmt::format(
             "line {} has elements of {:.3g} m at arc length {:.4g} m ({:.3g} m {} the still water, t = "
-            "{:.4g} "
-            "s), "
-            "{}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % of their "
+            "{:.4g} s), {}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % "
+            "of their "
             "largest sum, {:.3g} kN: give it elements of {:.2g} m there",
             mesh_.mesh->lines[w.line].name, w.length, w.arc, std::abs(w.z), w.z > 0 ? "above" : "below",
             g.time, why, joined > 1 ? fmt::format("the {} lines that are joined there", joined) : "the line",

@@ -91,41 +91,28 @@ FacetSearch::FacetSearch(const Facets& facets, const std::vector<bool>& chosen) 
   if (!facets.any_curved()) hash_ = SpatialHash(boxes, chosen);
 }
 
-// The nearest of the facets that it is shown, no farther than max_distance [m].
-class FacetSearch::Best {
- public:
-  Best(const FacetSearch& search, const Facets& facets, const Vec3& y, double max_distance)
-      : facets_(facets),
-        y_(y),
-        rounding_(1e-12 * (y.cwiseAbs().maxCoeff() + search.tree_.box().diagonal())),
-        squared(max_distance * max_distance),
-        reach(padded()) {}
+NearestFacet::NearestFacet(const Facets& facets, const BoxTree& tree, const Vec3& y, double max_distance)
+    : facets_(facets),
+      y_(y),
+      rounding_(1e-12 * (y.cwiseAbs().maxCoeff() + tree.box().diagonal())),
+      squared(max_distance * max_distance),
+      reach(padded()) {}
 
-  void visit(int t) {
-    if ((foot && t == foot->triangle) || !facets_.may_reach(t, y_, reach)) return;
-    const PatchPoint p = facets_.closest(t, y_);
-    if (!(p.squared_distance <= squared)) return;
-    if (p.squared_distance == squared && foot && t > foot->triangle) return;
-    foot = Foot{p, t};
-    squared = p.squared_distance, reach = padded();
-  }
+void NearestFacet::visit(int t) {
+  if ((foot && t == foot->triangle) || !facets_.may_reach(t, y_, reach)) return;
+  const PatchPoint p = facets_.closest(t, y_);
+  if (!(p.squared_distance <= squared)) return;
+  if (p.squared_distance == squared && foot && t > foot->triangle) return;
+  foot = Foot{p, t};
+  squared = p.squared_distance, reach = padded();
+}
 
- private:
-  double padded() const { return (1 + 1e-9) * std::sqrt(squared) + rounding_; }
-
-  const Facets& facets_;
-  const Vec3& y_;
-  double rounding_;
-
- public:
-  double squared, reach;  // m², m: what is farther does not count; with room for rounding
-  std::optional<Foot> foot;
-};
+double NearestFacet::padded() const { return (1 + 1e-9) * std::sqrt(squared) + rounding_; }
 
 std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, const Vec3& y,
                                                       double max_distance, int hint) const {
   if (!y.allFinite() || !(max_distance >= 0)) return std::nullopt;
-  Best best(*this, facets, y, max_distance);
+  NearestFacet best(facets, tree_, y, max_distance);
   const auto visit = [&](int t) { best.visit(t); };
   if (facets.has(hint) && (chosen_.empty() || chosen_[static_cast<std::size_t>(hint)])) visit(hint);
   if (!hash_.empty() && best.squared <= std::pow(kNearBy * hash_.side(), 2))
@@ -138,7 +125,7 @@ std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, cons
 std::optional<FacetSearch::Foot> FacetSearch::nearest(const Facets& facets, const Vec3& y,
                                                       const NearFacets& near) const {
   const double moved = (y - near.place).norm();
-  Best best(*this, facets, y, std::numeric_limits<double>::infinity());
+  NearestFacet best(facets, tree_, y, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < near.count; ++i) {
     if (near.facets[i].least - moved > best.reach) return best.foot;
     best.visit(near.facets[i].triangle);

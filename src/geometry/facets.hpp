@@ -67,13 +67,32 @@ class Facets {
   std::vector<bool> thin_;                            // so much that their distances need care
 };
 
-// Search among the facets with their flag set (empty: all): those near by are found by the spatial hash where
-// all are flat, others by the tree of their boxes.
-class FacetSearch {
+// The nearest of the facets that it is shown, no farther than max_distance [m]. tree: of all facets.
+class NearestFacet {
  public:
   struct Foot : PatchPoint {
     int triangle = 0;
   };
+  NearestFacet(const Facets& facets, const BoxTree& tree, const Vec3& y, double max_distance);
+  // Of facets at equal distance the one of the lowest number stays, in whatever order they are shown.
+  void visit(int t);
+
+ private:
+  double padded() const;
+  const Facets& facets_;
+  const Vec3& y_;
+  double rounding_;
+
+ public:
+  double squared, reach;  // m², m: what is farther does not count; with room for rounding
+  std::optional<Foot> foot;
+};
+
+// Search among the facets with their flag set (empty: all): those near by are found by the spatial hash where
+// all are flat, others by the tree of their boxes.
+class FacetSearch {
+ public:
+  using Foot = NearestFacet::Foot;
   FacetSearch() = default;
   FacetSearch(const Facets& facets, const std::vector<bool>& chosen);
 
@@ -92,8 +111,6 @@ class FacetSearch {
   }
 
  private:
-  class Best;
-
   SpatialHash hash_;  // empty where facets are curved
   BoxTree tree_;
   std::vector<bool> chosen_;

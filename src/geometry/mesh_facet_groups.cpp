@@ -243,33 +243,22 @@ bool MeshFacetGroups::through(const FacetGroup& group, const FacetSearch::Foot& 
 
 std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& group, const Vec3& y,
                                                               double within) const {
-  std::optional<FacetSearch::Foot> best;
-  double limit = within * within;
-  const double rounding = 1e-12 * (y.cwiseAbs().maxCoeff() + tree_.box().diagonal());
-  const auto padded = [&] { return (1 + 1e-9) * std::sqrt(limit) + rounding; };
-  const auto test = [&](int t) {
-    if (!facets_.may_reach(t, y, padded())) return;
-    const PatchPoint p = facets_.closest(t, y);
-    if (!(p.squared_distance <= limit)) return;
-    if (p.squared_distance == limit && best && t > best->triangle) return;
-    best = FacetSearch::Foot{p, t};
-    limit = p.squared_distance;
-  };
+  NearestFacet best(facets_, tree_, y, within);
   // The most promising first; then most of the others are out of reach.
   const FacetGroup::Facet* first = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const FacetGroup::Facet& f : group.facets)
     if (const double squared = (f.centre - y).squaredNorm(); squared < least) least = squared, first = &f;
-  if (first) test(first->triangle);
+  if (first) best.visit(first->triangle);
   for (const FacetGroup::Facet& f : group.facets) {
-    const double far = std::sqrt(limit) + f.radius;
-    if (&f != first && (f.centre - y).squaredNorm() <= far * far * (1 + 1e-12)) test(f.triangle);
+    const double far = std::sqrt(best.squared) + f.radius;
+    if (&f != first && (f.centre - y).squaredNorm() <= far * far * (1 + 1e-12)) best.visit(f.triangle);
   }
-  if (!best) return std::nullopt;
-  const Vec3 normal = pseudonormal(group, *best);
-  const bool flat = best->feature == Feature::face && !facets_.curved(best->triangle);
-  const Vec3& on = flat ? facets_.corner(best->triangle, 0) : best->point;
-  return Foot{*best, normal, normal.dot(y - on) >= 0};
+  if (!best.foot) return std::nullopt;
+  const Vec3 normal = pseudonormal(group, *best.foot);
+  const bool flat = best.foot->feature == Feature::face && !facets_.curved(best.foot->triangle);
+  const Vec3& on = flat ? facets_.corner(best.foot->triangle, 0) : best.foot->point;
+  return Foot{*best.foot, normal, normal.dot(y - on) >= 0};
 }
 
 // What may come within reach of the axis, by triangle; nothing where all there is one facet group for sure.

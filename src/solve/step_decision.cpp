@@ -31,8 +31,7 @@ std::string folded_element(const System& system, const Kinematics& at) {
   if (!broadcast_largest(system.comm(), worst.turn, kFolded, worst)) return {};
   return fmt::format(
       "; {}, is bent by {:.0f} degrees within an element of {:.3g} m: elements of {:.2g} m would follow "
-      "that, and if it "
-      "is not meant to fold, a slower motion, 'EI' or 'stiffness_damping' keeps it from it",
+      "that, and if it is not meant to fold, a slower motion, 'EI' or 'stiffness_damping' keeps it from it",
       mesh.mesh->place(worst.node), worst.turn * 180 / M_PI, worst.length, worst.length * kKept / worst.turn);
 }
 

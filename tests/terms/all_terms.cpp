@@ -1,5 +1,6 @@
 // The term suite on one rank: tangents, repeatability, rotation with the model.
 #include "support/taylor_cases.hpp"
+#include "terms/whole_model.hpp"
 
 namespace hawser::test::suite_test {
 namespace {
@@ -140,17 +141,7 @@ TEST(Suite, TurnsWithTheModel) {
     if (c.name.starts_with("water")) continue;                                   // level: see below
     const auto m = c.build(PETSC_COMM_SELF, {}), turned = c.build(PETSC_COMM_SELF, at);
     m->system->tie({}, {}), turned->system->tie({}, {});
-    const LocalMesh& mesh = m->system->mesh();
-    const auto f = residual(*m->system, state_of(mesh, m->trial), m->trial.h);
-    const auto g = residual(*turned->system, state_of(mesh, turned->trial), turned->trial.h);
-    double size = 0, off = 0;
-    for (int n = 0; n < mesh.owned; ++n)
-      for (int k = 0; k <= mesh.rotates(n); ++k) {
-        const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
-        const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
-        size = std::max(size, a.norm());
-        off = std::max(off, (k ? Vec3(b - a) : Vec3(b - at.rotation * a)).norm());
-      }
+    const auto [size, off] = turned_forces(*m, *turned, at.rotation);
     // Contact: round-off of positions times stiffness.
     EXPECT_LT(off, 1e-12 * size + (c.name.starts_with("contact") || c.name.starts_with("seabed")
                                        ? 2e-14 * kNormalStiffness

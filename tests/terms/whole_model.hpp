@@ -53,21 +53,31 @@ double expect_same_on_ranks(Model& all, Model& one, std::initializer_list<double
 }
 
 // Forces of a model and of the same one placed elsewhere: turned in space, moments (in the nodes' axes) the
-// same. The largest force, N.
+// same.
+struct TurnedForces {
+  double size = 0, off = 0;  // N: the largest force, and how far one is from what it should be
+};
 template <class Model>
-double expect_turned(Model& m, Model& turned, const Quat& rotation, double tolerance,
-                     const std::string& name) {
+TurnedForces turned_forces(Model& m, Model& turned, const Quat& rotation) {
   const LocalMesh& mesh = m.system->mesh();
   const auto f = residual(*m.system, state_of(mesh, m.trial), m.trial.h);
   const auto g = residual(*turned.system, state_of(mesh, turned.trial), m.trial.h);
-  double size = 0, off = 0;
+  TurnedForces out;
   for (int n = 0; n < mesh.owned; ++n)
     for (int k = 0; k <= mesh.rotates(n); ++k) {
       const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)] + k);
       const Eigen::Map<const Vec3> a(f.data() + i), b(g.data() + i);
-      size = std::max(size, a.norm());
-      off = std::max(off, (k ? Vec3(b - a) : Vec3(b - rotation * a)).norm());
+      out.size = std::max(out.size, a.norm());
+      out.off = std::max(out.off, (k ? Vec3(b - a) : Vec3(b - rotation * a)).norm());
     }
+  return out;
+}
+
+// The largest force, N.
+template <class Model>
+double expect_turned(Model& m, Model& turned, const Quat& rotation, double tolerance,
+                     const std::string& name) {
+  const auto [size, off] = turned_forces(m, turned, rotation);
   EXPECT_LE(off, tolerance * size) << name;
   return size;
 }
