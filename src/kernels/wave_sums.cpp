@@ -19,7 +19,7 @@ const double kUnfelt = std::log(2 / WaveSums::kLeftOut);
 constexpr double kNothing = 37;
 
 // Sine and cosine of an angle in quarter turns, whose reduction to an eighth of a turn is exact in them. By
-// Taylor's series to below rounding: (pi/4)^15/15! = 2e-14 is the last term of the sine, the next is 6e-17.
+// Taylor's series to below (pi/4)^15/15! = 2e-14, beside which kLeftOut is large.
 struct SineCosine {
   double sine, cosine;
 };
@@ -28,7 +28,7 @@ inline SineCosine sine_cosine(double quarters) {
   const double x = M_PI / 2 * (quarters - whole), y = x * x;
   const int quadrant = static_cast<int>(whole);
   double s = 1, c = 1;
-  for (int n = 14; n > 0; n -= 2) s = 1 - s * y / (n * (n + 1)), c = 1 - c * y / ((n + 1) * (n + 2));
+  for (int n = 12; n > 0; n -= 2) s = 1 - s * y / (n * (n + 1)), c = 1 - c * y / ((n + 1) * (n + 2));
   s *= x, c = 1 - 0.5 * y * c;
   const double first = quadrant & 1 ? c : s, second = quadrant & 1 ? s : c;
   return {quadrant & 2 ? -first : first, (quadrant + 1) & 2 ? -second : second};
@@ -67,12 +67,11 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) : depth_
   }
 }
 
-HAWSER_CLONES WaveSums::Phases WaveSums::phases(double x, double y, double t) const {
+HAWSER_CLONES void WaveSums::phases(double x, double y, double t, Phases& out) const {
   const std::size_t n = number_.size();
-  Phases out{std::make_unique_for_overwrite<double[]>(n), std::make_unique_for_overwrite<double[]>(n)};
+  out.sine.resize(n), out.cosine.resize(n);
   out.surface = elevation(n, phase_.data(), per_time_.data(), t, along_x_.data(), x, along_y_.data(), y,
-                          amplitude_.data(), out.sine.get(), out.cosine.get());
-  return out;
+                          amplitude_.data(), out.sine.data(), out.cosine.data());
 }
 
 // cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both are exp kz where the bed is not
@@ -87,7 +86,7 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
   const std::size_t n = z < 0 ? up_to(kUnfelt / -z) : number_.size();
   const double above = std::max(depth_ + z, 0.0);  // the bed
   const std::size_t shallow = depth_ > 0 ? std::min(n, up_to(kNothing / std::max(2 * above, 1e-9))) : 0;
-  const double *sine = at.sine.get(), *cosine = at.cosine.get();
+  const double *sine = at.sine.data(), *cosine = at.cosine.data();
   double ux = 0, uy = 0, uz = 0, ax = 0, ay = 0, az = 0;
   const auto add = [&](std::size_t i, double across, double up) {
     const double forward = across * cosine[i], growing = omega_[i] * across * sine[i];

@@ -36,7 +36,8 @@ WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
 
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
   if (stokes_) return stokes_->at(x, t, factor, rate);
-  const WaveSums::Phases phases = sums_.phases(x.x(), x.y(), t);
+  thread_local WaveSums::Phases phases;  // room that is used again
+  sums_.phases(x.x(), x.y(), t, phases);
   WaveMotion m;
   m.surface = factor * phases.surface;
   double z = x.z();

@@ -15,17 +15,15 @@ namespace hawser {
 
 namespace {
 
-// Rounding, other on every number of ranks, may decide whether Newton needs an iteration more. The results
-// must not show it: what passed the tolerance is improved once more with the factors at hand, which costs
-// little, and steps are chosen by the iterations to this residual, far above rounding, and one that follows.
+// Rounding, other on every number of ranks, may decide whether Newton needs an iteration more. Steps are
+// chosen by the iterations to this residual, far above rounding, and one that follows.
 constexpr double kCounted = 1e-5;
 constexpr int kMostRaises = 40;  // of one try of a step
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall by this factor in an iteration, else a new tangent is cheaper;
-// and two iterations must bring it down to this part of the tolerance (round-off by default), so that results
-// do not show on how many ranks they were made.
-constexpr double kChordRate = 0.1, kOfTolerance = 1e-6;
+// With the old tangent the residual must fall by this factor in an iteration, and two must bring it down to
+// the tolerance, else a new tangent is cheaper.
+constexpr double kChordRate = 0.1;
 
 // Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
 // error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
@@ -33,7 +31,7 @@ constexpr double kChordRate = 0.1, kOfTolerance = 1e-6;
 // `before` to `now`.
 bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
   const double rate = (was_old ? 1 : 2) * now / before;
-  return rate < kChordRate && now * rate * rate < kOfTolerance * tolerance;
+  return rate < kChordRate && now * rate * rate < tolerance;
 }
 
 }  // namespace
@@ -138,17 +136,15 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   const double tolerance = settings_.tolerance;
   if (counted_ < 0 && norms_.small(std::max(tolerance, kCounted))) counted_ = it;
   if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
-  const bool small = it > 0 && norms_.small(tolerance);
-  if (small && polishing_) return SNES_CONVERGED_FNORM_RELATIVE;
-  polishing_ = small;
-  old_tangent_ = small || (it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance));
+  if (it > 0 && norms_.small(tolerance)) return SNES_CONVERGED_FNORM_RELATIVE;
+  old_tangent_ = it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance);
   if (!old_tangent_) system_.tangent(trial_.s.view(h_), alpha_weights(alpha_, h_), local_u_, false, J_.get());
   return SNES_CONVERGED_ITERATING;
 }
 
 // Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
 void Dynamics::solve_once() {
-  polishing_ = old_tangent_ = false, counted_ = -1;
+  old_tangent_ = false, counted_ = -1;
   error_.check(SNESSolve(snes_, nullptr, u_.get()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt its = 0;

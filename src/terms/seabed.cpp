@@ -99,19 +99,29 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
   }
 }
 
+namespace {
+// At n nodes with an equal share of the force each.
+template <int n>
+void add_shared(const int (&blocks)[n], const Vec3& residual, const Mat3* K, const Mat3* C,
+                Assembler& assembler) {
+  using Shared = Eigen::Matrix<double, 3 * n, 3 * n, Eigen::RowMajor>;
+  const Eigen::Matrix<double, 3 * n, 1> f = (residual / n).replicate<n, 1>();
+  Shared k, c;
+  if (K) k = (*K / (n * n)).replicate<n, n>();
+  if (C) c = (*C / (n * n)).replicate<n, n>();
+  assembler.add(blocks, f.data(), K ? k.data() : nullptr, C ? c.data() : nullptr, nullptr);
+}
+}  // namespace
+
 // Half of what is half way along an element goes to either node.
 void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
                      Assembler& assembler) const {
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 6, 6>;
-  const int n = p.second < 0 ? 1 : 2;
-  int blocks[2];
-  for (int i = 0; i < n; ++i) blocks[i] = mesh_.block[i ? p.second : p.node];
-  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6> f = (residual / n).replicate(n, 1);
-  RowMajor k, c;
-  if (K) k = (*K / (n * n)).replicate(n, n);
-  if (C) c = (*C / (n * n)).replicate(n, n);
-  assembler.add({blocks, static_cast<size_t>(n)}, f.data(), K ? k.data() : nullptr, C ? c.data() : nullptr,
-                nullptr);
+  if (p.second < 0) return add_shared({mesh_.block[p.node]}, residual, K, C, assembler);
+  add_shared({mesh_.block[p.node], mesh_.block[p.second]}, residual, K, C, assembler);
+}
+
+bool SeabedTerm::above(const Point& p, const Vec3& x) const {
+  return !surface_ && !suction_ && plane_.gap(x) >= contact_distance(p);
 }
 
 void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -124,6 +134,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       const Mat3 K = k * (Mat3::Identity() - normal * normal.transpose());
       add(p, k * strayed(p, of_nodes(p, trial.x)), tangent ? &K : nullptr, nullptr, assembler);
     }
+    if (above(p, of_nodes(p, trial.x))) continue;
     const PointContact c = contact(p, trial, tangent, at, convex);
     const Pull pulled = pull(p, at, trial.step);
     if (c.normal.force == 0 && pulled.force == 0) continue;

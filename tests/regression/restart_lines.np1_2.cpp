@@ -72,6 +72,9 @@ output: {every: 0.5, histories: [{line: chain, at: end_b, name: fairlead}]}
 )",
                         "wall_tension", "hs: 4", "hs: 4.1"}};
 
+// Where rounding differs Newton's method ends at other places within its tolerance, 1e-8 of the forces.
+constexpr double kNewton = 5e-8;
+
 // Fields and histories are the same to this share of their range; 0: to the last bit. Energies are sums over
 // ranks, and add up over time.
 void expect_same(const Results& whole, const Results& rest, double share, double sums) {
@@ -123,8 +126,8 @@ TEST_P(RestartLines, OtherRanks) {
   run_on_all({input, path + "/more.h5", path + "/half_one.h5", kEnd});
   if (!first()) return;
   const Results whole = read(path + "/whole.h5");
-  expect_same(whole, read(path + "/fewer.h5"), 1e-8, 1e-8);
-  expect_same(whole, read(path + "/more.h5"), 1e-8, 1e-8);
+  expect_same(whole, read(path + "/fewer.h5"), kNewton, 1e-8);
+  expect_same(whole, read(path + "/more.h5"), kNewton, 1e-8);
 }
 
 // Soil that resists more from half way on, a pipe that is warmer: another run.

@@ -2,7 +2,6 @@
 // turns into vector instructions: a sea has hundreds of components, and every node asks in every step.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "hawser/math/types.hpp"
@@ -25,10 +24,10 @@ class WaveSums {
 
   // Of all components at a place and a time.
   struct Phases {
-    std::unique_ptr<double[]> sine, cosine;
+    std::vector<double> sine, cosine;
     double surface = 0;  // m above the still water
   };
-  Phases phases(double x, double y, double t) const;
+  void phases(double x, double y, double t, Phases& out) const;
   // Adds velocity [m/s] and its derivative in time [m/s²] at the height z [m] from the still water.
   // Components that are not felt there are left out: what all of these would add is less than kLeftOut times
   // the sum of the sizes that velocities, or accelerations, of the components have in the mean water level.

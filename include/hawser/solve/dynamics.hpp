@@ -151,7 +151,6 @@ class Dynamics {
   double expected_ = -1;         // s, the step that the system was last told to expect
   bool copied_ = false;          // trial_ has all that a step leaves alone
   bool loaded_ = false;          // trial_ belongs to local_u_
-  bool polishing_ = false;       // within the tolerance, improved once more with the old factors
   bool old_tangent_ = false;     // of an iteration before
   double first_ = 0;  // N, size of the first residual of this Newton solution, and of what makes it up
   int counted_ = -1;  // iterations to a residual far above rounding; < 0: not there yet
