@@ -1,49 +1,59 @@
 // Whether an equilibrium is stable: the negative eigenvalues of its tangent, counted by a factorisation.
 #include "hawser/solve/stability.hpp"
 
+#include <Eigen/Cholesky>
+
 #include "hawser/base/gather.hpp"
+#include "hawser/math/types.hpp"
+#include "hawser/system/own_blocks.hpp"
 
 namespace hawser {
 
-MatHandle symmetric_part(Mat J) {
-  MatHandle a, t;
+namespace {
+
+// In the format of J.
+MatHandle symmetric_blocks(Mat J) {
+  MatHandle t;
   check(MatTranspose(J, MAT_INITIAL_MATRIX, t.out()));
   check(MatAXPY(t.get(), 1, J, UNKNOWN_NONZERO_PATTERN));  // where it is the same it takes no room
   check(MatScale(t.get(), 0.5));
-  check(MatConvert(t.get(), MATAIJ, MAT_INITIAL_MATRIX, a.out()));
-  check(MatSetOption(a.get(), MAT_SYMMETRIC, PETSC_TRUE));
-  return a;
+  return t;
 }
 
-namespace {
-
-// Whether a matrix on one rank is positive definite, by Cholesky's factors in its own order, in which chains
-// have no fill.
+// Whether a symmetric matrix on one rank is positive definite, by Cholesky's factorisation where its blocks
+// stand: none of it is left. Chains have no fill in their own order; false, too, where a matrix has.
 bool positive_definite(Mat a) {
-  MatHandle factor;
-  IS rows = nullptr, columns = nullptr;
-  MatFactorInfo info;
-  PetscInt negative = 0, zero = 0, positive = 0;
-  check(MatFactorInfoInitialize(&info));
-  check(MatGetFactor(a, MATSOLVERPETSC, MAT_FACTOR_CHOLESKY, factor.out()));
-  check(MatGetOrdering(a, MATORDERINGNATURAL, &rows, &columns));
-  check(MatCholeskyFactorSymbolic(factor.get(), a, rows, &info));
-  check(MatCholeskyFactorNumeric(factor.get(), a, &info));
-  check(ISDestroy(&rows));
-  check(ISDestroy(&columns));
-  MatFactorError error = MAT_FACTOR_NOERROR;
-  check(MatFactorGetError(factor.get(), &error));
-  if (error != MAT_FACTOR_NOERROR) return false;
-  check(MatGetInertia(factor.get(), &negative, &zero, &positive));
-  return negative == 0 && zero == 0;
+  const OwnBlocks own(a);
+  const auto block = [](double* of) { return Eigen::Map<Mat3>(of); };
+  for (int i = 0; i < own.rows(); ++i) {
+    const Eigen::LLT<Mat3> pivot(block(own.at(i, i)));
+    if (pivot.info() != Eigen::Success) return false;
+    const auto columns = own.columns_from(i, i + 1);
+    for (size_t j = 0; j < columns.size(); ++j) {
+      const Mat3 x = pivot.solve(block(own.at(i, columns[j])));
+      for (const int k : columns.subspan(j)) {
+        double* to = own.at(columns[j], k);
+        if (!to) return false;
+        block(to) -= x.transpose() * block(own.at(i, k));
+      }
+    }
+  }
+  return true;
 }
 
 }  // namespace
 
+MatHandle symmetric_part(Mat J) {
+  MatHandle a;
+  check(MatConvert(symmetric_blocks(J).get(), MATAIJ, MAT_INITIAL_MATRIX, a.out()));
+  check(MatSetOption(a.get(), MAT_SYMMETRIC, PETSC_TRUE));
+  return a;
+}
+
 int negative_eigenvalues(Mat J, bool chains) {
-  const MatHandle a = symmetric_part(J);
   const int size = ranks_of(PetscObjectComm(reinterpret_cast<PetscObject>(J)));
-  if (chains && size == 1 && positive_definite(a.get())) return 0;
+  if (chains && size == 1 && positive_definite(symmetric_blocks(J).get())) return 0;
+  const MatHandle a = symmetric_part(J);
   MatHandle factor;
   if (MatGetFactor(a.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;
   check(MatMumpsSetIcntl(factor.get(), 24, 1));  // what PETSc asks for before it tells the inertia

@@ -4,6 +4,9 @@
 
 #include <petscmat.h>
 
+#include <algorithm>
+#include <span>
+
 namespace hawser {
 
 class OwnBlocks {
@@ -15,6 +18,12 @@ class OwnBlocks {
   OwnBlocks& operator=(const OwnBlocks&) = delete;
   ~OwnBlocks();
 
+  int rows() const { return rows_; }
+  // Of the pattern in a row, from that column on.
+  std::span<const PetscInt> columns_from(int row, int first) const {
+    const PetscInt* end = columns_ + starts_[row + 1];
+    return {std::lower_bound(columns_ + starts_[row], end, first), end};
+  }
   // 3x3, column-major; rows and columns counted from the first of this rank. Null: not in the pattern.
   // `before`: what was last found in this row, or null; the block after it is looked at first.
   double* at(int row, int column, const double* before = nullptr) const {
