@@ -81,7 +81,7 @@ ContactStart SeabedTerm::start(const Point& p) const {
 // Statics comes here before every iteration: a laid line keeps where its friction is reckoned from.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
   const bool statics = h <= 0;
-  if (!statics) laid_ = {};
+  if (!statics) laid_.clear(), laid_.shrink_to_fit();
   pressed_.resize(statics && friction_on_ ? points_.size() : 0);
   for (const Point& p : points_) {
     Start& start = starts_[place(p)];

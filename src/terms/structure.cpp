@@ -235,7 +235,10 @@ bool StructureTerm::soften(double most) {
     cables_[i].section.EA = std::min(most, true_EA_[i]);
     other |= cables_[i].section.EA != true_EA_[i];
   }
-  if (yields) true_beams_.clear(), true_EA_.clear();
+  if (yields) {
+    true_beams_.clear(), true_beams_.shrink_to_fit();
+    true_EA_.clear(), true_EA_.shrink_to_fit();
+  }
   return other;
 }
 

@@ -78,10 +78,9 @@ class SeabedTerm final : public ForceTerm {
  private:
   struct History : SurfaceContactPoint {
     using SurfaceContactPoint::SurfaceContactPoint;
-    bool active = false;
+    bool active = false, held = false;
     // How deep it has been since it landed [m], and whether the soil holds it: until it is lifted too far.
     double deepest = 0;
-    bool held = false;
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
