@@ -99,24 +99,22 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
   const auto by_xi = [](const ClearancePoint& a, const ClearancePoint& b) { return a.xi < b.xi; };
   std::sort(places.begin(), places.end(), by_xi);
   double least = std::numeric_limits<double>::infinity(), worst = 0;
-  for (ClearancePoint& p : places) {
-    if (!(p.distance > pair.contact_distance)) return;
-    p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.hint);
-    least = std::min(least, p.distance - pair.contact_distance);
-  }
+  for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.contact_distance);
   if (!(least > 0)) return;
-  double free =
-      least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
-  for (int i = 0; i < kProbes && free < kCertain * least; ++i) {
-    const Vec3 y = pose.to_body(shape.point(worst));
+  const auto free = [&] {
+    return least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
+  };
+  for (int i = 0; i < kProbes && free() < kCertain * least; ++i) {
     const double within = pair.contact_distance + 2 * least;
-    const auto p = surface(pair).query(y, within, pair.hint);
-    const ClearancePoint more{worst, surface(pair).free_radius(y, p ? p->distance : within, pair.hint)};
+    const auto p = surface(pair).query(pose.to_body(shape.point(worst)), within, pair.hint);
+    const ClearancePoint more{worst, p ? p->distance : within};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
     least = std::min(least, more.distance - pair.contact_distance);
-    free = least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
   }
-  pair.clearance.offer(bezier_in(pose, shape), free);
+  if (!(free() > 0)) return;  // nor is it with what distances do not see
+  for (ClearancePoint& p : places)
+    p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.hint);
+  pair.clearance.offer(bezier_in(pose, shape), free());
 }
 
 const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVolumePair& pair) const {

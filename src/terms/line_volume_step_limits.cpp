@@ -99,6 +99,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   const Surface& surface = volumes_.surface(pair.volume);
   const double clearance = LineVolumeFinder::clearance_at_start(pair);
   const bool facet_groups = pair.several && predict_impacts_by_group(pair, committed, to);
+  const bool by_gap = finder_.by_gap();
   std::vector<ClearancePoint> free;
   for (size_t i = 0; i < kLookedAt.size(); ++i) {
     const double xi = kLookedAt[i], speed = velocity_at_start(pair, xi).norm();
@@ -109,20 +110,23 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
                          may_impact(s.slowness, s.seen, speed, along(committed.a, local(pair), xi).norm());
     if (clearance > far || !matters || !finder_.takes_part(pair, xi)) continue;
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
-    const bool by_gap = finder_.by_gap();
     const auto p = by_gap ? finder_.query(pair, 0, xi, y, within) : surface.query(y, within, pair.ahead[i]);
-    if (const double f = surface.free_radius(y, p ? p->distance : within, p ? p->triangle : pair.ahead[i]);
-        f > 0 && !by_gap)
-      free.push_back({xi, f});
+    if (const double away = p ? p->distance : within; away > pair.contact_distance)
+      free.push_back({xi, away});
     if (!p) continue;
     pair.ahead[i] = p->triangle;
     if (!facet_groups) predict_impacts(pair, committed, xi, *p, to);
   }
-  if (free.size() < kLookedAt.size()) return;
+  if (by_gap || free.size() < kLookedAt.size()) return;
   double worst = 0;
-  pair.clearance.offer(
-      bezier_in(pair.start.pose, start),
-      least_distance(free, start.slope_bound(), start.bend_bound(), worst) - pair.contact_distance);
+  const auto clear = [&] {
+    return least_distance(free, start.slope_bound(), start.bend_bound(), worst) - pair.contact_distance;
+  };
+  if (!(clear() > std::max(clearance, 0.0))) return;  // and less is free
+  for (size_t i = 0; i < free.size(); ++i)
+    free[i].distance = surface.free_radius(pair.start.pose.to_body(start.point(free[i].xi)), free[i].distance,
+                                           pair.ahead[i]);
+  pair.clearance.offer(bezier_in(pair.start.pose, start), clear());
 }
 
 // The places that a contact no longer reaches, where it ended or grew shorter, and those that it newly does.
