@@ -112,6 +112,8 @@ bool MeshFacetGroups::alike(std::span<const Vec3> axis, double reach, std::vecto
       const Vec3 n = normals_.quick_face(facets_, t);
       const double from = n.dot(p - facets_.corner(t, 0)), to = n.dot(q - facets_.corner(t, 0));
       if (std::min(from, to) > off || std::max(from, to) < -off) return false;  // beyond its plane
+      // Long facets have large balls: most of those that meet the axis are of facets that it is far from.
+      if (!facets_.may_reach(t, 0.5 * (p + q), reach + 0.5 * (q - p).norm())) return false;
       out.push_back({f, n});
       mean += n;
       return true;
