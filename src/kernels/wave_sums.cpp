@@ -65,10 +65,19 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) : depth_
     x_.push_back(c.x), y_.push_back(c.y);
     speed_.push_back(c.amplitude * c.omega / (1 - bottom)), bottom_.push_back(bottom);
   }
+  height_beyond_.assign(components.size() + 1, 0);
+  for (std::size_t i = components.size(); i-- > 0;)
+    height_beyond_[i] = height_beyond_[i + 1] + components[i].amplitude;
 }
 
-HAWSER_CLONES void WaveSums::phases(double x, double y, double t, Phases& out) const {
-  const std::size_t n = number_.size();
+std::size_t WaveSums::up_to(double most) const {
+  const auto end = std::upper_bound(number_.begin(), number_.end(), most);
+  return (static_cast<std::size_t>(end - number_.begin()) + kVector - 1) / kVector * kVector;
+}
+
+std::size_t WaveSums::felt(double z) const { return z < 0 ? up_to(kUnfelt / -z) : number_.size(); }
+
+HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n, Phases& out) const {
   out.sine.resize(n), out.cosine.resize(n);
   out.surface = elevation(n, phase_.data(), per_time_.data(), t, along_x_.data(), x, along_y_.data(), y,
                           amplitude_.data(), out.sine.data(), out.cosine.data());
@@ -78,12 +87,7 @@ HAWSER_CLONES void WaveSums::phases(double x, double y, double t, Phases& out) c
 // felt.
 HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
                                         Vec3& acceleration) const {
-  // How many components have a number up to `most`, in whole vectors.
-  const auto up_to = [this](double most) {
-    const auto end = std::upper_bound(number_.begin(), number_.end(), most);
-    return (static_cast<std::size_t>(end - number_.begin()) + kVector - 1) / kVector * kVector;
-  };
-  const std::size_t n = z < 0 ? up_to(kUnfelt / -z) : number_.size();
+  const std::size_t n = std::min(felt(z), at.sine.size());
   const double above = std::max(depth_ + z, 0.0);  // the bed
   const std::size_t shallow = depth_ > 0 ? std::min(n, up_to(kNothing / std::max(2 * above, 1e-9))) : 0;
   const double *sine = at.sine.data(), *cosine = at.cosine.data();

@@ -34,10 +34,27 @@ WaveField::WaveField(std::vector<WaveComponent> components, double depth, double
 WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
     : components_{wave->component()}, depth_(wave->depth()), stokes_(std::move(wave)) {}
 
+// How many of the components a place asks for. What stands below all troughs asks for those that it feels,
+// unless the stretching moves it by the others' elevation d eta: by h (h + z)/(h + eta)² d eta, in which a
+// motion k exp(kz) of a component changes by 1/(e |z|) at most. WaveSums::kLeftOut of it may be left out.
+std::size_t WaveField::asked(double z) const {
+  const double height = sums_.height_beyond(0), h = depth_;
+  double highest = z + height, moves = 1;  // of where the stretching may put it
+  if (!(highest < 0) || (h > 0 && h <= height)) return sums_.size();
+  if (stretching_ != Stretching::wheeler) return sums_.felt(z);
+  if (h > 0) {
+    highest *= h / (h - height);
+    moves = h * std::abs(h + z) / ((h - height) * (h - height));
+  }
+  const std::size_t n = sums_.felt(highest);
+  const double change = moves * sums_.height_beyond(n) / (M_E * -highest);
+  return change <= WaveSums::kLeftOut ? n : sums_.size();
+}
+
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
   if (stokes_) return stokes_->at(x, t, factor, rate);
   thread_local WaveSums::Phases phases;  // room that is used again
-  sums_.phases(x.x(), x.y(), t, phases);
+  sums_.phases(x.x(), x.y(), t, asked(x.z()), phases);
   WaveMotion m;
   m.surface = factor * phases.surface;
   double z = x.z();

@@ -73,7 +73,7 @@ TEST(Waves, SumsOverComponents) {
         surface += c.amplitude * std::cos(c.number * (c.x * x + c.y * y) - c.omega * t + c.phase);
       }
       WaveSums::Phases phases;
-      sums.phases(x, y, t, phases);
+      sums.phases(x, y, t, sums.size(), phases);
       EXPECT_NEAR(phases.surface, surface, 1e-11 * speed);
       bool left_out = false;
       for (const double z : {2.0, 0.0, -0.1, -1.0, -10.0, -0.5 * bottom, -0.9 * bottom, -bottom}) {
@@ -99,6 +99,39 @@ TEST(Waves, SumsOverComponents) {
       EXPECT_TRUE(left_out) << depth << (ripples ? ", ripples" : "");
     }
   }
+}
+
+// What a place below all troughs leaves out of the elevation does not show in the motion there: against the
+// field with the same components at the elevation that they all make. Where there is no bed Wheeler's
+// stretching moves all places by all of the elevation.
+TEST(Waves, DeepPlacesAskForWhatTheyFeel) {
+  for (const double depth : {0.0, 200.0})
+    for (const Stretching s : {Stretching::none, Stretching::vertical, Stretching::wheeler}) {
+      std::vector<WaveComponent> sea = irregular(Jonswap{4, 9, 3.3}, 0.4, 400, 7, 0);
+      const WaveField field(sea, depth, kG, s);
+      for (WaveComponent& c : sea) c.number = wave_number(c.omega, depth, kG);
+      const WaveSums sums(sea, depth);
+      double speed = 0, growth = 0;
+      for (const WaveComponent& c : sea)
+        speed += c.amplitude * c.omega, growth += c.amplitude * c.omega * c.omega;
+      int fewer = 0;
+      for (const double z : {-40.0, -80.0, -120.0, -180.0, -199.0, -199.99, -200.0})
+        for (double t = 100; t < 130; t += 7) {
+          WaveSums::Phases all;
+          sums.phases(12, -5, t, sums.size(), all);
+          const double eta = all.surface;
+          const double there = s != Stretching::wheeler ? z
+                               : depth > 0              ? depth * (z - eta) / (depth + eta)
+                                                        : z - eta;
+          Vec3 u = Vec3::Zero(), a = Vec3::Zero();
+          sums.add_motion(all, there, u, a);
+          const WaveMotion m = field.at({12, -5, z}, t);
+          fewer += m.surface != eta;
+          EXPECT_LE((m.velocity - u).norm(), 2 * WaveSums::kLeftOut * speed) << depth << " " << z;
+          EXPECT_LE((m.acceleration - a).norm(), 2 * WaveSums::kLeftOut * growth) << depth << " " << z;
+        }
+      EXPECT_EQ(fewer > 0, depth > 0 || s != Stretching::wheeler) << depth << " " << static_cast<int>(s);
+    }
 }
 
 // The velocity field has no divergence and no rotation, fits the moving surface to first order, stands still

@@ -22,16 +22,23 @@ class WaveSums {
   // With their wave numbers. depth <= 0: infinite, m.
   WaveSums(std::vector<WaveComponent> components, double depth);
 
-  // Of all components at a place and a time.
+  // The first components, by wave number, that are felt at the height z [m] from the still water: what all
+  // others would add is less than kLeftOut times the sum of the sizes that velocities, or accelerations, of
+  // the components have in the mean water level.
+  static constexpr double kLeftOut = 1e-4;
+  std::size_t felt(double z) const;
+  std::size_t size() const { return number_.size(); }
+  // Sum of the amplitudes of all components but the first n, m.
+  double height_beyond(std::size_t n) const { return height_beyond_[n]; }
+
+  // Of the first components at a place and a time.
   struct Phases {
     std::vector<double> sine, cosine;
     double surface = 0;  // m above the still water
   };
-  void phases(double x, double y, double t, Phases& out) const;
-  // Adds velocity [m/s] and its derivative in time [m/s²] at the height z [m] from the still water.
-  // Components that are not felt there are left out: what all of these would add is less than kLeftOut times
-  // the sum of the sizes that velocities, or accelerations, of the components have in the mean water level.
-  static constexpr double kLeftOut = 1e-6;
+  void phases(double x, double y, double t, std::size_t components, Phases& out) const;
+  // Adds velocity [m/s] and its derivative in time [m/s²] at the height z [m] from the still water, of what
+  // is felt there and has phases.
   void add_motion(const Phases& at, double z, Vec3& velocity, Vec3& acceleration) const;
 
  private:
@@ -41,7 +48,10 @@ class WaveSums {
   std::vector<double> x_, y_;                                 // direction
   std::vector<double> speed_;                                 // m/s: a omega/(1 - exp(-2 k h))
   std::vector<double> bottom_;                                // exp(-2 k h)
-  double depth_ = 0;                                          // m; <= 0: infinite
+  std::vector<double> height_beyond_ = {0};                   // m, from each component on; then 0
+  // How many components have a number up to `most`, in whole vectors.
+  std::size_t up_to(double most) const;
+  double depth_ = 0;  // m; <= 0: infinite
 };
 
 }  // namespace hawser
