@@ -47,7 +47,7 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
   SNESLineSearch search = nullptr;
   check(SNESGetLineSearch(snes_, &search));
   check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC));
-  check(SNESSetTolerances(snes_, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, settings_.max_iterations + 1,
+  check(SNESSetTolerances(snes_, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, settings_.max_iterations,
                           PETSC_DEFAULT));
   check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
   build();

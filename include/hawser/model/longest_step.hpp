@@ -13,7 +13,7 @@ struct LongestStep {
   std::string reason;  // what it comes from, for the user
 };
 
-// A hundredth of the period of waves (mean period T01 of a spectrum, DNV-RP-C205 3.5.2.3) and of prescribed
+// A 75th of the period of waves (mean period T01 of a spectrum, DNV-RP-C205 3.5.2.3) and of prescribed
 // motions and turns; a row of a table, but for the densest that cover a tenth of its time; a twentieth of a
 // ramp; the time between outputs; a fiftieth of the duration. Of the lines themselves, as far as that is no
 // less than a tenth of it, a twentieth of the slowest period of each (and of a wave along it, where a run
