@@ -21,8 +21,9 @@ TEST(Energy, FreeFlyingBeam) {
   EXPECT_LT(fine.angular, 5e-5);
 }
 
-// Momentum is kept to round-off at any step: a coarse one, a damped scheme, steps that change and are taken
-// back, lines whose elements differ in length, whose nodes carry masses and that start bent.
+// Momentum is kept to what Newton's method leaves, at any step: a coarse one, a damped scheme, steps that
+// change and are taken back, lines whose elements differ in length, whose nodes carry masses and that start
+// bent.
 TEST(Energy, MomentumOfAFreeBeam) {
   const Tumble coarse = tumble(true, 20, 50, 1, 50);
   show("free beam, 50 steps a period", 1, coarse);
@@ -51,7 +52,9 @@ TEST(Energy, MomentumOfAFreeBeam) {
   c.dynamics.error_tolerance = 1e-4;
   const Tumble automatic = tumble(c, true, 0, 0.8, 10);
   show("the same in automatic steps", 0.8, automatic);
-  EXPECT_LT(automatic.linear, 1e-11);
+  // What Newton's method leaves of the residual is a force on the line as a whole. Short steps end at the
+  // round-off of their accelerations, and 4600 of them add up.
+  EXPECT_LT(automatic.linear, 1e-9);
 }
 
 // With the default tolerance of Newton's iteration, which knows nothing of momentum.

@@ -8,7 +8,7 @@ namespace {
 TEST(Energy, MomentumOfAFreeBeamForAThousandPeriods) {
   const Tumble t = tumble(true, 20, 100, 1, 1000);
   show("free beam, 100 steps a period", 1, t);
-  EXPECT_LT(t.linear, 1e-10);
+  EXPECT_LT(t.linear, 2e-9);  // what Newton's method leaves of the residual adds up over 10⁵ steps
   EXPECT_LT(t.energy, 2e-3);
   EXPECT_LT(t.apart[1], 3 * t.apart[0]);
 }
