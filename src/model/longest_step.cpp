@@ -13,7 +13,7 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kOfPeriod = 75, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50;
+constexpr double kOfPeriod = 100, kOfWaves = 75, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50;
 // What lines do by themselves, and drag, shortens what drives them to no less than this; the local error does
 // more.
 constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
@@ -53,7 +53,7 @@ Sea sea(const Environment& e) {
 bool moves(const HarmonicMotion& m) { return !m.amplitude.isZero() || !m.rotation_amplitude.isZero(); }
 
 void add_harmonic(const HarmonicMotion& m, const std::string& who, Shortest& to) {
-  if (moves(m)) to.of(m.period / kOfPeriod, "a seventy-fifth of the period of " + who);
+  if (moves(m)) to.of(m.period / kOfPeriod, "a hundredth of the period of " + who);
 }
 
 void add_table(const TableMotion& m, const std::string& who, Shortest& to) {
@@ -77,7 +77,7 @@ double add_body(const Body& b, Shortest& to, Shortest& own) {
   } else if (const auto* t = std::get_if<TableMotion>(&b.motion)) {
     add_table(*t, who, to);
   } else if (const auto* s = std::get_if<ConstantMotion>(&b.motion)) {
-    if (s->rate != 0) to.of(2 * M_PI / std::abs(s->rate) / kOfPeriod, "a seventy-fifth of a turn of " + who);
+    if (s->rate != 0) to.of(2 * M_PI / std::abs(s->rate) / kOfPeriod, "a hundredth of a turn of " + who);
     speed = s->velocity.norm();
   }
   to.of(b.ramp / kOfRamp, "a twentieth of the ramp of " + who);
@@ -184,7 +184,7 @@ double slowest_period(const Case& c, const Line& line) {
 LongestStep longest_step(const Case& c) {
   Shortest to, own, drags;
   const Sea waves = sea(c.environment);
-  to.of(waves.period / kOfPeriod, "a seventy-fifth of the period of the waves");
+  to.of(waves.period / kOfWaves, "a seventy-fifth of the period of the waves");
   double speed = waves.speed;
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(b, to, own));

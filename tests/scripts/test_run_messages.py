@@ -223,7 +223,7 @@ lines:
 dynamics: {duration: 3 h}
 """)
         said = self.hawser("check", "ship.yaml").stdout
-        self.assertIn("automatic steps of at most 0.133 s (a seventy-fifth of the period of body ship)", said)
+        self.assertIn("automatic steps of at most 0.1 s (a hundredth of the period of body ship)", said)
 
     def test_check_refuses_what_run_refuses_at_the_start(self):
         write(self.folder, "met.yaml", CASE + "events: [{cut: {line: rod, at: 6}, when: {position: {line: rod, at: 12, axis: z, above: -100}}}]\n")
