@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hawser/math/clones.hpp"
 
@@ -98,7 +99,9 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
     ax += x_[i] * growing, ay += y_[i] * growing, az -= omega_[i] * up * cosine[i];
   };
   for (std::size_t i = 0; i < shallow; ++i) {
-    const double e = std::exp(number_[i] * z), back = bottom_[i] / e;
+    // A vector that begins with what is felt may end with waves so short that both are zero.
+    const double e = std::exp(number_[i] * z),
+                 back = bottom_[i] / std::max(e, std::numeric_limits<double>::min());
     add(i, speed_[i] * (e + back), speed_[i] * (e - back));
   }
   for (std::size_t i = shallow; i < n; ++i) {

@@ -134,6 +134,21 @@ TEST(Waves, DeepPlacesAskForWhatTheyFeel) {
     }
 }
 
+// A long swell and waves so short that nothing of them is left at the bed, in one vector.
+TEST(Waves, AtTheBedUnderSwellAndShortWaves) {
+  constexpr double depth = 1000;
+  WaveComponent swell, chop;
+  swell.amplitude = 2, swell.omega = 2 * M_PI / 25;
+  chop.amplitude = 0.3, chop.omega = 2 * M_PI / 2;
+  for (const Stretching s : {Stretching::none, Stretching::vertical, Stretching::wheeler}) {
+    const WaveField both({swell, chop}, depth, kG, s), one({swell}, depth, kG, s);
+    const WaveMotion m = both.at({10, 0, -depth}, 3), n = one.at({10, 0, -depth}, 3);
+    EXPECT_GT(n.velocity.norm(), 1e-6);
+    EXPECT_LE((m.velocity - n.velocity).norm(), 1e-12);
+    EXPECT_LE((m.acceleration - n.acceleration).norm(), 1e-12);
+  }
+}
+
 // The velocity field has no divergence and no rotation, fits the moving surface to first order, stands still
 // at the bed, and its acceleration is its derivative in time.
 TEST(Waves, IsPotentialFlow) {
