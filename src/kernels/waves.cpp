@@ -35,13 +35,14 @@ WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
     : components_{wave->component()}, depth_(wave->depth()), stokes_(std::move(wave)) {}
 
 // How many of the components a place asks for. What stands below all troughs asks for those that it feels,
-// unless the stretching moves it by the others' elevation d eta: by h (h + z)/(h + eta)² d eta, in which a
-// motion k exp(kz) of a component changes by 1/(e |z|) at most. WaveSums::kLeftOut of it may be left out.
+// unless the others' elevation d eta matters: Wheeler's stretching moves the place by h (h + z)/(h + eta)²
+// d eta, in which a motion k exp(kz) of a component changes by 1/(e |z|) at most. WaveSums::kLeftOut of it
+// may be left out, which is so at the bed. Elsewhere, and with the other stretchings, all make the elevation:
+// what is tall reaches the surface from below.
 std::size_t WaveField::asked(double z) const {
   const double height = sums_.height_beyond(0), h = depth_;
   double highest = z + height, moves = 1;  // of where the stretching may put it
-  if (!(highest < 0) || (h > 0 && h <= height)) return sums_.size();
-  if (stretching_ != Stretching::wheeler) return sums_.felt(z);
+  if (stretching_ != Stretching::wheeler || !(highest < 0) || (h > 0 && h <= height)) return sums_.size();
   if (h > 0) {
     highest *= h / (h - height);
     moves = h * std::abs(h + z) / ((h - height) * (h - height));
