@@ -155,8 +155,7 @@ std::vector<std::string> WaterErrors::warnings() const {
         fmt::format(
             "line {} has elements of {:.3g} m at arc length {:.4g} m ({:.3g} m {} the still water, t = "
             "{:.4g} s), {}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % "
-            "of their "
-            "largest sum, {:.3g} kN: give it elements of {:.2g} m there",
+            "of their largest sum, {:.3g} kN: give it elements of {:.2g} m there",
             mesh_.mesh->lines[w.line].name, w.length, w.arc, std::abs(w.z), w.z > 0 ? "above" : "below",
             g.time, why, joined > 1 ? fmt::format("the {} lines that are joined there", joined) : "the line",
             percent, percent < 9.95 ? 1 : 0, g.force / 1000, good));

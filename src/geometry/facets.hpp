@@ -69,6 +69,10 @@ class Facets {
 
 // The nearest of the facets that it is shown, no farther than max_distance [m]. tree: of all facets.
 class NearestFacet {
+  const Facets& facets_;
+  const Vec3& y_;
+  double rounding_;
+
  public:
   struct Foot : PatchPoint {
     int triangle = 0;
@@ -76,16 +80,11 @@ class NearestFacet {
   NearestFacet(const Facets& facets, const BoxTree& tree, const Vec3& y, double max_distance);
   // Of facets at equal distance the one of the lowest number stays, in whatever order they are shown.
   void visit(int t);
+  double squared, reach;  // m², m: what is farther does not count; with room for rounding
+  std::optional<Foot> foot;
 
  private:
   double padded() const;
-  const Facets& facets_;
-  const Vec3& y_;
-  double rounding_;
-
- public:
-  double squared, reach;  // m², m: what is farther does not count; with room for rounding
-  std::optional<Foot> foot;
 };
 
 // Search among the facets with their flag set (empty: all): those near by are found by the spatial hash where

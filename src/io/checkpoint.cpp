@@ -57,7 +57,7 @@ constexpr int kRecordHead = 4;      // numbers of a record before its values
 // How many nodes' records are handed over at a time: an even part of them, so that terms which look through
 // all that they keep for each part do so a limited number of times.
 int nodes_at_a_time(int nodes_total) {
-  constexpr int kParts = 64, kFewest = 500;
+  constexpr int kParts = 16, kFewest = 500;
   return std::max(kFewest, nodes_total / kParts + 1);
 }
 

@@ -41,12 +41,9 @@ WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
 // what is tall reaches the surface from below.
 std::size_t WaveField::asked(double z) const {
   const double height = sums_.height_beyond(0), h = depth_;
-  double highest = z + height, moves = 1;  // of where the stretching may put it
-  if (stretching_ != Stretching::wheeler || !(highest < 0) || (h > 0 && h <= height)) return sums_.size();
-  if (h > 0) {
-    highest *= h / (h - height);
-    moves = h * std::abs(h + z) / ((h - height) * (h - height));
-  }
+  if (stretching_ != Stretching::wheeler || !(h > height) || !(z < -height)) return sums_.size();
+  const double highest = h * (z + height) / (h - height);  // where the stretching may put it
+  const double moves = h * std::abs(h + z) / ((h - height) * (h - height));
   const std::size_t n = sums_.felt(highest);
   const double change = moves * sums_.height_beyond(n) / (M_E * -highest);
   return change <= WaveSums::kLeftOut ? n : sums_.size();

@@ -101,20 +101,22 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
   double least = std::numeric_limits<double>::infinity(), worst = 0;
   for (const ClearancePoint& p : places) least = std::min(least, p.distance - pair.contact_distance);
   if (!(least > 0)) return;
-  const auto free = [&] {
+  const auto clear = [&] {
     return least_distance(places, shape.slope_bound(), shape.bend_bound(), worst) - pair.contact_distance;
   };
-  for (int i = 0; i < kProbes && free() < kCertain * least; ++i) {
+  double free = clear();
+  for (int i = 0; i < kProbes && free < kCertain * least; ++i) {
     const double within = pair.contact_distance + 2 * least;
     const auto p = surface(pair).query(pose.to_body(shape.point(worst)), within, pair.hint);
     const ClearancePoint more{worst, p ? p->distance : within};
     places.insert(std::upper_bound(places.begin(), places.end(), more, by_xi), more);
     least = std::min(least, more.distance - pair.contact_distance);
+    free = clear();
   }
-  if (!(free() > 0)) return;  // nor is it with what distances do not see
+  if (!(free > 0)) return;  // nor is it with what distances do not see
   for (ClearancePoint& p : places)
     p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.hint);
-  pair.clearance.offer(bezier_in(pose, shape), free());
+  pair.clearance.offer(bezier_in(pose, shape), clear());
 }
 
 const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVolumePair& pair) const {

@@ -120,10 +120,6 @@ void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const 
   add_shared({mesh_.block[p.node], mesh_.block[p.second]}, residual, K, C, assembler);
 }
 
-bool SeabedTerm::above(const Point& p, const Vec3& x) const {
-  return !surface_ && !suction_ && plane_.gap(x) >= contact_distance(p);
-}
-
 void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
@@ -134,7 +130,6 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       const Mat3 K = k * (Mat3::Identity() - normal * normal.transpose());
       add(p, k * strayed(p, of_nodes(p, trial.x)), tangent ? &K : nullptr, nullptr, assembler);
     }
-    if (above(p, of_nodes(p, trial.x))) continue;
     const PointContact c = contact(p, trial, tangent, at, convex);
     const Pull pulled = pull(p, at, trial.step);
     if (c.normal.force == 0 && pulled.force == 0) continue;

@@ -42,6 +42,9 @@ class WaveSums {
   void add_motion(const Phases& at, double z, Vec3& velocity, Vec3& acceleration) const;
 
  private:
+  // How many components have a number up to `most`, in whole vectors.
+  std::size_t up_to(double most) const;
+
   // By growing wave number, to whole vectors: what is added has no amplitude.
   std::vector<double> number_, omega_, amplitude_;
   std::vector<double> along_x_, along_y_, per_time_, phase_;  // of the angle, in quarter turns
@@ -49,9 +52,7 @@ class WaveSums {
   std::vector<double> speed_;                                 // m/s: a omega/(1 - exp(-2 k h))
   std::vector<double> bottom_;                                // exp(-2 k h)
   std::vector<double> height_beyond_ = {0};                   // m, from each component on; then 0
-  // How many components have a number up to `most`, in whole vectors.
-  std::size_t up_to(double most) const;
-  double depth_ = 0;  // m; <= 0: infinite
+  double depth_ = 0;                                          // m; <= 0: infinite
 };
 
 }  // namespace hawser

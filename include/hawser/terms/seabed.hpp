@@ -170,8 +170,6 @@ class SeabedTerm final : public ForceTerm {
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
   // is then cut to `beyond` [m] more than where it touches.
   bool locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const;
-  // Out of touch for sure, as most points are: told of a plane without suction.
-  bool above(const Point& p, const Vec3& x) const;
   // Signed distance of x when less than `most` [m], infinite else.
   double gap(const Vec3& x, double most) const;
   // convex: without negative stiffness of a hollow.
