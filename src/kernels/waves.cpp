@@ -34,15 +34,15 @@ WaveField::WaveField(std::vector<WaveComponent> components, double depth, double
 WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
     : components_{wave->component()}, depth_(wave->depth()), stokes_(std::move(wave)) {}
 
-// How many of the components a place asks for. What stands below all troughs asks for those that it feels,
-// unless the others' elevation d eta matters: Wheeler's stretching moves the place by h (h + z)/(h + eta)²
-// d eta, in which a motion k exp(kz) of a component changes by 1/(e |z|) at most. WaveSums::kLeftOut of it
-// may be left out, which is so at the bed. Elsewhere, and with the other stretchings, all make the elevation:
-// what is tall reaches the surface from below.
-std::size_t WaveField::asked(double z) const {
+// How many components, the longest waves first, are summed for a place at the height z. At the bed those that
+// are felt there are enough: the motion depends on the elevation eta only by Wheeler's stretching, which
+// moves the place by h (h + z)/(h + eta)² d eta when eta changes by d eta, and the motion exp(kz) of any
+// component then changes by at most 1/(e |z|) times that. This is bounded by WaveSums::kLeftOut for what is
+// left out. Everywhere else all components are summed, since a tall body below needs the elevation above it.
+std::size_t WaveField::components_summed(double z) const {
   const double height = sums_.height_beyond(0), h = depth_;
   if (stretching_ != Stretching::wheeler || !(h > height) || !(z < -height)) return sums_.size();
-  const double highest = h * (z + height) / (h - height);  // where the stretching may put it
+  const double highest = h * (z + height) / (h - height);  // under the deepest trough
   const double moves = h * std::abs(h + z) / ((h - height) * (h - height));
   const std::size_t n = sums_.felt(highest);
   const double change = moves * sums_.height_beyond(n) / (M_E * -highest);
@@ -52,7 +52,7 @@ std::size_t WaveField::asked(double z) const {
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
   if (stokes_) return stokes_->at(x, t, factor, rate);
   thread_local WaveSums::Phases phases;  // room that is used again
-  sums_.phases(x.x(), x.y(), t, asked(x.z()), phases);
+  sums_.phases(x.x(), x.y(), t, components_summed(x.z()), phases);
   WaveMotion m;
   m.surface = factor * phases.surface;
   double z = x.z();

@@ -20,8 +20,8 @@ MatHandle symmetric_blocks(Mat J) {
   return t;
 }
 
-// Whether a symmetric matrix on one rank is positive definite, by Cholesky's factorisation where its blocks
-// stand: none of it is left. Chains have no fill in their own order; false, too, where a matrix has.
+// Whether a symmetric matrix on one rank is positive definite, by Cholesky's factorisation, which overwrites
+// it. Chains have no fill in their own order. Of a matrix that has fill the answer is false as well.
 bool positive_definite(Mat a) {
   const OwnBlocks own(a);
   const auto block = [](double* of) { return Eigen::Map<Mat3>(of); };

@@ -113,7 +113,7 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
     least = std::min(least, more.distance - pair.contact_distance);
     free = clear();
   }
-  if (!(free > 0)) return;  // nor is it with what distances do not see
+  if (!(free > 0)) return;  // free_radius only shortens distances
   for (ClearancePoint& p : places)
     p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.hint);
   pair.clearance.offer(bezier_in(pose, shape), clear());

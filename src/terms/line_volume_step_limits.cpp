@@ -122,7 +122,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   const auto clear = [&] {
     return least_distance(free, start.slope_bound(), start.bend_bound(), worst) - pair.contact_distance;
   };
-  if (!(clear() > std::max(clearance, 0.0))) return;  // and less is free
+  if (!(clear() > std::max(clearance, 0.0))) return;  // free_radius only shortens distances
   for (size_t i = 0; i < free.size(); ++i)
     free[i].distance = surface.free_radius(pair.start.pose.to_body(start.point(free[i].xi)), free[i].distance,
                                            pair.ahead[i]);

@@ -41,7 +41,7 @@ class WaveField {
   WaveMotion at(const Vec3& x, double t, double factor = 1, double rate = 0) const;
 
  private:
-  std::size_t asked(double z) const;
+  std::size_t components_summed(double z) const;
   std::vector<WaveComponent> components_;
   WaveSums sums_;
   double depth_ = 0;

@@ -11,8 +11,8 @@ MatHandle symmetric_part(Mat J);
 
 // Number of negative eigenvalues of the symmetric part of J (Sylvester's inertia of a factorisation by MUMPS,
 // which takes more room than all else in statics). chains: nothing couples its lines; on one rank Cholesky's
-// factors, in the place of that part, then tell whether there are any, if lines meet at no joint: that makes
-// fill. Collective. -1 when the factorisation fails.
+// factorisation, which overwrites a copy of that part, then tells whether there are any, but not where lines
+// meet at a joint, since that makes fill. Collective. -1 when the factorisation fails.
 int negative_eigenvalues(Mat J, bool chains = false);
 
 }  // namespace hawser

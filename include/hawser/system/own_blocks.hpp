@@ -19,7 +19,7 @@ class OwnBlocks {
   ~OwnBlocks();
 
   int rows() const { return rows_; }
-  // Of the pattern in a row, from that column on.
+  // The columns of the blocks that a row has, from the column `first` on.
   std::span<const PetscInt> columns_from(int row, int first) const {
     const PetscInt* end = columns_ + starts_[row + 1];
     return {std::lower_bound(columns_ + starts_[row], end, first), end};
