@@ -148,6 +148,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (feeders) system_->add(std::move(feeders));
 
   state_ = std::move(start.state);
+  laid_ = std::move(start.laid);
   system_->tie(std::move(start.tied), [b = bodies_](int body, double t) { return b->pose(body, t); });
 }
 
@@ -241,51 +242,24 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) c
   return bodies_->pose(body, at);
 }
 
+// By the case: a rank without nodes has no friction of its own, and statics is collective.
 bool Simulation::lays_lines() const {
-  // By the case: a rank without nodes has no friction of its own, and what follows is collective.
-  const model::Seabed& bed = case_.environment.seabed;
-  return seabed_ && static_friction_.value_or(true) && (bed.friction.axial > 0 || bed.friction.lateral > 0) &&
-         bed.as_laid;
+  return seabed_ && static_friction_.value_or(true) && model::static_bed_friction(case_);
 }
 
-// A line whose start shape the case gives, on the bed from end to end, was laid there.
-void Simulation::lay_at_start() {
-  if (!lays_lines() || std::exchange(laid_, true)) return;
-  std::vector<double> near;
-  for (const model::Line& line : case_.lines) {
-    const bool given = line.start == model::Start::straight || line.start == model::Start::points ||
-                       line.start == model::Start::other_run;
-    near.push_back(given ? model::laying_reach(case_, line) : -1);
-  }
-  seabed_->lay_at_start(system_->comm(), state_.view(0), near);
-}
-
-// Friction of the bed holds against the stretch that the equilibrium without it has brought.
-void Simulation::lay_lines(StaticsSettings settings, StaticsReport& report) {
-  if (!lays_lines()) return;
-  std::vector<int> held;  // ends, of the mesh
-  for (size_t l = 0; l < case_.lines.size(); ++l) {
-    const LineSpan& span = mesh_->lines[l];
-    if (model::is_held(case_.lines[l].end_a)) held.push_back(span.first_node);
-    if (model::is_held(case_.lines[l].end_b)) held.push_back(span.first_node + span.nodes - 1);
-  }
-  seabed_->enable_friction(true);
-  std::vector<double> tension;
-  if (case_.environment.seabed.full) {
-    tension.resize(state_.x.size());
-    const FieldRegistry fields = system_->fields();
-    for (const FieldSource& f : fields.sources())
-      if (f.name == "effective_tension") f.fill(state_.view(0), tension);
-  }
-  for (const int l : seabed_->lay(system_->comm(), state_.view(0), held, tension))
-    notes_.push_back(
-        fmt::format("lines.{}: lies on the bed from end to end and nothing says where it was laid, so that "
-                    "statics has no friction on it; 'start: straight' or points on the bed say where",
-                    mesh_->lines[l].name));
+// From the equilibrium with friction under the weight of what lay at the start to that with the law of motion,
+// by way of friction under the contact forces of the first.
+void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
   settings.near = true;
-  const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
-  report.iterations += more.iterations, report.escapes += more.escapes;
-  report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
+  const auto solve = [&] {
+    const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
+    report.iterations += more.iterations, report.escapes += more.escapes;
+    report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
+  };
+  seabed_->press_by_contact(state_.view(0));
+  solve();
+  seabed_->follow_contact(state_.view(0));
+  solve();
 }
 
 StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, bool falls) {
@@ -299,7 +273,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
     if (contact_) contact_->enable_friction(true);
     if (line_pairs_) line_pairs_->enable_friction(true);
   }
-  lay_at_start();
+  if (lays_lines()) seabed_->lay(laid_, state_.view(0), case_.environment.seabed.full);
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
   if (bodies_in_water_) bodies_in_water_->hold(true);
@@ -314,7 +288,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   settings.friction = static_friction();
   settings.progress = std::move(progress);
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
-  lay_lines(settings, report);
+  if (lays_lines()) follow_contact(settings, report);
   enable_friction(true);
   if (bodies_in_water_) bodies_in_water_->hold(false);
   if (floating_) {

@@ -134,19 +134,6 @@ void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& b
 
 namespace {
 
-// How deep the soil lets a force [N/m] press a line of this diameter: m.
-double sunk(const model::Seabed& bed, double force, double diameter) {
-  const double share = bed.basis == model::StiffnessBasis::per_length ? 1 : diameter;
-  if (!bed.force_table) return force / (share * bed.normal_stiffness);
-  constexpr double kDeep = 1e3;
-  double low = 0, high = kDeep;
-  for (int i = 0; i < 60; ++i) {
-    const double d = 0.5 * (low + high);
-    (share * bed.force_table->at(d).force < force ? low : high) = d;
-  }
-  return high;
-}
-
 constexpr double kKnownHeight = 0.1;  // m, to which surveys know the height of a bed
 
 // How deep the axis of a line may start [m]: on or in the soil that it may be pressed into, and what a bed's
@@ -154,7 +141,7 @@ constexpr double kKnownHeight = 0.1;  // m, to which surveys know the height of 
 double deepest_start(const model::Case& c, const model::LineType& t) {
   constexpr double kPressed = 3;  // times the weight
   return kKnownHeight + t.contact_diameter +
-         sunk(c.environment.seabed, kPressed * c.environment.gravity * t.mass_per_length, t.contact_diameter);
+         model::penetration_under(c.environment.seabed, kPressed * c.environment.gravity * t.mass_per_length, t.contact_diameter);
 }
 
 // Places of a line that the case gives, against the bed.
@@ -170,8 +157,6 @@ class BedCheck {
       if (grid_) steps();
     }
     for (model::Line& line : c_.lines) {
-      rest(line, line.end_a, line.sections.front(), false);
-      rest(line, line.end_b, line.sections.back(), true);
       end(line, line.end_a, line.sections.front(), "end_a");
       end(line, line.end_b, line.sections.back(), "end_b");
       if (line.start == model::Start::points) points(line);
@@ -179,7 +164,7 @@ class BedCheck {
   }
 
  private:
-  static constexpr double kTold = 0.02;  // m under the bed, what a rounded depth of the water may leave
+  static constexpr double kRounded = 0.02;  // m under the bed, what a rounded depth of the water may leave
 
   // No bed under a line is as large, one in mm taken for m is, nor as small as the line is thick.
   void size() const {
@@ -216,30 +201,14 @@ class BedCheck {
     for (size_t i = 0; i < line.points.size(); ++i)
       if (!buried(line, laid[i] / laid.back()))
         place(fmt::format("lines.{}.start.points[{}]", line.name, i), line.points[i],
-              c_.line_type(line.sections.front().type));
+              c_.line_type(line.sections.front().type),
+              deepest_start(c_, c_.line_type(line.sections.front().type)));
   }
   bool covers(const Vec3& x) const {
     if (!bed_.surface) return true;
     return grid_
                ? grid_->covers(x)
                : x.x() >= box_.lo.x() && x.x() <= box_.hi.x() && x.y() >= box_.lo.y() && x.y() <= box_.hi.y();
-  }
-  // An anchor on the bed is where the line lies on it: the axis is half a contact diameter above. What is
-  // given nearer to the bed than that is not held in it.
-  void rest(model::Line& line, model::End& e, const model::Section& section, bool b) {
-    const double half = 0.5 * c_.line_type(section.type).contact_diameter;
-    if (e.kind != model::EndKind::anchor || !covers(e.at) || buried(line, b ? 1 : 0)) return;
-    const double height = model::height_above_bed(bed_, e.at);
-    if (!(std::abs(height) < half)) return;
-    Vec3 up = model::bed_normal(bed_);
-    if (bed_.surface)
-      if (const auto nearest = bed_.surface->query(e.at, std::numeric_limits<double>::infinity()))
-        up = nearest->normal;
-    const Vec3 given = e.at;
-    e.at += (half - height) * up;
-    if (line.start != model::Start::points) return;
-    Vec3& first = b ? line.points.back() : line.points.front();
-    if ((first - given).norm() < half) first = e.at;
   }
   void end(const model::Line& line, const model::End& e, const model::Section& section, const char* name) {
     if (e.kind == model::EndKind::free) return;
@@ -249,10 +218,20 @@ class BedCheck {
       return c_.notes.push_back(fmt::format("{}: lies beyond the edge of the bed of {}, {}", key, bed_.file,
                                             grid_ ? "which is extrapolated there" : "where there is none"));
     if (buried(line, &e == &line.end_a ? 0 : 1)) return reaches(line, e, x);
-    place(key + (e.kind == model::EndKind::anchor  ? ".anchor"
-                 : e.kind == model::EndKind::joint ? ".joint"
-                                                   : ".at"),
-          x, c_.line_type(section.type));
+    const std::string where = key + (e.kind == model::EndKind::anchor  ? ".anchor"
+                                     : e.kind == model::EndKind::joint ? ".joint"
+                                                                       : ".at");
+    const model::LineType& type = c_.line_type(section.type);
+    if (!model::is_held(e)) return place(where, x, type, deepest_start(c_, type));
+    // The bed gives way to a held end (model::bed_at_end), on a small part of the line.
+    constexpr double kPart = 0.01;
+    const double deep = -model::height_above_bed(bed_, x);
+    place(where, x, type, std::max(deepest_start(c_, type), kPart * model::length_of(line)));
+    if (deep >= 0.5 * type.contact_diameter && deep > kRounded)
+      c_.notes.push_back(
+          fmt::format("{}: is {:.3g} m under the seabed, which is lowered there over {:.3g} m of the line; give "
+                      "the height of the seabed there, or the length that is 'buried'",
+                      where, deep, model::bed_at_end(c_, line, &e == &line.end_b, 0).length));
   }
   // A line that starts by itself goes straight from its end in the soil to the bed.
   void reaches(const model::Line& line, const model::End& e, const Vec3& x) const {
@@ -265,19 +244,14 @@ class BedCheck {
       c_.refuse(key, "{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end", length,
                 deep);
   }
-  // The bed would throw it out.
-  void place(const std::string& key, const Vec3& x, const model::LineType& type) const {
-    const double deep = -model::height_above_bed(bed_, x), most = deepest_start(c_, type);
+  // The bed would throw out what starts deeper than `most` [m].
+  void place(const std::string& key, const Vec3& x, const model::LineType& type, double most) const {
+    const double deep = -model::height_above_bed(bed_, x);
     if (covers(x) && deep > most)
       c_.refuse(key,
                 "is {:.3g} m under the seabed, which would throw the line out; a line of '{}' may start "
-                "{:.2g} m deep at most where it is not 'buried'",
+                "{:.2g} m deep at most here where it is not 'buried'",
                 deep, type.name, most);
-    else if (covers(x) && deep >= 0.5 * type.contact_diameter && deep > kTold)
-      c_.notes.push_back(
-          fmt::format("{}: is {:.3g} m under the seabed, and the soil presses the line up beside it; give "
-                      "the height of the seabed there, or the length that is 'buried'",
-                      key, deep));
   }
 
   model::Case& c_;

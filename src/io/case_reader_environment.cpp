@@ -79,7 +79,7 @@ void finish_waves(const Value& v, const CaseSource& source, model::Waves& w) {
 void finish_seabed(const Value& v, double water_depth, const CaseSource& source, model::Seabed& b) {
   if (!v.has("depth")) b.depth = water_depth;
   read_bed_surface(v, source, b);
-  if (!b.surface && !(b.depth > 0))
+  if (!b.surface && !v.has("depth") && !(water_depth > 0))
     refuse_key(v, v.where + ".depth", "required key is missing: the depth, here or of the water");
   if (!v.has("normal_stiffness")) b.normal_stiffness = 1e5;
   if (b.force_table && v.has("smoothing"))

@@ -23,6 +23,75 @@ double height_above_bed(const Seabed& bed, const Vec3& x) {
   return nearest ? nearest->distance : kNowhere;
 }
 
+Vec3 below_on_bed(const Seabed& bed, const Vec3& x) {
+  constexpr int kProjections = 5;
+  Vec3 at = x;
+  for (int i = 0; i < (bed.surface ? kProjections : 1); ++i) {
+    Vec3 normal = bed_normal(bed);
+    double height = height_above_bed(bed, at);
+    if (bed.surface) {
+      const auto nearest = bed.surface->query(at, std::numeric_limits<double>::infinity());
+      if (!nearest) return x;
+      normal = nearest->normal;
+      height = nearest->distance;
+    }
+    if (!(normal.z() > 0)) return at;
+    at.z() -= height / normal.z();
+  }
+  return at;
+}
+
+double penetration_under(const Seabed& bed, double force, double diameter) {
+  const double share = bed.basis == StiffnessBasis::per_length ? 1 : diameter;
+  if (!bed.force_table) return force / (share * bed.normal_stiffness);
+  constexpr double kDeep = 1e3;
+  double low = 0, high = kDeep;
+  for (int i = 0; i < 60; ++i) {
+    const double d = 0.5 * (low + high);
+    (share * bed.force_table->at(d).force < force ? low : high) = d;
+  }
+  return high;
+}
+
+double submerged_weight(const Case& c, const LineType& type) {
+  const Water& water = c.environment.water;
+  const double area = M_PI / 4 * type.displaced() * type.displaced();
+  return c.environment.gravity * (type.mass_per_length - (water.present ? water.density * area : 0));
+}
+
+double resting_height(const Case& c, const LineType& type) {
+  const double weight = std::max(submerged_weight(c, type), 0.0);
+  return 0.5 * type.contact_diameter -
+         penetration_under(c.environment.seabed, weight, type.contact_diameter);
+}
+
+BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element) {
+  // The angle a by which the line turns down to its end presses it onto the bed by T a, of which friction takes
+  // up to mu T a: half a per cent of the tension T.
+  constexpr double kSteepest = 0.005;
+  BedAtEnd out;
+  const Seabed& bed = c.environment.seabed;
+  const End& end = line.end(b);
+  if (!bed.present || !is_held(end)) return out;
+  const double length = length_of(line), where = b ? length : 0;
+  for (const Buried& s : line.buried)
+    if (where >= s.from && where <= s.to) return out;
+  const LineType& type = c.line_type((b ? line.sections.back() : line.sections.front()).type);
+  const double height = height_above_bed(bed, end_position(c, end));
+  if (!std::isfinite(height)) return out;
+  const double rest = resting_height(c, type), radius = 0.5 * type.contact_diameter;
+  // An end at the height at which the line begins to touch would have it sink beside the end; of one above that
+  // the line hangs.
+  out.depth = height <= radius ? rest - height : std::min(0.0, rest - 2 * radius + height);
+  out.length = std::max(std::abs(out.depth) / kSteepest, element);
+  return out;
+}
+
+bool static_bed_friction(const Case& c) {
+  const Seabed& bed = c.environment.seabed;
+  return bed.present && bed.as_laid && (bed.friction.axial > 0 || bed.friction.lateral > 0);
+}
+
 // Between points a line spans the hollows of a bed that is not even.
 double laying_reach(const Case& c, const Line& line) {
   return std::max(contact_diameter_of(c, line), 1e-3 * length_of(line));

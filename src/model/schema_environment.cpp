@@ -156,7 +156,7 @@ Key waves() {
 Key seabed() {
   return map(
       {"seabed", &Environment::seabed, set(&Environment::seabed, &Seabed::present, true)},
-      {number({"depth", &Seabed::depth}, length, "of the bed below z = 0, at x = y = 0", above(0),
+      {number({"depth", &Seabed::depth}, length, "of the bed below z = 0, at x = y = 0; negative above it",
               or_else_note("that of `water`")),
        number({"slope_deg", &Seabed::slope}, angle, "how steep it is", in_range(0, M_PI / 3), or_else("0")),
        number({"slope_direction_deg", &Seabed::direction}, angle,
@@ -202,10 +202,9 @@ Key seabed() {
            "`length`; it takes hold again of what goes deeper or lands anew"),
        friction(&Seabed::friction),
        word({"friction_in_statics", by<Seabed>(friction_in_statics)}, {"as_laid", "full", "none"},
-            "what friction does before anything moves: it holds against the stretch of a line that was laid "
-            "without tension from its anchor on (from its start shape, where the case gives one on the bed "
-            "from end to end); all of it from where the line touches down, as far as the tension goes; or "
-            "nothing",
+            "friction at rest: `as_laid`, it acts from where the line was laid without tension from its anchor "
+            "(from its start shape, where the case gives one on the bed from end to end); `full`, likewise, but "
+            "the smallest slip mobilises it, whatever the mobilisation length; `none`, in dynamics only",
             or_else("as_laid"))},
       "what lines lie on: level, sloping, or of a grid or mesh",
       at_most_one({{{"depth", "slope_deg", "slope_direction_deg"}, {}}, "grid", "mesh"}));

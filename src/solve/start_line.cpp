@@ -75,33 +75,43 @@ std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
   return sections;
 }
 
-// A line from an end on the bed to one above it: part of it may lie. Nothing when there is no such shape.
+// A line from an end near the bed to one high above it: part of it may lie. The closed form is that of a level
+// bed; on a slope its distances are those along the bed and its heights stand on it. Nothing when there is no such
+// shape.
 std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, const Vec3& xa, const Vec3& xb,
                                 std::vector<CatenarySection> sections, const Mesh& mesh,
                                 const LineSpan& span) {
+  constexpr double kNear = 0.1;  // of the other end's height
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return {};
-  // The axis of what lies is half a diameter above the bed.
-  const auto lies = [&](const Vec3& x, const model::Section& s) {
-    const double height = model::height_above_bed(bed, x), near = 1e-3 * std::abs(bed.depth);
-    return height > -near && height < near + 0.5 * c.line_type(s.type).contact_diameter;
-  };
-  const bool a = lies(xa, line.sections.front()), b = lies(xb, line.sections.back());
-  if (a == b) return {};
+  const double heights[2] = {model::height_above_bed(bed, xa), model::height_above_bed(bed, xb)};
+  const bool b = heights[1] < heights[0];
+  if (!(heights[b ? 1 : 0] < kNear * heights[b ? 0 : 1])) return {};
   if (b) sections = backwards(std::move(sections));
-  const auto found =
-      catenary_on_bed(a ? xa : xb, a ? xb : xa, sections, bed.as_laid ? bed.friction.axial : 0);
+  const model::LineType& type = c.line_type((b ? line.sections.back() : line.sections.front()).type);
+  const Vec3& high = b ? xa : xb;
+  const Vec3 anchor = model::below_on_bed(bed, b ? xb : xa) + Vec3(0, 0, model::resting_height(c, type));
+  const Vec3 foot = model::below_on_bed(bed, high) + Vec3(0, 0, model::resting_height(c, type));
+  const double way = (foot - anchor).norm();
+  if (!(way > 0)) return {};
+  const auto found = catenary_on_bed(Vec3::Zero(), Vec3(way, 0, high.z() - foot.z()), sections,
+                                     bed.as_laid ? bed.friction.axial : 0);
   if (!found) return {};
+  const auto place = [&](double from) -> Vec3 {
+    const Vec3 flat = found->position(from);
+    return anchor + flat.x() / way * (foot - anchor) + Vec3(0, 0, flat.z());
+  };
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {
-    const double s = mesh.nodes[n].arc, from = a ? s : span.length - s;
-    const double h = 1e-6 * span.length, low = std::max(0.0, from - h),
-                 high = std::min(span.length, from + h);
-    out.x.push_back(found->position(from));
+    const double s = mesh.nodes[n].arc, from = b ? span.length - s : s;
+    const double h = 1e-6 * span.length;
+    out.x.push_back(place(from));
     // Of the shape, not of the tension: what lies without tension has a direction too.
-    const Vec3 t = found->position(high) - found->position(low);
-    out.tangent.push_back((a ? t : Vec3(-t)).normalized());
+    const Vec3 t = place(std::min(span.length, from + h)) - place(std::max(0.0, from - h));
+    out.tangent.push_back((b ? Vec3(-t) : t).normalized());
   }
+  out.x.front() = xa;
+  out.x.back() = xb;
   return out;
 }
 

@@ -9,6 +9,7 @@
 
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
+#include "hawser/solve/laid_places.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "start_line.hpp"
 
@@ -193,7 +194,8 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
 
 StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
   const Mesh& g = *mesh.mesh;
-  StartShape out{State(mesh.nodes()), {}, {}, {}};
+  StartShape out{State(mesh.nodes()), {}, {}, {}, {}};
+  std::vector<std::vector<Vec3>> places;  // by line
 
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
@@ -212,6 +214,15 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
     hold_ends(c, mesh, l, out);
+    if (model::static_bed_friction(c)) places.push_back(shape.x);
+  }
+  if (!places.empty()) {
+    const std::vector<std::vector<Vec3>> laid = laid_places(c, g, places);
+    out.laid.assign(static_cast<size_t>(mesh.nodes()), Vec3::Zero());
+    for (size_t l = 0; l < laid.size(); ++l)
+      for (size_t i = 0; i < laid[l].size(); ++i)
+        if (const int here = mesh.find(g.lines[l].first_node + static_cast<int>(i)); here >= 0)
+          out.laid[here] = laid[l][i];
   }
   tie_to_joints(c, mesh, out);
   start_bodies(c, mesh, bodies, out.state);

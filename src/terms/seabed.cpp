@@ -68,34 +68,40 @@ PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool deri
   if (convex) t.curvature.setZero();
   if (!touches) return {};
   if (at.step > 0) t.velocity = of_nodes(p, at.v);
-  if (friction_on_) return volume_contact(law(p).law, start(p), t, derivatives);
+  if (friction_ == Friction::contact) return volume_contact(law(p).law, start(p), t, derivatives);
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
 
 ContactStart SeabedTerm::start(const Point& p) const {
   const Start& s = starts_[place(p)];
-  if (laid()) return {s.point, s.gap, s.tangent, laid_[place(p)].slip, laid_[place(p)].normal};
+  if (laid()) {
+    const Laid& from = laid_[place(p)];
+    return {from.place, 0, s.tangent, from.slip, from.normal};  // all of the way from there counts
+  }
   return {s.point, s.gap, s.tangent, history(p).slip, history(p).normal};
 }
 
 // Statics comes here before every iteration: a laid line keeps where its friction is reckoned from.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
-  const bool statics = h <= 0;
-  if (!statics) laid_.clear(), laid_.shrink_to_fit();
-  pressed_.resize(statics && friction_on_ ? points_.size() : 0);
+  if (h > 0) {
+    laid_.clear();
+    laid_.shrink_to_fit();
+  }
   for (const Point& p : points_) {
     Start& start = starts_[place(p)];
-    if (!laid()) {
-      const Vec3 x = of_nodes(p, committed.x);
-      ContactTrial at;
-      // So far that what it lands from in this step is known.
-      locate(p, x, std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[p.node]), at);
-      start.point = x;
-      start.gap = at.gap;
-    }
     if (law(p).law.friction.active()) start.tangent = tangent(p, committed);
-    ContactTrial unused;
-    if (!pressed_.empty()) pressed_[place(p)] = contact(p, committed, false, unused).normal.force;
+    ContactTrial at;
+    if (laid()) {
+      const double force = contact(p, committed, false, at).normal.force;
+      if (friction_ == Friction::contact) laid_[place(p)].pressed = force;
+      if (friction_ == Friction::pressed && force > 0) laid_[place(p)].normal = at.normal;
+      continue;
+    }
+    const Vec3 x = of_nodes(p, committed.x);
+    // So far that what it lands from in this step is known.
+    locate(p, x, std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[p.node]), at);
+    start.point = x;
+    start.gap = at.gap;
   }
 }
 
@@ -124,11 +130,10 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    if (kept(p, trial.step)) {
-      const double k = law(p).law.normal.stiffness;
-      const Vec3& normal = origin(p)->normal;
-      const Mat3 K = k * (Mat3::Identity() - normal * normal.transpose());
-      add(p, k * strayed(p, of_nodes(p, trial.x)), tangent ? &K : nullptr, nullptr, assembler);
+    if (friction_ == Friction::pressed && laid()) {
+      const PressedFriction f = pressed(p, of_nodes(p, trial.x));
+      const Mat3 K = -f.by_slip;
+      if (laid_[place(p)].pressed > 0) add(p, -f.force, tangent ? &K : nullptr, nullptr, assembler);
     }
     const PointContact c = contact(p, trial, tangent, at, convex);
     const Pull pulled = pull(p, at, trial.step);
@@ -153,11 +158,6 @@ void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) con
   if (-gap > next.deepest) next.deepest = -gap, next.held = true;
   if (next.deepest + gap >= law(p).suction.length) next.held = false;
   if (!next.held && gap >= 0) next.deepest = 0;
-}
-
-Vec3 SeabedTerm::strayed(const Point& p, const Vec3& x) const {
-  const auto& [point, normal] = *origin(p);
-  return x - point - normal * normal.dot(x - point);
 }
 
 // Evaluated again at the accepted state. Energies: trapezoid over the step.
@@ -198,25 +198,6 @@ void SeabedTerm::remember(Point& p, const History& h) {
   histories_[p.touch] = h;
 }
 
-// What friction that grows from the start of a laid line has taken up, as if it were pressed by what presses
-// it at the last iteration: convex, and exact for equal coefficients and lengths.
-double SeabedTerm::friction_potential(const Point& p, const Vec3& x, const Vec3& normal) const {
-  const FrictionLaw& f = law(p).law.friction;
-  const ContactStart from = start(p);
-  const Vec3 slip = from.slip + (x - from.point);
-  const double along = slip.dot(from.tangent), up = slip.dot(normal), pressed = pressed_[place(p)];
-  const double across2 = std::max(0.0, slip.squaredNorm() - along * along - up * up);
-  double force[2] = {f.axial * pressed, f.lateral * pressed};
-  double length[2] = {f.axial_length, f.lateral_length};
-  if (f.stiffness > 0)
-    for (int i = 0; i < 2; ++i) length[i] = std::max(force[i] / f.stiffness, 1e-12);
-  const double R2 = along * along / (length[0] * length[0]) + across2 / (length[1] * length[1]);
-  const double a2 = along * along, all2 = a2 + across2;
-  const double share = all2 > 0 ? a2 / all2 : 1;
-  const double limit = share * force[0] * length[0] + (1 - share) * force[1] * length[1];
-  return limit * (R2 < 1 ? 0.5 * R2 : std::sqrt(R2) - 0.5);
-}
-
 // In statics of trials: the line search goes down this.
 Energy SeabedTerm::energy(const Kinematics& at) const {
   Energy e;
@@ -230,10 +211,7 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
     ContactTrial trial;
     const PointContact c = contact(p, at, false, trial);
     e.strain += c.normal.potential;
-    if (kept(p, at.step))
-      e.strain += 0.5 * law(p).law.normal.stiffness * strayed(p, of_nodes(p, at.x)).squaredNorm();
-    if (friction_on_ && laid() && law(p).law.friction.active() && !pressed_.empty())
-      e.strain += friction_potential(p, of_nodes(p, at.x), trial.normal);
+    if (friction_ != Friction::none && laid()) e.strain += pressed(p, of_nodes(p, at.x)).potential;
   }
   return e;
 }

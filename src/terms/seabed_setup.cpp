@@ -18,7 +18,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws
 }
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws)
-    : mesh_(mesh), surface_(std::move(surface)), buried_(mesh.mesh->nodes.size(), false), line_(mesh) {
+    : mesh_(mesh), surface_(std::move(surface)), line_(mesh) {
   if (surface_) bounds_ = surface_->bounds();
   element_.assign(mesh.nodes(), 0);
   for (const LocalElement& e : mesh.elements)
@@ -31,7 +31,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
   if (!laws.middles.empty() && laws.middles.size() != elements)
     throw std::invalid_argument("the seabed needs a law for each element, or none");
   const auto add = [this](const PointLaw& law) -> Point* {
-    if (law.radius < 0 || !(law.law.normal.stiffness > 0)) return nullptr;
+    if (!(law.law.normal.stiffness > 0)) return nullptr;
     if (laws_.empty() || laws_.back() != law) laws_.push_back(law);  // along a line it is mostly the same
     Point& p = points_.emplace_back();
     p.law = static_cast<int>(laws_.size()) - 1;
@@ -56,18 +56,26 @@ SeabedTerm::Plane plane_of(const model::Seabed& s) { return {Vec3(0, 0, -s.depth
 
 // What belongs to a point.
 struct Share {
-  double radius = -1, length = 0, area = 0, weight = 0;  // m, m, m², N under water
+  double radius = 0, length = 0, area = 0, weight = 0;  // m, m, m², N under water
+  double axial_stiffness = 0;                           // N/m
+  double lowered = 0;                                   // m, the bed
 
-  void add(const model::LineType& t, double part, double w) {
+  void add(const model::LineType& t, double part, double w, double element) {
     radius = std::max(radius, 0.5 * t.contact_diameter);
-    length += part, area += part * t.contact_diameter, weight += part * w;
+    length += part;
+    area += part * t.contact_diameter;
+    weight += part * w;
+    axial_stiffness = std::max(axial_stiffness, t.EA / element);
   }
 };
 
 SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
   SeabedTerm::PointLaw o;
-  o.radius = s.radius;
-  if (s.radius < 0) return o;
+  if (!(s.length > 0)) return o;
+  o.radius = s.radius - s.lowered;
+  o.length = s.length;
+  o.weight = s.weight;
+  o.axial_stiffness = s.axial_stiffness;
   const double share = bed.basis == model::StiffnessBasis::per_length ? s.length : s.area;
   const double k = bed.normal_stiffness * share;
   NormalLaw& normal = o.law.normal;
@@ -91,18 +99,39 @@ bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
   });
 }
 
+// The bed beside both ends of a line.
+class BedAtEnds {
+ public:
+  BedAtEnds(const model::Case& c, const Mesh& mesh, size_t l) : length_(mesh.lines[l].length) {
+    const LineSpan& span = mesh.lines[l];
+    const Element& first = mesh.elements[span.first_element];
+    const Element& last = mesh.elements[span.first_element + span.elements - 1];
+    a_ = model::bed_at_end(c, c.lines[l], false, first.length);
+    b_ = model::bed_at_end(c, c.lines[l], true, last.length);
+  }
+  double lowering(double arc) const {
+    const double a = a_.lowering(arc);
+    const double b = b_.lowering(length_ - arc);
+    return std::abs(a) > std::abs(b) ? a : b;
+  }
+
+ private:
+  double length_;
+  model::BedAtEnd a_, b_;
+};
+
 // A beam has its share of the bed at its nodes; a cable by Simpson's rule, for it has nothing to bridge the
 // way from one node that touches to the next (docs/theory/seabed.md). Of an element partly in the soil
 // the node outside has what is bare of its half.
 SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held) {
-  const model::Water& water = c.environment.water;
   std::vector<Share> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
+  std::vector<BedAtEnds> ends;
+  for (size_t l = 0; l < c.lines.size(); ++l) ends.emplace_back(c, *mesh.mesh, l);
   for (size_t i = 0; i < mesh.elements.size(); ++i) {
     const LocalElement& e = mesh.elements[i];
     const Element& g = mesh.mesh->elements[e.global];
     const model::LineType& t = c.line_types[g.type];
-    const double A = M_PI / 4 * t.displaced() * t.displaced();
-    const double w = c.environment.gravity * (t.mass_per_length - (water.present ? water.density * A : 0));
+    const double w = model::submerged_weight(c, t);
     const model::Line& line = c.lines[g.line];
     const double from = mesh.mesh->nodes[g.first].arc, half = 0.5 * g.length;
     const auto bare = [&](double a, double l) { return l - buried_length(line, a, a + l); };
@@ -110,12 +139,16 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
     for (const int node : {e.first, e.second}) {
       if (node >= mesh.owned || in_soil(*mesh.mesh, c, mesh.global[node])) continue;
       const double start = from + (node == e.first ? 0 : half), part = bare(start, half);
-      if (part > 0) nodes[node].add(t, g.beam || cut ? part : part / 3, w);
+      if (!(part > 0)) continue;
+      nodes[node].add(t, g.beam || cut ? part : part / 3, w, g.length);
+      nodes[node].lowered = ends[g.line].lowering(from + (node == e.first ? 0 : g.length));
     }
-    if (!g.beam && !cut) middles[i].add(t, g.length / 1.5, w);
+    if (g.beam || cut) continue;
+    middles[i].add(t, g.length / 1.5, w, g.length);
+    middles[i].lowered = ends[g.line].lowering(from + half);
   }
   for (const int node : held)
-    if (node < mesh.owned) nodes[node].radius = -1;
+    if (node < mesh.owned) nodes[node] = {};
   SeabedTerm::PointLaws laws;
   for (const Share& s : nodes) laws.nodes.push_back(law_of(s, c.environment.seabed));
   for (const Share& s : middles) laws.middles.push_back(law_of(s, c.environment.seabed));
@@ -128,7 +161,6 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::v
     : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
   surface_ = c.environment.seabed.surface, table_ = c.environment.seabed.force_table;
   if (surface_) bounds_ = surface_->bounds(), seen_.resize(points_.size());
-  for (size_t n = 0; n < buried_.size(); ++n) buried_[n] = in_soil(*mesh.mesh, c, static_cast<int>(n));
 }
 
 }  // namespace hawser

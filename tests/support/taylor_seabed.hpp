@@ -46,7 +46,7 @@ inline std::shared_ptr<const HeightGrid> hilly() {
 
 // A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
 // table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in the
-// first stage of statics, in which springs keep them where they were laid; with points half way along the
+// first stage of statics, with friction under a normal force that does not follow the trial; with points half way along the
 // elements as well, which come to be between their nodes' situations.
 enum class Soil { spring, table, sticky, laid };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
@@ -94,8 +94,11 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   m.system->commit(t.from.view(t.h));
   if (soil == Soil::laid) {
     t.h = 0;
-    seabed.enable_friction(false);
-    seabed.lay_at_start(m.system->comm(), t.from.view(0), std::vector<double>(l.mesh->lines.size(), 100.0));
+    std::vector<Vec3> places = t.from.x;  // within the slip ellipse and beyond it
+    for (int n = 0; n < l.nodes(); ++n)
+      places[static_cast<size_t>(n)] -= 2.5 * mm * (at.rotation * noise3(l.global[static_cast<size_t>(n)], 13));
+    seabed.lay(places, t.from.view(0), false);
+    seabed.press_by_contact(t.from.view(0));
   }
   m.system->prepare(t.from.view(t.h), t.h);
   t.length = 0.2 * mm;

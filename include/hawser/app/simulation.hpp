@@ -105,8 +105,7 @@ class Simulation {
   void add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces, std::vector<BodySkeleton> skeletons);
   std::string inside(int volume, const Kinematics& at) const;
   bool lays_lines() const;  // whether statics has friction of the bed
-  void lay_at_start();
-  void lay_lines(StaticsSettings settings, StaticsReport& report);
+  void follow_contact(StaticsSettings settings, StaticsReport& report);
 
   const model::Case case_;  // its own: a caller may make it on the way
   std::unique_ptr<Mesh> mesh_;
@@ -123,7 +122,7 @@ class Simulation {
   std::vector<double> last_stiffness_;
   int cut_ = 0;
   std::optional<bool> static_friction_;  // by a stage; none: as the case has it
-  bool laid_ = false;                    // lines where they start
+  std::vector<Vec3> laid_;               // m, where local nodes were laid on the bed; as in StartShape
   Hydrodynamics* water_ = nullptr;
   RigidBodies* floating_ = nullptr;
   BodiesInWater* bodies_in_water_ = nullptr;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "hawser/model/case.hpp"
+#include "hawser/model/bed.hpp"
 
 namespace hawser::model {
 
@@ -19,10 +19,7 @@ inline double bed_smoothing(const Seabed& bed, double radius, double weight, dou
 // m, height of the line's axis above the bed at which the force begins.
 inline double touching_height(const Case& c, const LineType& t) {
   const Seabed& bed = c.environment.seabed;
-  const Water& water = c.environment.water;
-  const double area = M_PI / 4 * t.displaced() * t.displaced(), radius = 0.5 * t.contact_diameter;
-  const double weight =
-      c.environment.gravity * (t.mass_per_length - (water.present ? water.density * area : 0));
+  const double radius = 0.5 * t.contact_diameter, weight = submerged_weight(c, t);
   const double width = bed.basis == StiffnessBasis::per_length ? 1 : t.contact_diameter;
   return radius + bed_smoothing(bed, radius, weight, bed.normal_stiffness * width);
 }

@@ -3,13 +3,11 @@
 // with friction and the tangent of both: kernels/surface_contact_law.cpp. See docs/theory/seabed.md.
 #pragma once
 
-#include <mpi.h>
-
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "hawser/geometry/surface.hpp"
+#include "hawser/kernels/pressed_friction.hpp"
 #include "hawser/kernels/suction.hpp"
 #include "hawser/kernels/surface_contact_law.hpp"
 #include "hawser/mesh/local_mesh.hpp"
@@ -30,9 +28,11 @@ class SeabedTerm final : public ForceTerm {
     double gap(const Vec3& x) const { return normal.dot(x - point); }
   };
   struct PointLaw {
-    double radius = 0;  // m; of a point that takes no part < 0
-    ContactLaw law;     // of the point: N/m
+    double radius = 0;  // m, less what the bed is lowered by beside a held end
+    ContactLaw law;     // of the point: N/m; without normal stiffness it takes no part
     Suction suction;
+    // What the point stands for: length of line [m], its weight in water [N], EA over the element's length [N/m].
+    double length = 0, weight = 0, axial_stiffness = 0;
     bool operator==(const PointLaw&) const = default;
   };
   // One for each owned node, and one for each local element, of the point half way between its nodes, or
@@ -59,19 +59,24 @@ class SeabedTerm final : public ForceTerm {
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
-  // Off in the first stage of statics. While off no slip is kept.
-  void enable_friction(bool on) { friction_on_ = on; }
-  // Before statics: lines whose nodes are all nearer to the bed than `near` [m, one a line; < 0: never] were
-  // laid there. Until lay(), while friction is off, springs keep them about there. Collective.
-  void lay_at_start(MPI_Comm comm, const Kinematics& start, const std::vector<double>& near);
-  // From a static state without friction: the slip that pulling the line out of where it was laid has
-  // brought; friction of the next statics is reckoned from there. A line was laid where it started, or
-  // without tension from a held end on the bed or in it on. held: nodes of the mesh that are lines' ends,
-  // supported. tension: by local node [N]; with it friction is full from where the line lies on, as far as
-  // what there is of tension goes, however little the line was pulled. Returns the lines of the mesh that lie
-  // from end to end and were not laid at the start: they have no friction. Collective.
-  std::vector<int> lay(MPI_Comm comm, const Kinematics& at, const std::vector<int>& held,
-                       const std::vector<double>& tension = {});
+  // While off no slip is kept.
+  void enable_friction(bool on) { friction_ = on ? Friction::contact : Friction::none; }
+  // Friction in statics acts from where the lines were laid, in two stages, until the first step in time. First
+  // it is that under a normal force which does not follow the trial, so that it has a potential: the weight of
+  // what lies at the start, then the contact force of the state that has been found. Then it is the law of
+  // motion. firm: in the first stage friction springs are as stiff as the line's elements instead of the law's,
+  // and what they mobilise is mobilised in the second.
+  void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);  // m, by local node
+  void press_by_contact(const Kinematics& at);
+  void follow_contact(const Kinematics& at);
+
+  // What lies of a line in the accepted state.
+  struct OnBed {
+    double lies = 0, held = 0;  // m of line: on the bed, and of that where friction is not fully mobilised
+    double taken = 0;           // N, tension that friction takes, signed from end A to end B
+  };
+  // By line of the mesh, at the points that this rank counts.
+  std::vector<OnBed> on_bed(const Kinematics& at) const;
 
   int active_count() const;
 
@@ -103,12 +108,12 @@ class SeabedTerm final : public ForceTerm {
     Vec3 point = Vec3::Zero(), tangent = Vec3::UnitX();
     double gap = 0;
   };
-  // Where a point was laid; the slip and normal that friction in statics is reckoned from.
-  struct Origin {
-    Vec3 point, normal;
-  };
+  enum class Friction { none, pressed, contact };
+  // What friction in statics is reckoned from: a place, the slip there, and the bed's normal and the normal force
+  // at the last iteration.
   struct Laid {
-    Vec3 slip, normal;
+    Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();
+    double pressed = 0;  // N
   };
   // Of a bed that is a surface, changes the time and never the answer: no force nearer than `clear` to
   // `centre` (the signed distance is 1-Lipschitz); nearest triangle of the last query.
@@ -144,28 +149,10 @@ class SeabedTerm final : public ForceTerm {
   }
   void remember(Point& p, const History& h);
   bool laid() const { return !laid_.empty(); }
-  const Origin* origin(const Point& p) const {
-    return origins_.empty() || !origins_[place(p)] ? nullptr : &*origins_[place(p)];
-  }
   Vec3 tangent(const Point& p, const Kinematics& at) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
-  // Of all nodes of the mesh, on every rank.
-  struct Lying {
-    std::vector<double> x, contact_distance;  // m; < 0 of what the bed leaves alone
-    Vec3 place(int node) const { return Eigen::Map<const Vec3>(x.data() + 3 * node); }
-  };
-  Lying lying(MPI_Comm comm, const Kinematics& at) const;
-  // A point's number on all ranks: its node of the mesh, or behind all of these its element of the mesh.
-  size_t number(const Point& p) const;
-  // What full friction is reckoned from.
-  struct Full {
-    std::vector<double> tension, limit, length;  // N, N, m; by number of a point
-  };
-  Full full(MPI_Comm comm, const Kinematics& at, const std::vector<double>& tension) const;
-  // Off the bed's normal, from where the point was laid: what its spring is stretched by in the first stage
-  // of statics. Nothing of other points and later.
-  bool kept(const Point& p, double step) const { return !friction_on_ && !(step > 0) && origin(p); }
-  Vec3 strayed(const Point& p, const Vec3& x) const;
+  // Of the first stage of statics, and what stands for the law's in the line search of the second.
+  PressedFriction pressed(const Point& p, const Vec3& x) const;
   double contact_distance(const Point& p) const { return law(p).radius + law(p).law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
   // is then cut to `beyond` [m] more than where it touches.
@@ -179,7 +166,6 @@ class SeabedTerm final : public ForceTerm {
   double suction_range(const Point& p, double step) const;
   Pull pull(const Point& p, const ContactTrial& trial, double step) const;
   void hold(const Point& p, double gap, bool moves, History& next) const;
-  double friction_potential(const Point& p, const Vec3& x, const Vec3& normal) const;
 
   const LocalMesh& mesh_;
   Plane plane_;
@@ -189,19 +175,16 @@ class SeabedTerm final : public ForceTerm {
   std::vector<PointLaw> laws_;                      // each once
   std::vector<Point> points_;
   std::vector<Start> starts_;
-  std::vector<Laid> laid_;  // of a static state; empty: of none, slip and normal are the histories'
+  std::vector<Laid> laid_;  // in statics with friction; empty: slip and normal are the histories'
+  bool firm_ = false;
   std::vector<History> histories_;
   std::vector<int> vacant_;  // places in histories_ of points that have left the bed
   Account account_;
-  std::vector<double> pressed_;                 // N, at the last prepare() of statics with friction
-  std::vector<std::optional<Origin>> origins_;  // empty: nothing was laid
   mutable std::vector<Seen> seen_;              // empty: a plane
   bool suction_ = false;                        // of some point
   std::vector<double> element_;                 // m, longest at a local node
-  std::vector<bool> buried_;  // by node of the mesh: the soil holds it (terms/buried.hpp), not the bed
   LineNeighbours line_;
-  std::vector<bool> laid_at_start_;  // by line of the mesh
-  bool friction_on_ = true;
+  Friction friction_ = Friction::contact;
 };
 
 }  // namespace hawser

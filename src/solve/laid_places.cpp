@@ -1,0 +1,214 @@
+// Laid places by dead reckoning from the ends of lines, and which end a line was laid from.
+#include "hawser/solve/laid_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "hawser/geometry/surface.hpp"
+#include "hawser/model/bed.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/terms/buried.hpp"
+
+namespace hawser {
+namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
+constexpr double kAway = 1e-3;  // decides between equally low ends only
+
+// An end of a line.
+struct Side {
+  size_t line = 0;
+  bool b = false;
+  bool operator<(const Side& o) const { return line != o.line ? line < o.line : b < o.b; }
+};
+
+// The end that holds a line on one side, through joints: the lowest there, and of ends that are equally low the
+// nearest.
+struct Holder {
+  double height = kNowhere;  // m above the bed, and kAway of its distance; infinite: nothing holds it
+  bool joint = false;
+  Side next;  // with a joint: the side of the other line there
+};
+
+class Laying {
+ public:
+  Laying(const model::Case& c, const Mesh& mesh, const std::vector<std::vector<Vec3>>& starts)
+      : c_(c), bed_(c.environment.seabed), mesh_(mesh), starts_(starts) {
+    for (size_t l = 0; l < c.lines.size(); ++l)
+      for (const bool b : {false, true})
+        if (const model::End& e = c.lines[l].end(b); e.kind == model::EndKind::joint)
+          joints_[e.body].push_back({l, b});
+  }
+
+  std::vector<Vec3> line(size_t l) const {
+    const std::vector<Vec3>& start = starts_[l];
+    if (given(l)) return start;
+    const double a = holder({l, false}).height;
+    const double b = holder({l, true}).height;
+    if (!std::isfinite(a) && !std::isfinite(b)) return start;
+    if (!std::isfinite(b)) return reckoned({l, false});
+    if (!std::isfinite(a)) return reckoned({l, true});
+    // Between two ends it was laid from the lower one, from both where they are equally high:
+    // x = (h_b² x_a + h_a² x_b)/(h_a² + h_b²), continuous in the heights.
+    const double tiny = 1e-12 * std::pow(mesh_.lines[l].length, 2);
+    const double share = (a * a + tiny) / (a * a + b * b + 2 * tiny);
+    std::vector<Vec3> out = reckoned({l, false});
+    const std::vector<Vec3> other = reckoned({l, true});
+    for (size_t i = 0; i < out.size(); ++i) out[i] += share * (other[i] - out[i]);
+    return out;
+  }
+
+ private:
+  const model::End& end(const Side& s) const { return c_.lines[s.line].end(s.b); }
+  const Vec3& start_of(const Side& s) const {
+    return s.b ? starts_[s.line].back() : starts_[s.line].front();
+  }
+
+  // Whether the case gives the start shape and it lies from end to end.
+  bool given(size_t l) const {
+    const model::Line& line = c_.lines[l];
+    if (line.start != model::Start::straight && line.start != model::Start::points &&
+        line.start != model::Start::other_run)
+      return false;
+    const double most = model::laying_reach(c_, line) + 0.5 * model::contact_diameter_of(c_, line);
+    return std::all_of(starts_[l].begin(), starts_[l].end(),
+                       [&](const Vec3& x) { return model::height_above_bed(bed_, x) < most; });
+  }
+
+  Holder holder(const Side& s, std::vector<size_t> passed = {}) const {
+    const model::End& e = end(s);
+    Holder out;
+    if (e.kind == model::EndKind::free) return out;
+    if (e.kind != model::EndKind::joint) {
+      out.height = std::max(0.0, model::height_above_bed(bed_, start_of(s)));
+      return out;
+    }
+    passed.push_back(s.line);
+    for (const Side& other : joints_.at(e.body)) {
+      if (std::find(passed.begin(), passed.end(), other.line) != passed.end()) continue;
+      const Side far{other.line, !other.b};
+      const double height = holder(far, passed).height + kAway * mesh_.lines[other.line].length;
+      if (height < out.height) out = {height, true, other};
+    }
+    return out;
+  }
+
+  // Of the bed at its point nearest to x.
+  Vec3 nearest_normal(const Vec3& x) const {
+    if (!bed_.surface) return model::bed_normal(bed_);
+    const auto nearest = bed_.surface->query(x, kNowhere);
+    return nearest ? nearest->normal : Vec3::Zero();
+  }
+
+  // Unit vector along the bed in the direction of a chord; zero where the chord stands upright.
+  Vec3 along_bed(const Vec3& from, const Vec3& to) const {
+    constexpr double kUpright = 1e-3;
+    Vec3 way(to.x() - from.x(), to.y() - from.y(), 0);
+    if (!(way.norm() > kUpright * (to - from).norm())) return Vec3::Zero();
+    const Vec3 n = nearest_normal(from);
+    if (n.z() > kUpright) way.z() = -n.dot(way) / n.z();
+    return way.normalized();
+  }
+
+  // How a line that was laid from a held end comes to lie: along the bed that gives way to the end, and from an
+  // end above the bed down to it, both at a constant slope over a length from the end.
+  struct Descent {
+    double sine[2] = {0, 0};    // of the angle to the bed
+    double length[2] = {0, 0};  // m
+    // How far along the bed a piece of line reaches that begins so far from the end [m].
+    double reach(double from_end, double piece) const {
+      double out = piece;
+      for (int i = 0; i < 2; ++i) {
+        const double sloping = std::clamp(length[i] - from_end, 0.0, piece);
+        out -= sloping * (1 - std::sqrt(std::max(0.0, 1 - sine[i] * sine[i])));
+      }
+      return std::max(0.0, out);
+    }
+  };
+  Descent descent(const Side& s, double element) const {
+    const model::Line& line = c_.lines[s.line];
+    Descent out;
+    if (!model::is_held(end(s))) return out;
+    const model::LineType& type = c_.line_type((s.b ? line.sections.back() : line.sections.front()).type);
+    const model::BedAtEnd bed = model::bed_at_end(c_, line, s.b, element);
+    out.length[0] = bed.length;
+    if (bed.length > 0) out.sine[0] = bed.depth / bed.length;
+    const double height = model::height_above_bed(bed_, start_of(s)) - 0.5 * type.contact_diameter;
+    if (!std::isfinite(height) || height <= 0) return out;
+    // Without tension a cable hangs straight down. A beam of the weight w whose end is lifted by h from the bed
+    // is lifted over (72 EI h/w)^(1/4).
+    out.length[1] = height;
+    const double weight = model::submerged_weight(c_, type);
+    if (type.kind == model::LineKind::beam && weight > 0)
+      out.length[1] = std::max(height, std::pow(72 * std::min(type.EI2, type.EI3) * height / weight, 0.25));
+    out.sine[1] = height / out.length[1];
+    return out;
+  }
+
+  // All nodes of a line, laid from this side on, in the order of the line.
+  std::vector<Vec3> reckoned(const Side& s) const {
+    const LineSpan& span = mesh_.lines[s.line];
+    const model::Line& line = c_.lines[s.line];
+    const std::vector<Vec3>& start = starts_[s.line];
+    const int last = span.nodes - 1;
+    const auto node = [&](int i) { return s.b ? last - i : i; };
+    const auto element = [&](int i) -> const Element& {
+      return mesh_.elements[span.first_element + (s.b ? span.elements - 1 - i : i)];
+    };
+    const auto in_soil = [&](const Element& e) {
+      const double from = mesh_.nodes[e.first].arc;
+      return buried_length(line, from, from + e.length) > 0;
+    };
+    const Descent down = descent(s, element(0).length);
+    Vec3 way = Vec3::Zero();
+    for (int i = 0; way.isZero() && i < last; ++i) way = along_bed(start[node(i)], start[node(i + 1)]);
+    std::vector<Vec3> out(start.size());
+    Vec3 x = start_of(s);
+    // Beyond a mesh there is no bed.
+    if (const Vec3 n = nearest_normal(x); !in_soil(element(0)) && !n.isZero())
+      x -= n * model::height_above_bed(bed_, x);
+    if (const Holder h = holder(s); h.joint) {
+      const std::vector<Vec3> before = reckoned({h.next.line, !h.next.b});
+      x = h.next.b ? before.back() : before.front();
+    }
+    out[node(0)] = x;
+    double laid = 0;
+    for (int i = 0; i < last; ++i) {
+      const Element& e = element(i);
+      const double natural = (1 + e.free_strain) * e.length;
+      const Vec3& from = start[node(i)];
+      const Vec3& to = start[node(i + 1)];
+      if (in_soil(e)) {
+        const double chord = (to - from).norm();
+        if (chord > 0) x += natural / chord * (to - from);
+      } else {
+        if (const Vec3 here = along_bed(from, to); !here.isZero()) way = here;
+        x += natural / e.length * down.reach(laid, e.length) * way;
+      }
+      laid += e.length;
+      out[node(i + 1)] = x;
+    }
+    return out;
+  }
+
+  const model::Case& c_;
+  const model::Seabed& bed_;
+  const Mesh& mesh_;
+  const std::vector<std::vector<Vec3>>& starts_;
+  std::map<std::string, std::vector<Side>> joints_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Vec3>> laid_places(const model::Case& c, const Mesh& mesh,
+                                           const std::vector<std::vector<Vec3>>& starts) {
+  const Laying laying(c, mesh, starts);
+  std::vector<std::vector<Vec3>> out;
+  for (size_t l = 0; l < c.lines.size(); ++l) out.push_back(laying.line(l));
+  return out;
+}
+
+}  // namespace hawser
