@@ -9,6 +9,7 @@
 #include <csignal>
 #include <filesystem>
 #include <optional>
+#include <utility>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -337,8 +338,12 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   double checkpoint = planned_numbers(sim, recorder);
   if (trial) {
     WaterErrors water(MPI_COMM_SELF, sim);
-    tried =
-        trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) { water.step(at); });
+    bool rests = !c.statics.enabled;
+    tried = trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) {
+      if (!std::exchange(rests, true))
+        for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
+      water.step(at);
+    });
     for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
     fmt::print("{}\n", cost_sentence(tried));
     fmt::print("{}\n", memory_sentence(read, peak_memory()));

@@ -126,6 +126,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
       "statics: {} iterations{}{}", s.iterations,
       s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
       !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
+  for (const std::string& line : sim.on_bed()) progress.say(line);
   if (s.escapes > 0)
     progress.say(fmt::format(
         "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest "

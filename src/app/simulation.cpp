@@ -247,8 +247,9 @@ bool Simulation::lays_lines() const {
   return seabed_ && static_friction_.value_or(true) && model::static_bed_friction(case_);
 }
 
-// From the equilibrium with friction under the weight of what lay at the start to that with the law of motion,
-// by way of friction under the contact forces of the first.
+// From the equilibrium with friction under the weight of what lay at the start to that with the law of
+// motion; where the slightest slip mobilises friction, by way of friction under the contact forces of the
+// first.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
   settings.near = true;
   const auto solve = [&] {
@@ -256,8 +257,10 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
     report.iterations += more.iterations, report.escapes += more.escapes;
     report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
   };
-  seabed_->press_by_contact(state_.view(0));
-  solve();
+  if (case_.environment.seabed.full) {
+    seabed_->press_by_contact(state_.view(0));
+    solve();
+  }
   seabed_->follow_contact(state_.view(0));
   solve();
 }
@@ -326,6 +329,34 @@ std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
     out.push_back(raised_note(contact_->volume_name(v), last, contact_->stiffness(v), when));
     last = contact_->stiffness(v);
   }
+  return out;
+}
+
+// By line and in one sum over the ranks.
+std::vector<std::string> Simulation::on_bed() const {
+  std::vector<std::string> out;
+  if (!seabed_) return out;
+  constexpr size_t kShown = 20;
+  std::vector<SeabedTerm::OnBed> lines = seabed_->on_bed(state_.view(0));
+  std::vector<double> sums;
+  for (const SeabedTerm::OnBed& l : lines) sums.insert(sums.end(), {l.lies, l.held, l.taken});
+  all_reduce(system_->comm(), MPI_SUM, sums);
+  size_t more = 0;
+  for (size_t l = 0; l < lines.size(); ++l) {
+    const double lies = sums[3 * l], held = sums[3 * l + 1], taken = std::abs(sums[3 * l + 2]);
+    if (!(lies > 0)) continue;
+    if (out.size() == kShown) {
+      ++more;
+      continue;
+    }
+    out.push_back(fmt::format("lines.{}: {:.4g} m on the seabed, {}", mesh_->lines[l].name, lies,
+                              lays_lines()
+                                  ? fmt::format("where friction takes {:.4g} kN of tension and holds "
+                                                "{:.4g} m with force to spare",
+                                                1e-3 * taken, held)
+                                  : "without friction in statics"));
+  }
+  if (more > 0) out.push_back(fmt::format("{} more lines are on the seabed", more));
   return out;
 }
 

@@ -75,9 +75,10 @@ std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
   return sections;
 }
 
-// A line from an end near the bed to one high above it: part of it may lie. The closed form is that of a level
-// bed; on a slope its distances are those along the bed and its heights stand on it. Nothing when there is no such
-// shape.
+// A line from an end near the bed to one high above it: part of it may lie. From an end above the bed it
+// first hangs straight down. The closed form is that of a level bed; on a slope its distances are those along
+// the bed, its heights stand on it, and the weight along the bed adds to friction or takes from it. Nothing
+// when there is no such shape.
 std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, const Vec3& xa, const Vec3& xb,
                                 std::vector<CatenarySection> sections, const Mesh& mesh,
                                 const LineSpan& span) {
@@ -94,11 +95,18 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
   const Vec3 foot = model::below_on_bed(bed, high) + Vec3(0, 0, model::resting_height(c, type));
   const double way = (foot - anchor).norm();
   if (!(way > 0)) return {};
-  const auto found = catenary_on_bed(Vec3::Zero(), Vec3(way, 0, high.z() - foot.z()), sections,
-                                     bed.as_laid ? bed.friction.axial : 0);
+  const Vec3& low = b ? xb : xa;
+  const double hang = std::max(0.0, heights[b ? 1 : 0] - 0.5 * type.contact_diameter);
+  if (!(hang < sections.front().length)) return {};
+  sections.front().length -= hang;
+  const double rise = (foot.z() - anchor.z()) / way;  // the sine of the slope
+  const double friction = (bed.as_laid ? bed.friction.axial : 0) * std::sqrt(1 - rise * rise) + rise;
+  const auto found =
+      catenary_on_bed(Vec3::Zero(), Vec3(way, 0, high.z() - foot.z()), sections, std::max(0.0, friction));
   if (!found) return {};
   const auto place = [&](double from) -> Vec3 {
-    const Vec3 flat = found->position(from);
+    if (from < hang) return low - Vec3(0, 0, from);
+    const Vec3 flat = found->position(from - hang);
     return anchor + flat.x() / way * (foot - anchor) + Vec3(0, 0, flat.z());
   };
   LineStart out;

@@ -97,8 +97,16 @@ StaticsReport against_friction(System& system, const StaticsSettings& settings, 
 StaticsReport first_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
                                 State& state) {
   if (settings.friction) return against_friction(system, settings, start, state);
-  if (settings.near || settings.relaxation == RelaxationUse::never)
+  if (settings.relaxation == RelaxationUse::never)
     return StaticSearch(system, settings, state).run(settings.near);
+  if (settings.near) try {
+      return StaticSearch(system, settings, state).run(true);
+    } catch (const InTheWay&) {
+      throw;
+    } catch (const SolveError&) {
+      start.again(state);
+      return relaxed(system, settings, state);
+    }
   if (settings.relaxation == RelaxationUse::always) return relaxed(system, settings, state);
   const bool fall = settings.relaxation == RelaxationUse::first;
   const auto search = [&](bool relaxing) {

@@ -91,6 +91,9 @@ class Simulation {
   // InputError as of check_inside(). progress: how far it is, now and then; on all ranks. falls: something
   // was let go, and comes to rest by dynamic relaxation first.
   StaticsReport solve_statics(std::function<void(const StaticsReport&)> progress = {}, bool falls = false);
+  // Of the equilibrium: what of each line lies on the seabed and what friction does there, a sentence each.
+  // Collective.
+  std::vector<std::string> on_bed() const;
   DynamicsSettings dynamics_settings() const;
 
  private:

@@ -1,0 +1,304 @@
+// Friction of the seabed at rest: set-ups whose anchor load follows from Coulomb's balance, and random legs
+// against a solver of their own (support/leg_on_bed.hpp).
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "../regression/runs.hpp"
+#include "support/leg_on_bed.hpp"
+
+namespace hawser::test::bed_friction {
+namespace {
+
+struct Shown {
+  int exit = -1;
+  std::vector<double> position, tension, force, friction;
+  size_t nodes() const { return tension.size(); }
+};
+
+std::string base_of(const std::string& name) { return runs::folder("bed_friction") + "/" + name; }
+
+Shown run(const std::string& name, const std::string& text) {
+  const std::string base = base_of(name);
+  runs::write_case(base + ".yaml", text);
+  app::RunOptions options;
+  options.case_path = base + ".yaml", options.quiet = true;
+  Shown s;
+  try {
+    s.exit = app::run(MPI_COMM_WORLD, options);
+  } catch (const std::exception& e) {
+    if (runs::rank_of(MPI_COMM_WORLD) == 0) printf("  %s: %s\n", name.c_str(), e.what());
+    return s;
+  }
+  MPI_Barrier(MPI_COMM_WORLD);
+  const io::h5::Id file = io::h5::open_read(base + ".h5");
+  const auto field = [&](const char* of) { return io::h5::read_array(file, of).values; };
+  s.position = field("fields/position");
+  s.tension = field("fields/effective_tension");
+  s.force = field("fields/seabed_force");
+  s.friction = field("fields/seabed_friction");
+  MPI_Barrier(MPI_COMM_WORLD);
+  return s;
+}
+
+double norm(const std::vector<double>& v, size_t n) {
+  return std::hypot(v[3 * n], v[3 * n + 1], v[3 * n + 2]);
+}
+
+// The largest friction over normal force of nodes that are pressed by more than `least` [N].
+double friction_over_normal(const Shown& s, double least) {
+  double most = 0;
+  for (size_t n = 0; n < s.nodes(); ++n) {
+    const double force = norm(s.force, n);
+    const double friction = norm(s.friction, n);
+    const double normal = std::sqrt(std::max(0.0, force * force - friction * friction));
+    if (normal > least) most = std::max(most, friction / normal);
+  }
+  return most;
+}
+
+// 500 m of chain of 84 mm (studless, R3) in 100 m with 480 m between its ends, friction 0.6. As they were
+// found, with the load at the anchor that Coulomb's balance gives: that at the fairlead less 0.6 of the bed's
+// reaction.
+std::string chain(const std::string& bed, const std::string& lines) {
+  return "hawser: 1\nenvironment: {water: {depth: 100}, seabed: {depth: 100, friction: 0.6" + bed +
+         "}}\nline_types:\n  chain: {library: chain-studless, diameter: 84 mm, grade: R3}\n"
+         "contact: {between_lines: false}\n" +
+         lines;
+}
+std::string one_leg(const std::string& anchor, const std::string& more = "") {
+  return "lines:\n  chain: {sections: [{type: chain, length: 500, elements: 250}], end_a: {anchor: [0, 0, "
+         "-10]}, "
+         "end_b: {anchor: [480, 0, " +
+         anchor + "]}" + more + "}\n";
+}
+
+TEST(BedFriction, AnchorLoads) {
+  struct Row {
+    const char* name;
+    std::string text;
+    double right;  // N
+  };
+  const std::string full = ", friction_in_statics: full";
+  const std::string joined =
+      "joints: {conn: {start: [400, 0, -99.86]}}\nlines:\n"
+      "  upper: {sections: [{type: chain, length: 420, elements: 210}], end_a: {anchor: [0, 0, -10]}, end_b: "
+      "{joint: "
+      "conn}}\n"
+      "  ground: {sections: [{type: chain, length: 80, elements: 40}], end_a: {joint: conn}, end_b: {anchor: "
+      "[480, 0, "
+      "-100]}}\n";
+  for (const Row& r : std::vector<Row>{
+           {"padeye", chain(full, one_leg("-99.8")), 273.6e3},
+           {"padeye_as_laid", chain("", one_leg("-99.8")), 273.6e3},
+           {"on_bed", chain("", one_leg("-100")), 270.6e3},
+           {"joint", chain("", joined), 270.6e3},
+           {"buoy", chain(full, one_leg("-100", ", masses: [{at: 460, mass: 100, volume: 1.6}]")),
+            279.7e3}}) {
+    const Shown s = run(r.name, r.text);
+    ASSERT_EQ(s.exit, 0) << r.name;
+    EXPECT_NEAR(s.tension.back(), r.right, 0.01 * r.right) << r.name;
+    EXPECT_LE(friction_over_normal(s, 10), 0.6 * 1.001) << r.name;
+    // An end stays where the case puts it.
+    EXPECT_EQ(s.position[3 * (s.nodes() - 1)], 480) << r.name;
+  }
+}
+
+// The anchor load does not jump with the height of the padeye, from 1 m under the bed to 1 m above it.
+TEST(BedFriction, HeightOfThePadeye) {
+  double last = 0;
+  for (const double z :
+       {-101.0, -100.5, -100.1, -100.0, -99.95, -99.9, -99.86, -99.85, -99.8, -99.5, -99.0}) {
+    const Shown s = run("height", chain("", one_leg(fmt::format("{}", z))));
+    ASSERT_EQ(s.exit, 0) << z;
+    EXPECT_EQ(s.position.back(), z);
+    // The chain that hangs from the padeye, up to 21 m of it, is not on the bed.
+    if (last > 0) {
+      EXPECT_NEAR(s.tension.back(), last, 0.027 * last) << z;
+    }
+    last = s.tension.back();
+  }
+}
+
+// A slack chain on a bed of 10 degrees, which friction holds: H and V at the top by a quasi-static code.
+TEST(BedFriction, SlackChainOnASlope) {
+  const Shown s = run("slope", R"(hawser: 1
+environment: {water: {depth: 400}, seabed: {depth: 100, slope_deg: 10, slope_direction_deg: 0, friction: 0.5}}
+line_types: {c: {outer_diameter: 0.1, mass_per_length: 60, EA: 250 MN, bending: false}}
+contact: {between_lines: false}
+lines:
+  m: {sections: [{type: c, length: 230, element_length: 2}], end_a: {anchor: [150, 0, -126.449047106]}, end_b: {anchor: [0, 0, -10]}}
+)");
+  ASSERT_EQ(s.exit, 0);
+  EXPECT_NEAR(s.tension.back(), std::hypot(3207, 50830), 0.01 * 50930);
+  EXPECT_LT(s.tension.front(), 100);
+}
+
+// Friction holds the chain on soft level ground: nothing is left of 195 kN at its anchor.
+TEST(BedFriction, HeldBeforeTheAnchor) {
+  const Shown s = run("held", R"(hawser: 1
+environment: {water: {depth: 100}, seabed: {depth: 100, friction: 0.5}}
+line_types: {c: {outer_diameter: 0.15, mass_per_length: 140, EA: 600 MN, bending: false}}
+contact: {between_lines: false}
+lines:
+  m: {sections: [{type: c, length: 830, element_length: 5}], end_a: {anchor: [800, 0, -99.925]}, end_b: {anchor: [0, 0, -10]}}
+)");
+  ASSERT_EQ(s.exit, 0);
+  EXPECT_LT(s.tension.front(), 0.005 * s.tension.back());
+}
+
+// A taut leg from an anchor on the bed, hand calculation: the distance of its ends less its length over its
+// length, times EA. Half a diameter of height would change it by two fifths.
+TEST(BedFriction, ATautLegIsHeldWhereItsEndsAre) {
+  const double length = std::hypot(60, 60) * (1 - 79.1e3 / 100e6);
+  const Shown s = run("taut", fmt::format(R"(hawser: 1
+environment: {{gravity: 0, water: {{depth: 60}}, seabed: {{depth: 60}}}}
+line_types: {{r: {{outer_diameter: 0.12, mass_per_length: 11.6, EA: 100 MN, bending: false}}}}
+lines:
+  r: {{sections: [{{type: r, length: {:.9f}, elements: 20}}], end_a: {{anchor: [0, 0, 0]}}, end_b: {{anchor: [60, 0, -60]}}}}
+)",
+                                          length));
+  ASSERT_EQ(s.exit, 0);
+  const double right = 100e6 * (std::hypot(60, 60) / length - 1);
+  EXPECT_NEAR(s.tension.back(), right, 0.01 * right);
+}
+
+// A bed at z = 0 and one above it.
+TEST(BedFriction, ABedAboveZero) {
+  for (const double depth : {0.0, -3.0}) {
+    const Shown s = run("above", fmt::format(R"(hawser: 1
+environment: {{seabed: {{depth: {0}, friction: 0.5}}}}
+line_types: {{c: {{outer_diameter: 0.1, mass_per_length: 60, EA: 250 MN, bending: false}}}}
+contact: {{between_lines: false}}
+lines:
+  m: {{sections: [{{type: c, length: 60, elements: 60}}], end_a: {{anchor: [0, 0, {0}]}}, end_b: {{anchor: [50, 0, {1}]}}}}
+)",
+                                             -depth + 0.0, -depth + 20));
+    ASSERT_EQ(s.exit, 0) << depth;
+    EXPECT_NEAR(s.tension.back(), 60 * 9.80665 * 20, 0.15 * 60 * 9.80665 * 20) << depth;
+  }
+}
+
+struct Leg {
+  std::string text;
+  LegOnBed own;
+  double friction = 0;
+};
+
+// Random but sensible: chains of 60 to 120 mm in 40 to 150 m, slopes to 10 degrees that friction can hold,
+// padeyes from 1 m below the bed to 3 m above it, lines that are slack to nearly lifted, in one piece, joined
+// on the bed, with a buoy on what lies, or on a bed of measured heights; friction as laid, with a short
+// mobilisation length, and full.
+Leg random_leg(int seed) {
+  std::mt19937 random(static_cast<unsigned>(seed));
+  const auto uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
+  const auto pick = [&](int n) { return std::uniform_int_distribution<int>(0, n - 1)(random); };
+  constexpr double kGravity = 9.80665;
+  constexpr double kDensity = 1025;
+  const double d = std::vector<double>{0.06, 0.08, 0.1, 0.12}[static_cast<size_t>(pick(4))];
+  const double outer = 1.8 * d;
+  const double mass = 20000 * d * d;
+  const double w = (mass - kDensity * M_PI / 4 * outer * outer) * kGravity;
+  const double EA = 0.854e11 * d * d;
+  const double slope = uniform(-10, 10) * M_PI / 180;
+  const double mu = std::max(uniform(0.3, 1), 1.3 * std::abs(std::tan(slope)) + 0.05);
+  const double depth = uniform(40, 150);
+  const double heights[] = {-std::min(uniform(0, 1), 0.025 * depth), 0, uniform(0, 0.5), uniform(0.5, 3)};
+  const double padeye = heights[pick(4)];
+  const bool full = uniform(0, 1) < 0.4;
+  const int kind = pick(5);  // plain, joint, buoy, grid, plain
+  const double rest = 0.5 * outer - w / (1e5 * outer);
+  const double fairlead = -uniform(5, 15);
+  const double length = uniform(3, 7) * depth;
+  const double height = depth + fairlead - rest;
+  const double slackest = length - 0.98 * height;
+  const double tautest = 0.998 * std::sqrt(length * length - height * height);
+  const double away = (slackest + uniform(0.03, 0.9) * (tautest - slackest)) * std::cos(slope);
+  const double bed = -depth - away * std::tan(slope);
+  const double azimuth = uniform(-M_PI, M_PI);
+  const double down = slope >= 0 ? azimuth : azimuth + M_PI;
+  const int elements = std::max(60, static_cast<int>(length));
+  Leg out;
+  out.friction = mu;
+  LegOnBed& own = out.own;
+  own = {length, w, EA, mu, slope, 0, away, fairlead - (bed + rest), 0, 0};
+  if (padeye > rest) own.padeye = padeye - rest;
+  std::string more;
+  if (kind == 2) {
+    own.lift = uniform(2, 6) * w;
+    own.lifted_from = 0.2 * length;
+    more = fmt::format(", masses: [{{at: {}, mass: 50, volume: {}}}]", length - own.lifted_from,
+                       (50 * kGravity + own.lift) / (kDensity * kGravity));
+  }
+  std::string ground = fmt::format("depth: {}, slope_deg: {}, slope_direction_deg: {}", depth,
+                                   std::abs(slope) * 180 / M_PI, down * 180 / M_PI);
+  if (kind == 3) {
+    const double steep = std::tan(std::abs(slope));
+    if (runs::rank_of(MPI_COMM_WORLD) == 0) {
+      std::ofstream grid(base_of("grid.xyz"));
+      grid.precision(12);
+      for (int i = -4; i <= 4; ++i)
+        for (int j = -4; j <= 4; ++j)
+          grid << 500 * i << ' ' << 500 * j << ' '
+               << -depth - steep * 500 * (i * std::cos(down) + j * std::sin(down)) << '\n';
+    } else {
+      base_of("grid.xyz");
+    }
+    ground = "grid: {file: grid.xyz}";
+  }
+  const std::string anchor = fmt::format("{{anchor: [{}, {}, {}]}}", away * std::cos(azimuth),
+                                         away * std::sin(azimuth), bed + padeye);
+  std::string lines = fmt::format(
+      "lines:\n  m: {{sections: [{{type: c, length: {}, elements: {}}}], end_a: {{anchor: [0, 0, {}]}}, "
+      "end_b: {}{}}}\n",
+      length, elements, fairlead, anchor, more);
+  if (kind == 1) {
+    const double lower = 0.25 * length;
+    lines = fmt::format(
+        "joints: {{j: {{start: [{}, {}, {}]}}}}\nlines:\n"
+        "  u: {{sections: [{{type: c, length: {}, elements: {}}}], end_a: {{anchor: [0, 0, {}]}}, end_b: "
+        "{{joint: j}}}}\n"
+        "  m: {{sections: [{{type: c, length: {}, elements: {}}}], end_a: {{joint: j}}, end_b: {}}}\n",
+        (away - lower * std::cos(slope)) * std::cos(azimuth),
+        (away - lower * std::cos(slope)) * std::sin(azimuth), bed + rest + lower * std::sin(slope),
+        length - lower, 3 * elements / 4, fairlead, lower, elements / 4, anchor);
+  }
+  out.text = fmt::format(
+      "hawser: 1\nenvironment: {{water: {{depth: 1000}}, seabed: {{{}, friction: {{axial: {}, lateral: {}, "
+      "mobilisation_length: {}}}, friction_in_statics: {}}}}}\n"
+      "line_types: {{c: {{outer_diameter: {}, mass_per_length: {}, EA: {}, bending: false}}}}\n"
+      "contact: {{between_lines: false}}\n{}",
+      ground, mu, mu, full ? "1 mm" : "0.1 mm", full ? "full" : "as_laid", outer, mass, EA, lines);
+  return out;
+}
+
+TEST(BedFriction, RandomLegs) {
+  const int legs = std::getenv("HAWSER_FULL") ? 300 : 16;
+  int solved = 0;
+  int tried = 0;
+  for (int seed = 0; tried < legs; ++seed) {
+    const Leg leg = random_leg(seed);
+    const std::optional<LegLoads> own = LegSolver(leg.own).solve();
+    // Lines that lie to some extent, and buoys on what is pulled: where it is not, a buoy rises with slack.
+    if (!own || own->lying < 0.05 * leg.own.length) continue;
+    if (leg.own.lift > 0 && !(own->anchor > 5 * leg.own.lift)) continue;
+    ++tried;
+    const Shown s = run("leg", leg.text);
+    if (s.exit != 0) continue;
+    ++solved;
+    EXPECT_NEAR(s.tension.front(), own->fairlead, 0.01 * own->fairlead) << "seed " << seed << "\n"
+                                                                        << leg.text;
+    EXPECT_NEAR(s.tension.back(), own->anchor, 0.01 * std::max(own->anchor, own->fairlead))
+        << "seed " << seed << "\n"
+        << leg.text;
+    EXPECT_LE(friction_over_normal(s, 1e-3 * leg.own.weight), leg.friction * 1.001) << "seed " << seed;
+  }
+  if (runs::rank_of(MPI_COMM_WORLD) == 0) printf("  %d of %d legs solved\n", solved, tried);
+  EXPECT_GE(solved, 0.98 * tried);
+}
+
+}  // namespace
+}  // namespace hawser::test::bed_friction
