@@ -36,6 +36,10 @@
 namespace hawser::app {
 namespace {
 
+// m, at which friction of the bed is mobilised when statics begins: about a radius of a line. A path of
+// springs that becomes stiff by and by has no flat places in which Newton's method is lost.
+constexpr double kFirstSlip = 0.1;
+
 // Radius and mass of the elements, and which of their nodes are held, for contact along them.
 std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh,
                                                  const std::vector<int>& held) {
@@ -257,8 +261,9 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
     report.iterations += more.iterations, report.escapes += more.escapes;
     report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
   };
-  if (case_.environment.seabed.full) {
-    seabed_->press_by_contact(state_.view(0));
+  for (const double slip : {kFirstSlip / 30, 0.0}) {
+    seabed_->mobilise_by(slip);
+    if (case_.environment.seabed.full) seabed_->press_by_contact(state_.view(0));
     solve();
   }
   seabed_->follow_contact(state_.view(0));
@@ -276,7 +281,10 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
     if (contact_) contact_->enable_friction(true);
     if (line_pairs_) line_pairs_->enable_friction(true);
   }
-  if (lays_lines()) seabed_->lay(laid_, state_.view(0), case_.environment.seabed.full);
+  if (lays_lines()) {
+    seabed_->lay(laid_, state_.view(0), case_.environment.seabed.full);
+    seabed_->mobilise_by(kFirstSlip);
+  }
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
   if (floating_) floating_->hold(true);
   if (bodies_in_water_) bodies_in_water_->hold(true);

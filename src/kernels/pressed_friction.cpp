@@ -1,6 +1,7 @@
 // Potential, force and derivative of friction under a given normal force.
 #include "hawser/kernels/pressed_friction.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -28,7 +29,7 @@ double mobilisation(const FrictionLaw& law, double N, int i) {
 }  // namespace
 
 PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& slip, const Vec3& normal,
-                                 const Vec3& tangent) {
+                                 const Vec3& tangent, double least) {
   PressedFriction r;
   if (!(N > 0)) return r;
   const std::array<Vec3, 2> way = directions(normal, tangent);
@@ -37,7 +38,7 @@ PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& s
   Mat3 B = Mat3::Zero();
   for (int i = 0; i < 2; ++i) {
     if (!(mu[i] > 0)) continue;
-    const double d = mobilisation(law, N, i);
+    const double d = std::max(least, mobilisation(law, N, i));
     const Mat3 outer = way[i] * way[i].transpose();
     A += mu[i] * N / d * outer;
     B += outer / (d * d);

@@ -161,7 +161,11 @@ class Laying {
       return buried_length(line, from, from + e.length) > 0;
     };
     const Descent down = descent(s, element(0).length);
-    Vec3 way = Vec3::Zero();
+    // Where a joint starts is a guess: the line was laid straight.
+    const bool straight = line.starts_by_itself() && (line.end_a.kind == model::EndKind::joint ||
+                                                      line.end_b.kind == model::EndKind::joint);
+    Vec3 way = along_bed(start[node(0)], start[node(last)]);
+    if (!straight) way.setZero();
     for (int i = 0; way.isZero() && i < last; ++i) way = along_bed(start[node(i)], start[node(i + 1)]);
     std::vector<Vec3> out(start.size());
     Vec3 x = start_of(s);
@@ -183,7 +187,7 @@ class Laying {
         const double chord = (to - from).norm();
         if (chord > 0) x += natural / chord * (to - from);
       } else {
-        if (const Vec3 here = along_bed(from, to); !here.isZero()) way = here;
+        if (const Vec3 here = along_bed(from, to); !straight && !here.isZero()) way = here;
         x += natural / e.length * down.reach(laid, e.length) * way;
       }
       laid += e.length;

@@ -10,7 +10,7 @@ PressedFriction SeabedTerm::pressed(const Point& p, const Vec3& x) const {
   FrictionLaw law = this->law(p).law.friction;
   if (firm_ && friction_ == Friction::pressed) law.stiffness = this->law(p).axial_stiffness;
   return pressed_friction(law, from.pressed, from.slip + (x - from.place), from.normal,
-                          starts_[place(p)].tangent);
+                          starts_[place(p)].tangent, least_slip_);
 }
 
 void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
@@ -49,6 +49,7 @@ void SeabedTerm::follow_contact(const Kinematics& at) {
     laid.place = x;
   }
   friction_ = Friction::contact;
+  least_slip_ = 0;
 }
 
 std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {

@@ -164,19 +164,25 @@ lines:
   EXPECT_NEAR(s.tension.back(), right, 0.01 * right);
 }
 
-// A bed at z = 0 and one above it.
+// A bed at z = 0 and one above it, in air.
 TEST(BedFriction, ABedAboveZero) {
-  for (const double depth : {0.0, -3.0}) {
+  const double w = 60 * 9.80665;
+  const double rest = 0.05 - w / (1e5 * 0.1);
+  const std::optional<LegLoads> own =
+      LegSolver({.length = 60, .weight = w, .EA = 250e6, .friction = 0.5, .x = 50, .z = 20 - rest}).solve();
+  ASSERT_TRUE(own);
+  for (const double height : {0.0, 3.0}) {
     const Shown s = run("above", fmt::format(R"(hawser: 1
-environment: {{seabed: {{depth: {0}, friction: 0.5}}}}
+environment: {{seabed: {{depth: {}, friction: {{axial: 0.5, lateral: 0.5, mobilisation_length: 0.1 mm}}}}}}
 line_types: {{c: {{outer_diameter: 0.1, mass_per_length: 60, EA: 250 MN, bending: false}}}}
 contact: {{between_lines: false}}
 lines:
-  m: {{sections: [{{type: c, length: 60, elements: 60}}], end_a: {{anchor: [0, 0, {0}]}}, end_b: {{anchor: [50, 0, {1}]}}}}
+  m: {{sections: [{{type: c, length: 60, elements: 120}}], end_a: {{anchor: [0, 0, {}]}}, end_b: {{anchor: [50, 0, {}]}}}}
 )",
-                                             -depth + 0.0, -depth + 20));
-    ASSERT_EQ(s.exit, 0) << depth;
-    EXPECT_NEAR(s.tension.back(), 60 * 9.80665 * 20, 0.15 * 60 * 9.80665 * 20) << depth;
+                                             0 - height, height, height + 20));
+    ASSERT_EQ(s.exit, 0) << height;
+    EXPECT_NEAR(s.tension.back(), own->fairlead, 0.01 * own->fairlead) << height;
+    EXPECT_NEAR(s.tension.front(), own->anchor, 0.01 * own->fairlead) << height;
   }
 }
 

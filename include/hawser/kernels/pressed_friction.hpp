@@ -14,13 +14,14 @@ struct PressedFriction {
 };
 
 // With the slip s [m, space], its parts s_a along the line and s_l across it in the plane of `normal`, the
-// normal force N [N] and k_i = mu_i N / d_i, d_i the mobilisation length (mu_i N over the shear stiffness):
+// normal force N [N] and k_i = mu_i N / d_i, d_i the mobilisation length (mu_i N over the shear stiffness),
+// at least `least` [m]:
 //   q = k_a s_a² + k_l s_l²,  rho = (s_a/d_a)² + (s_l/d_l)²,
 //   potential = q/2 for rho <= 1,  q (rho^(-1/2) - rho^(-1)/2) beyond;  force = -d potential / d s.
 // Once continuously differentiable. For equal coefficients and lengths it is the law of friction_law.hpp.
 // tangent: direction of the line, unit, need not lie in the plane. Coefficients are those at rest.
 PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& slip, const Vec3& normal,
-                                 const Vec3& tangent);
+                                 const Vec3& tangent, double least = 0);
 
 // The slip [m] at which friction_law.hpp has this force [N] under the normal force N, in the plane of
 // `normal`: (s_a, s_l) = -(f_a d_a/(mu_a N), f_l d_l/(mu_l N)).

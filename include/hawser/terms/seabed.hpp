@@ -68,6 +68,9 @@ class SeabedTerm final : public ForceTerm {
   // law of motion. firm: in the first stage friction springs are as stiff as the line's elements instead of
   // the law's, and what they mobilise is mobilised in the second.
   void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);  // m, by local node
+  // In the first stage: friction is fully mobilised by this slip [m] at the least, so that lines slip
+  // smoothly.
+  void mobilise_by(double least_slip) { least_slip_ = least_slip; }
   void press_by_contact(const Kinematics& at);
   void follow_contact(const Kinematics& at);
 
@@ -178,6 +181,7 @@ class SeabedTerm final : public ForceTerm {
   std::vector<Start> starts_;
   std::vector<Laid> laid_;  // in statics with friction; empty: slip and normal are the histories'
   bool firm_ = false;
+  double least_slip_ = 0;
   std::vector<History> histories_;
   std::vector<int> vacant_;  // places in histories_ of points that have left the bed
   Account account_;
