@@ -187,7 +187,7 @@ void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& hel
   if (!case_.environment.seabed.present) return;
   seabed_ = add<SeabedTerm>(local(), case_, held);
   if (std::any_of(case_.lines.begin(), case_.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
-    add<BuriedTerm>(local(), case_, start, held);
+    add<BuriedTerm>(system_->comm(), local(), case_, start, held);
 }
 
 // Contact of lines with volumes, and what is told of how they start beside them. InputError where lines start

@@ -25,8 +25,9 @@ struct OtherColumns {
   const PetscInt* columns = nullptr;
 };
 
-// Whether a symmetric matrix on one rank is positive definite, by Cholesky's factorisation, which overwrites
-// it. Chains have no fill in their own order. Of a matrix that has fill the answer is false as well.
+// Whether the part of a symmetric matrix in a rank's own rows and columns is positive definite, by Cholesky's
+// factorisation, which overwrites them. Chains have no fill in their own order. Of a matrix that has fill the
+// answer is false as well.
 bool positive_definite(Mat a) {
   const OwnBlocks own(a);
   for (int i = 0; i < own.rows(); ++i) {
@@ -43,6 +44,15 @@ bool positive_definite(Mat a) {
     }
   }
   return true;
+}
+
+// Of the symmetric part of a tangent; false as well where a chain is cut between ranks. Collective.
+bool positive_definite_chains(Mat J) {
+  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(J));
+  PetscInt others = 0;
+  if (const OtherColumns other(J); other.blocks) check(MatGetSize(other.blocks, nullptr, &others));
+  if (on_any_rank(comm, others > 0)) return false;
+  return !on_any_rank(comm, !positive_definite(symmetric_blocks(J).get()));
 }
 
 }  // namespace
@@ -101,8 +111,7 @@ int negative_pivots(Mat a) {
 }
 
 int negative_eigenvalues(Mat J, bool chains) {
-  const int size = ranks_of(PetscObjectComm(reinterpret_cast<PetscObject>(J)));
-  if (chains && size == 1 && positive_definite(symmetric_blocks(J).get())) return 0;
+  if (chains && positive_definite_chains(J)) return 0;
   return negative_pivots(symmetric_part(J).get());
 }
 

@@ -4,9 +4,16 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
 
 namespace hawser {
 namespace {
+
+// Turn of the line, rad, that statics leaves between the directions of the springs and those of the line: a
+// force changes by that part of itself, which is the tolerance of statics.
+constexpr double kTurned = 1e-8;
 
 // Of an owned node, what its halves of the elements have in the soil.
 std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Case& c,
@@ -49,22 +56,38 @@ double buried_length(const model::Line& line, double from, double to) {
   return in;
 }
 
-BuriedTerm::BuriedTerm(const LocalMesh& mesh, const Kinematics& start, std::vector<Place> places)
-    : mesh_(mesh), line_(mesh) {
+BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start,
+                       std::vector<Place> places)
+    : comm_(comm), mesh_(mesh), line_(mesh) {
   for (const Place& place : places) {
     Point& p = points_.emplace_back();
     p.node = place.node, p.block = mesh.block[place.node];
     p.soil = place.soil;
     p.at = start.x[place.node];
   }
+  turn_to(start);
 }
 
-BuriedTerm::BuriedTerm(const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
+BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
                        const std::vector<int>& held)
-    : BuriedTerm(mesh, start, places_of(mesh, c, held)) {}
+    : BuriedTerm(comm, mesh, start, places_of(mesh, c, held)) {}
 
-void BuriedTerm::prepare(const Kinematics& committed, double) {
-  for (Point& p : points_) p.tangent = line_.tangent(committed, p.node);
+void BuriedTerm::prepare(const Kinematics& committed, double h) {
+  if (h > 0) turn_to(committed);
+}
+
+double BuriedTerm::turn_to(const Kinematics& at) {
+  double most = 0;
+  for (Point& p : points_) {
+    const Vec3 before = std::exchange(p.tangent, line_.tangent(at, p.node));
+    most = std::max(most, (p.tangent - before).norm());
+  }
+  return most;
+}
+
+bool BuriedTerm::stiffen(const Kinematics& equilibrium) {
+  if (equilibrium.step > 0) return false;
+  return on_any_rank(comm_, turn_to(equilibrium) > kTurned);
 }
 
 void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -85,6 +108,7 @@ void BuriedTerm::commit(const Kinematics& accepted) {
     if (accepted.step > 0) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
     p.at = x, p.slip = s.slip, p.force = s.force, p.stored = s.stored;
   }
+  if (accepted.step == 0) turn_to(accepted);  // statics with friction on the way commits its steps
 }
 
 // In statics of trials: the line search goes down this.

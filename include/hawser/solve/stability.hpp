@@ -17,9 +17,9 @@ MatHandle symmetric_part(Mat J);
 // the factorisation fails.
 int negative_pivots(Mat a);
 
-// The same of the symmetric part of a tangent. chains: nothing couples its lines; on one rank Cholesky's
-// factorisation, which overwrites a copy of that part, then tells whether there are any, but not where lines
-// meet at a joint, since that makes fill. Collective.
+// The same of the symmetric part of a tangent. chains: nothing couples its lines; where no line is cut
+// between ranks, Cholesky's factorisation, which overwrites a copy of that part, then shows whether there are
+// any, but not where lines meet at a joint, since that makes fill. Collective.
 int negative_eigenvalues(Mat J, bool chains = false);
 
 }  // namespace hawser
