@@ -3,8 +3,8 @@
 #include "hawser/terms/buried.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
-#include <utility>
 
 #include "hawser/base/gather.hpp"
 
@@ -76,18 +76,25 @@ void BuriedTerm::prepare(const Kinematics& committed, double h) {
   if (h > 0) turn_to(committed);
 }
 
-double BuriedTerm::turn_to(const Kinematics& at) {
+double BuriedTerm::turn_to(const Kinematics& at, double share) {
   double most = 0;
   for (Point& p : points_) {
-    const Vec3 before = std::exchange(p.tangent, line_.tangent(at, p.node));
-    most = std::max(most, (p.tangent - before).norm());
+    const Vec3 turn = line_.tangent(at, p.node) - p.tangent;
+    p.tangent = (p.tangent + share * turn).normalized();
+    most = std::max(most, turn.norm());
   }
   return most;
 }
 
+// Where the line turns back with its springs, so that less than a quarter of what was to be gained is, it
+// goes half as far.
 bool BuriedTerm::stiffen(const Kinematics& equilibrium) {
   if (equilibrium.step > 0) return false;
-  return on_any_rank(comm_, turn_to(equilibrium) > kTurned);
+  double turn = turn_to(equilibrium, share_);
+  all_reduce(comm_, MPI_MAX, turn);
+  if (!(turn <= (1 - 0.25 * share_) * turn_)) share_ *= 0.5;
+  turn_ = turn;
+  return turn > kTurned;
 }
 
 void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -108,6 +115,7 @@ void BuriedTerm::commit(const Kinematics& accepted) {
     if (accepted.step > 0) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
     p.at = x, p.slip = s.slip, p.force = s.force, p.stored = s.stored;
   }
+  share_ = 1, turn_ = HUGE_VAL;
   if (accepted.step == 0) turn_to(accepted);  // statics with friction on the way commits its steps
 }
 

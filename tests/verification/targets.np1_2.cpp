@@ -64,6 +64,19 @@ double solved(double low, double high, double wanted, F&& f) {
 
 double declination(const Vec3& tension) { return std::acos(tension.z() / tension.norm()) * 180 / M_PI; }
 
+// Each trial says what it has found.
+TEST(Targets, TrialsAreReported) {
+  std::vector<std::string> trials;
+  const app::MetTargets m = app::meet_targets(PETSC_COMM_WORLD, hanging("{tension: 120 kN}", 110, 40), {}, {},
+                                              [&](const std::string& trial) { trials.push_back(trial); });
+  const std::string found = "(found in " + std::to_string(trials.size()) + " statics)";
+  EXPECT_TRUE(m.found.at(0).ends_with(found)) << m.found.at(0) << ", " << trials.size() << " reported";
+  EXPECT_TRUE(trials.at(0).starts_with(
+      "statics 1 of the search for lengths: line l: with 110 m of section 1 the tension at end B is "))
+      << trials.at(0);
+  EXPECT_TRUE(trials.at(0).ends_with(", wanted 120000 N")) << trials.at(0);
+}
+
 TEST(Targets, TensionOfACatenary) {
   const double expected = solved(103, 140, 120e3, [](double x) { return closed(x).tension_b().norm(); });
   const app::MetTargets m = met(hanging("{tension: 120 kN}"));

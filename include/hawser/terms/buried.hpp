@@ -4,6 +4,7 @@
 
 #include <mpi.h>
 
+#include <cmath>
 #include <vector>
 
 #include "hawser/kernels/buried_soil.hpp"
@@ -65,12 +66,14 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
     return buried_force(p.soil, p.slip + (at.x[p.node] - p.at), p.tangent);
   }
 
-  // Takes the directions of the line there; by how much they turn at the most, rad.
-  double turn_to(const Kinematics& at);
+  // Turns the directions by this share of the way to those of the line there; all of the way at the most,
+  // rad.
+  double turn_to(const Kinematics& at, double share = 1);
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::vector<Point> points_;
+  double share_ = 1, turn_ = HUGE_VAL;  // of a search of statics: of the next turn; the last one, rad
   LineNeighbours line_;
 };
 
