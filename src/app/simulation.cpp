@@ -247,8 +247,8 @@ bool Simulation::lays_lines() const {
   return seabed_ && static_friction_.value_or(true) && model::static_bed_friction(case_);
 }
 
-// From the equilibrium with friction under the weight of what lay at the start to that with the law of motion,
-// by way of friction under the contact forces of the first.
+// From the equilibrium with friction under the weight of what lay at the start to that with the law of
+// motion, by way of friction under the contact forces of the first.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
   settings.near = true;
   const auto solve = [&] {

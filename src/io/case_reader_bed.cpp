@@ -141,7 +141,8 @@ constexpr double kKnownHeight = 0.1;  // m, to which surveys know the height of 
 double deepest_start(const model::Case& c, const model::LineType& t) {
   constexpr double kPressed = 3;  // times the weight
   return kKnownHeight + t.contact_diameter +
-         model::penetration_under(c.environment.seabed, kPressed * c.environment.gravity * t.mass_per_length, t.contact_diameter);
+         model::penetration_under(c.environment.seabed, kPressed * c.environment.gravity * t.mass_per_length,
+                                  t.contact_diameter);
 }
 
 // Places of a line that the case gives, against the bed.
@@ -228,10 +229,10 @@ class BedCheck {
     const double deep = -model::height_above_bed(bed_, x);
     place(where, x, type, std::max(deepest_start(c_, type), kPart * model::length_of(line)));
     if (deep >= 0.5 * type.contact_diameter && deep > kRounded)
-      c_.notes.push_back(
-          fmt::format("{}: is {:.3g} m under the seabed, which is lowered there over {:.3g} m of the line; give "
-                      "the height of the seabed there, or the length that is 'buried'",
-                      where, deep, model::bed_at_end(c_, line, &e == &line.end_b, 0).length));
+      c_.notes.push_back(fmt::format(
+          "{}: is {:.3g} m under the seabed, which is lowered there over {:.3g} m of the line; give "
+          "the height of the seabed there, or the length that is 'buried'",
+          where, deep, model::bed_at_end(c_, line, &e == &line.end_b, 0).length));
   }
   // A line that starts by itself goes straight from its end in the soil to the bed.
   void reaches(const model::Line& line, const model::End& e, const Vec3& x) const {

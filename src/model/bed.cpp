@@ -61,13 +61,12 @@ double submerged_weight(const Case& c, const LineType& type) {
 
 double resting_height(const Case& c, const LineType& type) {
   const double weight = std::max(submerged_weight(c, type), 0.0);
-  return 0.5 * type.contact_diameter -
-         penetration_under(c.environment.seabed, weight, type.contact_diameter);
+  return 0.5 * type.contact_diameter - penetration_under(c.environment.seabed, weight, type.contact_diameter);
 }
 
 BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element) {
-  // The angle a by which the line turns down to its end presses it onto the bed by T a, of which friction takes
-  // up to mu T a: half a per cent of the tension T.
+  // The angle a by which the line turns down to its end presses it onto the bed by T a, of which friction
+  // takes up to mu T a: half a per cent of the tension T.
   constexpr double kSteepest = 0.005;
   BedAtEnd out;
   const Seabed& bed = c.environment.seabed;
@@ -80,8 +79,8 @@ BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element) {
   const double height = height_above_bed(bed, end_position(c, end));
   if (!std::isfinite(height)) return out;
   const double rest = resting_height(c, type), radius = 0.5 * type.contact_diameter;
-  // An end at the height at which the line begins to touch would have it sink beside the end; of one above that
-  // the line hangs.
+  // An end at the height at which the line begins to touch would have it sink beside the end; of one above
+  // that the line hangs.
   out.depth = height <= radius ? rest - height : std::min(0.0, rest - 2 * radius + height);
   out.length = std::max(std::abs(out.depth) / kSteepest, element);
   return out;

@@ -202,8 +202,10 @@ Key seabed() {
            "`length`; it takes hold again of what goes deeper or lands anew"),
        friction(&Seabed::friction),
        word({"friction_in_statics", by<Seabed>(friction_in_statics)}, {"as_laid", "full", "none"},
-            "friction at rest: `as_laid`, it acts from where the line was laid without tension from its anchor "
-            "(from its start shape, where the case gives one on the bed from end to end); `full`, likewise, but "
+            "friction at rest: `as_laid`, it acts from where the line was laid without tension from its "
+            "anchor "
+            "(from its start shape, where the case gives one on the bed from end to end); `full`, likewise, "
+            "but "
             "the smallest slip mobilises it, whatever the mobilisation length; `none`, in dynamics only",
             or_else("as_laid"))},
       "what lines lie on: level, sloping, or of a grid or mesh",

@@ -25,8 +25,8 @@ struct Side {
   bool operator<(const Side& o) const { return line != o.line ? line < o.line : b < o.b; }
 };
 
-// The end that holds a line on one side, through joints: the lowest there, and of ends that are equally low the
-// nearest.
+// The end that holds a line on one side, through joints: the lowest there, and of ends that are equally low
+// the nearest.
 struct Holder {
   double height = kNowhere;  // m above the bed, and kAway of its distance; infinite: nothing holds it
   bool joint = false;
@@ -63,9 +63,7 @@ class Laying {
 
  private:
   const model::End& end(const Side& s) const { return c_.lines[s.line].end(s.b); }
-  const Vec3& start_of(const Side& s) const {
-    return s.b ? starts_[s.line].back() : starts_[s.line].front();
-  }
+  const Vec3& start_of(const Side& s) const { return s.b ? starts_[s.line].back() : starts_[s.line].front(); }
 
   // Whether the case gives the start shape and it lies from end to end.
   bool given(size_t l) const {
@@ -113,8 +111,8 @@ class Laying {
     return way.normalized();
   }
 
-  // How a line that was laid from a held end comes to lie: along the bed that gives way to the end, and from an
-  // end above the bed down to it, both at a constant slope over a length from the end.
+  // How a line that was laid from a held end comes to lie: along the bed that gives way to the end, and from
+  // an end above the bed down to it, both at a constant slope over a length from the end.
   struct Descent {
     double sine[2] = {0, 0};    // of the angle to the bed
     double length[2] = {0, 0};  // m
@@ -138,8 +136,8 @@ class Laying {
     if (bed.length > 0) out.sine[0] = bed.depth / bed.length;
     const double height = model::height_above_bed(bed_, start_of(s)) - 0.5 * type.contact_diameter;
     if (!std::isfinite(height) || height <= 0) return out;
-    // Without tension a cable hangs straight down. A beam of the weight w whose end is lifted by h from the bed
-    // is lifted over (72 EI h/w)^(1/4).
+    // Without tension a cable hangs straight down. A beam of the weight w whose end is lifted by h from the
+    // bed is lifted over (72 EI h/w)^(1/4).
     out.length[1] = height;
     const double weight = model::submerged_weight(c_, type);
     if (type.kind == model::LineKind::beam && weight > 0)

@@ -75,9 +75,9 @@ std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
   return sections;
 }
 
-// A line from an end near the bed to one high above it: part of it may lie. The closed form is that of a level
-// bed; on a slope its distances are those along the bed and its heights stand on it. Nothing when there is no such
-// shape.
+// A line from an end near the bed to one high above it: part of it may lie. The closed form is that of a
+// level bed; on a slope its distances are those along the bed and its heights stand on it. Nothing when there
+// is no such shape.
 std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, const Vec3& xa, const Vec3& xb,
                                 std::vector<CatenarySection> sections, const Mesh& mesh,
                                 const LineSpan& span) {

@@ -46,8 +46,8 @@ inline std::shared_ptr<const HeightGrid> hilly() {
 
 // A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
 // table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in the
-// first stage of statics, with friction under a normal force that does not follow the trial; with points half way along the
-// elements as well, which come to be between their nodes' situations.
+// first stage of statics, with friction under a normal force that does not follow the trial; with points half
+// way along the elements as well, which come to be between their nodes' situations.
 enum class Soil { spring, table, sticky, laid };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
                               bool curved = false, Soil soil = Soil::spring, bool between = false) {
@@ -96,7 +96,8 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
     t.h = 0;
     std::vector<Vec3> places = t.from.x;  // within the slip ellipse and beyond it
     for (int n = 0; n < l.nodes(); ++n)
-      places[static_cast<size_t>(n)] -= 2.5 * mm * (at.rotation * noise3(l.global[static_cast<size_t>(n)], 13));
+      places[static_cast<size_t>(n)] -=
+          2.5 * mm * (at.rotation * noise3(l.global[static_cast<size_t>(n)], 13));
     seabed.lay(places, t.from.view(0), false);
     seabed.press_by_contact(t.from.view(0));
   }

@@ -8,8 +8,8 @@
 namespace hawser {
 
 struct PressedFriction {
-  double potential = 0;        // J
-  Vec3 force = Vec3::Zero();   // N, on the point
+  double potential = 0;         // J
+  Vec3 force = Vec3::Zero();    // N, on the point
   Mat3 by_slip = Mat3::Zero();  // N/m, derivative of the force by the slip
 };
 

@@ -24,9 +24,7 @@ double resting_height(const Case& c, const LineType& type);
 // negative), linearly less along the line, and by nothing from `length` on.
 struct BedAtEnd {
   double depth = 0, length = 0;  // m
-  double lowering(double from_end) const {
-    return from_end < length ? depth * (1 - from_end / length) : 0;
-  }
+  double lowering(double from_end) const { return from_end < length ? depth * (1 - from_end / length) : 0; }
 };
 // b: at end B. element [m]: length of the first element there, which a cable bridges by its chord.
 BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element);

@@ -31,7 +31,8 @@ class SeabedTerm final : public ForceTerm {
     double radius = 0;  // m, less what the bed is lowered by beside a held end
     ContactLaw law;     // of the point: N/m; without normal stiffness it takes no part
     Suction suction;
-    // What the point stands for: length of line [m], its weight in water [N], EA over the element's length [N/m].
+    // What the point stands for: length of line [m], its weight in water [N], EA over the element's length
+    // [N/m].
     double length = 0, weight = 0, axial_stiffness = 0;
     bool operator==(const PointLaw&) const = default;
   };
@@ -61,11 +62,11 @@ class SeabedTerm final : public ForceTerm {
 
   // While off no slip is kept.
   void enable_friction(bool on) { friction_ = on ? Friction::contact : Friction::none; }
-  // Friction in statics acts from where the lines were laid, in two stages, until the first step in time. First
-  // it is that under a normal force which does not follow the trial, so that it has a potential: the weight of
-  // what lies at the start, then the contact force of the state that has been found. Then it is the law of
-  // motion. firm: in the first stage friction springs are as stiff as the line's elements instead of the law's,
-  // and what they mobilise is mobilised in the second.
+  // Friction in statics acts from where the lines were laid, in two stages, until the first step in time.
+  // First it is that under a normal force which does not follow the trial, so that it has a potential: the
+  // weight of what lies at the start, then the contact force of the state that has been found. Then it is the
+  // law of motion. firm: in the first stage friction springs are as stiff as the line's elements instead of
+  // the law's, and what they mobilise is mobilised in the second.
   void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);  // m, by local node
   void press_by_contact(const Kinematics& at);
   void follow_contact(const Kinematics& at);
@@ -109,8 +110,8 @@ class SeabedTerm final : public ForceTerm {
     double gap = 0;
   };
   enum class Friction { none, pressed, contact };
-  // What friction in statics is reckoned from: a place, the slip there, and the bed's normal and the normal force
-  // at the last iteration.
+  // What friction in statics is reckoned from: a place, the slip there, and the bed's normal and the normal
+  // force at the last iteration.
   struct Laid {
     Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();
     double pressed = 0;  // N
@@ -180,9 +181,9 @@ class SeabedTerm final : public ForceTerm {
   std::vector<History> histories_;
   std::vector<int> vacant_;  // places in histories_ of points that have left the bed
   Account account_;
-  mutable std::vector<Seen> seen_;              // empty: a plane
-  bool suction_ = false;                        // of some point
-  std::vector<double> element_;                 // m, longest at a local node
+  mutable std::vector<Seen> seen_;  // empty: a plane
+  bool suction_ = false;            // of some point
+  std::vector<double> element_;     // m, longest at a local node
   LineNeighbours line_;
   Friction friction_ = Friction::contact;
 };
