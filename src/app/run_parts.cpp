@@ -88,11 +88,15 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
   if (!has_targets(c)) return c;
   MetTargets met;
   try {
-    met = !restart.empty() ? with_lengths_of(c, restart, comm)
-                           : meet_targets(comm, c, volumes, [&](const StaticsReport& now) {
-                               progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-                               if (looked) looked();
-                             });
+    met = !restart.empty()
+              ? with_lengths_of(c, restart, comm)
+              : meet_targets(
+                    comm, c, volumes,
+                    [&](const StaticsReport& now) {
+                      progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+                      if (looked) looked();
+                    },
+                    [&](const std::string& trial) { progress.busy(trial, 0); });
   } catch (const SolveError&) {
     for (const std::string& n : model::grouped_notes(c.notes)) progress.say("note: " + n);  // may tell why
     throw;

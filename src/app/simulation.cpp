@@ -191,7 +191,7 @@ void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& hel
   if (!case_.environment.seabed.present) return;
   seabed_ = add<SeabedTerm>(local(), case_, held);
   if (std::any_of(case_.lines.begin(), case_.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
-    add<BuriedTerm>(local(), case_, start, held);
+    add<BuriedTerm>(system_->comm(), local(), case_, start, held);
 }
 
 // Contact of lines with volumes, and what is told of how they start beside them. InputError where lines start
@@ -251,9 +251,8 @@ bool Simulation::lays_lines() const {
   return seabed_ && static_friction_.value_or(true) && model::static_bed_friction(case_);
 }
 
-// From the equilibrium with friction under the weight of what lay at the start to that with the law of
-// motion; where the slightest slip mobilises friction, by way of friction under the contact forces of the
-// first.
+// From the equilibrium with soft friction under the weight of what lay at the start to that with the law of
+// motion, by way of stiffer friction; where the slightest slip mobilises it, under the contact forces found.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
   settings.near = true;
   const auto solve = [&] {

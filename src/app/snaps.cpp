@@ -95,8 +95,9 @@ std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, dou
   const double shorter = steps ? 0.5 * w.step * kResolved / w.angle : 0.5 * w.step;
   return fmt::format(
       "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that of a blow "
-      "which is not resolved: {}, so that it may be higher or lower. Where it matters, compare with "
-      "dynamics.{}: {:.2g} s and elements half as long",
+      "which is not resolved: {}, so that it may be higher or lower, on another number of ranks as well. "
+      "Where "
+      "it matters, compare with dynamics.{}: {:.2g} s and elements half as long",
       name, w.tension / 1000, w.arc, w.time, why, fixed ? "step" : "max_step", shorter);
 }
 

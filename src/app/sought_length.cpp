@@ -124,17 +124,27 @@ double SoughtLength::reached(const AtRest& now) const {
   return point->arc;
 }
 
+double SoughtLength::error() const {
+  const double scale = t_.kind == Kind::tension       ? t_.value
+                       : t_.kind == Kind::declination ? 1
+                                                      : rest_ + length_;
+  return given_up_ ? 0 : std::abs(value_ - t_.value) / scale;
+}
+
 bool SoughtLength::see(const AtRest& now) {
   if (given_up_) return false;
   const bool was = met_;
   value_ = reached(now), good_ = length_;
-  const double scale = t_.kind == Kind::tension       ? t_.value
-                       : t_.kind == Kind::declination ? 1
-                                                      : rest_ + length_;
-  const double off = std::abs(value_ - t_.value);
-  near_ = off <= kCoarse * scale;
-  met_ = off <= kTolerance * scale || (narrow() && near_);
+  near_ = error() <= kCoarse;
+  met_ = error() <= kTolerance || (narrow() && near_);
   return was && !met_;
+}
+
+std::string SoughtLength::now(const model::Case& c) const {
+  const std::string where = feeder_ >= 0 ? fmt::format("inside the feeder at {}", t_.at_a ? "end A" : "end B")
+                                         : fmt::format("of section {}", t_.section + 1);
+  return fmt::format("line {}: with {:.6g} m {} the {} is {}, wanted {}", c.lines[line_].name, length_, where,
+                     name_of(t_), value_text(t_, value_), value_text(t_, t_.value));
 }
 
 std::string SoughtLength::found(const model::Case& c, int trials) const {

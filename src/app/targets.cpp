@@ -35,6 +35,12 @@ std::vector<SoughtLength> all_sought(const model::Case& c) {
   return out;
 }
 
+const SoughtLength& worst(const std::vector<SoughtLength>& all) {
+  return *std::max_element(all.begin(), all.end(), [](const SoughtLength& a, const SoughtLength& b) {
+    return a.error() < b.error();
+  });
+}
+
 }  // namespace
 
 bool has_targets(const model::Case& c) {
@@ -44,7 +50,8 @@ bool has_targets(const model::Case& c) {
 }
 
 MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<LoadedVolume>& volumes,
-                        const std::function<void(const StaticsReport&)>& progress) {
+                        const std::function<void(const StaticsReport&)>& progress,
+                        const std::function<void(const std::string&)>& tried) {
   std::vector<SoughtLength> all = all_sought(c);
   // All at once, as if lines did not pull at each other. Where they do: one after the other, round and round.
   bool together = true;
@@ -64,6 +71,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
       const AtRest now = at_rest(comm, sim);
       for (SoughtLength& s : all) parted |= s.see(now);
+      if (tried) tried(fmt::format("statics {} of the search for lengths: {}", trial, worst(all).now(c)));
       if (std::all_of(all.begin(), all.end(), [](const SoughtLength& s) { return s.met(); })) {
         for (const SoughtLength& s : all) out.found.push_back(s.found(c, trial));
         return out;

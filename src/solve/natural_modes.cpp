@@ -150,7 +150,7 @@ int eigenvalues_below(Mat K, Mat M, double squared) {
   MatHandle shifted;
   check(MatDuplicate(K, MAT_COPY_VALUES, shifted.out()));
   check(MatAXPY(shifted.get(), -squared, M, DIFFERENT_NONZERO_PATTERN));
-  return negative_eigenvalues(shifted.get());
+  return negative_pivots(shifted.get());
 }
 
 // Whether between the target and the first gap behind the `count` lowest of these modes there are no others.

@@ -74,6 +74,10 @@ class Relaxation : StaticTrial {
         system_.commit(state_.view(0));
         continue;
       }
+      if (viscous_) {
+        std::fill(momentum_.begin(), momentum_.end(), 0.0);
+        continue;
+      }
       copy_momentum();
       const double now = kinetic_energy();
       if (now < kinetic) {
@@ -91,14 +95,17 @@ class Relaxation : StaticTrial {
     const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
     return force / std::sqrt(nodes) / (kFirst * longest_);
   }
-  // Looks back every so many steps.
+  // Looks back every so many steps. What does not come nearer to rest with its momentum goes on without it,
+  // and the other way round: drag has no potential and can feed a motion that kinetic damping does not end.
   bool creeps(const RelaxationReport& report) {
     const int tried = report.steps + report.rejected;
     if (tried % kWatched != 0) return false;
     double far = 0;
     for (size_t n = 0; n < seen_.size(); ++n) far = std::max(far, (state_.x[n] - seen_[n]).norm());
     all_reduce(system_.comm(), MPI_MAX, far);
-    const bool stuck = tried > 0 && far < kCreep * longest_ && report.norms.relative() > 0.5 * left_;
+    const bool nearer = tried == 0 || report.norms.relative() <= 0.5 * left_;
+    const bool stuck = !nearer && far < kCreep * longest_;
+    if (!nearer) viscous_ = !viscous_;
     seen_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
     left_ = report.norms.relative();
     return stuck;
@@ -171,6 +178,7 @@ class Relaxation : StaticTrial {
   std::vector<double> momentum_;  // of owned components
   std::vector<char> turns_;       // by owned block: rotations
   double mass_ = 0, longest_ = 0;
+  bool viscous_ = false;            // without momentum
   double goal_ = 0, hopeless_ = 0;  // relative imbalance of a step that is solved, of one that is given up
   std::vector<Vec3> seen_;          // places of owned nodes when creeps() last looked
   double left_ = 0;                 // and the imbalance then, of its contributions

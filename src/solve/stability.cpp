@@ -11,37 +11,83 @@ namespace hawser {
 
 namespace {
 
-// In the format of J.
-MatHandle symmetric_blocks(Mat J) {
-  MatHandle t;
-  check(MatTranspose(J, MAT_INITIAL_MATRIX, t.out()));
-  check(MatAXPY(t.get(), 1, J, UNKNOWN_NONZERO_PATTERN));  // where it is the same it takes no room
-  check(MatScale(t.get(), 0.5));
-  return t;
-}
+auto as_block(double* values) { return Eigen::Map<Mat3>(values); }
 
-// Whether a symmetric matrix on one rank is positive definite, by Cholesky's factorisation, which overwrites
-// it. Chains have no fill in their own order. Of a matrix that has fill the answer is false as well.
+// The blocks of a rank's rows in the columns of other ranks; null on one rank. columns: global numbers of
+// the columns of blocks.
+struct OtherColumns {
+  explicit OtherColumns(Mat J) {
+    PetscBool shared = PETSC_FALSE;
+    check(PetscObjectTypeCompare(reinterpret_cast<PetscObject>(J), MATMPIBAIJ, &shared));
+    if (shared) check(MatMPIBAIJGetSeqBAIJ(J, nullptr, &blocks, &columns));
+  }
+  Mat blocks = nullptr;
+  const PetscInt* columns = nullptr;
+};
+
+// Whether the part of a symmetric matrix in a rank's own rows and columns is positive definite, by Cholesky's
+// factorisation, which overwrites them. Chains have no fill in their own order. Of a matrix that has fill the
+// answer is false as well.
 bool positive_definite(Mat a) {
   const OwnBlocks own(a);
-  const auto block = [](double* of) { return Eigen::Map<Mat3>(of); };
   for (int i = 0; i < own.rows(); ++i) {
-    const Eigen::LLT<Mat3> pivot(block(own.at(i, i)));
+    const Eigen::LLT<Mat3> pivot(as_block(own.at(i, i)));
     if (pivot.info() != Eigen::Success) return false;
     const auto columns = own.columns_from(i, i + 1);
     for (size_t j = 0; j < columns.size(); ++j) {
-      const Mat3 x = pivot.solve(block(own.at(i, columns[j])));
+      const Mat3 x = pivot.solve(as_block(own.at(i, columns[j])));
       for (const int k : columns.subspan(j)) {
         double* to = own.at(columns[j], k);
         if (!to) return false;
-        block(to) -= x.transpose() * block(own.at(i, k));
+        as_block(to) -= x.transpose() * as_block(own.at(i, k));
       }
     }
   }
   return true;
 }
 
+// Of the symmetric part of a tangent; false as well where a chain is cut between ranks. Collective.
+bool positive_definite_chains(Mat J) {
+  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(J));
+  PetscInt others = 0;
+  if (const OtherColumns other(J); other.blocks) check(MatGetSize(other.blocks, nullptr, &others));
+  if (on_any_rank(comm, others > 0)) return false;
+  return !on_any_rank(comm, !positive_definite(symmetric_blocks(J).get()));
+}
+
 }  // namespace
+
+MatHandle symmetric_blocks(Mat J) {
+  MatHandle s;
+  check(MatDuplicate(J, MAT_COPY_VALUES, s.out()));
+  check(MatScale(s.get(), 0.5));
+  {
+    const OwnBlocks own(s.get());
+    for (int row = 0; row < own.rows(); ++row)
+      for (const int column : own.columns_from(row, row)) {
+        auto above = as_block(own.at(row, column)), below = as_block(own.at(column, row));
+        const Mat3 sum = above + below.transpose();
+        above = sum;
+        below = sum.transpose();
+      }
+  }
+  // Half of what is here in columns of other ranks belongs to their rows as well.
+  check(MatSetOption(s.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_FALSE));
+  if (const OtherColumns others(s.get()); others.blocks) {
+    PetscInt first = 0;
+    check(MatGetOwnershipRange(s.get(), &first, nullptr));
+    const OwnBlocks other(others.blocks);
+    for (PetscInt row = 0; row < other.rows(); ++row)
+      for (const PetscInt column : other.columns_from(row, 0)) {
+        const PetscInt to = others.columns[column], from = first / 3 + row;
+        // Blocks are stored by columns and read here by rows, which transposes them.
+        check(MatSetValuesBlocked(s.get(), 1, &to, 1, &from, other.at(row, column), ADD_VALUES));
+      }
+  }
+  check(MatAssemblyBegin(s.get(), MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(s.get(), MAT_FINAL_ASSEMBLY));
+  return s;
+}
 
 MatHandle symmetric_part(Mat J) {
   MatHandle a;
@@ -50,21 +96,23 @@ MatHandle symmetric_part(Mat J) {
   return a;
 }
 
-int negative_eigenvalues(Mat J, bool chains) {
-  const int size = ranks_of(PetscObjectComm(reinterpret_cast<PetscObject>(J)));
-  if (chains && size == 1 && positive_definite(symmetric_blocks(J).get())) return 0;
-  const MatHandle a = symmetric_part(J);
+int negative_pivots(Mat a) {
   MatHandle factor;
-  if (MatGetFactor(a.get(), MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;
+  if (MatGetFactor(a, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;
   check(MatMumpsSetIcntl(factor.get(), 24, 1));  // what PETSc asks for before it tells the inertia
   check(MatMumpsSetIcntl(factor.get(), 13, 1));
   MatFactorInfo info;
   check(MatFactorInfoInitialize(&info));
-  if (MatCholeskyFactorSymbolic(factor.get(), a.get(), nullptr, &info)) return -1;
-  if (MatCholeskyFactorNumeric(factor.get(), a.get(), &info)) return -1;
+  if (MatCholeskyFactorSymbolic(factor.get(), a, nullptr, &info)) return -1;
+  if (MatCholeskyFactorNumeric(factor.get(), a, &info)) return -1;
   PetscInt negative = 0, zero = 0, positive = 0;
   if (MatGetInertia(factor.get(), &negative, &zero, &positive)) return -1;
   return static_cast<int>(negative);
+}
+
+int negative_eigenvalues(Mat J, bool chains) {
+  if (chains && positive_definite_chains(J)) return 0;
+  return negative_pivots(symmetric_part(J).get());
 }
 
 }  // namespace hawser

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/solve/stability.hpp"
 #include "hawser/system/imbalance.hpp"
 
@@ -39,6 +40,8 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
 
 StaticsReport StaticSearch::run(bool again) {
   if (!again) approach();
+  State left;       // the equilibrium that was left last
+  double push = 0;  // m, to where relaxation began from there
   for (;;) {
     descend(settings_.tolerance);
     use_tangent(true, kNegative);
@@ -46,10 +49,21 @@ StaticsReport StaticSearch::run(bool again) {
     check(KSPReset(ksp_.get()));  // its factors need not be in memory beside those of the inertia
     report_.negative_eigenvalues = negative_eigenvalues(J_.get(), !system_.coupled());
     // Friction's tangent is unsymmetric: the inertia of its symmetric part says nothing.
-    if (settings_.near || report_.negative_eigenvalues <= 0 || report_.escapes == kMaxEscapes) break;
+    if (settings_.near || report_.negative_eigenvalues <= 0) break;
+    // Nor does it of drag: what relaxation brings back nearer than it was pushed is stable.
+    if (push > 0 && away(left) < push) {
+      report_.negative_eigenvalues = -1;
+      --report_.escapes;
+      break;
+    }
+    if (report_.escapes == kMaxEscapes) break;
     ++report_.escapes;
+    left = state_;
     leave(report_.escapes);
-    if (relaxation_) rest();
+    push = 0;
+    if (!relaxation_) continue;
+    const double pushed = away(left);
+    if (rest()) push = pushed;
   }
   polish();
   return report_;
@@ -204,13 +218,21 @@ double StaticSearch::downhill(Vec y) {
   return -rise;
 }
 
-void StaticSearch::rest() {
+double StaticSearch::away(const State& from) const {
+  double far = 0;
+  for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n)
+    far = std::max(far, (state_.x[n] - from.x[n]).norm());
+  return all_reduce(system_.comm(), MPI_MAX, far);
+}
+
+bool StaticSearch::rest() {
   const RelaxationReport r = relax(system_, *relaxation_, state_);
   report_.iterations += r.iterations, report_.relaxation_steps += r.steps;
   build();
   local_ = zero_;
   trial_ = state_;
   prepare();
+  return r.steps > 0;
 }
 
 std::string StaticSearch::failure(const char* why) const {

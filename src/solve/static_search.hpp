@@ -45,8 +45,10 @@ class StaticSearch : StaticTrial {
   // A direction of Newton's, from u = -y, to local_; where an exact tangent leads upwards y is made anew with
   // the convex one. Its slope on the energy.
   double downhill(Vec y);
-  // By dynamic relaxation from where it was pushed to.
-  void rest();
+  // By dynamic relaxation from where it was pushed to; whether that moved it.
+  bool rest();
+  // m, of the node that is farthest from where it was there. Collective.
+  double away(const State& from) const;
   std::string failure(const char* why) const;
 
   const StaticsSettings& settings_;

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int kMostRaises = 100;
 constexpr const char* kUnsettled =
-    "statics: the automatic stiffness of contact does not settle; give the volumes a normal_stiffness";
+    "statics: the automatic stiffness of contact, or the direction of what is buried, does not settle; give "
+    "the volumes a normal_stiffness, or bury less of what bends";
 
 // Steps of relaxation report their progress as those of statics do.
 void pass_on_progress(const StaticsSettings& settings, RelaxationSettings& r) {

@@ -3,10 +3,17 @@
 #include "hawser/terms/buried.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
+
+#include "hawser/base/gather.hpp"
 
 namespace hawser {
 namespace {
+
+// Turn of the line, rad, that statics leaves between the directions of the springs and those of the line: a
+// force changes by that part of itself, which is the tolerance of statics.
+constexpr double kTurned = 1e-8;
 
 // Of an owned node, what its halves of the elements have in the soil.
 std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Case& c,
@@ -49,22 +56,45 @@ double buried_length(const model::Line& line, double from, double to) {
   return in;
 }
 
-BuriedTerm::BuriedTerm(const LocalMesh& mesh, const Kinematics& start, std::vector<Place> places)
-    : mesh_(mesh), line_(mesh) {
+BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start,
+                       std::vector<Place> places)
+    : comm_(comm), mesh_(mesh), line_(mesh) {
   for (const Place& place : places) {
     Point& p = points_.emplace_back();
     p.node = place.node, p.block = mesh.block[place.node];
     p.soil = place.soil;
     p.at = start.x[place.node];
   }
+  turn_to(start);
 }
 
-BuriedTerm::BuriedTerm(const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
+BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
                        const std::vector<int>& held)
-    : BuriedTerm(mesh, start, places_of(mesh, c, held)) {}
+    : BuriedTerm(comm, mesh, start, places_of(mesh, c, held)) {}
 
-void BuriedTerm::prepare(const Kinematics& committed, double) {
-  for (Point& p : points_) p.tangent = line_.tangent(committed, p.node);
+void BuriedTerm::prepare(const Kinematics& committed, double h) {
+  if (h > 0) turn_to(committed);
+}
+
+double BuriedTerm::turn_to(const Kinematics& at, double share) {
+  double most = 0;
+  for (Point& p : points_) {
+    const Vec3 turn = line_.tangent(at, p.node) - p.tangent;
+    p.tangent = (p.tangent + share * turn).normalized();
+    most = std::max(most, turn.norm());
+  }
+  return most;
+}
+
+// Where the line turns back with its springs, so that less than a quarter of what was to be gained is, it
+// goes half as far.
+bool BuriedTerm::stiffen(const Kinematics& equilibrium) {
+  if (equilibrium.step > 0) return false;
+  double turn = turn_to(equilibrium, share_);
+  all_reduce(comm_, MPI_MAX, turn);
+  if (!(turn <= (1 - 0.25 * share_) * turn_)) share_ *= 0.5;
+  turn_ = turn;
+  return turn > kTurned;
 }
 
 void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -85,6 +115,8 @@ void BuriedTerm::commit(const Kinematics& accepted) {
     if (accepted.step > 0) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
     p.at = x, p.slip = s.slip, p.force = s.force, p.stored = s.stored;
   }
+  share_ = 1, turn_ = HUGE_VAL;
+  if (accepted.step == 0) turn_to(accepted);  // statics with friction on the way commits its steps
 }
 
 // In statics of trials: the line search goes down this.

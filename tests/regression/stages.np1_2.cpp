@@ -197,5 +197,38 @@ TEST(Stages, BadInput) {
       "in a 'stage' of statics only");
 }
 
+// A chain that is let go beside another falls on the bed and streams on it, along the current, from its
+// anchor. Drag has no potential: with its momentum the chain would swing about that direction for ever.
+TEST(Stages, LetGoOntoTheBedInACurrent) {
+  const std::string path = folder("stages-let-go"), input = path + "/case.yaml";
+  write_case(input, R"(hawser: 1
+environment:
+  water: {density: 1025, depth: 30}
+  seabed: {depth: 30, normal_stiffness: {per_area: 100 kN/m3}, friction: 0.5}
+  current: {speed: 0.5, direction_deg: 40}
+line_types:
+  chain: {outer_diameter: 0.1, mass_per_length: 60, EA: 200 MN, bending: false}
+bodies: {vessel: {position: [0, 0, 0]}}
+lines:
+  leg:
+    sections: [{type: chain, length: 62, elements: 20}]
+    end_a: {anchor: [50, 0, -30]}
+    end_b: {body: vessel, at: [1, 0, 0]}
+contact: {between_lines: false}
+stages: [let go]
+events: [{release: {line: leg, end: end_b}, stage: let go}]
+)",
+             {});
+  run_on_all({input, path + "/out.h5"});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(path + "/out.h5");
+  const std::vector<double> last = shape(r, r.output_times.size() - 1);
+  const double *end = last.data() + last.size() - 3, x = end[0] - 50, y = end[1];
+  const double turn = std::atan2(y, x) * 180 / M_PI, away = std::hypot(x, y);
+  printf("let go in a current of 40 degrees: lies %.2f m away at %.2f degrees\n", away, turn);
+  EXPECT_NEAR(turn, 40, 2);
+  EXPECT_NEAR(away, 62, 0.62);
+}
+
 }  // namespace
 }  // namespace hawser::runs::stages

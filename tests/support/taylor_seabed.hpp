@@ -147,7 +147,7 @@ inline std::vector<SuiteCase> seabed_cases() {
                      if (n < l.owned)
                        places.push_back({n, {200, 300, g % 2 ? 0.01 : 1.0, g % 4 < 2 ? 0.02 : 1.0}});
                    }
-                   m->system->add(std::make_unique<BuriedTerm>(l, laid.view(t.h), places));
+                   m->system->add(std::make_unique<BuriedTerm>(PETSC_COMM_WORLD, l, laid.view(t.h), places));
                    m->system->prepare(laid.view(t.h), t.h);
                    m->system->commit(t.from.view(t.h));
                    m->system->prepare(t.from.view(t.h), t.h);

@@ -44,8 +44,9 @@ TEST(Snaps, OfTooFewSteps) {
   EXPECT_EQ(
       told(1, 4),
       "the largest tension of line sling (1 kN at arc length 0 m, t = 1.5 s) is that of a blow which is not "
-      "resolved: 29 % of it come up in one step of 0.25 s, so that it may be higher or lower. Where it "
-      "matters, compare with dynamics.step: 0.083 s and elements half as long");
+      "resolved: 29 % of it come up in one step of 0.25 s, so that it may be higher or lower, on another "
+      "number "
+      "of ranks as well. Where it matters, compare with dynamics.step: 0.083 s and elements half as long");
   EXPECT_EQ(told(1, 8), "");
   EXPECT_EQ(told(1, 4, 600), "");  // a wave of 400 N on 600 N
 }

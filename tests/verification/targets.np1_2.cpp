@@ -64,6 +64,53 @@ double solved(double low, double high, double wanted, F&& f) {
 
 double declination(const Vec3& tension) { return std::acos(tension.z() / tension.norm()) * 180 / M_PI; }
 
+// A hot pipe that comes out of the soil beside its anchor: at some lengths it and the springs of the soil,
+// whose directions are its own, turn each other to and fro. No trial may fall back on thousands of steps of
+// relaxation for that.
+TEST(Targets, PipeThatTurnsInTheSoil) {
+  const model::Case c = io::read_case_text(R"(hawser: 1
+environment:
+  water: {density: 1025, depth: 30}
+  seabed: {depth: 30, normal_stiffness: {per_area: 100 kN/m3}, friction: 0.5}
+line_types:
+  pipe:
+    pipe: {outer_diameter: 0.2, wall_thickness: 0.012, grade: X65}
+    Ca_normal: 1
+    thermal_expansion: 1.17e-5
+bodies: {vessel: {position: [0, 0, 0]}}
+lines:
+  main:
+    sections: [{type: pipe, length: 62, elements: 31}]
+    end_a: {anchor: [-50, 0, -32]}
+    end_b: {body: vessel, at: [0, 0, 0], direction: [0.7, 0, 0.7], clamped: true}
+    bend_stiffeners: [{at: end_b, EI: [[0, 1e7], [4, 1e5]]}]
+    temperature_change: 40
+    buried: [{from: end_a, to: 5, resistance: {axial: 5000, normal: 9000}}]
+    target: {touchdown: 20, at: end_a}
+contact: {between_lines: false}
+)",
+                                           "soil.yaml", {}, PETSC_COMM_WORLD);
+  int relaxed = 0;
+  const app::MetTargets m = app::meet_targets(PETSC_COMM_WORLD, c, {}, [&](const StaticsReport& now) {
+    relaxed = std::max(relaxed, now.relaxation_steps);
+  });
+  printf("  %d steps of relaxation at the most: %s\n", relaxed, m.found.at(0).c_str());
+  EXPECT_LT(relaxed, 300);
+}
+
+// Each trial says what it has found.
+TEST(Targets, TrialsAreReported) {
+  std::vector<std::string> trials;
+  const app::MetTargets m = app::meet_targets(PETSC_COMM_WORLD, hanging("{tension: 120 kN}", 110, 40), {}, {},
+                                              [&](const std::string& trial) { trials.push_back(trial); });
+  const std::string found = "(found in " + std::to_string(trials.size()) + " statics)";
+  EXPECT_TRUE(m.found.at(0).ends_with(found)) << m.found.at(0) << ", " << trials.size() << " reported";
+  EXPECT_TRUE(trials.at(0).starts_with(
+      "statics 1 of the search for lengths: line l: with 110 m of section 1 the tension at end B is "))
+      << trials.at(0);
+  EXPECT_TRUE(trials.at(0).ends_with(", wanted 120000 N")) << trials.at(0);
+}
+
 TEST(Targets, TensionOfACatenary) {
   const double expected = solved(103, 140, 120e3, [](double x) { return closed(x).tension_b().norm(); });
   const app::MetTargets m = met(hanging("{tension: 120 kN}"));

@@ -38,6 +38,10 @@ class SoughtLength {
   void choose() { length_ = search_.next(); }
   // What the trial has brought. Whether it has parted from a target that was met.
   bool see(const AtRest& now);
+  // How far the value is from the target: of the tension, rad, or of the line's length.
+  double error() const;
+  // The length and the value that it has, in a sentence.
+  std::string now(const model::Case& c) const;
   void go_on() { search_.add(value_ - t_.value); }
   void fail(const std::string& why) {
     if (why_.empty() || !search_.seen().empty()) why_ = why;  // where none is known, of what is given

@@ -25,10 +25,11 @@ struct MetTargets {
 // Statics at every trial; each line with a target has a bracketed search of its own (math/root_search.hpp).
 // All move at once as long as they do not pull at each other, else one after the other, round and round. Met
 // to 1e-7 of the tension, 1e-7 rad, 1e-7 of the line's length. The case needs its `tree`. progress: how far
-// statics of a trial is. InputError with the range that was found where a target cannot be met, SolveError
-// where several do not settle together. Collective.
+// statics of a trial is; tried: what a trial has found, in a sentence. InputError with the range that was
+// found where a target cannot be met, SolveError where several do not settle together. Collective.
 MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<LoadedVolume>& volumes,
-                        const std::function<void(const StaticsReport&)>& progress = {});
+                        const std::function<void(const StaticsReport&)>& progress = {},
+                        const std::function<void(const std::string&)>& tried = {});
 
 // The case with the lengths that a run of it has found, from its results file; for a restart. Where that file
 // does not fit the case it stays as it is, and the restart will say so.

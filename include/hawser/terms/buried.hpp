@@ -2,6 +2,9 @@
 // resistance. See docs/theory/seabed.md.
 #pragma once
 
+#include <mpi.h>
+
+#include <cmath>
 #include <vector>
 
 #include "hawser/kernels/buried_soil.hpp"
@@ -15,7 +18,7 @@ namespace hawser {
 // How much of the arc [from, to] of a line lies in the soil [m].
 double buried_length(const model::Line& line, double from, double to);
 
-class BuriedTerm final : public ForceTerm {
+class BuriedTerm final : public ForceTerm, public RaisesStiffness {
  public:
   struct Place {
     int node = 0;  // local, owned
@@ -23,9 +26,9 @@ class BuriedTerm final : public ForceTerm {
   };
 
   // Laid as `start` has them.
-  BuriedTerm(const LocalMesh& mesh, const Kinematics& start, std::vector<Place> places);
+  BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start, std::vector<Place> places);
   // held: local nodes that are supported, which the soil leaves alone.
-  BuriedTerm(const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
+  BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
              const std::vector<int>& held);
 
   std::string_view name() const override { return "buried"; }
@@ -37,12 +40,18 @@ class BuriedTerm final : public ForceTerm {
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
+  // The springs have the directions of the line at the start of a step. A search of statics keeps those it
+  // begins with, for its forces to have a potential, and goes on with those of the equilibrium that it finds,
+  // until they are the same.
+  bool stiffen(const Kinematics& equilibrium) override;
+  bool stiffen_in_the_way(const Kinematics&) override { return false; }
+  void forget_stiffening() override {}
 
  private:
   struct Point {
     int node = 0, block = 0;
     BuriedSoil soil;
-    Vec3 tangent = Vec3::UnitX();  // of the line at the start of the step
+    Vec3 tangent = Vec3::UnitX();  // of the line at the start of the step, or of a search of statics
     // Committed.
     Vec3 at = Vec3::Zero(), slip = Vec3::Zero(), force = Vec3::Zero();  // m, m, N
     double stored = 0, friction_work = 0;                               // J
@@ -57,8 +66,14 @@ class BuriedTerm final : public ForceTerm {
     return buried_force(p.soil, p.slip + (at.x[p.node] - p.at), p.tangent);
   }
 
+  // Turns the directions by this share of the way to those of the line there; all of the way at the most,
+  // rad.
+  double turn_to(const Kinematics& at, double share = 1);
+
+  MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::vector<Point> points_;
+  double share_ = 1, turn_ = HUGE_VAL;  // of a search of statics: of the next turn; the last one, rad
   LineNeighbours line_;
 };
 
