@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -18,11 +19,16 @@ double mass_in_water(const Case& c, const LineType& type, double z) {
 
 std::vector<Doubt> doubts(const Case& c) {
   std::vector<Doubt> out;
+  warn_of_ranges(c, out);
+  warn_of_surroundings(c, out);
   doubt_line_types(c, out);
+  warn_of_proportions(c, out);
   doubt_lines(c, out);
+  warn_of_line_loads(c, out);
   doubt_supports(c, out);
   doubt_elements(c, out);
   doubt_bodies(c, out);
+  warn_of_bodies(c, out);
   doubt_sea(c, out);
   doubt_times(c, out);
   return out;
@@ -30,7 +36,9 @@ std::vector<Doubt> doubts(const Case& c) {
 
 std::vector<std::string> doubt_notes(const Case& c) {
   constexpr int kTold = 3;  // of a kind
-  const std::vector<Doubt> all = doubts(c);
+  std::vector<Doubt> all = doubts(c);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Doubt& a, const Doubt& b) { return a.effect < b.effect; });
   std::map<int, int> count, told;
   for (const Doubt& d : all) ++count[d.kind];
   std::vector<std::string> notes;

@@ -48,7 +48,7 @@ void doubt_place(const Line& line, const Arcs& arcs, double at, const std::strin
                    fmt::format("what is to be at {:.6g} m of line {} is fixed to the nearest node, at {:.6g} "
                                "m; shorter elements, or a section that ends at {:.6g} m, put a node there",
                                at, line.name, p.node, at),
-                   22});
+                   22, Effect::resolution});
 }
 
 // On the bed a mass rests on the length of line that belongs to its node, about an element, however large it
@@ -76,7 +76,7 @@ void doubt_sinking(const Case& c, const Line& line, const Arcs& arcs, const Poin
              "rests there on an element of '{}', {:g} m thick; a short section of a type with the "
              "'contact_diameter' of what lies there bears it",
              m.mass, m.at, line.name, sinks, t.name, t.contact_diameter),
-         24});
+         24, Effect::part});
 }
 
 void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<Doubt>& out) {
@@ -92,7 +92,7 @@ void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vec
                    fmt::format("its {:.3g} m are {:.2g} elements, each of which has one bending stiffness: "
                                "curvature and moment along it show with {:g} or more",
                                to - from, elements, 2 * kFewest),
-                   23});
+                   23, Effect::resolution});
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
                    "across a line before it is at rest, the current of {:.3g} m/s there bows them {}; with "
                    "'environment.current.ramp' the current begins in dynamics, where friction holds them",
                    lies, a * weight / 1000, speed, far),
-       8});
+       8, Effect::part});
 }
 
 void doubt_soil(const Case& c, std::vector<Doubt>& out) {
@@ -183,7 +183,7 @@ void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector
        fmt::format("{:.4g} m³ at {:.6g} m of line {} have neither 'drag_area' nor 'Ca': no drag and no "
                    "added mass; a ball of that volume has about {:.2g} m² and 0.5",
                    m.volume, m.at, line.name, 0.5 * M_PI / 4 * std::pow(6 / M_PI * m.volume, 2.0 / 3)),
-       26});
+       26, Effect::part});
 }
 
 // The wave that stands for a sea of linear waves: its peak, or the highest of those given. Period 0: none.
@@ -216,7 +216,7 @@ void doubt_waves_on_current(const Case& c, std::vector<Doubt>& out) {
            "as 'stokes' with its own 'current' has that, and shows how much it matters",
            std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
            along > 0 ? "longer and flatter" : "shorter and steeper"),
-       28});
+       28, Effect::part});
 }
 
 }  // namespace

@@ -9,19 +9,35 @@
 
 namespace hawser::model {
 
+// How much of the results what was found can change: all of them, as a wrong unit does; those of a part or of
+// the start of a run; or how well they are resolved.
+enum class Effect { whole, part, resolution };
+
 struct Doubt {
   std::string key;   // dotted, as in the file
   std::string text;  // what was found there, and what is usual
   int kind = 0;      // of the same kind only the first few are told
+  Effect effect = Effect::whole;
 };
 
 // Everything doubtful of a case that model::check passes, in the order of the functions below. Empty for an
 // ordinary case.
 std::vector<Doubt> doubts(const Case& c);
-// "file:line: key: text" each; of many of one kind the first three, and how many more there are.
+// "file:line: key: text" each, those with the largest effect first; of many of one kind the first three, and
+// how many more there are.
 std::vector<std::string> doubt_notes(const Case& c);
 
-// Its parts. Weight, diameter and EA of each line type that do not fit each other, contents and coatings.
+// Its parts. Numbers outside of the range of what they can be, and angles that are written in radians.
+void warn_of_ranges(const Case& c, std::vector<Doubt>& out);
+// Stiffnesses, diameters and strengths of a line type that do not fit each other.
+void warn_of_proportions(const Case& c, std::vector<Doubt>& out);
+// Masses, loads, directions, stiffeners, feeders and targets of lines that cannot be meant.
+void warn_of_line_loads(const Case& c, std::vector<Doubt>& out);
+// Mass, volume, inertia, springs and motions of bodies.
+void warn_of_bodies(const Case& c, std::vector<Doubt>& out);
+// Water, bed, waves and the time of the run that do not fit each other.
+void warn_of_surroundings(const Case& c, std::vector<Doubt>& out);
+// Weight, diameter and EA of each line type that do not fit each other, contents and coatings.
 void doubt_line_types(const Case& c, std::vector<Doubt>& out);
 // Strains and tensions that loads, weight and the distance of the ends mean, and lengths far beyond that
 // distance.
