@@ -34,11 +34,12 @@ std::vector<Doubt> doubts(const Case& c) {
   return out;
 }
 
-std::vector<std::string> doubt_notes(const Case& c) {
+std::vector<std::string> doubt_notes(const Case& c, Effect from, Effect to) {
   constexpr int kTold = 3;  // of a kind
   std::vector<Doubt> all = doubts(c);
   std::stable_sort(all.begin(), all.end(),
                    [](const Doubt& a, const Doubt& b) { return a.effect < b.effect; });
+  std::erase_if(all, [&](const Doubt& d) { return d.effect < from || d.effect > to; });
   std::map<int, int> count, told;
   for (const Doubt& d : all) ++count[d.kind];
   std::vector<std::string> notes;

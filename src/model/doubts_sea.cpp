@@ -25,6 +25,21 @@ double lowest_reach(const Case& c, const Line& line) {
   return std::isfinite(least) ? least : -least;
 }
 
+double slack_tension(double L, double X, double h) {
+  if (L >= X + h) return 0;
+  const auto left = [&](double a) {  // what is too long where the tension is a
+    return L - std::sqrt(h * h + 2 * h * a) + (a > 0 ? a * std::acosh(1 + h / a) : 0) - X;
+  };
+  double low = 0, high = h;
+  while (left(high) < 0 && high < 1e6 * h) high *= 2;
+  if (left(high) < 0) return -1;
+  for (int i = 0; i < 80; ++i) {
+    const double a = 0.5 * (low + high);
+    (left(a) < 0 ? low : high) = a;
+  }
+  return L > std::sqrt(h * h + 2 * h * high) ? high : -1;
+}
+
 namespace {
 
 constexpr double kSameDepth = 0.02;  // of the depth of the water
@@ -100,23 +115,6 @@ Vec3 current_at(const Water& w, double depth) {
   if (below == rows.end()) return factor * vector(rows.back());
   const CurrentRow &u = *(below - 1), &l = *below;
   return factor * (vector(u) + (depth - u.depth) / (l.depth - u.depth) * (vector(l) - vector(u)));
-}
-
-// Of an inextensible chain of length L [m] without friction between a point of a level bed and one X m away
-// and h m above it: tension where it lies over weight per length [m]. Negative: none of it lies.
-double slack_tension(double L, double X, double h) {
-  if (L >= X + h) return 0;
-  const auto left = [&](double a) {  // what is too long where the tension is a
-    return L - std::sqrt(h * h + 2 * h * a) + (a > 0 ? a * std::acosh(1 + h / a) : 0) - X;
-  };
-  double low = 0, high = h;
-  while (left(high) < 0 && high < 1e6 * h) high *= 2;
-  if (left(high) < 0) return -1;
-  for (int i = 0; i < 80; ++i) {
-    const double a = 0.5 * (low + high);
-    (left(a) < 0 ? low : high) = a;
-  }
-  return L > std::sqrt(h * h + 2 * h * high) ? high : -1;
 }
 
 void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {

@@ -32,6 +32,7 @@ void shorter(Period& least, double length, const std::string& of) {
 Period driving(const Case& c) {
   Period least;
   const Waves& w = c.environment.water.waves;
+  if (!possible(w)) return least;
   if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table)
     shorter(least, w.peak_period, "the waves");
   else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::stokes)

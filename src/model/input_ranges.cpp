@@ -29,6 +29,7 @@ struct Range {
 // strongest there is. Thermal expansion of quartz 5e-7/K, of polymers 2e-4. Moduli: rubber 1 MPa, diamond
 // 1200 GPa.
 constexpr double kMostFriction = 2, kMostCurrent = 6, kDeepest = 11000;
+constexpr double kHighestSea = 25, kHighestWave = 40, kLongestSea = 30, kLongestWave = 40, kShortest = 0.3;
 constexpr auto kRanges = std::to_array<Range>({
     {"environment.gravity", 9.7, 10, "gravity on Earth"},
     {"environment.water.density", 900, 1300, "the density of water"},
@@ -44,14 +45,14 @@ constexpr auto kRanges = std::to_array<Range>({
     {"environment.current.profile[].speed", 0, kMostCurrent, "currents at sea"},
     {"environment.current.profile[].depth", 0, kDeepest, "the depth of the oceans"},
     {"environment.waves.stokes.current", 0, kMostCurrent, "currents at sea"},
-    {"environment.waves.jonswap.hs", 0.001, 25, "significant heights of seas"},
-    {"environment.waves.jonswap.tp", 0.3, 30, "peak periods of seas"},
-    {"environment.waves.pierson_moskowitz.hs", 0.001, 25, "significant heights of seas"},
-    {"environment.waves.pierson_moskowitz.tp", 0.3, 30, "peak periods of seas"},
-    {"environment.waves.regular.height", 0.001, 40, "heights of waves"},
-    {"environment.waves.regular.period", 0.3, 40, "periods of waves"},
-    {"environment.waves.stokes.height", 0.001, 40, "heights of waves"},
-    {"environment.waves.stokes.period", 0.3, 40, "periods of waves"},
+    {"environment.waves.jonswap.hs", 0.001, kHighestSea, "significant heights of seas"},
+    {"environment.waves.jonswap.tp", kShortest, kLongestSea, "peak periods of seas"},
+    {"environment.waves.pierson_moskowitz.hs", 0.001, kHighestSea, "significant heights of seas"},
+    {"environment.waves.pierson_moskowitz.tp", kShortest, kLongestSea, "peak periods of seas"},
+    {"environment.waves.regular.height", 0.001, kHighestWave, "heights of waves"},
+    {"environment.waves.regular.period", kShortest, kLongestWave, "periods of waves"},
+    {"environment.waves.stokes.height", 0.001, kHighestWave, "heights of waves"},
+    {"environment.waves.stokes.period", kShortest, kLongestWave, "periods of waves"},
     {"environment.waves.components[].height", 0, 40, "heights of waves"},
     {"environment.waves.components[].period", 0.3, 60, "periods of waves"},
     {"line_types.*.Cd_normal", 0, 5, "drag coefficients across a line"},
@@ -129,10 +130,13 @@ class Walk {
         return;
       }
       case Value::Kind::list:
-        if (v.schema->type == Key::Type::vec3)
-          for (const Value& x : v.items) number(x, *v.schema, path, v.where);
-        else
+        if (v.schema->type == Key::Type::vec3) {
+          const std::size_t before = out_.size();
+          for (const Value& x : v.items)
+            if (out_.size() == before) number(x, *v.schema, path, v.where);  // one note of all three
+        } else {
           for (const Value& x : v.items) visit(x, path + "[]");
+        }
         return;
       case Value::Kind::scalar:
         if (v.schema->type == Key::Type::number) number(v, *v.schema, path, v.where);
@@ -186,6 +190,15 @@ std::string unit_hint(const Case& c, const std::vector<std::string>& keys,
   const Value* v = c.tree.get();
   for (const std::string& k : keys) v = v ? v->find(k) : nullptr;
   return v && v->kind == Value::Kind::scalar && v->schema ? unit_hint(*v, v->schema->unit, fits) : "";
+}
+
+bool possible(const Waves& w) {
+  const bool sea = w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table;
+  if (w.kind == Waves::Kind::none) return true;
+  if (sea) return w.height <= kHighestSea && w.peak_period >= kShortest && w.peak_period <= kLongestSea;
+  return std::all_of(w.rows.begin(), w.rows.end(), [](const Waves::Row& r) {
+    return r.height <= kHighestWave && r.period >= kShortest && r.period <= 1.5 * kLongestWave;
+  });
 }
 
 void warn_of_ranges(const Case& c, std::vector<Doubt>& out) {

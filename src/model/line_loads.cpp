@@ -18,7 +18,7 @@ namespace {
 constexpr int kLoadKinds = 50;  // the first of this file's kinds
 // kg/m³ of what is in water: air bags have 5 and more, foam 200 to 700, lead 11340, tungsten 19300.
 constexpr double kLightest = 5, kHeaviest = 12000;
-constexpr double kMetallic = 20e9, kFibreDensity = 1700;  // Pa, kg/m³
+constexpr double kMetallic = 10e9, kFibreDensity = 1700;  // Pa, kg/m³
 constexpr double kNothing = 1e-4;                         // of the weight of the line
 
 double modulus(const LineType& t) { return t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter); }
@@ -123,7 +123,7 @@ class LineLoads {
     Vec3 along = *e.direction;
     if (e.kind == EndKind::body) along = exp_body(e) * along;
     const Vec3 way = end_position(c_, line_.end_b) - end_position(c_, line_.end_a);
-    if (!(way.norm() > 0) || along.dot(way.normalized()) > -0.77) return;  // 140 degrees
+    if (!(way.norm() > 0) || along.dot(way.normalized()) > -0.5) return;  // 120 degrees
     warn(5, fmt::format("end_{}.direction", b ? "b" : "a"),
          "points {:.0f} degrees away from the way to the other end; it goes from end A to end B: is it "
          "reversed?",

@@ -22,6 +22,9 @@ class Proportions {
       : c_(c), t_(t), key_("line_types." + t.name), out_(out) {}
 
   void run() {
+    // Where mass, diameter and EA do not fit each other already, the rest follows from that.
+    const auto known = [this](const Doubt& d) { return d.key == key_; };
+    if (std::any_of(out_.begin(), out_.end(), known)) return;
     if (t_.kind == LineKind::beam) {
       bending();
       torsion();
@@ -53,8 +56,9 @@ class Proportions {
   // The stiffness of a section is at most D/2 from its axis: EI2 + EI3 = sum of E A r² <= EA D²/4. A bundle
   // of loose wires of diameter d has EI = EA d²/16, and none has more than 10^4 of them: d >= D/125.
   void bending() {
-    constexpr double kGive =
-        2;  // EA of spiral ropes and hoses is that of their lay, below that of their material
+    // EA of spiral ropes and hoses is that of their lay, below that of their material; rods of benchmarks and
+    // hulls that are made lines have up to 12 times that. A kN for a N makes 1000.
+    constexpr double kGive = 13;
     const double D = t_.outer_diameter, EI = 0.5 * (t_.EI2 + t_.EI3);
     const double most = kGive * D * D / 8, least = std::pow(D / 125, 2) / 16;
     if (between(EI / t_.EA, least, most)) return;
@@ -115,7 +119,7 @@ class Proportions {
   // Metals are as dense as this, and none of them is as soft; chains are 30 GPa over this diameter, wire
   // ropes 50.
   void softness() {
-    constexpr double kDense = 3500, kSoft = 1e9;  // kg/m³, Pa
+    constexpr double kDense = 3500, kSoft = 1e8;  // kg/m³, Pa
     const double D = t_.outer_diameter, area = M_PI / 4 * D * D;
     if (!(t_.mass_per_length / area > kDense) || !(t_.EA / area < kSoft)) return;
     warn(5, "EA",

@@ -90,7 +90,7 @@ void unseen_motion(const Case& c, std::vector<Doubt>& out) {
                      kSeaKinds + 5, Effect::part});
     return;
   }
-  if (waves) ramp(w.waves.ramp, "environment.waves.ramp");
+  if (waves && possible(w.waves)) ramp(w.waves.ramp, "environment.waves.ramp");
   if (!w.current.profile.empty()) ramp(w.current.ramp, "environment.current.ramp");
   for (const Body& b : c.bodies)
     if (b.motion.index() != 0) ramp(b.ramp, fmt::format("bodies.{}.motion.ramp", b.name));

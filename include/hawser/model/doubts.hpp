@@ -24,8 +24,9 @@ struct Doubt {
 // ordinary case.
 std::vector<Doubt> doubts(const Case& c);
 // "file:line: key: text" each, those with the largest effect first; of many of one kind the first three, and
-// how many more there are.
-std::vector<std::string> doubt_notes(const Case& c);
+// how many more there are. Only those with an effect from the first to the second.
+std::vector<std::string> doubt_notes(const Case& c, Effect from = Effect::whole,
+                                     Effect to = Effect::resolution);
 
 // Its parts. Numbers outside of the range of what they can be, and angles that are written in radians.
 void warn_of_ranges(const Case& c, std::vector<Doubt>& out);
@@ -62,9 +63,14 @@ struct StartSpeeds {
 };
 StartSpeeds start_speeds(const Case& c, const Body& body);
 
+// Whether height and period of a sea are such as there are: what follows from others is not worth a note.
+bool possible(const Waves& waves);
 // z [m] below which no point of a line can be: hanging straight down, held at one end or both. -inf: nothing
 // says where it is.
 double lowest_reach(const Case& c, const Line& line);
+// Of an inextensible chain of length L [m] without friction between a point of a level bed and one X m away
+// and h m above it: tension where it lies over weight per length [m]. Negative: none of it lies.
+double slack_tension(double L, double X, double h);
 // kg/m of a type less the water that it displaces, at a height z [m] below the surface; above it all.
 double mass_in_water(const Case& c, const LineType& type, double z);
 
