@@ -47,10 +47,11 @@ def orq_words(given, known, curve):
         return ["note: API RP 2SK divides the tension range of chain by the breaking load of ORQ chain of the same size, "
                 "21.1 d² (44 - 0.08 d) N with d in mm, also for R3 to R4S: --breaking-load is that"]
     least = np.nanmin(known)
+    off = (given / least)**curve.m
     if abs(given / least - 1) < 0.02:
         return []
     return [f"warning: API RP 2SK divides by the breaking load of ORQ chain of the same size, {least / 1e3:.4g} kN here, also "
-            f"for R3 to R4S: by {given / 1e3:.4g} kN the damage is {(given / least)**curve.m:.2g} times too small"]
+            f"for R3 to R4S: by {given / 1e3:.4g} kN the damage is {max(off, 1 / off):.2g} times too {'small' if off > 1 else 'large'}"]
 
 
 def check_load(results, line, divided, curve):
