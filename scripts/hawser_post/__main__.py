@@ -82,8 +82,10 @@ def commands():
     p.add_argument("results", nargs="+", metavar="RESULTS[=SHARE]", help=of + "; of several, with their shares of the time")
     p.add_argument("--curve", required=True, choices=sorted(fatigue.CURVES))
     p.add_argument("--line", help="default: that with the largest tension")
-    p.add_argument("--breaking-load", type=float, metavar="N", help="N; API curves")
-    p.add_argument("--area", type=float, metavar="A", help="m², of both bars of a chain or of a rope; curves of DNV-OS-E301")
+    p.add_argument("--breaking-load", metavar="N", help="N, or with its unit ('5866 kN'), of chain that of ORQ chain of the same "
+                   "size; API curves (default: the case's)")
+    p.add_argument("--area", metavar="A", help="m², or with its unit ('11084 mm2'), of both bars of a chain or of a rope; curves "
+                   "of DNV-OS-E301 (default: of the library's types)")
     p.add_argument("--outer-diameter", type=float, metavar="D", help="m; curves of DNV-RP-C203 (default: the case's)")
     p.add_argument("--wall", type=float, metavar="W", help="m, thickness; curves of DNV-RP-C203 (default: the case's)")
     p.add_argument("--factor", type=float, default=1.0, help="stress concentration factor (default: 1)")

@@ -44,7 +44,7 @@ def rainflow(x):
 class Curve:
     """N cycles to failure at a range s: N = a s^-m, with another a and m beyond `knee` cycles."""
     source: str
-    of: str  # tension: range over breaking load; area: nominal stress [MPa] of the rope or chain; pipe: of the wall
+    of: str  # tension: range over breaking load, of chain that of ORQ chain (strength.py); area: nominal stress [MPa] of the rope or chain; pipe: of the wall
     log_a: float
     m: float
     log_a2: float = 0.0
@@ -97,7 +97,7 @@ def wall_stress(tension, moment_2, moment_3, wall):
 
 
 def along(results, line, curve, since, breaking_load=None, area=None, outer=None, wall=None, factor=1.0):
-    """Damage a second at each node of a line (rows; NaN where the curve is of pipes and the line is none) and each place
+    """breaking_load [N], area [m²]: at each node, NaN where the curve is of another kind of line. Damage a second at each node of a line (rows; NaN where the curve is of pipes and the line is none) and each place
     around it (columns; one but for pipes), over the outputs from `since` on. Several sea states add up place by place.
     outer, wall: of a pipe [m]; None: as the case has it, where two pipes meet the larger damage."""
     keep = results.time >= since
@@ -120,7 +120,10 @@ def along(results, line, curve, since, breaking_load=None, area=None, outer=None
     tension = results.field("effective_tension", line)[keep] * factor
     if curve.of == "area":
         tension = 1e-6 * tension / area
-    return np.array([[damage(tension[:, n], curve, breaking_load)] for n in range(tension.shape[1])]) / seconds
+    by = breaking_load if curve.of == "tension" else area
+    sums = [damage(tension[:, n], curve, breaking_load[n] if curve.of == "tension" else None) if by[n] > 0 else np.nan
+            for n in range(tension.shape[1])]
+    return np.array(sums)[:, None] / seconds
 
 
 def outputs_a_period(results, line, since):

@@ -27,6 +27,12 @@ constexpr double kGoodInside = 0.37;
 double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
 constexpr double kGoodAtEnd = 2.1;
 
+// Of what is off by a share of the largest: the estimates are of small errors, and beyond that only say so.
+std::string off_by(double share) {
+  return share < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * share)
+                     : "by half of the largest and more";
+}
+
 int owned_line_nodes(const LocalMesh& mesh) {
   int n = 0;
   while (n < mesh.owned && mesh.mesh->nodes[mesh.global[n]].body < 0) ++n;
@@ -178,16 +184,16 @@ std::vector<std::string> ElementErrors::warnings(int line, double largest_tensio
   if (sag.error > kWarned * largest_tension)
     out.push_back(fmt::format(
         "line {} sags between the nodes of its elements of {:.3g} m: it turns by {:.2g} degrees from one to "
-        "the next (arc length {:.4g} m, t = {:.4g} s), so that its tension is off by about {:.2g} % of the "
-        "largest: give it elements of {:.2g} m there",
-        name, sag.length, sag.turn * 180 / M_PI, sag.arc, sag.time, 100 * sag.error / largest_tension,
+        "the next (arc length {:.4g} m, t = {:.4g} s), so that its tension is off {}: "
+        "give it elements of {:.2g} m there",
+        name, sag.length, sag.turn * 180 / M_PI, sag.arc, sag.time, off_by(sag.error / largest_tension),
         sag.length * std::sqrt(kGood * largest_tension / sag.error)));
   if (bend.error > kWarned * largest_moment)
     out.push_back(fmt::format(
         "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), "
-        "which elements of {:.3g} m miss by about {:.2g} % of the largest: give it elements of {:.2g} m "
+        "which elements of {:.3g} m miss {}: give it elements of {:.2g} m "
         "there",
-        name, bend.decay, bend.arc, bend.time, bend.length, 100 * bend.error / largest_moment, bend.good));
+        name, bend.decay, bend.arc, bend.time, bend.length, off_by(bend.error / largest_moment), bend.good));
   return out;
 }
 

@@ -41,18 +41,57 @@ Place largest(MPI_Comm comm, const LocalMesh& local, const std::vector<Vec3>& va
   return p;
 }
 
+// The floating body that moves farthest, at its origin or where a line is tied to it, as a share of `size`;
+// the same on all ranks.
+struct Carried {
+  int body = -1;  // of the case; -1: none moves by half of it
+  double share = 0.5;
+};
+
+Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& values, double size) {
+  const model::Case& c = sim.model();
+  const LocalMesh& local = sim.local();
+  std::vector<double> moved(c.bodies.size());
+  for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
+    const Node& node = local.node(n);
+    int body = -1;
+    if (node.body >= 0) {
+      body = node.body;
+    } else {
+      const LineSpan& span = sim.mesh().lines[node.line];
+      const int i = local.global[n] - span.first_node;
+      if (i != 0 && i != span.nodes - 1) continue;
+      const model::End& e = c.lines[node.line].end(i != 0);
+      if (e.kind == model::EndKind::body) body = c.body_index(e.body);
+    }
+    if (c.floats(body)) moved[body] = std::max(moved[body], values[n].norm());
+  }
+  if (!moved.empty()) all_reduce(comm, MPI_MAX, moved);
+  Carried out;
+  for (size_t b = 0; b < moved.size(); ++b)
+    if (moved[b] >= out.share * size) out = {static_cast<int>(b), moved[b] / size};
+  return out;
+}
+
 double period_of(const NaturalMode& mode) { return 2 * M_PI / std::sqrt(mode.squared); }
 
-std::string row(const Mesh& mesh, int number, const NaturalMode& mode, const Place& translation,
-                const Place& rotation) {
+std::string row(MPI_Comm comm, const Simulation& sim, int number, const NaturalMode& mode,
+                const Place& translation, const Place& rotation) {
+  const Mesh& mesh = sim.mesh();
   const bool turns = translation.node < 0;
   const Place& p = turns ? rotation : translation;
   const std::string when =
       mode.squared > kFreeMotion
           ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
           : fmt::format("{:>12} {:>14}", mode.squared < -kFreeMotion ? "unstable" : "free", "-");
+  std::string where = mesh.place(p.node);
+  const Carried with = carried(comm, sim, turns ? mode.rotation : mode.shape, p.size);
+  if (with.body >= 0 && mesh.nodes[p.node].body < 0) {
+    const std::string body = "body " + sim.model().bodies[with.body].name;
+    where = with.share > 0.99 ? body + " (" + where + ")" : where + ", with " + body;
+  }
   return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}{}\n", number, when, p.along.x(), p.along.y(),
-                     p.along.z(), mesh.place(p.node), turns ? ", turns in place" : "");
+                     p.along.z(), where, turns ? ", turns in place" : "");
 }
 
 io::ResultContents contents(const Simulation& sim, const std::vector<LoadedVolume>& volumes,
@@ -150,7 +189,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   std::string table = fmt::format("{:>4} {:>12} {:>14}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",
                                   "x, y, z there", "largest at");
   for (size_t i = 0; i < found.size(); ++i)
-    table += row(sim.mesh(), static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i].shape),
+    table += row(comm, sim, static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i].shape),
                  largest(comm, sim.local(), found[i].rotation));
   const auto unstable = std::count_if(found.begin(), found.end(),
                                       [](const NaturalMode& m) { return m.squared < -kFreeMotion; });

@@ -11,6 +11,8 @@
 namespace hawser::app {
 namespace {
 
+constexpr double kPinnedFoot = 1.0188;  // minus the first zero of the derivative of Airy's function
+
 // Of a line, N: what a strain of 1e-9 would exert. Less is round-off of a line without tension.
 double no_tension(const model::Case& c, const std::string& line) {
   double EA = 0;
@@ -53,6 +55,30 @@ std::string Recorder::peak_warning(const io::SummaryRow& r) const {
   return snaps_.warning(comm_, line, r.line, r.value, !audit_.note().empty(), sim_.model().dynamics.step > 0);
 }
 
+// A beam of weight w that stands on a pinned foot and is pulled further up, EI theta'' = w (z - z0) theta
+// with theta' = 0 at the foot, buckles there where the compression is that of the first zero of Ai', 1.019
+// (EI w²)^(1/3). Then its shape carries what presses, and its moments grow with it.
+std::string Recorder::compressed(const io::SummaryRow& r) const {
+  if (r.quantity != "min effective tension" || !(r.value < 0)) return {};
+  const model::Case& c = sim_.model();
+  const model::Line& line = c.line(r.line);
+  double arc = 0;
+  const model::LineType* type = &c.line_type(line.sections.back().type);
+  for (const model::Section& s : line.sections)
+    if (r.arc_length <= (arc += s.length)) {
+      type = &c.line_type(s.type);
+      break;
+    }
+  if (type->kind != model::LineKind::beam) return {};
+  const double w = c.environment.gravity * std::abs(model::mass_in_water(c, *type, -HUGE_VAL)),
+               EI = std::min(type->EI2, type->EI3), buckles = kPinnedFoot * std::cbrt(EI * w * w);
+  if (!(-r.value > buckles)) return {};
+  return fmt::format(
+      "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; on a pinned foot it "
+      "buckles at about {:.2g} kN: does its upper end pull enough?",
+      r.line, -r.value / 1000, r.arc_length, when_text(c, r.time), buckles / 1000);
+}
+
 void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
   const auto bent = [&](const std::string& line) {
     for (const auto& r : rows)
@@ -68,18 +94,24 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
       if (const std::string w = peak_warning(r); !w.empty()) warnings_.push_back(w);
     }
     if (const std::string w = overused(sim_.model(), fields_, r); !w.empty()) warnings_.push_back(w);
+    if (const std::string w = compressed(r); !w.empty()) warnings_.push_back(w);
     if (const std::string w = overbent(sim_.model(), r); !w.empty()) warnings_.push_back(w);
     if (r.quantity != "max penetration") continue;
     const model::Case& c = sim_.model();
     const double radius = 0.5 * model::contact_diameter_of(c, c.line(r.line));
-    if (r.value > c.contact.warned_penetration * radius)
+    // What the case allows is none of its surprises.
+    double allowed = 0;
+    for (const model::Volume& v : c.volumes) allowed = std::max(allowed, v.allowed_penetration);
+    if (r.value > std::max(c.contact.warned_penetration * radius, 1.1 * allowed))
       warnings_.push_back(fmt::format(
           "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}",
           r.line, r.value, radius, r.arc_length, when_text(c, r.time),
-          r.value > radius
-              ? "it is trapped inside, and contact forces there are meaningless"
-              : "contact is too soft for what presses; a normal_stiffness that is given can be raised, an "
-                "automatic one is as high as the line's EA asks: is its tension more than it bears?"));
+          r.value > radius ? "contact goes no deeper than the radius: it is trapped inside, or the volume is "
+                             "too soft for a "
+                             "line as thin as this, which then needs a larger 'contact_diameter'"
+                           : "a normal_stiffness that is given can be raised; an automatic one is as high as "
+                             "the line's EA "
+                             "asks: is its tension more than it bears?"));
   }
   for (const std::string& w : water_errors_.warnings()) warnings_.push_back(w);
   for (const std::string& w : pipes_.warnings(comm_)) warnings_.push_back(w);

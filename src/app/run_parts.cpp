@@ -144,11 +144,46 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
 
 }  // namespace
 
+namespace {
+
+// What helps most often where statics fails, of what this case has not tried; docs/how-to/failing-runs.md.
+std::string to_try(const model::Case& c) {
+  std::vector<std::string> ways;
+  if (c.statics.relaxation == model::Relaxation::never)
+    ways.emplace_back("without 'dynamic_relaxation: never'");
+  else if (c.statics.relaxation == model::Relaxation::automatic)
+    ways.emplace_back("'statics: {dynamic_relaxation: always}'");
+  if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
+      !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)
+    ways.emplace_back("a 'ramp' of the current, which then begins in dynamics");
+  if (c.statics.contact_friction)
+    ways.emplace_back("'contact_friction: false'");
+  else if (c.environment.seabed.present && c.environment.seabed.full)
+    ways.emplace_back("'friction_in_statics: as_laid'");
+  for (const model::Line& line : c.lines)
+    if (line.starts_by_itself()) {
+      ways.push_back(fmt::format("'start: {{points: ...}}' of line {}, near where it will rest", line.name));
+      break;
+    }
+  if (c.contact.between_lines.enabled) ways.emplace_back("'contact: {between_lines: false}'");
+  constexpr size_t kMost = 3;
+  if (ways.size() > kMost) ways.resize(kMost);
+  return fmt::format("note: statics has failed; what may help: {}{}docs/how-to/failing-runs.md says more",
+                     fmt::join(ways, "; "), ways.empty() ? "" : "; ");
+}
+
+}  // namespace
+
 StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
                             const std::function<void(size_t)>& rested) {
   StaticsReport last;
-  events.come_to_rest([&](bool falls) { last = solve_one(sim, progress, falls); },
-                      [&](const std::string& what) { progress.say(what); }, rested);
+  try {
+    events.come_to_rest([&](bool falls) { last = solve_one(sim, progress, falls); },
+                        [&](const std::string& what) { progress.say(what); }, rested);
+  } catch (const SolveError&) {
+    progress.say(to_try(sim.model()));
+    throw;
+  }
   return last;
 }
 

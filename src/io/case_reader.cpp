@@ -64,7 +64,12 @@ void read_all(const Value& root, const CaseSource& source, const SectionLengths&
 void examine(Case& c) {
   for (const model::Issue& i : model::check(c)) c.refuse(i.key, i.text);
   check_bed(c);
-  for (std::string& n : model::doubt_notes(c)) c.notes.push_back(std::move(n));
+  // What can change all results first, then what the reader has noted, then the rest.
+  using model::Effect;
+  std::vector<std::string> notes = model::doubt_notes(c, Effect::whole, Effect::whole);
+  notes.insert(notes.end(), c.notes.begin(), c.notes.end());
+  c.notes = std::move(notes);
+  for (std::string& n : model::doubt_notes(c, Effect::part)) c.notes.push_back(std::move(n));
 }
 
 Case read_document(const std::string& text, const std::string& path, const ReadingNews& news, MPI_Comm comm,

@@ -37,7 +37,14 @@ size_t place(const std::vector<double>& t, double x) {
   return static_cast<size_t>(std::lower_bound(t.begin(), t.end(), x - same) - t.begin());
 }
 
-std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& source) {
+double least_step(const std::vector<double>& t) {
+  double least = HUGE_VAL;
+  for (size_t i = 1; i < t.size(); ++i) least = std::min(least, t[i] - t[i - 1]);
+  return least;
+}
+
+std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& source,
+                                            std::vector<std::string>& notes) {
   const std::string path = source.absolute(v["file"].text);
   std::vector<int> line;
   const std::vector<std::vector<double>> rows = read_rows(path, v["file"], &line);
@@ -51,9 +58,9 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
           i, fmt::format("a row of a bed has 3 numbers, x, y and z, but this one has {}", rows[i].size()));
     for (const double coordinate : rows[i])
       if (!(std::abs(coordinate) <= kFarthest))
-        refuse_row(i,
-                   fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than metres?",
-                               coordinate, kFarthest));
+        refuse_row(i, fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than "
+                                  "metres, or a mark for no data?",
+                                  coordinate, kFarthest));
     x.push_back(rows[i][0]), y.push_back(rows[i][1]);
   }
   if (rows.empty()) refuse(v["file"], path + ": the file has no rows");
@@ -86,6 +93,15 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
            "x and every y",
            path, x[k % x.size()], y[k / x.size()], std::count(given.begin(), given.end(), -1), given.size());
   }
+  const OddHeights odd = odd_heights(z, std::min(least_step(x), least_step(y)));
+  if (odd.count > 0) {
+    const size_t row = given[odd.first];
+    const std::string what = fmt::format(
+        "{:g} m at x {:g}, y {:g}{} is {:.3g} m from all other heights", rows[row][2], rows[row][0],
+        rows[row][1], odd.count > 1 ? fmt::format(" and in {} more places", odd.count - 1) : "", odd.gap);
+    if (odd.mark) refuse_row(row, what + ": it stands for no data; put the height there that is around it");
+    notes.push_back(fmt::format("{}: {}:{}: {}: is it a mark for no data?", v.where, path, line[row], what));
+  }
   return std::make_shared<const HeightGrid>(std::move(x), std::move(y), z);
 }
 
@@ -113,10 +129,11 @@ std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const CaseSourc
 
 }  // namespace
 
-void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& bed) {
+void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& bed,
+                      std::vector<std::string>& notes) {
   double low = 0, high = 0;
   if (const Value* g = v.find("grid")) {
-    const auto grid = read_grid(*g, source);
+    const auto grid = read_grid(*g, source, notes);
     low = grid->lowest(), high = grid->highest();
     bed.surface = grid, bed.file = source.absolute((*g)["file"].text);
   } else if (const Value* m = v.find("mesh")) {

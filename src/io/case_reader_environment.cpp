@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "hawser/io/case_values.hpp"
+#include "hawser/model/doubts.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
@@ -34,6 +35,9 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
   if (const Value* f = v.find("time_factor")) c.time_factor = read_time_factor(*f, source);
   if (c.exponent > 0 && !(water_depth > 0))
     refuse(v["exponent"], "a power law needs 'depth' of the water or of the seabed");
+  const Value* rows = v.find("profile");
+  for (size_t i = 0; i < c.profile.size(); ++i)
+    if (!rows || !rows->items[i].has("direction_deg")) c.profile[i].direction = v["direction_deg"].number;
   for (size_t i = 1; i < c.profile.size(); ++i)
     if (const double above = c.profile[i - 1].depth, here = c.profile[i].depth; !(here > above))
       refuse(v["profile"].items[i]["depth"], "rows go downwards, but {:g} m comes after {:g} m", here, above);
@@ -76,9 +80,10 @@ void finish_waves(const Value& v, const CaseSource& source, model::Waves& w) {
   for (const model::Waves::Row& r : w.rows) w.ramp = std::max(w.ramp, r.period);
 }
 
-void finish_seabed(const Value& v, double water_depth, const CaseSource& source, model::Seabed& b) {
+void finish_seabed(const Value& v, double water_depth, const CaseSource& source, model::Seabed& b,
+                   std::vector<std::string>& notes) {
   if (!v.has("depth")) b.depth = water_depth;
-  read_bed_surface(v, source, b);
+  read_bed_surface(v, source, b, notes);
   if (!b.surface && !v.has("depth") && !(water_depth > 0))
     refuse_key(v, v.where + ".depth", "required key is missing: the depth, here or of the water");
   if (!v.has("normal_stiffness")) b.normal_stiffness = 1e5;
@@ -140,7 +145,7 @@ void check_steepness(const model::Environment& e, std::vector<std::string>& note
 void finish_environment(const Value& v, const CaseSource& source, model::Environment& e,
                         std::vector<std::string>& notes) {
   if (const Value* b = v.find("seabed")) {
-    finish_seabed(*b, e.water.depth, source, e.seabed);
+    finish_seabed(*b, e.water.depth, source, e.seabed, notes);
     if (e.water.present && !(e.water.depth > 0) && !e.seabed.surface)
       e.water.depth = e.seabed.depth + e.water.surface;
   }
@@ -155,6 +160,7 @@ void finish_environment(const Value& v, const CaseSource& source, model::Environ
       refuse(*w, "over a bed of a grid or a mesh waves need 'depth' of the water, which is one for all");
     finish_waves(*w, source, e.water.waves);
     if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, notes);
+    if (!model::possible(e.water.waves)) return;
     check_steepness(e, notes);
     check_sea_steepness(*w, e, notes);
   }

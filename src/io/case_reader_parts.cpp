@@ -29,6 +29,10 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
   std::vector<std::vector<double>> rows;
   std::string line;
   for (int n = 1; std::getline(in, line); ++n) {
+    if (n == 1) {
+      if (is_utf16(line)) refuse(at, "{}: is a text in UTF-16; save it as UTF-8", path);
+      line.erase(0, mark_length(line));
+    }
     line = line.substr(0, line.find('#'));
     for (char& c : line)
       if (c == ',' || c == '\t' || c == '\r') c = ' ';

@@ -10,6 +10,7 @@
 #include "hawser/kernels/rao.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
+#include "hawser/model/doubts.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
@@ -30,7 +31,8 @@ bool both_sides(const std::vector<RaoTable::Row>& rows) {
   return on(1) && on(-1);
 }
 
-RaoTable read_table(const model::Value& rao, const CaseSource& source) {
+RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& source,
+                    std::vector<std::string>& notes) {
   const auto [at, rows] = read_given_rows(rao, source);
   const double sign = rao["phase"].is("lead") ? 1 : -1;
   std::vector<RaoTable::Row> table;
@@ -52,6 +54,7 @@ RaoTable read_table(const model::Value& rao, const CaseSource& source) {
       row.response[k] =
           std::polar(1.0, sign * r[3 + 2 * k] * kDegree) * (r[2 + 2 * k] * (k < 3 ? 1 : kDegree));
   }
+  for (const std::string& odd : odd_rao_units(rows, gravity)) notes.push_back(rao.where + ": " + odd);
   if (rao["symmetry"].is("port_starboard")) {
     if (both_sides(table))
       refuse(at,
@@ -160,7 +163,7 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
 
 model::TableMotion read_rao(const model::Value& rao, const model::Environment& sea, const model::Body& body,
                             double duration, const CaseSource& source, std::vector<std::string>& notes) {
-  const RaoTable table = read_table(rao, source);
+  const RaoTable table = read_table(rao, sea.gravity, source, notes);
   const WaveField waves = model::wave_field(sea);
   if (waves.none()) refuse(rao, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
   const Vec3 bow = exp_so3(body.rotation) * Vec3::UnitX();
@@ -169,7 +172,7 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
   const double yaw = body.drift ? body.drift->rotation.z() : 0;
   const double heading = std::atan2(bow.y(), bow.x());
   check_gaps(table, waves, heading + yaw, rao.where, notes);
-  check_reach(table, waves, heading + yaw, rao.where, notes);
+  if (model::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, rao.where, notes);
   check_phases(table, waves, heading + yaw, rao.where, notes);
   const RaoMotion motion(table, waves, body.position, heading, yaw);
   // The highest of many components is ten times that of the peak and hardly there.

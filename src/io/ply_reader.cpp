@@ -13,6 +13,8 @@
 #include <sstream>
 #include <vector>
 
+#include "hawser/io/input_file.hpp"
+
 namespace hawser::io {
 namespace {
 
@@ -81,6 +83,7 @@ std::string read_header(std::istream& in, std::uintmax_t bytes, Format& format,
                         std::vector<Element>& elements) {
   std::string line;
   for (int i = 0; i < 1000 && std::getline(in, line); ++i) {
+    if (i == 0) line.erase(0, mark_length(line));
     std::istringstream words(line);
     std::string word, name, number;
     if (!(words >> word)) continue;

@@ -12,6 +12,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "hawser/io/input_file.hpp"
+
 namespace hawser::io {
 namespace {
 
@@ -158,7 +160,7 @@ std::string read_binary(const std::string& file, double scale, TriangleMesh& mes
 
 // The first word says 'solid', and what follows is text: the header of a binary file may say so too.
 bool is_text(std::string_view file) {
-  if (file.starts_with("\xef\xbb\xbf")) file.remove_prefix(3);
+  file.remove_prefix(mark_length(file));
   if (!is(Words(file).next(), "solid")) return false;
   return file.substr(0, 2000).find('\0') == std::string_view::npos;
 }
@@ -172,7 +174,7 @@ std::string read_stl(const std::string& path, std::uintmax_t bytes, double scale
   const bool fits = bytes >= kHeader && bytes == kHeader + kFacet * facets_told(file);
   if (fits || !is_text(file)) return read_binary(file, scale, mesh);
   std::string_view text = file;
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+  text.remove_prefix(mark_length(text));
   return read_text(text, scale, mesh);
 }
 

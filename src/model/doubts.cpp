@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -18,19 +19,27 @@ double mass_in_water(const Case& c, const LineType& type, double z) {
 
 std::vector<Doubt> doubts(const Case& c) {
   std::vector<Doubt> out;
+  warn_of_ranges(c, out);
+  warn_of_surroundings(c, out);
   doubt_line_types(c, out);
+  warn_of_proportions(c, out);
   doubt_lines(c, out);
+  warn_of_line_loads(c, out);
   doubt_supports(c, out);
   doubt_elements(c, out);
   doubt_bodies(c, out);
+  warn_of_bodies(c, out);
   doubt_sea(c, out);
   doubt_times(c, out);
   return out;
 }
 
-std::vector<std::string> doubt_notes(const Case& c) {
+std::vector<std::string> doubt_notes(const Case& c, Effect from, Effect to) {
   constexpr int kTold = 3;  // of a kind
-  const std::vector<Doubt> all = doubts(c);
+  std::vector<Doubt> all = doubts(c);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Doubt& a, const Doubt& b) { return a.effect < b.effect; });
+  std::erase_if(all, [&](const Doubt& d) { return d.effect < from || d.effect > to; });
   std::map<int, int> count, told;
   for (const Doubt& d : all) ++count[d.kind];
   std::vector<std::string> notes;

@@ -25,7 +25,7 @@ void doubt_rotation(const Body& b, const Vec3& about, const char* motion, std::v
                  fmt::format("turns the body about {} in space, and that is {} of its own axes by its "
                              "'rotation_deg'; is it meant?",
                              text(space), text(own)),
-                 25});
+                 25, Effect::part});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/doubts.hpp"
 #include "hawser/model/line_nodes.hpp"
@@ -48,7 +49,18 @@ void doubt_place(const Line& line, const Arcs& arcs, double at, const std::strin
                    fmt::format("what is to be at {:.6g} m of line {} is fixed to the nearest node, at {:.6g} "
                                "m; shorter elements, or a section that ends at {:.6g} m, put a node there",
                                at, line.name, p.node, at),
-                   22});
+                   22, Effect::resolution});
+}
+
+// N, of a chain of this weight [N/m] between an end on a level bed and one above it; 0: not of that form.
+double tension_on_bed(const Case& c, const Line& line, double weight) {
+  const Seabed& bed = c.environment.seabed;
+  if (!is_held(line.end_a) || !is_held(line.end_b) || bed.surface || !line.starts_by_itself()) return 0;
+  Vec3 low = end_position(c, line.end_a), high = end_position(c, line.end_b);
+  if (low.z() > high.z()) std::swap(low, high);
+  const double h = height_above_bed(bed, high);
+  if (height_above_bed(bed, low) > laying_reach(c, line) || !(h > 0)) return 0;
+  return std::max(slack_tension(length_of(line), (high - low).head<2>().norm(), h), 0.0) * weight;
 }
 
 // On the bed a mass rests on the length of line that belongs to its node, about an element, however large it
@@ -66,7 +78,13 @@ void doubt_sinking(const Case& c, const Line& line, const Arcs& arcs, const Poin
   const LineType& t = c.line_type(line.sections[static_cast<std::size_t>(section)].type);
   const double per_length =
       bed.normal_stiffness * (bed.basis == StiffnessBasis::per_length ? 1 : t.contact_diameter);
-  const double sinks = weight / (per_length * (p.to - p.from)),
+  // It presses the elements on both sides down with it, which bear k d l together, and lifts the nodes beyond
+  // them, whose weight w l it then carries as well as its own; a tension H spreads it over 2 sqrt(H/k), as of
+  // a string on springs, where that is longer.
+  const double element = p.to - p.from,
+               line_weight = std::max(c.environment.gravity * mass_in_water(c, t, -HUGE_VAL), 0.0),
+               bearing = std::max(element, 2 * std::sqrt(tension_on_bed(c, line, line_weight) / per_length)),
+               sinks = (weight + 3 * line_weight * element) / (per_length * bearing),
                own = std::cbrt(6 / M_PI * (m.volume > 0 ? m.volume : m.mass / kSteel));
   if (sinks > own)
     out.push_back(
@@ -76,7 +94,7 @@ void doubt_sinking(const Case& c, const Line& line, const Arcs& arcs, const Poin
              "rests there on an element of '{}', {:g} m thick; a short section of a type with the "
              "'contact_diameter' of what lies there bears it",
              m.mass, m.at, line.name, sinks, t.name, t.contact_diameter),
-         24});
+         24, Effect::part});
 }
 
 void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<Doubt>& out) {
@@ -92,7 +110,7 @@ void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vec
                    fmt::format("its {:.3g} m are {:.2g} elements, each of which has one bending stiffness: "
                                "curvature and moment along it show with {:g} or more",
                                to - from, elements, 2 * kFewest),
-                   23});
+                   23, Effect::resolution});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/model/doubts.hpp"
+#include "unit_hint.hpp"
 
 namespace hawser::model {
 namespace {
@@ -16,19 +17,26 @@ constexpr double kHeavyInAir = 30000;
 constexpr double kThick = 5;  // m
 // kg/m³ of contents: gas under pressure has 50 and more, the heaviest drilling mud 2400.
 constexpr double kLeastContents = 10, kMostContents = 5000;
-constexpr double kStiff = 250e9, kSoft = 1e5;  // Pa
+constexpr double kStiff = 250e9, kSoft = 5e5;  // Pa
 
 bool in_range(double x, double least, double most) { return x >= least && x <= most; }
 
-std::string density_hint(double density, bool water) {
-  if (density > kHeavy) {
-    if (water && density < kHeavyInAir)
-      return "; a chain has here the diameter of a round bar of its volume, 1.8 times that of its bar";
-    if (in_range(density / 1000, kLight, kHeavyInAir)) return "; is the mass in kg/km? ('219 kg/km')";
-  } else {
-    if (in_range(density * 1e6, kLight, kHeavyInAir)) return "; is the diameter in mm? ('120 mm')";
-    if (in_range(density * 1000, kLight, kHeavyInAir)) return "; is the mass in t/m? ('0.2 t/m')";
-  }
+// In which unit mass or diameter would fit.
+std::string density_hint(const Case& c, const LineType& t, double density, bool water) {
+  const double d = t.displaced();
+  const auto fits = [water](double x) { return in_range(x, kLight, water ? kHeavy : kHeavyInAir); };
+  const auto of = [&](const char* key, const std::function<bool(double)>& fit) {
+    return unit_hint(c, {"line_types", t.name, key}, fit);
+  };
+  if (t.kind == LineKind::cable && water && density > kHeavy && density < kHeavyInAir)
+    return "; a chain has here the diameter of a round bar of its volume, 1.8 times that of its bar";
+  if (std::string hint = of("mass_per_length", [&](double m) { return fits(m / (M_PI / 4 * d * d)); });
+      !hint.empty())
+    return hint;
+  if (std::string hint = of(t.displaced() == t.outer_diameter ? "outer_diameter" : "displaced_diameter",
+                            [&](double x) { return fits(t.mass_per_length / (M_PI / 4 * x * x)); });
+      !hint.empty())
+    return hint;
   return "; check both";
 }
 
@@ -96,17 +104,18 @@ void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
     const std::string key = "line_types." + t.name;
     const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);
     if (density > (water ? kHeavy : kHeavyInAir) || density < kLight)
-      out.push_back({key,
-                     fmt::format("{:.4g} kg/m in a diameter of {:.4g} m are {:.3g} t/m³, {}{}",
-                                 t.mass_per_length, d, density / 1000,
-                                 density < kLight ? "less than any line (0.1) but an inflated one"
-                                                  : "more than steel (7.85)",
-                                 density_hint(density, water)),
-                     1});
+      out.push_back(
+          {key,
+           fmt::format(
+               "{:.4g} kg/m in a diameter of {:.4g} m are {}, {}{}", t.mass_per_length, d,
+               std::isfinite(density) ? fmt::format("{:.3g} t/m³", density / 1000) : "beyond all numbers",
+               density < kLight ? "less than any line (0.1) but an inflated one" : "more than steel (7.85)",
+               density_hint(c, t, density, water)),
+           1});
     else if (t.outer_diameter > kThick)
       out.push_back({key,
                      fmt::format("an outer diameter of {:.4g} m is more than that of any pipe, hose or rope; "
-                                 "is it in mm? ('{:g} mm')",
+                                 "is it in mm? ('{:.4g} mm')",
                                  t.outer_diameter, t.outer_diameter),
                      0});
     const double D = t.outer_diameter, modulus = t.EA / (M_PI / 4 * D * D);
@@ -122,7 +131,8 @@ void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
            fmt::format("an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} MPa, less than "
                        "that of rubber (1 to 10){}",
                        t.EA, D, modulus / 1e6,
-                       modulus * 1000 > 1e6 ? "; is the EA in kN or MN? ('900 MN')" : "; check both"),
+                       unit_hint(c, {"line_types", t.name, "EA"},
+                                 [&](double x) { return in_range(x / (M_PI / 4 * D * D), 1e8, kStiff); })),
            2});
   }
 }

@@ -70,7 +70,7 @@ void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
          fmt::format("{} element{} for a line that is {:.2g} % longer than the distance of its ends: it "
                      "hangs or lies in a curve, which takes twenty or more to follow",
                      elements, elements == 1 ? "" : "s", 100 * (length / chord - 1)),
-         27});
+         27, Effect::resolution});
   double room = chord;
   if (const Seabed& bed = c.environment.seabed; bed.present)
     for (const End* e : {&line.end_a, &line.end_b})

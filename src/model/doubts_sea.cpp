@@ -25,6 +25,21 @@ double lowest_reach(const Case& c, const Line& line) {
   return std::isfinite(least) ? least : -least;
 }
 
+double slack_tension(double L, double X, double h) {
+  if (L >= X + h) return 0;
+  const auto left = [&](double a) {  // what is too long where the tension is a
+    return L - std::sqrt(h * h + 2 * h * a) + (a > 0 ? a * std::acosh(1 + h / a) : 0) - X;
+  };
+  double low = 0, high = h;
+  while (left(high) < 0 && high < 1e6 * h) high *= 2;
+  if (left(high) < 0) return -1;
+  for (int i = 0; i < 80; ++i) {
+    const double a = 0.5 * (low + high);
+    (left(a) < 0 ? low : high) = a;
+  }
+  return L > std::sqrt(h * h + 2 * h * high) ? high : -1;
+}
+
 namespace {
 
 constexpr double kSameDepth = 0.02;  // of the depth of the water
@@ -102,23 +117,6 @@ Vec3 current_at(const Water& w, double depth) {
   return factor * (vector(u) + (depth - u.depth) / (l.depth - u.depth) * (vector(l) - vector(u)));
 }
 
-// Of an inextensible chain of length L [m] without friction between a point of a level bed and one X m away
-// and h m above it: tension where it lies over weight per length [m]. Negative: none of it lies.
-double slack_tension(double L, double X, double h) {
-  if (L >= X + h) return 0;
-  const auto left = [&](double a) {  // what is too long where the tension is a
-    return L - std::sqrt(h * h + 2 * h * a) + (a > 0 ? a * std::acosh(1 + h / a) : 0) - X;
-  };
-  double low = 0, high = h;
-  while (left(high) < 0 && high < 1e6 * h) high *= 2;
-  if (left(high) < 0) return -1;
-  for (int i = 0; i < 80; ++i) {
-    const double a = 0.5 * (low + high);
-    (left(a) < 0 ? low : high) = a;
-  }
-  return L > std::sqrt(h * h + 2 * h * high) ? high : -1;
-}
-
 void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
@@ -151,7 +149,7 @@ void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
                    "across a line before it is at rest, the current of {:.3g} m/s there bows them {}; with "
                    "'environment.current.ramp' the current begins in dynamics, where friction holds them",
                    lies, a * weight / 1000, speed, far),
-       8});
+       8, Effect::part});
 }
 
 void doubt_soil(const Case& c, std::vector<Doubt>& out) {
@@ -183,7 +181,7 @@ void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector
        fmt::format("{:.4g} m³ at {:.6g} m of line {} have neither 'drag_area' nor 'Ca': no drag and no "
                    "added mass; a ball of that volume has about {:.2g} m² and 0.5",
                    m.volume, m.at, line.name, 0.5 * M_PI / 4 * std::pow(6 / M_PI * m.volume, 2.0 / 3)),
-       26});
+       26, Effect::part});
 }
 
 // The wave that stands for a sea of linear waves: its peak, or the highest of those given. Period 0: none.
@@ -216,7 +214,7 @@ void doubt_waves_on_current(const Case& c, std::vector<Doubt>& out) {
            "as 'stokes' with its own 'current' has that, and shows how much it matters",
            std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
            along > 0 ? "longer and flatter" : "shorter and steeper"),
-       28});
+       28, Effect::part});
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ void doubt_line(const Case& c, const Line& line, std::vector<Doubt>& out) {
            fmt::format("its elements are {:.3g} m long between supports '{}' and '{}', which are {:.3g} m "
                        "apart: bending moments on rollers show with elements of a quarter of that",
                        here.element, before->name, b.name, apart),
-           21});
+           21, Effect::resolution});
     before = &b;
   }
 }

@@ -32,6 +32,7 @@ void shorter(Period& least, double length, const std::string& of) {
 Period driving(const Case& c) {
   Period least;
   const Waves& w = c.environment.water.waves;
+  if (!possible(w)) return least;
   if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table)
     shorter(least, w.peak_period, "the waves");
   else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::stokes)
@@ -57,7 +58,7 @@ void doubt_step(const Case& c, const Period& drive, std::vector<Doubt>& out) {
     out.push_back({"dynamics.step",
                    fmt::format("{:g} s is {:.2g} steps in a period of {} ({:g} s); usual is {:g} or more",
                                step, drive.length / step, drive.of, drive.length, kSteps),
-                   9});
+                   9, Effect::resolution});
     return;
   }
   Period own;
@@ -68,7 +69,7 @@ void doubt_step(const Case& c, const Period& drive, std::vector<Doubt>& out) {
                    fmt::format("{:g} s is {:.2g} steps in the slowest natural period of {} (about {:.2g} s): "
                                "none of its vibrations is resolved",
                                step, own.length / step, own.of, own.length),
-                   9});
+                   9, Effect::resolution});
 }
 
 void doubt_outputs(const Case& c, const Period& drive, std::vector<Doubt>& out) {
@@ -79,13 +80,13 @@ void doubt_outputs(const Case& c, const Period& drive, std::vector<Doubt>& out) 
          fmt::format(
              "{:g} s is longer than the run ({:g} s): there are outputs at its start and its end only", every,
              c.dynamics.duration),
-         10});
+         10, Effect::resolution});
   else if (drive.length > 0 && every > drive.length / kOutputs)
     out.push_back({"output.every",
                    fmt::format("{:g} s is {:.2g} outputs in a period of {} ({:g} s): they show no period; "
                                "usual is 10 or more (histories have every step)",
                                every, drive.length / every, drive.of, drive.length),
-                   10});
+                   10, Effect::resolution});
 }
 
 // Speed of a body's origin and, by its turning, of what is tied to it [m/s].
@@ -143,7 +144,7 @@ void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
                      fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: it strikes "
                                  "them; a 'ramp' of some periods starts it smoothly",
                                  first),
-                     11});
+                     11, Effect::part});
   };
   doubt(speed.motion, "motion"), doubt(speed.drift, "motion.drift");
 }
@@ -162,7 +163,7 @@ void doubt_releases(const Case& c, std::vector<Doubt>& out) {
          fmt::format("line type {} has no 'stiffness_damping': what recoils rings on in the last elements, "
                      "whose speeds and forces then depend on the step; 0.001 s damps that",
                      end.type),
-         15});
+         15, Effect::part});
   }
 }
 
@@ -180,7 +181,7 @@ void doubt_feed(const Case& c, const std::string& line, bool at_b, double jump, 
        fmt::format("the speed jumps by {:.3g} m/s, and line type {} has 'stiffness_damping': the peak of "
                    "tension that this makes depends on the length of elements; {} starts it smoothly",
                    std::abs(jump), type.name, remedy),
-       16});
+       16, Effect::part});
 }
 
 void doubt_feeds(const Case& c, std::vector<Doubt>& out) {

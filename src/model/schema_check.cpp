@@ -84,6 +84,10 @@ Value literal(const std::string& s, int line) {
   return v;
 }
 
+// Of numbers but 0, SI: so that neither their products nor their ratios are beyond what a double holds. No
+// quantity of a model is near either.
+constexpr double kSmallest = 1e-40, kLargest = 1e40;
+
 class Checker {
  public:
   Checker(const std::string& file, Value& root) : file_(file), root_(root) {}
@@ -170,6 +174,9 @@ class Checker {
             quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit));
       }
     }
+    if (const double size = std::abs(q.si); size > kLargest || (size > 0 && size < kSmallest))
+      bad(v, path, "{} is beyond the size of any quantity, which is {:g} to {:g} here", quote(v.text),
+          kSmallest, kLargest);
     if (whole && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) wrong_type(v, k, path);
     const Bounds& b = k.bounds;
     if ((b.above && !(q.si > *b.above)) || (b.at_least && !(q.si >= *b.at_least)) ||

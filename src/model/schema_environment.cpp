@@ -8,9 +8,6 @@ namespace {
 
 // A current that is given by one speed.
 void uniform(Current& c, const Value& v) { c.profile = {{0, v.number, 0}}; }
-void uniform_direction(Current& c, const Value& v) {
-  if (!c.profile.empty()) c.profile.front().direction = v.number;
-}
 
 // Of the only wave there is.
 Field only(double Waves::Row::*field) {
@@ -27,8 +24,9 @@ Key current() {
       {"current", within(&Environment::water, &Water::current)},
       {number({"speed", by<Current>(uniform)}, velocity,
               "the same at all depths, or at the surface of a power law", at_least(0)),
-       number({"direction_deg", by<Current>(uniform_direction)}, angle,
-              "where it goes to, anticlockwise from +x", or_else("0")),
+       number("direction_deg", angle,
+              "where it goes to, anticlockwise from +x; of a `profile` that of rows that give none",
+              or_else("0")),
        number({"exponent", &Current::exponent}, none,
               "of the power law speed (1 - depth/water depth)^exponent, say 1/7", above(0), at_most(10),
               or_else_note("none: the same at all depths")),
@@ -37,7 +35,7 @@ Key current() {
                             required),
                      number({"speed", &CurrentRow::speed}, velocity, "there", at_least(0), required),
                      number({"direction_deg", &CurrentRow::direction}, angle,
-                            "where it goes to, anticlockwise from +x", or_else("0"))}),
+                            "where it goes to, anticlockwise from +x", or_else_note("that of `current`"))}),
             "instead: rows downwards, straight lines between them, constant beyond the ends", items(1)),
        number({"ramp", &Current::ramp}, time,
               "starts smoothly over this time in dynamics; 0: acts in statics already", at_least(0),
@@ -50,7 +48,7 @@ Key current() {
            "multiplies the current, below 0 turning it round, beside `ramp`: straight lines between rows, "
            "constant beyond them; in statics what it is at t = 0",
            either({"file", "rows"}), or_else_note("1 at all times"))},
-      "current; needs `water`", either({{{"speed", "direction_deg", "exponent"}, {"speed"}}, "profile"}));
+      "current; needs `water`", either({{{"speed", "exponent"}, {"speed"}}, "profile"}));
 }
 
 Key water() {

@@ -48,23 +48,35 @@ std::string start_text(Start s) {
   return {};
 }
 
-std::string motion_text(const Body& b) {
+std::string motion_text(const Case& c, const Body& b) {
+  if (b.on) return fmt::format("rides on line {} at {:g} m", b.on->line, b.on->at);
   std::string s = "stands still";
-  if (const auto* c = std::get_if<ConstantMotion>(&b.motion)) {
-    s = "moves";
-    if (!c->velocity.isZero()) s += " at " + point(c->velocity) + " m/s";
-    if (c->rate != 0) {
-      if (!c->velocity.isZero()) s += " and";
-      s += fmt::format(" turning at {:g} rad/s about {}", c->rate, point(c->axis));
+  if (b.mass) {
+    const BodyMass& m = *b.mass;
+    s = fmt::format("moves by its mass of {:.6g} kg, {}{}", m.mass,
+                    m.in_water ? fmt::format("in water with a volume of {:g} m³", m.in_water->volume)
+                    : m.weight && c.environment.gravity > 0 ? "with its weight"
+                                                            : "without weight",
+                    m.stiffness.isZero() && m.turning_stiffness.isZero() ? "" : ", held by springs");
+    if (b.motion.index() == 0) return s;
+    s += " towards a place that ";
+  }
+  const std::string before = b.mass ? s : "";
+  if (const auto* steady = std::get_if<ConstantMotion>(&b.motion)) {
+    s = before + "moves";
+    if (!steady->velocity.isZero()) s += " at " + point(steady->velocity) + " m/s";
+    if (steady->rate != 0) {
+      if (!steady->velocity.isZero()) s += " and";
+      s += fmt::format(" turning at {:g} rad/s about {}", steady->rate, point(steady->axis));
     }
   } else if (const auto* h = std::get_if<HarmonicMotion>(&b.motion)) {
-    s = fmt::format("moves harmonically, period {:g} s", h->period);
+    s = before + fmt::format("moves harmonically, period {:g} s", h->period);
   } else if (const auto* t = std::get_if<TableMotion>(&b.motion)) {
-    s = fmt::format("moves by a table of {} rows, {:g} to {:g} s{}", t->time.size(), t->time.front(),
-                    t->time.back(),
-                    t->between == BetweenRows::linear     ? ", straight lines between them"
-                    : t->between == BetweenRows::monotone ? ", monotone between them"
-                                                          : "");
+    s = before + fmt::format("moves by a table of {} rows, {:g} to {:g} s{}", t->time.size(), t->time.front(),
+                             t->time.back(),
+                             t->between == BetweenRows::linear     ? ", straight lines between them"
+                             : t->between == BetweenRows::monotone ? ", monotone between them"
+                                                                   : "");
   }
   if (b.ramp > 0) s += fmt::format(", starting smoothly over {:g} s", b.ramp);
   if (b.drift) s += ", carried by a slow drift";
@@ -305,7 +317,7 @@ std::string summary(const Case& c) {
   if (!c.line_types.empty()) s += line_type_table(c);
   s += fmt::format("bodies: {}\n", c.bodies.size());
   for (const Body& b : c.bodies)
-    s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(b));
+    s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(c, b));
   describe_links(c, s);
   describe_supports(c, s);
   const auto rollers =

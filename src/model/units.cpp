@@ -30,7 +30,7 @@ constexpr Unit kLineStiffness[] = {{"N/m^2"}, {"kN/m^2", 1e3, 1}, {"MN/m^2", 1e6
                                    {"Pa"},    {"kPa", 1e3, 1},    {"MPa", 1e6, 1}};
 constexpr Unit kAreaStiffness[] = {{"N/m^3"}, {"kN/m^3", 1e3, 1}, {"MN/m^3", 1e6, 1}, {"kN/m/m^2", 1e3, 1},
                                    {"Pa/m"},  {"kPa/m", 1e3, 1}};
-constexpr Unit kVelocity[] = {{"m/s"}, {"km/h", 10, 36}, {"kn", 1852, 3600}};
+constexpr Unit kVelocity[] = {{"m/s"}, {"km/h", 10, 36}, {"kn", 1852, 3600}, {"cm/s", 1, 100}};
 constexpr Unit kAcceleration[] = {{"m/s^2"}};
 constexpr Unit kAngle[] = {{"deg", kPi, 180}, {"rad"}};
 constexpr Unit kAngularVelocity[] = {{"rad/s"}, {"deg/s", kPi, 180}, {"rpm", kPi, 30}};

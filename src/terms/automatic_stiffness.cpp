@@ -71,9 +71,11 @@ std::string too_soft_for_line(const std::string& place, const model::Volume& v, 
   const std::string key = v.basis == model::StiffnessBasis::per_point    ? "per_point"
                           : v.basis == model::StiffnessBasis::per_length ? "per_length"
                                                                          : "per_area";
-  return text + ": its normal_stiffness is too small for what presses; {" + key + ": " +
+  return text + ", as far as contact goes: a stiffness of {" + key + ": " +
          number(v.normal_stiffness * depth / (kHeldOut * radius)) +
-         "} would hold it to about 5 % of the radius, " + "'auto' finds that by itself";
+         "} would hold it to about 5 % of the radius ('auto' finds that by itself), and a line that is to "
+         "sink "
+         "in deeper needs a larger 'contact_diameter'";
 }
 
 std::string volume_in_the_way(const std::string& place, const model::Volume& v, bool too_soft) {

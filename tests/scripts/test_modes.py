@@ -91,6 +91,22 @@ def frequencies_of(results, line):
     return np.sqrt(np.abs(eigh(K[free, free], M[free, free], eigvals_only=True, subset_by_index=(0, 11)))) / (2 * np.pi)
 
 
+# A buoy on three chains: one mode is that of its own, with the chains' ends.
+BUOY = """\
+hawser: 1
+environment: {water: {depth: 100}, seabed: {depth: 100}}
+line_types: {c: {library: chain-studless, diameter: 60 mm, grade: R3}}
+bodies:
+  buoy:
+    floating: {mass: 60000, inertia: [2.0e5, 2.0e5, 2.0e5], weight: true, in_water: {volume: 200, height: 6}}
+lines:
+  a: {sections: [{type: c, length: 260, elements: 26}], end_a: {anchor: [220, 0, -100]}, end_b: {body: buoy, at: [3, 0, -2]}}
+  b: {sections: [{type: c, length: 260, elements: 26}], end_a: {anchor: [-110, 190, -100]}, end_b: {body: buoy, at: [-1.5, 2.6, -2]}}
+  d: {sections: [{type: c, length: 260, elements: 26}], end_a: {anchor: [-110, -190, -100]}, end_b: {body: buoy, at: [-1.5, -2.6, -2]}}
+contact: {between_lines: false}
+"""
+
+
 class Modes(unittest.TestCase):
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp())
@@ -104,6 +120,15 @@ class Modes(unittest.TestCase):
         self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
         printed = [float(v) for v in re.findall(r"^ *\d+ +[\d.e+-]+ +([\d.e+-]+) ", told.stdout, re.M)]
         return np.array(printed), Results(self.folder / "case-modes.h5")
+
+    def test_names_the_bodies_that_move(self):
+        write(self.folder, "buoy.yaml", BUOY)
+        said = run(HAWSER, "modes", self.folder / "buoy.yaml", "-n", "12").stdout
+        rows = [line for line in said.splitlines() if re.match(r"\s+\d+\s", line)]
+        self.assertEqual(len(rows), 12, said)
+        # Surge and sway of the chains' own take the buoy along; their high modes do not.
+        self.assertTrue(any("body buoy" in row for row in rows[:2]), said)
+        self.assertTrue(any("body buoy" not in row for row in rows), said)
 
     def test_volturnus(self):
         one, _ = self.modes(chains(1), "-n", "12")

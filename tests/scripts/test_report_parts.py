@@ -195,6 +195,67 @@ class Parts(unittest.TestCase):
         by_hand = max(fatigue.damage(around[:, 0, p], fatigue.CURVES["dnv-d-air"]) for p in range(fatigue.PLACES))
         self.assertAlmostEqual(damages[0][k, 1] / by_hand * (TIME[-1] - TIME[0]) / fatigue.YEAR, 1, places=6)
 
+    def chains(self, grade="R4"):
+        case = ("hawser: 1\nline_types:\n  chain: {library: chain-studless, diameter: 84 mm, grade: " + grade + "}\n"
+                "  rope: {library: wire-six-strand, diameter: 0.1}\n"
+                "lines: {riser: {sections: [{type: chain, length: 60}, {type: rope, length: 40}]}}\n")
+        return self.file(name=f"{grade}.h5", case=case)
+
+    def damages(self, *arguments):
+        code, told, err = self.run_("fatigue", *arguments, "-o", self.folder / "damage.csv")
+        self.assertEqual(code, 0, err)
+        return np.loadtxt(self.folder / "damage.csv", delimiter=",", skiprows=1), told
+
+    def test_fatigue_of_chain_goes_by_the_strength_of_orq(self):
+        # API Spec 2F: ORQ chain of 84 mm breaks at 21.1 84² (44 - 0.08 84) N = 5550 kN, R4 at 27.4/21.1 of that (IACS UR
+        # W22). API's T-N curves take ORQ's for higher grades (de Laval 2005, OMAE2005, "API recommends the use of its TxN
+        # curve considering the MBL of an ORQ chain even if the chain has a higher grade").
+        own, told = self.damages(self.chains(), "--curve", "api-studless-chain")
+        self.assertNotIn("warning: API", told)
+        np.testing.assert_allclose(own[:, 0], ARC[ARC <= 60])  # the rope is no chain
+        for text in ("5550306", "5550.306 kN", "5.550306MN"):
+            given, told = self.damages(self.chains(), "--curve", "api-studless-chain", "--breaking-load", text)
+            np.testing.assert_allclose(given[ARC <= 60, 1], own[:, 1], rtol=1e-5)
+            self.assertNotIn("too small", told)
+        given, told = self.damages(self.chains(), "--curve", "api-studless-chain", "--breaking-load", "7207.6 kN")
+        np.testing.assert_allclose(given[ARC <= 60, 1], own[:, 1] / (27.4 / 21.1) ** 3, rtol=1e-4)
+        self.assertIn("5550 kN here", told)
+        self.assertIn("the damage is 2.2 times too small", told)
+        np.testing.assert_allclose(self.damages(self.chains("R3"), "--curve", "api-studless-chain")[0], own)
+        _, told = self.damages(self.file(), "--curve", "api-studless-chain", "--breaking-load", "3 MN")
+        self.assertIn("of ORQ chain of the same size", told)
+
+    def test_fatigue_takes_strength_and_area_of_the_case(self):
+        rope = ARC >= 60
+        own, _ = self.damages(self.chains(), "--curve", "api-strand-rope")
+        given, _ = self.damages(self.chains(), "--curve", "api-strand-rope", "--breaking-load", "6333.58 kN")  # of its d²
+        np.testing.assert_allclose(own, given[rope], rtol=1e-5)
+        own, _ = self.damages(self.chains(), "--curve", "dnv-studless-chain")
+        given, _ = self.damages(self.chains(), "--curve", "dnv-studless-chain", "--area", "11083.5389 mm2")  # 2 pi d²/4
+        np.testing.assert_allclose(own, given[ARC <= 60], rtol=1e-5)
+        own, _ = self.damages(self.chains(), "--curve", "dnv-strand-rope")
+        given, _ = self.damages(self.chains(), "--curve", "dnv-strand-rope", "--area", "0.00785398163")
+        np.testing.assert_allclose(own, given[rope], rtol=1e-5)
+        bar = CASE.replace("EA: 1e8", "breaking_load: 900 kN, EA: 1e8")
+        own, _ = self.damages(self.file(name="bar.h5", case=bar), "--curve", "api-spiral-rope")
+        np.testing.assert_allclose(own[:, 0], ARC[rope])
+
+    def test_fatigue_refuses_other_units(self):
+        path = self.chains()
+        for arguments, part in ((["dnv-studless-chain", "--area", "11084"], "in mm² it is --area 11084mm2"),
+                                (["dnv-studless-chain", "--area", "1 acre"], "with one of the units m2"),
+                                (["api-studless-chain", "--breaking-load", "5550"], "bare numbers are in N"),
+                                (["api-studless-chain", "--breaking-load", "5550000 kN"], "more than any line bears"),
+                                (["api-studless-chain", "--breaking-load", "0"], "is no number above 0"),
+                                (["dnv-d-air", "--breaking-load", "5e6"], "takes no --breaking-load")):
+            with self.subTest(arguments=arguments):
+                code, _, err = self.run_("fatigue", path, "--curve", *arguments)
+                self.assertEqual(code, 2, err)
+                self.assertIn(part, err)
+        code, _, err = self.run_("fatigue", self.file(), "--curve", "dnv-studless-chain")
+        self.assertEqual(code, 2)
+        self.assertIn("needs --area: line 'riser' has no chain of the library", err)
+
     def test_walls_end_where_the_target_has_put_them(self):
         # The wall is 40 m long in the file, and a target has made it 60 m of the 100 m that the results have.
         found = Results(self.file(name="found.h5", case=CASE.replace("length: 60}", "length: 40}").replace(

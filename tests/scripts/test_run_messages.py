@@ -191,6 +191,53 @@ lines:
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertEqual([line for line in result.stdout.splitlines() if line.startswith("warning")], wanted)
 
+    def test_failing_statics_says_what_may_help(self):
+        write(self.folder, "slack.yaml", """\
+hawser: 1
+environment: {water: {depth: 100}, seabed: {depth: 100}, current: {speed: 1}}
+line_types: {c: {library: chain-studless, diameter: 60 mm, grade: R3}}
+lines:
+  a: {sections: [{type: c, length: 260, elements: 52}], end_a: {anchor: [220, 0, -100]}, end_b: {anchor: [0, 0, 0]}}
+statics: {max_iterations: 1, dynamic_relaxation: never}
+dynamics: {duration: 1}
+""")
+        said = self.hawser("run", "slack.yaml")
+        self.assertEqual(said.returncode, 3, said.stdout + said.stderr)
+        self.assertIn("note: statics has failed; what may help: without 'dynamic_relaxation: never'; a 'ramp' of the current",
+                      said.stdout)
+
+    def test_a_riser_with_a_compressed_foot(self):
+        # 290 m of pipe between points 289.9 m apart, of which its own stretch takes 3 cm: its foot is pressed by 0.08 MN.
+        # EI = 72 MN m², w = 1 kN/m: a pinned foot buckles at 1.02 (EI w²)^(1/3) = 42 kN.
+        case = """\
+hawser: 1
+environment: {water: {depth: 300}, seabed: {depth: 300}}
+line_types: {r: {pipe: {outer_diameter: 0.35, wall_thickness: 0.025}}}
+lines:
+  r: {sections: [{type: r, length: LENGTH, elements: 145}], end_a: {anchor: [0, 0, -10]}, end_b: {anchor: [0, 0, -299.8]}}
+contact: {between_lines: false}
+"""
+        for length, pressed in (("290", True), ("289.7", False)):
+            write(self.folder, "riser.yaml", case.replace("LENGTH", length))
+            said = self.hawser("run", "riser.yaml").stdout
+            self.assertEqual("under an effective compression" in said, pressed, said)
+
+    def test_check_of_a_body_that_floats(self):
+        write(self.folder, "body.yaml", """\
+hawser: 1
+environment: {water: {depth: 100}}
+bodies:
+  buoy: {floating: {mass: 60000, inertia: [2.0e5, 2.0e5, 2.0e5], weight: true, in_water: {volume: 200, height: 6}}}
+  held: {floating: {mass: 6000, inertia: [2.0e4, 2.0e4, 2.0e4], stiffness: [1.0e4, 1.0e4, 1.0e4]}, motion: {velocity: [1, 0, 0]}}
+  fixed: {}
+dynamics: {duration: 1}
+""")
+        said = self.hawser("check", "--quick", "body.yaml").stdout
+        for part in ("buoy: at (0, 0, 0), moves by its mass of 60000 kg, in water with a volume of 200 m³\n",
+                     "held: at (0, 0, 0), moves by its mass of 6000 kg, without weight, held by springs towards a place that "
+                     "moves at (1, 0, 0) m/s\n", "fixed: at (0, 0, 0), stands still\n"):
+            self.assertIn(part, said)
+
     def refused(self, arguments, *parts, ranks=0, code=2):
         """One sentence on stderr with these parts, the exit code, and no new file."""
         before = sorted(self.folder.rglob("*"))

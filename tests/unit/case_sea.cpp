@@ -60,7 +60,7 @@ TEST(CaseSea, SeabedByTable) {
 
 TEST(CaseSea, AnAnchorUnderTheSeabedIsTold) {
   const auto notes = [](const char* height) {
-    return read("{seabed: {depth: 90}}", HAWSER_SOURCE_DIR "/tests/data/bad", height).notes;
+    return read("{water: {}, seabed: {depth: 90}}", HAWSER_SOURCE_DIR "/tests/data/bad", height).notes;
   };
   ASSERT_EQ(notes("-90.15").size(), 1U);
   EXPECT_NE(

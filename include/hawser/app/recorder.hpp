@@ -73,6 +73,7 @@ class Recorder {
   void find_worst(const Kinematics& at);
   void look_at_elements(const Kinematics& at);
   std::string peak_warning(const io::SummaryRow& largest_tension) const;
+  std::string compressed(const io::SummaryRow& least_tension) const;
   void gather_warnings(const std::vector<io::SummaryRow>& rows);
   double passed_through(double h) const;
   void correct_ends(const Kinematics& at);

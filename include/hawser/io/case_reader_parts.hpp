@@ -95,7 +95,8 @@ void finish_output(const model::Value& v, const CaseSource& source, model::Case&
 void read_supports(const model::Value& supports, model::Case& c);
 
 // `grid` or `mesh` of the seabed; nothing without.
-void read_bed_surface(const model::Value& seabed, const CaseSource& source, model::Seabed& bed);
+void read_bed_surface(const model::Value& seabed, const CaseSource& source, model::Seabed& bed,
+                      std::vector<std::string>& notes);
 // Refuses line ends and points of start shapes that are deep under the bed; notes of ends beyond its edge.
 void check_bed(model::Case& c);
 
@@ -127,5 +128,17 @@ class OtherRuns {
 // Whether it is long enough for the line.
 void check_left_shape(const model::Line& line, const model::Value& at, const std::string& key, bool parted,
                       std::vector<std::string>& notes);
+
+// Heights that are far from all others of a grid, whose places are `spacing` m apart at least.
+struct OddHeights {
+  std::size_t count = 0, first = 0;  // how many, and where in the list; 0: none
+  bool mark = false;                 // it is one of the numbers that stand for no data
+  double gap = 0;                    // m to the nearest of the others
+};
+OddHeights odd_heights(const std::vector<double>& z, double spacing);
+
+// Columns of a table of responses [period, direction, six amplitudes each with its phase] that look as if
+// they were in other units, a sentence each; g [m/s²].
+std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& rows, double gravity);
 
 }  // namespace hawser::io

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace hawser::io {
 
@@ -12,5 +13,12 @@ inline constexpr double kMostCase = 4, kMostTable = 500, kMostMesh = 1000;
 // Why the file cannot be read, as the end of a sentence; empty: it is a regular file of at most that many MB.
 // kind: "case", "mesh" or the like.
 std::string unreadable(const std::string& path, const std::string& kind, double most);
+
+// Bytes of the mark that some editors and spreadsheets put before a text in UTF-8 (byte order mark).
+inline std::size_t mark_length(std::string_view text) { return text.starts_with("\xef\xbb\xbf") ? 3 : 0; }
+// Whether a text begins with that of UTF-16, which nothing here reads.
+inline bool is_utf16(std::string_view text) {
+  return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+}
 
 }  // namespace hawser::io

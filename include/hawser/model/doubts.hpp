@@ -9,19 +9,36 @@
 
 namespace hawser::model {
 
+// How much of the results what was found can change: all of them, as a wrong unit does; those of a part or of
+// the start of a run; or how well they are resolved.
+enum class Effect { whole, part, resolution };
+
 struct Doubt {
   std::string key;   // dotted, as in the file
   std::string text;  // what was found there, and what is usual
   int kind = 0;      // of the same kind only the first few are told
+  Effect effect = Effect::whole;
 };
 
 // Everything doubtful of a case that model::check passes, in the order of the functions below. Empty for an
 // ordinary case.
 std::vector<Doubt> doubts(const Case& c);
-// "file:line: key: text" each; of many of one kind the first three, and how many more there are.
-std::vector<std::string> doubt_notes(const Case& c);
+// "file:line: key: text" each, those with the largest effect first; of many of one kind the first three, and
+// how many more there are. Only those with an effect from the first to the second.
+std::vector<std::string> doubt_notes(const Case& c, Effect from = Effect::whole,
+                                     Effect to = Effect::resolution);
 
-// Its parts. Weight, diameter and EA of each line type that do not fit each other, contents and coatings.
+// Its parts. Numbers outside of the range of what they can be, and angles that are written in radians.
+void warn_of_ranges(const Case& c, std::vector<Doubt>& out);
+// Stiffnesses, diameters and strengths of a line type that do not fit each other.
+void warn_of_proportions(const Case& c, std::vector<Doubt>& out);
+// Masses, loads, directions, stiffeners, feeders and targets of lines that cannot be meant.
+void warn_of_line_loads(const Case& c, std::vector<Doubt>& out);
+// Mass, volume, inertia, springs and motions of bodies.
+void warn_of_bodies(const Case& c, std::vector<Doubt>& out);
+// Water, bed, waves and the time of the run that do not fit each other.
+void warn_of_surroundings(const Case& c, std::vector<Doubt>& out);
+// Weight, diameter and EA of each line type that do not fit each other, contents and coatings.
 void doubt_line_types(const Case& c, std::vector<Doubt>& out);
 // Strains and tensions that loads, weight and the distance of the ends mean, and lengths far beyond that
 // distance.
@@ -46,9 +63,14 @@ struct StartSpeeds {
 };
 StartSpeeds start_speeds(const Case& c, const Body& body);
 
+// Whether height and period of a sea are such as there are: what follows from others is not worth a note.
+bool possible(const Waves& waves);
 // z [m] below which no point of a line can be: hanging straight down, held at one end or both. -inf: nothing
 // says where it is.
 double lowest_reach(const Case& c, const Line& line);
+// Of an inextensible chain of length L [m] without friction between a point of a level bed and one X m away
+// and h m above it: tension where it lies over weight per length [m]. Negative: none of it lies.
+double slack_tension(double L, double X, double h);
 // kg/m of a type less the water that it displaces, at a height z [m] below the surface; above it all.
 double mass_in_water(const Case& c, const LineType& type, double z);
 

@@ -1,0 +1,66 @@
+// Whether the columns of a table of responses are in the units that they should have: periods in s,
+// directions and phases in deg, rotations in deg/m. What long waves do to any vessel tells: it follows their
+// height and their slope.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "hawser/io/case_reader_parts.hpp"
+
+namespace hawser::io {
+namespace {
+
+constexpr double kTurn = 6.3;  // a whole turn in rad, rounded
+
+bool whole(double x) { return x == std::round(x); }
+
+}  // namespace
+
+std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& rows, double gravity) {
+  std::vector<std::string> out;
+  double longest = 0, farthest = 0, latest = 0, most = 0, steepest = 0, follows = 0, least = HUGE_VAL;
+  bool broken_direction = false, broken_phase = false;
+  std::set<double> directions;
+  for (const std::vector<double>& r : rows) {
+    longest = std::max(longest, r[0]);
+    directions.insert(r[1]);
+    farthest = std::max(farthest, std::abs(r[1]));
+    broken_direction |= !whole(r[1]);
+    for (std::size_t k = 2; k < 14; k += 2) {
+      if (!(r[k] > 0)) continue;
+      latest = std::max(latest, std::abs(r[k + 1]));
+      broken_phase |= !whole(r[k + 1]);
+      if (k < 8) most = std::max(most, r[k]);
+    }
+    if (r[0] < 10) continue;
+    // deg of slope for 1 m of amplitude, in deep water
+    const double slope = 4 * M_PI * M_PI / (gravity * r[0] * r[0]) * 180 / M_PI;
+    const double turns = std::max(r[8], r[10]) / slope;
+    steepest = std::max(steepest, turns);
+    follows = std::max(follows, r[6]);
+    if (turns > 0) least = std::min(least, turns);
+  }
+  if (longest < 3 && rows.size() > 1)
+    out.push_back(fmt::format("the longest period is {:g} s: is the first column a frequency?", longest));
+  if (directions.size() > 1 && broken_direction && farthest < kTurn)
+    out.push_back(fmt::format("all directions are within {:g} deg: are they in rad?", farthest));
+  if (rows.size() > 2 && broken_phase && latest > 0.5 && latest < kTurn)
+    out.push_back(fmt::format("all phases are within {:g} deg: are they in rad?", latest));
+  if (most > 20)
+    out.push_back(fmt::format("it moves {:g} m for each m of a wave: are translations in m/m?", most));
+  if (steepest > 0 && steepest < 0.05 && follows > 0.3)
+    out.push_back(fmt::format(
+        "in waves of 10 s and more roll and pitch are {:.2g} of the wave's slope at most: are they in "
+        "rad/m, not deg/m?",
+        steepest));
+  if (least < HUGE_VAL && least > 30)
+    out.push_back(
+        fmt::format("in waves of 10 s and more it rolls or pitches {:.3g} times the wave's slope: are "
+                    "rotations in deg/m?",
+                    least));
+  return out;
+}
+
+}  // namespace hawser::io

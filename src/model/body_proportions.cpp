@@ -1,0 +1,172 @@
+// What no body is or does: mass, volume and inertia of no material, springs whose motion takes no time or
+// hours, weight that does not act where it should, and motions with accelerations that no vessel has.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/body_motion.hpp"
+#include "hawser/model/doubts.hpp"
+#include "unit_hint.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr int kBodyKinds = 70;  // the first of this file's kinds
+
+class BodyProportions {
+ public:
+  BodyProportions(const Case& c, const Body& b, std::vector<Doubt>& out)
+      : c_(c), b_(b), key_("bodies." + b.name), out_(out) {}
+
+  void run() {
+    if (b_.mass) floating(*b_.mass);
+    motion();
+  }
+
+ private:
+  template <class... Args>
+  void warn(int kind, const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
+    out_.push_back({key_ + "." + key, fmt::format(text, std::forward<Args>(args)...), kBodyKinds + kind});
+  }
+
+  void floating(const BodyMass& m) {
+    if (m.in_water) in_water(m, *m.in_water);
+    inertia(m);
+    springs(m);
+    weight(m);
+  }
+
+  // kg/m³: an air bag has 6, a pneumatic fender 90, solid steel 7850.
+  void in_water(const BodyMass& m, const BodyInWater& w) {
+    constexpr double kLeast = 5, kMost = 12000, kLight = 30;
+    const double density = m.mass / w.volume, size = std::cbrt(w.volume);
+    if (density < kLight || density > kMost)
+      warn(0, "floating.mass", "{:.4g} kg in a volume of {:.4g} m³ are {:.3g} kg/m³, {}{}", m.mass, w.volume,
+           density,
+           density < kLeast   ? "lighter than an air bag"
+           : density < kLight ? "as light as an air bag: it floats on the water"
+                              : "heavier than lead",
+           unit_hint(c_, {"bodies", b_.name, "floating", "mass"},
+                     [&](double x) { return x > kLight * w.volume && x < kMost * w.volume; }));
+    if (const double ratio = w.height / size; ratio < 0.02 || ratio > 50)
+      warn(1, "floating.in_water.height",
+           "{:.4g} m is {:.2g} times the side of a cube of its volume, {:.3g} m", w.height, ratio, size);
+    const double drag = w.drag_area.maxCoeff() / (size * size);
+    if (drag > 0 && (drag < 0.01 || drag > 200))
+      warn(2, "floating.in_water.drag_area", "{:.3g} m² is {:.2g} times volume^(2/3), {:.3g} m²",
+           w.drag_area.maxCoeff(), drag, size * size);
+    const double added = w.added_mass.maxCoeff() / (c_.environment.water.density * w.volume);
+    if (added > 30)
+      warn(3, "floating.in_water.added_mass", "{:.3g} kg is {:.3g} times the water that it displaces",
+           w.added_mass.maxCoeff(), added);
+  }
+
+  // Radius of gyration beside that of a steel ball of the mass, than which nothing is denser by much; the
+  // widest frames and ships have some ten times that.
+  void inertia(const BodyMass& m) {
+    const double ball = std::cbrt(3 * m.mass / (4 * M_PI * 7850)), least = 0.3 * std::sqrt(0.4) * ball,
+                 most = 150 * ball;
+    const double small = std::sqrt(m.inertia.minCoeff() / m.mass),
+                 large = std::sqrt(m.inertia.maxCoeff() / m.mass);
+    if (small >= least && large <= most) return;
+    const double off = small < least ? small : large;
+    warn(4, "floating.inertia",
+         "a radius of gyration of {:.2g} m is {} for a body of {:.4g} kg (a steel ball has {:.2g} m): are "
+         "mass and "
+         "inertia in kg and kg m²?",
+         off, off == small ? "none" : "too much", m.mass, std::sqrt(0.4) * ball);
+  }
+
+  // Periods of its springs alone.
+  void springs(const BodyMass& m) {
+    constexpr double kShortest = 0.02, kLongest = 3000;  // s
+    for (int i = 0; i < 3; ++i) {
+      if (!(m.stiffness[i] > 0)) continue;
+      const double period = 2 * M_PI * std::sqrt(m.mass / m.stiffness[i]);
+      if (period < kShortest || period > kLongest)
+        return warn(5, "floating.stiffness",
+                    "{:.3g} N/m with {:.4g} kg is a period of {:.2g} s: is it in other units?",
+                    m.stiffness[i], m.mass, period);
+      const double damping = m.damping[i] / (2 * std::sqrt(m.stiffness[i] * m.mass));
+      if (damping > 20)
+        return warn(6, "floating.damping", "{:.3g} N s/m is {:.3g} times the critical damping of its spring",
+                    m.damping[i], damping);
+    }
+  }
+
+  // Of what hangs in air or lies deep in the water.
+  void weight(const BodyMass& m) {
+    constexpr double kAbove = 5;  // m, over the still water
+    const Water& w = c_.environment.water;
+    if (!w.present || m.in_water) return;
+    const double z = b_.position.z() - w.surface;
+    const bool held = m.stiffness.z() > 0;
+    if (!m.weight && !held && z > kAbove && c_.environment.gravity > 0)
+      warn(7, "floating.weight",
+           "hangs or stands {:.3g} m above the water and weighs nothing: 'weight: true' gives it its weight",
+           z);
+    if (m.weight && z < -kAbove)
+      warn(8, "floating",
+           "is {:.3g} m deep and has no buoyancy, added mass or drag: 'in_water' gives it those", -z);
+  }
+
+  // What stands on a deck lifts off where it falls faster than g, and nothing is steered at more.
+  void motion() {
+    const double g = c_.environment.gravity > 0 ? c_.environment.gravity : 9.80665;
+    if (const auto* h = std::get_if<HarmonicMotion>(&b_.motion)) {
+      const double omega = 2 * M_PI / h->period, a = h->amplitude.norm() * omega * omega;
+      if (a > kMostG * g)
+        warn(9, "motion.harmonic",
+             "{:.3g} m every {:.3g} s is an acceleration of {:.2g} g: is the amplitude in m, and the period "
+             "in s?",
+             h->amplitude.norm(), h->period, a / g);
+      drift(g);
+      return;
+    }
+    const auto* t = std::get_if<TableMotion>(&b_.motion);
+    if (t && !t->offset.empty()) table(*t, t->of_waves ? "motion.rao" : "motion.table", g);
+    drift(g);
+  }
+  void drift(double g) {
+    if (!b_.drift) return;
+    const HarmonicMotion& h = b_.drift->harmonic;
+    const double omega = 2 * M_PI / h.period, a = h.amplitude.norm() * omega * omega;
+    if (a > kMostG * g)
+      warn(9, "motion.drift.harmonic",
+           "{:.3g} m every {:.3g} s is an acceleration of {:.2g} g, of a slow drift", h.amplitude.norm(),
+           h.period, a / g);
+    if (!b_.drift->table.offset.empty()) table(b_.drift->table, "motion.drift.table", g);
+  }
+  void table(const TableMotion& t, const std::string& key, double g) {
+    double fastest = 0, at = 0;
+    for (std::size_t i = 1; i < t.time.size(); ++i) {
+      const double v = (t.offset[i] - t.offset[i - 1]).norm() / (t.time[i] - t.time[i - 1]);
+      if (v > fastest) fastest = v, at = t.time[i];
+    }
+    if (fastest > kMostSpeed)
+      return warn(10, key, "moves at {:.3g} m/s at {:.4g} s: are its columns s and m?", fastest, at);
+    double most = 0;
+    for (std::size_t i = 1; i + 1 < t.time.size(); ++i) {
+      const double before = t.time[i] - t.time[i - 1], after = t.time[i + 1] - t.time[i];
+      const Vec3 jump = (t.offset[i + 1] - t.offset[i]) / after - (t.offset[i] - t.offset[i - 1]) / before;
+      if (const double a = 2 * jump.norm() / (before + after); a > most) most = a, at = t.time[i];
+    }
+    if (t.between != BetweenRows::linear && most > kMostG * g)
+      warn(10, key, "has an acceleration of {:.2g} g at {:.4g} s: are its columns s and m?", most / g, at);
+  }
+
+  static constexpr double kMostG = 2, kMostSpeed = 30;  // g; m/s, 60 knots
+  const Case& c_;
+  const Body& b_;
+  std::string key_;
+  std::vector<Doubt>& out_;
+};
+
+}  // namespace
+
+void warn_of_bodies(const Case& c, std::vector<Doubt>& out) {
+  for (const Body& b : c.bodies) BodyProportions(c, b, out).run();
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,187 @@
+// Proportions of a line type that no section of any material has: of stiffnesses to each other, of diameters,
+// of strength and of the radius that it may be bent to. Mass and EA over the area are in
+// doubts_line_types.cpp.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/doubts.hpp"
+#include "unit_hint.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr int kTypeKinds = 30;  // the first of this file's kinds
+
+bool between(double x, double least, double most) { return x >= least && x <= most; }
+
+class Proportions {
+ public:
+  Proportions(const Case& c, const LineType& t, std::vector<Doubt>& out)
+      : c_(c), t_(t), key_("line_types." + t.name), out_(out) {}
+
+  void run() {
+    // Where mass, diameter and EA do not fit each other already, the rest follows from that.
+    const auto known = [this](const Doubt& d) { return d.key == key_; };
+    if (std::any_of(out_.begin(), out_.end(), known)) return;
+    if (t_.kind == LineKind::beam) {
+      bending();
+      torsion();
+      shear();
+      curvatures();
+    }
+    strength();
+    softness();
+    diameter(t_.displaced(), "displaced_diameter", 0.4, 2);
+    diameter(t_.dragged(), "drag_diameter", 0.2, 5);
+    diameter(t_.contact_diameter, "contact_diameter", 0.2, 5);
+    bend_radius();
+    wall();
+    strains();
+  }
+
+ private:
+  template <class... Args>
+  void warn(int kind, const char* key, fmt::format_string<Args...> text, Args&&... args) {
+    out_.push_back(
+        {key_ + (*key ? "." : "") + key, fmt::format(text, std::forward<Args>(args)...), kTypeKinds + kind});
+  }
+  std::string hint(const char* key, const std::function<bool(double)>& fits) const {
+    return unit_hint(c_, {"line_types", t_.name, key}, fits);
+  }
+  // Radius of gyration of the section's stiffness [m].
+  double gyration(double EI) const { return std::sqrt(EI / t_.EA); }
+
+  // The stiffness of a section is at most D/2 from its axis: EI2 + EI3 = sum of E A r² <= EA D²/4. A bundle
+  // of loose wires of diameter d has EI = EA d²/16, and none has more than 10^4 of them: d >= D/125.
+  void bending() {
+    // EA of spiral ropes and hoses is that of their lay, below that of their material; rods of benchmarks and
+    // hulls that are made lines have up to 12 times that. A kN for a N makes 1000.
+    constexpr double kGive = 13;
+    const double D = t_.outer_diameter, EI = 0.5 * (t_.EI2 + t_.EI3);
+    const double most = kGive * D * D / 8, least = std::pow(D / 125, 2) / 16;
+    if (between(EI / t_.EA, least, most)) return;
+    const auto fits = [&](double x) { return between(x / t_.EA, least, most); };
+    if (EI / t_.EA > most)
+      warn(0, "EI",
+           "with its EA it is {:.3g} m from the axis (sqrt(EI/EA)), and a diameter of {:.4g} m has {:.3g} m "
+           "at most{}",
+           gyration(EI), D, D / std::sqrt(8.0), hint("EI", fits));
+    else
+      warn(0, "EI",
+           "{:.3g} N m² with an EA of {:.3g} N is the stiffness of loose wires of {:.2g} mm in a diameter of "
+           "{:.4g} m{}",
+           EI, t_.EA, 4000 * gyration(EI), D, hint("EI", fits));
+  }
+
+  // Of a round section GJ/EI = 1/(1 + nu) = 0.67 to 1; helical armour makes that up to 300.
+  void torsion() {
+    const double EI = 0.5 * (t_.EI2 + t_.EI3), least = 0.05, most = 500;
+    if (between(t_.GJ / EI, least, most)) return;
+    warn(1, "GJ", "{:.4g} N m² is {:.2g} times EI: round sections have 0.7 to 1, armoured cables up to 300{}",
+         t_.GJ, t_.GJ / EI, hint("GJ", [&](double x) { return between(x / EI, least, most); }));
+  }
+
+  // G is below E.
+  void shear() {
+    if (t_.GA == 0 || between(t_.GA / t_.EA, 1e-4, 1)) return;
+    warn(2, "GA", "{:.4g} N is {:.2g} times EA, and the shear stiffness of a section is 0.1 to 0.5 of it{}",
+         t_.GA, t_.GA / t_.EA, hint("GA", [&](double x) { return between(x / t_.EA, 1e-4, 1); }));
+  }
+
+  // The strain of the outer fibre where tables of bending end.
+  void curvatures() {
+    double last = 0;  // 1/m
+    const char* key = "EI";
+    if (t_.moment_table) last = t_.moment_table->last();
+    if (t_.plastic_bending) last = t_.plastic_bending->last(), key = "plasticity";
+    const double strain = 0.5 * last * t_.outer_diameter;
+    if (last == 0 || between(strain, 1e-5, 2)) return;
+    warn(3, key,
+         "its table ends at {:.4g} 1/m, a strain of {:.2g} in a diameter of {:.4g} m: are the columns 1/m "
+         "and N m?",
+         last, strain, t_.outer_diameter);
+  }
+
+  // Strain at which it breaks, were it linear: steel 0.2 % and more, nylon 40 %.
+  void strength() {
+    if (!(t_.breaking_load > 0) || t_.tension_table) return;
+    const double strain = t_.breaking_load / t_.EA, least = 5e-4, most = 1;
+    if (between(strain, least, most)) return;
+    const std::string of_load =
+        hint("breaking_load", [&](double x) { return between(x / t_.EA, least, most); });
+    warn(4, "breaking_load",
+         "{:.4g} N over an EA of {:.4g} N is a strain of {:.2g} %; lines break at 0.2 to 50 %{}",
+         t_.breaking_load, t_.EA, 100 * strain, of_load);
+  }
+
+  // Metals are as dense as this, and none of them is as soft; chains are 30 GPa over this diameter, wire
+  // ropes 50.
+  void softness() {
+    constexpr double kDense = 3500, kSoft = 1e8;  // kg/m³, Pa
+    const double D = t_.outer_diameter, area = M_PI / 4 * D * D;
+    if (!(t_.mass_per_length / area > kDense) || !(t_.EA / area < kSoft)) return;
+    warn(5, "EA",
+         "{:.4g} N over {:.4g} m is a modulus of {:.3g} MPa, and {:.3g} t/m³ are metal, of 20 GPa and more{}",
+         t_.EA, D, t_.EA / area / 1e6, t_.mass_per_length / area / 1000,
+         hint("EA", [&](double x) { return between(x / area, 5e9, 250e9); }));
+  }
+
+  void diameter(double d, const char* key, double least, double most) {
+    const double ratio = d / t_.outer_diameter;
+    if (between(ratio, least, most)) return;
+    if (std::string_view(key) == "displaced_diameter" && !given(key))
+      return warn(
+          6, "",
+          "its mass and weight are those of {:.4g} m of displaced water, and its outer diameter is {:.4g} m",
+          d, t_.outer_diameter);
+    if (!given(key)) return;  // another one is odd
+    warn(6, key, "{:.4g} m is {:.2g} times the outer diameter; {:g} to {:g} times are usual{}", d, ratio,
+         least, most, hint(key, [&](double x) { return between(x / t_.outer_diameter, least, most); }));
+  }
+  bool given(const char* key) const {
+    const Value* v = c_.tree ? c_.tree->find("line_types") : nullptr;
+    v = v ? v->find(t_.name) : nullptr;
+    v = v ? v->find(key) : nullptr;
+    return v && v->given;
+  }
+
+  // In diameters: ropes and hoses 2 to 20, steel pipes 100 to 300 (a strain of 0.2 to 0.5 %).
+  void bend_radius() {
+    if (!(t_.minimum_bend_radius > 0)) return;
+    const double ratio = t_.minimum_bend_radius / t_.outer_diameter, least = 0.5, most = 2000;
+    if (between(ratio, least, most)) return;
+    warn(7, "minimum_bend_radius", "{:.4g} m is {:.2g} diameters; lines may be bent to 2 to 500 diameters{}",
+         t_.minimum_bend_radius, ratio,
+         hint("minimum_bend_radius", [&](double x) { return between(x / t_.outer_diameter, least, most); }));
+  }
+
+  // Of a pipe that no code judges.
+  void wall() {
+    if (t_.steel || !given("pipe") || !(t_.wall_diameter > t_.inner_diameter)) return;
+    const double slender = t_.wall_diameter / (0.5 * (t_.wall_diameter - t_.inner_diameter));
+    if (slender > 150)
+      warn(8, "pipe.wall_thickness", "D/t is {:.3g}; pipes have 5 to 60, and 150 buckle like cans", slender);
+  }
+
+  void strains() {
+    if (!t_.tension_table || !(t_.tension_table->last() > 3)) return;
+    warn(9, "EA",
+         "its table goes up to a strain of {:g}, which is {:g} times its length: are the strains in %?",
+         t_.tension_table->last(), 1 + t_.tension_table->last());
+  }
+
+  const Case& c_;
+  const LineType& t_;
+  std::string key_;
+  std::vector<Doubt>& out_;
+};
+
+}  // namespace
+
+void warn_of_proportions(const Case& c, std::vector<Doubt>& out) {
+  for (const LineType& t : c.line_types) Proportions(c, t, out).run();
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,108 @@
+// Whether water, bed, waves and the time that is run fit each other and what the lines are in.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/geometry/surface.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/doubts.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr int kSeaKinds = 85;  // the first of this file's kinds
+
+void dry_bed(const Case& c, std::vector<Doubt>& out) {
+  const Seabed& bed = c.environment.seabed;
+  const Water& w = c.environment.water;
+  if (!bed.present || c.lines.empty()) return;
+  if (!w.present && c.environment.gravity > 0 && bed.depth > 0) {
+    out.push_back({"environment",
+                   fmt::format("there is a seabed {:.4g} m down and no water: the lines hang in air; "
+                               "'water: {{depth: {:.6g}}}' is the sea",
+                               bed.depth, bed.depth),
+                   kSeaKinds});
+    return;
+  }
+  double highest = -bed.depth;
+  if (bed.surface) highest = bed.surface->bounds().hi.z();
+  const double lowest = bed.surface && std::isfinite(bed.depth) ? -2 * bed.depth - highest : highest;
+  if (w.present && lowest > w.surface)
+    out.push_back({bed.surface ? "environment.seabed" : "environment.seabed.depth",
+                   fmt::format("all of the bed is above the water, {:.4g} m and more: z points up{}",
+                               lowest - w.surface,
+                               bed.surface ? "; 'depths: true' is for a grid that counts downwards" : ""),
+                   kSeaKinds + 1});
+}
+
+// Waves break where they are as high as the water is deep.
+void shallow_waves(const Case& c, std::vector<Doubt>& out) {
+  const Water& w = c.environment.water;
+  const bool spectrum = w.waves.kind == Waves::Kind::spectrum;
+  if (!spectrum || !(w.depth > 0) || w.waves.height < 0.8 * w.depth) return;
+  out.push_back({"environment.waves",
+                 fmt::format("a significant height of {:.4g} m is {:.2g} times the depth of the water, "
+                             "{:.4g} m: it breaks at 0.6",
+                             w.waves.height, w.waves.height / w.depth, w.depth),
+                 kSeaKinds + 2});
+}
+
+// What a table of a spectrum adds up to: 4 sqrt(m0) m and its peak, against the steepest seas (DNV-RP-C205
+// 3.5.4, 1/15 at 8 s and below) and the longest swell.
+void spectrum_rows(const Case& c, std::vector<Doubt>& out) {
+  const Waves& w = c.environment.water.waves;
+  if (w.kind != Waves::Kind::table) return;
+  double energy = 0;
+  for (std::size_t i = 1; i < w.spectrum.size(); ++i)
+    energy += 0.5 * (w.spectrum[i].omega - w.spectrum[i - 1].omega) *
+              (w.spectrum[i].density + w.spectrum[i - 1].density);
+  const double hs = 4 * std::sqrt(energy), tp = w.peak_period;
+  const double steepness = 2 * M_PI * hs / (c.environment.gravity * tp * tp);
+  constexpr double kSteepest = 1.0 / 12, kLongest = 40, kHighest = 25;
+  if (steepness < kSteepest && tp < kLongest && hs < kHighest) return;
+  out.push_back(
+      {"environment.waves.spectrum",
+       fmt::format(
+           "its rows make waves of {:.3g} m with a peak at {:.3g} s, {}: is 'frequency' right (hz or rad_s)?",
+           hs, tp,
+           tp >= kLongest   ? "longer than any swell"
+           : hs >= kHighest ? "higher than any sea"
+                            : "which would break"),
+       kSeaKinds + 3});
+}
+
+// What starts over a time that the run does not reach, and motion that no run shows.
+void unseen_motion(const Case& c, std::vector<Doubt>& out) {
+  const Water& w = c.environment.water;
+  const bool waves = w.waves.kind != Waves::Kind::none;
+  const auto ramp = [&](double length, const std::string& key) {
+    if (length > c.dynamics.duration)
+      out.push_back({key,
+                     fmt::format("{:.4g} s is longer than the run of {:.4g} s, whose end sees {:.2g} % of it",
+                                 length, c.dynamics.duration, 100 * c.dynamics.duration / length),
+                     kSeaKinds + 4, Effect::part});
+  };
+  if (!c.dynamics.enabled) {
+    if (waves)
+      out.push_back({"environment.waves",
+                     "they act in dynamics only, and without 'dynamics' nothing of them is seen",
+                     kSeaKinds + 5, Effect::part});
+    return;
+  }
+  if (waves && possible(w.waves)) ramp(w.waves.ramp, "environment.waves.ramp");
+  if (!w.current.profile.empty()) ramp(w.current.ramp, "environment.current.ramp");
+  for (const Body& b : c.bodies)
+    if (b.motion.index() != 0) ramp(b.ramp, fmt::format("bodies.{}.motion.ramp", b.name));
+}
+
+}  // namespace
+
+void warn_of_surroundings(const Case& c, std::vector<Doubt>& out) {
+  dry_bed(c, out);
+  shallow_waves(c, out);
+  spectrum_rows(c, out);
+  unseen_motion(c, out);
+}
+
+}  // namespace hawser::model
