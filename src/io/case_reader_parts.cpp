@@ -51,6 +51,12 @@ std::string CaseSource::absolute(const std::string& path) const {
   return (fs::path(directory) / fs::path(path)).lexically_normal().string();
 }
 
+std::string CaseSource::input(const std::string& path) const {
+  std::string named = absolute(path);
+  if (inputs && std::find(inputs->begin(), inputs->end(), named) == inputs->end()) inputs->push_back(named);
+  return named;
+}
+
 void CaseSource::bad(const Value& v, const std::string& key, const std::string& text) const {
   model::fail(file, v.line, key, text);
 }
@@ -77,7 +83,7 @@ GivenRows read_given_rows(const Value& v, const CaseSource& source) {
   const bool from_file = v.has("file");
   GivenRows given{v[from_file ? "file" : "rows"], {}};
   if (from_file) {
-    given.rows = read_rows(source.absolute(given.at.text), given.at);
+    given.rows = read_rows(source.input(given.at.text), given.at);
     return given;
   }
   for (const Value& r : given.at.items) {
