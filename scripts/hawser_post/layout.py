@@ -12,6 +12,7 @@ def text_of(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
+LARGEST = 1e60  # the program takes no larger numbers from a case
 NUMBERS, INTEGERS, TEXTS, RECORDS = "numbers", "whole numbers", "texts", "records"
 KINDS = {NUMBERS: "fiu", INTEGERS: "iu", TEXTS: "SOU", RECORDS: "V"}
 
@@ -54,8 +55,8 @@ class Layout:
         return [] if found is None else list(found)
 
     def finite(self, name, values, growing=False):
-        if not np.all(np.isfinite(values)) or growing and np.any(np.diff(values) < 0):
-            self.bad(name, "does not hold growing numbers" if growing else "holds what is no number")
+        if not np.all(np.abs(values) <= LARGEST) or growing and np.any(np.diff(values) < 0):  # nor NaN
+            self.bad(name, "does not hold growing numbers" if growing else "holds what is no number of that kind")
 
     def records(self, name, *columns, shape=(None,), needed=True):
         found = self.data(name, RECORDS, *shape, needed=needed)
@@ -82,15 +83,17 @@ class Layout:
         self.check_bodies()
         self.check_clashes()
         for name, shape in (("components", (None, 6)), ("level", (1,)), ("ramp", (1,))):
-            self.data(f"waves/{name}", NUMBERS, *shape, needed="waves" in self.file)
+            if "waves" in self.file:
+                self.finite(f"waves/{name}", self.data(f"waves/{name}", NUMBERS, *shape)[:])
 
     def check_lines(self):
         arc = self.data("nodes/arc_length", NUMBERS, None)
-        self.finite("nodes/arc_length", arc[:])
         self.lines, self.nodes = len(self.data("lines/name", TEXTS, None)), len(arc)
         first, nodes = (self.data(f"lines/{name}", INTEGERS, self.lines)[:].astype(int) for name in ("first_node", "nodes"))
         if np.any(first < 0) or np.any(nodes < 2) or np.any(first + nodes > self.nodes):
             self.bad("lines/nodes", f"counts nodes that are not among the {self.nodes} there are")
+        for begin, count in zip(first, nodes):
+            self.finite("nodes/arc_length", arc[begin : begin + count], growing=True)
 
     def check_fields(self):
         for name in self.group("fields"):
@@ -123,7 +126,9 @@ class Layout:
         names = self.data("bodies/name", TEXTS, None, needed=False)
         self.bodies = 0 if names is None else len(names)
         for name, size in (("position", 3), ("rotation", 4)):
-            self.data(f"bodies/{name}", NUMBERS, AtLeast(self.outputs), self.bodies, size, needed=self.bodies > 0)
+            if self.bodies:
+                found = self.data(f"bodies/{name}", NUMBERS, AtLeast(self.outputs), self.bodies, size)
+                self.finite(f"bodies/{name}", found[: self.outputs])
         for name in self.group("volumes"):
             if {"vertices", "triangles"} <= set(self.group(f"volumes/{name}")):
                 place = f"volumes/{name}"

@@ -1,5 +1,6 @@
 """A results file of hawser: lines, outputs, histories and extremes as arrays, in SI units."""
 import json
+import os
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -7,7 +8,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from .layout import Refusal, check_layout, text_of
+from .layout import LARGEST, Refusal, check_layout, text_of
 
 
 @dataclass
@@ -100,9 +101,12 @@ class Results:
 
     @property
     def inputs(self):
-        """Files that must not be written over: these results, and what their run has read."""
-        case = [self.attribute("case_path")] if self.attribute("case_path") else []
-        return [self.path, *case, *map(str, self.as_read.get("inputs", []))]
+        """Files that must not be written over: these results, and what their run has read, where it was and, as results are moved
+        along with their case, as seen from here."""
+        case = self.attribute("case_path")
+        read = [*([case] if case else []), *map(str, self.as_read.get("inputs", []))]
+        beside = [self.path.parent / os.path.relpath(file, os.path.dirname(case)) for file in read] if case else []
+        return [self.path, *read, *beside]
 
     def attribute(self, name):
         return text_of(self.file.attrs.get(name, ""))
@@ -154,7 +158,7 @@ class Results:
             raise Refusal(f"there is no field '{name}' (there are: {', '.join(self.fields)})")
         rows = slice(self.rows.start, self.rows.stop) if output is None else self.rows[output]
         values = self.file["fields"][name][rows, line.nodes]
-        if name == "position" and not np.all(np.isfinite(values)):
+        if name == "position" and not np.all(np.abs(values) <= LARGEST):  # nor NaN
             raise Refusal(f"{self.path}: is damaged: line '{line.name}' has nodes whose position is no number")
         return values
 

@@ -36,6 +36,9 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
     std::istringstream words(line);
     for (std::string w; words >> w;) {
       const model::Quantity q = model::parse_quantity(w, model::Dimension::none);
+      if (q.status == model::Quantity::Status::out_of_range)
+        refuse(at, "{}:{}: {} is out of range; a number is 0 or between {:g} and {:g} in size", path, n,
+               model::quote(w), model::kSmallest, model::kLargest);
       if (q.status != model::Quantity::Status::ok)
         refuse(at, "{}:{}: {} is no finite number", path, n, model::quote(w));
       row.push_back(q.si);

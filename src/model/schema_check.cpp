@@ -160,6 +160,9 @@ class Checker {
       }
       case Quantity::Status::not_finite:
         bad(v, path, "{} is not a finite number", quote(v.text));
+      case Quantity::Status::out_of_range:
+        bad(v, path, "{} is out of range; a number is 0 or between {:g} and {:g} in size", quote(v.text),
+            kSmallest, kLargest);
       case Quantity::Status::wrong_unit: {
         if (const std::string hint = misspelt_number(q.unit); !hint.empty()) wrong_type(v, k, path, hint);
         if (k.unit == Dimension::none)
