@@ -108,6 +108,8 @@ def along(results, line, outer=None, thickness=None):
     largest = np.full(moment.shape, np.nan)
     for wall, tension, outside, inside in walls_along(results, line, outer, thickness):
         largest = np.fmax(largest, von_mises(wall, tension, moment, torsion, outside, inside))
+    if np.isnan(largest).all():
+        raise Refusal(f"{results.path}: the stress of line '{line.name}' is nowhere known, as its tension or its moments are no numbers")
     return largest
 
 

@@ -103,7 +103,7 @@ class EventCheck {
   void check_cut(const Action& a) {
     const Line& l = line(a.whole);
     const double length = length_of(l);
-    if (!(a.cut < length * (1 - kArcTolerance)))
+    if (!(a.cut < length))
       return issue("cut.at", "arc length {:.6g} m is not within line '{}', which is {:.6g} m long", a.cut,
                    a.whole, length);
     check_parts(a, length);
