@@ -49,7 +49,7 @@ set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-  "openmpi-bin, python3, python3-h5py, python3-matplotlib, python3-numpy, python3-scipy, python3-yaml")
+  "openmpi-bin, python3, python3-h5py, python3-matplotlib, python3-numpy, python3-scipy")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)

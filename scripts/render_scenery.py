@@ -13,8 +13,8 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import numpy as np  # noqa: E402
 
-from hawser_post.results import Refusal, Results, metres  # noqa: E402
-from hawser_post.sea import Sea, dictionary  # noqa: E402
+from hawser_post.results import Refusal, Results, dictionary  # noqa: E402
+from hawser_post.sea import Sea  # noqa: E402
 from hawser_post.stress import of_type  # noqa: E402
 
 SEA, BED, BUOY, JOINT, BODY = [0.35, 0.60, 0.85], [0.80, 0.72, 0.56], [0.93, 0.60, 0.15], [0.25, 0.25, 0.28], [0.45, 0.48, 0.55]
@@ -36,10 +36,10 @@ def sections_of(results):
     types, lines = dictionary(results.keys.get("line_types")), dictionary(results.keys.get("lines"))
     out = []
     for line in results.lines:
-        sections = [s for s in (dictionary(lines.get(line.name)).get("sections") or []) if isinstance(s, dict)]
-        ends = np.cumsum([metres(s.get("length"), math.nan) for s in sections])
-        widths = [of_type(types.get(s.get("type")))[0] for s in sections]
-        if len(ends) == 0 or np.isnan(ends).any():
+        sections = dictionary(lines.get(line.name)).get("sections") or []
+        ends = np.cumsum([s["length"] for s in sections])
+        widths = [of_type(dictionary(types.get(s["type"])))[0] for s in sections]
+        if len(ends) == 0:
             ends, widths = [line.length], [math.nan]
         out.append([(float(e), float(w)) for e, w in zip(ends, widths)])
     return out
@@ -147,16 +147,14 @@ class Scenery:
     def masses(self, output):
         """Buoys and clump weights as balls of their volume, others as marks."""
         for line, keys in zip(self.results.lines, self.case):
-            masses = [m for m in (keys.get("masses") or []) if isinstance(m, dict)]
+            masses = keys.get("masses")
             if not masses:
                 continue
             x = self.results.field("position", line, output)
             for mass in masses:
-                at = {"end_a": 0.0, "end_b": line.length}.get(mass.get("at"), metres(mass.get("at"), math.nan))
-                volume = metres(str(mass.get("volume", "")).replace("m3", "m").replace("m^3", "m"), 0.0)
-                if not math.isnan(at):
-                    centre = [np.interp(at, line.arc, x[:, k]) for k in range(3)]
-                    yield centre, max((0.75 * volume / math.pi) ** (1 / 3), 0.5 * self.size)
+                at = {"end_a": 0.0, "end_b": line.length}.get(mass["at"], mass["at"])
+                centre = [np.interp(at, line.arc, x[:, k]) for k in range(3)]
+                yield centre, max((0.75 * mass["volume"] / math.pi) ** (1 / 3), 0.5 * self.size)
 
     def joined(self, output):
         """Name and place of each joint, where the first line that names it ends."""

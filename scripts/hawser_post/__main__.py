@@ -1,22 +1,26 @@
 """The commands that look at results: hawser report, plot, export, extremes, fatigue, pipe and lay."""
+import os
 import sys
+import traceback
+import warnings
 from pathlib import Path
 
 try:
     from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_told, plot, report, scene
-    from .arguments import Parser, add_set, time_from
+    from .arguments import Parser, add_set, place_for, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
 except ModuleNotFoundError as missing:
     sys.exit(f"hawser: this needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
-             "python3-scipy python3-yaml (scripts/install-deps does)")
+             "python3-scipy (scripts/install-deps does)")
 
 
 def make_report(options):
     results = results_of(options.results, options.changes)
-    path = Path(options.output) if options.output else results.path.with_suffix(".html")
     refuse_since(results, options.since)
-    report.make(results, path, options.since or 0.0, modes_of(options.results, options.changes) if options.modes else None)
+    modes = modes_of(options.results, options.changes) if options.modes else None
+    path = place_for(options.output or results.path.with_suffix(".html"), filter(None, (results, modes)), (".html", ".htm"), "a report")
+    report.make(results, path, options.since or 0.0, modes)
     print(f"report: {path}")
 
 
@@ -118,19 +122,33 @@ def commands():
 
 def main(arguments=None):
     options = commands().parse_args(arguments)
+    if not sys.warnoptions:
+        warnings.simplefilter("ignore")  # of NumPy and Matplotlib, for programmers
     try:
         options.do(options)
+        sys.stdout.flush()
     except Refusal as refusal:
-        print(f"hawser: {refusal}", file=sys.stderr)
-        return 2
+        return failed(refusal, 2)
+    except BrokenPipeError:  # who reads what is printed has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
     except OSError as error:
-        what = f"{error.filename}: cannot be written ({error.strerror})" if error.filename else str(error)
-        print(f"hawser: {what}", file=sys.stderr)
-        return 1
-    except KeyError as missing:
-        print(f"hawser: the results file is damaged or of another version: {missing.args[0]}", file=sys.stderr)
-        return 1
+        if error.filename:
+            return failed(f"{error.filename}: cannot be written ({error.strerror})", 1)
+        return failed(f"a results file is damaged and cannot be read ({first_line(error)})", 2)
+    except Exception as error:  # of this program
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        return failed(f"internal error: {type(error).__name__}: {first_line(error)} ({Path(place.filename).name}:{place.lineno})", 1)
     return 0
+
+
+def first_line(error):
+    return (str(error).splitlines() or [""])[0]
+
+
+def failed(why, code):
+    print(f"hawser: {why}", file=sys.stderr)
+    return code
 
 
 if __name__ == "__main__":

@@ -1,11 +1,14 @@
 """Command lines in sentences: what is wrong in one of them, with the nearest valid word, and --set of a case."""
 import argparse
 import difflib
+import json
 import math
 import os
 import re
+import signal
 import subprocess
 import sys
+from pathlib import Path
 
 from .results import Refusal
 
@@ -72,6 +75,38 @@ def refuse_changes(path, changes):
 
 
 def run_case(command, path, changes, *more):
-    """The exit code of a command of the program, with a case and these changes of it."""
+    """The exit code of a command of the program, with a case and these changes of it. Ctrl-C is the program's, which ends a
+    run with what it has; where that leaves nothing it is answered here."""
+    before = signal.signal(signal.SIGINT, lambda *_: None)  # the program does not inherit this, as it would SIG_IGN
+    try:
+        code = subprocess.run(words_of(command, path, changes, *more)).returncode
+    finally:
+        signal.signal(signal.SIGINT, before)
+    if code == -signal.SIGINT:
+        raise KeyboardInterrupt
+    return code
+
+
+def read_case(path, changes=()):
+    """A case as the program reads it (`hawser check --json`)."""
+    done = subprocess.run(words_of("check", path, changes, "--json"), stdout=subprocess.PIPE)
+    if done.returncode != 0:  # it has said why
+        sys.exit(done.returncode)
+    return json.loads(done.stdout.decode("utf-8", "surrogateescape"))
+
+
+def words_of(command, path, changes, *more):
     given = [word for change in changes for word in ("--set", change)]
-    return subprocess.run([os.environ.get("HAWSER", "hawser"), command, str(path), *more, *given]).returncode
+    return [os.environ.get("HAWSER", "hawser"), command, str(path), *more, *given]
+
+
+def place_for(path, results, endings=(), what="", more=()):
+    """`path` as that of a file to write, refused unless it ends in one of `endings`, and where it is a file that one of these
+    results, or their run, has read; likewise one of `more`."""
+    path = Path(path)
+    if endings and path.suffix not in endings:
+        raise Refusal(f"{path}: {what} is a {' or '.join(filter(None, (', '.join(endings[:-1]), endings[-1])))} file")
+    for known in [*more, *(file for one in results for file in one.inputs)]:
+        if path.exists() and Path(known).exists() and path.samefile(known):
+            raise Refusal(f"{path}: cannot be written, as this command or its run has read it ({known}); give another file with -o")
+    return path

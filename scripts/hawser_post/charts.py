@@ -24,6 +24,11 @@ def shown(unit):
     return name, factor
 
 
+def colour(k, n):
+    """Of the k-th of n curves in one figure, each of which has its own."""
+    return COLOURS[k] if n <= len(COLOURS) else matplotlib.colors.to_hex(matplotlib.colormaps["turbo"](0.05 + 0.9 * k / (n - 1)))
+
+
 def words(name):
     return name.replace("_", " ")
 
@@ -108,8 +113,8 @@ def history(time, curves, unit, name, title=""):
     """curves: (label, values) at the times."""
     unit, factor = shown(unit)
     figure, axes = sheet(2.6)
-    for label_of, values in curves:
-        axes.plot(*thinned(time, values / factor), lw=0.9, label=label_of)
+    for k, (label_of, values) in enumerate(curves):
+        axes.plot(*thinned(time, values / factor), lw=0.9, color=colour(k, len(curves)), label=label_of)
     axes.set(xlabel="time [s]", ylabel=label(name, unit), title=title)
     if len(curves) > 1:
         legend(axes, 6)

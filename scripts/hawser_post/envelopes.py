@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .sections import sections_of
 from .statistics import mean_of
 
 
@@ -48,6 +49,25 @@ def envelope(results, line, field, since=0.0):
     values, time = results.magnitude(field, line)[keep], results.time[keep]
     return Envelope(values.min(axis=0), time[values.argmin(axis=0)], values.max(axis=0), time[values.argmax(axis=0)],
                     mean_of(time, values), False)
+
+
+NOISE = 1e-9  # what is less, of that beside which it counts, is rounding
+
+
+def above_noise(results, line, fields, since=0.0):
+    """Those of these fields that are more than rounding somewhere along a line: beside the largest of the unit there, and a moment
+    also beside tension times diameter, as the stress of bending is 8 M/(T D) times that of tension in a round bar."""
+    sizes = {}
+    for field in results.reported("graph", "table"):
+        found = envelope(results, line, field, since)
+        values = [results.magnitude(field, line, 0)] + ([found.least, found.most] if found else [])
+        sizes[field] = max((float(np.nanmax(np.abs(v))) for v in values if not np.all(np.isnan(v))), default=0.0)
+    scales = {}
+    for field, size in sizes.items():
+        scales[results.unit(field)] = max(size, scales.get(results.unit(field), 0.0))
+    widths = [results.as_read.get("line_types", {}).get(s["type"], {}).get("outer_diameter", 0.0) for s in sections_of(results, line.name)]
+    scales["N m"] = max(scales.get("N m", 0.0), sizes.get("effective_tension", 0.0) * max(widths, default=0.0))
+    return [field for field in fields if field not in sizes or sizes[field] > NOISE * scales[results.unit(field)]]
 
 
 def told(results, fields, since):

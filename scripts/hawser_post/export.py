@@ -5,6 +5,7 @@ import re
 import numpy as np
 
 from . import tables
+from .arguments import place_for
 from .envelopes import envelope, only_one
 
 
@@ -20,8 +21,20 @@ def file_name(name):
     return re.sub(r"[^\w.@+-]+", "_", name)
 
 
+def file_names(names):
+    """For each name one for a file that no other has, letter case aside: `a_b` its own, then `a b` the next, `a_b_2`."""
+    found, taken = {}, set()
+    for name in sorted(names, key=lambda name: file_name(name) != name):
+        wanted, k = file_name(name), 1
+        while (file := wanted if k == 1 else f"{wanted}_{k}").lower() in taken:
+            k += 1
+        taken.add(file.lower())
+        found[name] = file
+    return found
+
+
 def series(results, name):
-    s = results.series(name)
+    s = results.series_at(name)
     head = ["time [s]"] + [f"{c} [{u}]" if u not in ("", "1") else c for c, u in zip(s.columns, s.units)]
     return head, np.column_stack([results.step_time, s.values])
 
@@ -51,26 +64,29 @@ def shapes(results, line):
     return head, np.column_stack(columns)
 
 
-def modes(results, folder):
+def modes(results):
     series = results.series("modes")
-    rows = np.column_stack([np.arange(1, results.steps + 1), series.values])
-    done = [write(folder / "modes.csv", ["mode", "period [s]", "frequency [Hz]"], rows)]
-    return done + [write(folder / f"shape_{file_name(line.name)}.csv", *shapes(results, line)) for line in results.lines]
+    return ["mode", "period [s]", "frequency [Hz]"], np.column_stack([np.arange(1, results.steps + 1), series.values])
 
 
 def everything(results, folder, since=0.0):
-    """`since`: s, from when on statistics and ranges count."""
-    folder.mkdir(parents=True, exist_ok=True)
+    """`since`: s, from when on statistics and ranges count. Paths of the files, none of which is one that was read."""
+    lines, series_of = (file_names(names) for names in ([line.name for line in results.lines], results.series_names))
     if results.modes:
-        return modes(results, folder)
-    done = [write(folder / "lines.csv", *tables.of_lines(results)), write(folder / "ends.csv", *tables.at_ends(results))]
-    for name, (head, rows) in (("extremes", tables.extremes(results)), ("statistics", tables.statistics_of(results, since)),
-                               ("clashes", tables.clashes(results))):
-        if rows:
-            done.append(write(folder / f"{name}.csv", head, rows))
-    for name in results.series_names:
-        kind = "history_" if name in results.histories else ""
-        done.append(write(folder / f"{kind}{file_name(name)}.csv", *series(results, name)))
-    for line in results.lines:
-        done.append(write(folder / f"range_{file_name(line.name)}.csv", *ranges(results, line, since)))
+        files = [("modes", lambda: modes(results))]
+        files += [(f"shape_{lines[line.name]}", lambda line=line: shapes(results, line)) for line in results.lines]
+    else:
+        files = [("lines", lambda: tables.of_lines(results)), ("ends", lambda: tables.at_ends(results)),
+                 ("extremes", lambda: tables.extremes(results)), ("statistics", lambda: tables.statistics_of(results, since)),
+                 ("clashes", lambda: tables.clashes(results))]
+        files += [(("history_" if name in results.histories else "") + series_of[name], lambda name=name: series(results, name))
+                  for name in results.series_names]
+        files += [(f"range_{lines[line.name]}", lambda line=line: ranges(results, line, since)) for line in results.lines]
+    places = [place_for(folder / f"{name}.csv", [results]) for name, _ in files]
+    folder.mkdir(parents=True, exist_ok=True)
+    done = []
+    for path, (name, table) in zip(places, files):
+        head, rows = table()
+        if len(rows) > 0 or name in ("lines", "ends"):
+            done.append(write(path, head, rows))
     return done

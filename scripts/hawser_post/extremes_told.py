@@ -1,19 +1,17 @@
 """hawser extremes: what a history tells of the extremes in a duration, as text, JSON or CSV."""
 import json
-from pathlib import Path
-
 import numpy as np
 
 from . import charts, export, extremes
+from .arguments import place_for
 from .given import history_of, refuse_since, results_of, seconds, time_words
 from .results import Refusal
 
 
-def records_of(options):
+def records_of(runs, options):
     """The records of all results, and the names of the history, of its column and of the unit."""
     records, names = [], None
-    for given in options.results:
-        results = results_of(given, options.changes)
+    for results in runs:
         refuse_since(results, options.since)
         series, column = history_of(results, options.name if names is None else names[0], options.column)
         time, values = results.step_time, series.column(column)
@@ -88,9 +86,9 @@ def make(options):
     if not 0 < options.quantile < 1:
         raise Refusal(f"--quantile {options.quantile:g} is no probability between 0 and 1")
     duration = seconds(options.duration)
-    if options.output and Path(options.output).suffix not in (".json", ".csv"):
-        raise Refusal(f"{options.output}: a table of extremes is a .json or .csv file")
-    records, names = records_of(options)
+    found = [results_of(given, options.changes) for given in options.results]
+    path = place_for(options.output, found, (".json", ".csv"), "a table of extremes") if options.output else None
+    records, names = records_of(found, options)
     what = f"{charts.words(names[1])} of '{names[0]}'"
     mean, deviation = extremes.mean_and_deviation(records)
     samples, note = samples_of(options, records, mean, what)
@@ -103,8 +101,7 @@ def make(options):
                       f"({max(sample.length for sample in samples):.4g} s)")
     values = told(options, -1.0 if options.minima else 1.0, names, records, mean, deviation, found, duration)
     show(values, note)
-    if options.output:
-        path = Path(options.output)
+    if path:
         if path.suffix == ".json":
             path.write_text(json.dumps(values, indent=2) + "\n", encoding="utf-8")
         else:

@@ -79,12 +79,11 @@ CURVES = {
 }
 
 
-def damage(signal, curve, breaking_load=None):
-    """Miner's sum over the cycles of a signal in the curve's unit (tension: in N, with the breaking load)."""
+def damage(signal, curve):
+    """Miner's sum over the cycles of a signal in the curve's unit: tension over breaking load, or MPa."""
     ranges, _, counts = rainflow(signal)
-    unit = breaking_load if curve.of == "tension" else 1.0
     keep = ranges > 0
-    return float(np.sum(counts[keep] / curve.cycles(ranges[keep] / unit, np.mean(signal) / unit)))
+    return float(np.sum(counts[keep] / curve.cycles(ranges[keep], np.mean(signal))))
 
 
 def wall_stress(tension, moment_2, moment_3, wall):
@@ -120,10 +119,9 @@ def along(results, line, curve, since, breaking_load=None, area=None, outer=None
     tension = results.field("effective_tension", line)[keep] * factor
     if curve.of == "area":
         tension = 1e-6 * tension / area
-    by = breaking_load if curve.of == "tension" else area
-    sums = [damage(tension[:, n], curve, breaking_load[n] if curve.of == "tension" else None) if by[n] > 0 else np.nan
-            for n in range(tension.shape[1])]
-    return np.array(sums)[:, None] / seconds
+    else:
+        tension = tension / breaking_load
+    return np.array([[damage(x, curve)] if np.isfinite(x).all() else [np.nan] for x in tension.T]) / seconds
 
 
 def outputs_a_period(results, line, since):

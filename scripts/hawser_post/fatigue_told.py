@@ -1,9 +1,8 @@
 """hawser fatigue: the damage of sea states along a line, as a sentence and as CSV."""
-from pathlib import Path
-
 import numpy as np
 
 from . import export, fatigue, report, strength
+from .arguments import place_for
 from .given import refuse_since, results_of
 from .results import Refusal
 
@@ -27,7 +26,7 @@ def divisor(results, line, options, curve):
     line types of the case; NaN where they are of another kind. And what there is to say about it."""
     chain, by_load = options.curve.endswith("chain"), curve.of == "tension"
     name = "--breaking-load" if by_load else "--area"
-    known = strength.along(results, line, lambda t: (strength.reference_load if by_load else strength.nominal_area)(t, chain))
+    known = strength.along(results, line, lambda t, used: (strength.reference_load if by_load else strength.nominal_area)(t, used, chain))
     text = options.breaking_load if by_load else options.area
     if text is None:
         if np.isnan(known).all():
@@ -83,6 +82,8 @@ def make(options):
         raise Refusal(f"--factor {options.factor:g} is not above 0")
     states = sea_states(options.results, options.changes)
     line = states[0][0].line(options.line) if options.line else report.by_tension(states[0][0])[0]
+    first = states[0][0].path
+    path = place_for(options.output or first.with_name(f"{first.stem}-fatigue.csv"), [of for of, _ in states], (".csv",), "a table")
     total, since, messages = 0, options.since or 0.0, []
     for results, share in states:
         own = results.line(line.name)
@@ -102,9 +103,10 @@ def make(options):
     for message in messages:
         print(message)
     total = total.max(axis=1)
+    if np.isnan(total).all():
+        raise Refusal(f"{first}: line '{line.name}' has nowhere what the curve {options.curve} is about")
     worst = int(np.nanargmax(total))
     print(f"{line.name}, {curve.source}, {options.curve}: largest damage {total[worst]:.4g} a year at arc length "
           f"{line.arc[worst]:.6g} m" + (f", life {1 / total[worst]:.4g} years" if total[worst] > 0 else ""))
-    path = Path(options.output) if options.output else states[0][0].path.with_name(f"{states[0][0].path.stem}-fatigue.csv")
     export.write(path, ["arc_length [m]", "damage [1/year]"], [(s, v) for s, v in zip(line.arc, total) if not np.isnan(v)])
     print(f"damage along the line: {path}")

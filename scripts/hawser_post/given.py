@@ -1,28 +1,25 @@
 """What the words of a command line stand for: results of files and cases, histories, durations."""
+import os
 import re
 import sys
 from pathlib import Path
 
-import yaml
-
-from .arguments import refuse_changes, run_case
+from .arguments import read_case, refuse_changes, run_case
 from .results import Refusal, Results
 
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 
 
 def results_of(given, changes=()):
-    """A results file, or that of a case, which is run if there is none yet or if the case is newer."""
+    """A results file, or that of a case, which is run if there is none yet or if the case, or a file that it reads, is newer."""
     path = Path(given)
     if path.suffix not in (".yaml", ".yml") or not path.is_file():
         refuse_changes(path, changes)
         return Results(path)
-    try:
-        named = ((yaml.safe_load(path.read_text(encoding="utf-8")) or {}).get("output") or {}).get("file")
-    except (yaml.YAMLError, AttributeError, UnicodeDecodeError):
-        named = None  # hawser run says what is wrong with it
-    results = path.parent / str(named) if named else path.with_suffix(".h5")
-    old = not results.is_file() or results.stat().st_mtime < path.stat().st_mtime
+    case = read_case(path, changes)
+    results = Path(case["results"] if path.is_absolute() else os.path.relpath(case["results"]))
+    newest = max(Path(file).stat().st_mtime for file in case["inputs"] if Path(file).exists())
+    old = not results.is_file() or results.stat().st_mtime < newest
     if old or (changes and Results(results).changes != list(changes)):
         code = run_case("run", path, changes)
         # Where the solver gave up, a signal came or the energy does not add up, the results say so.
@@ -58,7 +55,7 @@ def history_of(results, name, column):
     """A history and the name of one of its columns: without names the first history, its tension or its first column."""
     if name is None and not results.histories:
         raise Refusal(f"{results.path} has no history: the case asks for them by output.histories")
-    series = results.series(name or results.histories[0])
+    series = results.series(name) if name else results.series_at(results.histories[0])
     return series, column or ("effective_tension" if "effective_tension" in series.columns else series.columns[0])
 
 

@@ -6,7 +6,9 @@ from pathlib import Path
 import numpy as np
 
 from . import export
+from .arguments import place_for, read_case
 from .charts import COLOURS, legend, sheet
+from .charts import colour as colour_of
 from .lay_rig import Rig
 from .lay_search import CLOSE, Asked, smallest
 from .pipe_told import print_table
@@ -77,7 +79,7 @@ def draw(rows, path):
     radii = sorted({row[1] for row in rows}) if not np.isnan([row[1] for row in rows]).any() else [np.nan]
     for k, radius in enumerate(radii):
         own = [row for row in rows if len(radii) == 1 or row[1] == radius]
-        depth, colour = [row[0] for row in own], COLOURS[k % len(COLOURS)]
+        depth, colour = [row[0] for row in own], colour_of(k, len(radii))
         name = f"tension, R {radius:g} m" if len(radii) > 1 else "tension [kN]"
         axes.plot(depth, [row[HEAD.index("tension [N]")] / 1e3 for row in own], colour, marker="o", label=name)
         for part, dashes in (("overbend", "--"), ("sagbend", ":")):
@@ -102,11 +104,12 @@ def make(options):
     if path.suffix not in (".yaml", ".yml"):
         raise Refusal(f"{path}: a lay is that of a case file (.yaml)")
 
+    known = read_case(path, options.changes)["inputs"]
+    table = place_for(options.output or path.with_name(f"{path.stem}-lay.csv"), [], (".csv",), "a table", known)
+    picture = place_for(table.with_suffix(".png"), [], more=known)
     found, warnings = lays(path, options, depths, radii)
     rows = [[depth, radius, *(lay.row if lay else [np.nan] * (len(HEAD) - 2))] for depth, radius, lay in found]
-    table = path.with_name(f"{path.stem}-lay.csv") if not options.output else Path(options.output)
     export.write(table, HEAD, rows)
-    picture = table.with_suffix(".png")
     draw(rows, picture)
     show(rows)
     for line in chosen(found, options.utilisation) if radii else []:

@@ -3,11 +3,11 @@ from pathlib import Path
 
 import numpy as np
 
-from . import pipe_checks, pipe_tables, stress, tables
+from . import pipe_checks, pipe_tables, tables
 from .arguments import run_case
 from .lay_search import Lay
 from .pipe_told import pipe_of
-from .results import Refusal, Results, metres
+from .results import Refusal, Results, dictionary
 from .sections import lengths, part, sections_of
 
 MOST_STRAINED = 0.004  # bending strain of a catenary with the tension that is tried first
@@ -18,12 +18,11 @@ def bends_of(results, line):
     fit these."""
     found = {}
     for group, keys in part(results, "supports").items():
-        path = keys.get("path") if isinstance(keys, dict) else None
-        if not isinstance(path, dict) or keys.get("on") or keys.get("line", line) != line:
+        if "path" not in keys or keys.get("on") or keys.get("line", line) != line:
             continue
-        for k, segment in enumerate(path.get("segments") or []):
-            if isinstance(segment, dict) and segment.get("radius") is not None:
-                found[f"supports.{group}.path.segments[{k}].radius"] = metres(segment["radius"], np.nan)
+        for k, segment in enumerate(keys["path"].get("segments", [])):
+            if "radius" in segment:
+                found[f"supports.{group}.path.segments[{k}].radius"] = segment["radius"]
     return found
 
 
@@ -49,14 +48,14 @@ class Rig:
         far = "end_b" if self.forwards else "end_a"
         self.far = f"lines.{self.name}.{far}.anchor"
         keys = part(results, "lines")[self.name]
-        anchor = (keys.get(far) or {}).get("anchor") if isinstance(keys.get(far), dict) else None
-        seabed = (results.keys.get("environment") or {}).get("seabed")
-        if not isinstance(anchor, list) or not isinstance(seabed, dict) or "depth" not in seabed:
+        anchor = dictionary(keys.get(far)).get("anchor")
+        seabed = dictionary(part(results, "environment").get("seabed"))
+        if anchor is None or "depth" not in seabed:
             raise Refusal(f"{case}: a lay over depths needs a far end with 'anchor' and a seabed with 'depth'")
-        if stress.number(seabed.get("slope_deg"), 0.0) != 0:
+        if seabed.get("slope_deg", 0) != 0:
             raise Refusal(f"{case}: a lay over depths is for a level seabed: 'slope_deg' of this one is "
                           f"{seabed['slope_deg']}; leave it out by --set environment.seabed.slope_deg=0")
-        self.anchor, self.depth = np.array([metres(x, np.nan) for x in anchor]), metres(seabed["depth"], np.nan)
+        self.anchor, self.depth = np.array(anchor, float), seabed["depth"]
         x, (arc, place) = results.field("position", line, 0), checked.down
         self.top = x[0 if self.forwards else -1]
         lift = np.array([np.interp(checked.left.arc[0], line.arc, x[:, k]) for k in range(3)])
@@ -98,6 +97,8 @@ class Rig:
         path = self.folder / "lay.h5"
         path.unlink(missing_ok=True)
         code = run_case("run", self.case, [*self.changes, *more, "dynamics=null"], "-q", "-o", str(path))
+        if code == 130:
+            raise KeyboardInterrupt
         if code not in (0, 3, 4):
             raise Refusal(f"{self.case}: the equilibrium of a lay could not be computed" if not more else
                           f"{self.case}: the lay with {', '.join(more)} could not be computed")

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import stations, tables
+from .results import dictionary
+from .sections import part
 
 
 @dataclass
@@ -22,7 +24,7 @@ def of_line(results, line):
     """The series of the supports of a line with the arc lengths at which they are, in their order along the line."""
     found = []
     for name in results.histories:
-        series = results.series(name)
+        series = results.series_at(name)
         if tables.is_support(series) and "arc_length" in series.columns and support_line(results, series.name) == line.name:
             arc = series.column("arc_length")
             if not np.isnan(arc).all():
@@ -32,9 +34,8 @@ def of_line(results, line):
 
 def support_line(results, name):
     """The line that a support is for: that of its group in the case, or the only one."""
-    groups = results.keys.get("supports")
-    group = groups.get(name.rsplit(" ", 1)[0], groups.get(name)) if isinstance(groups, dict) else None
-    named = group.get("line") if isinstance(group, dict) else None
+    groups = part(results, "supports")
+    named = dictionary(groups.get(name.rsplit(" ", 1)[0], groups.get(name))).get("line")
     return named if named is not None else results.lines[0].name
 
 

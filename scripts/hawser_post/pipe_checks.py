@@ -2,7 +2,7 @@
 import numpy as np
 
 from . import laying, pipe_codes, stations, stress
-from .results import Refusal
+from .results import Refusal, dictionary
 from .sections import part as part_of_case
 from .sections import types_of
 
@@ -17,7 +17,7 @@ UNEVEN_SEABED = 1.07
 
 def judged_pipe(results, line):
     """The keys of the line's pipe, with the defaults of those that say how it is judged; None where it has no grade or several."""
-    found = [t["pipe"] for t in types_of(results, line) if isinstance(t, dict) and isinstance(t.get("pipe"), dict)]
+    found = [t["pipe"] for t in types_of(results, line) if "pipe" in t]
     if len({pipe.get("grade") for pipe in found}) != 1 or found[0].get("grade") not in pipe_codes.YIELD:
         return None
     usual = {"safety_class": "low", "fabrication": "UOE", "ovality": 0.015, "material_factor": 0.96, "condition_factor": {}}
@@ -32,8 +32,7 @@ def of_case(results, line):
 
 def is_uneven(results):
     """Whether the seabed is measured: a grid or a mesh."""
-    seabed = part_of_case(results, "environment").get("seabed")
-    return isinstance(seabed, dict) and bool({"grid", "mesh"} & set(seabed))
+    return bool({"grid", "mesh"} & set(dictionary(part_of_case(results, "environment").get("seabed"))))
 
 
 def one_size(values):
@@ -54,7 +53,7 @@ class Checked:
         wall = sides[0][0] if not np.isnan(sides[0][0].outer).all() else sides[1][0]
         self.outer, self.wall = one_size(wall.outer), one_size((wall.outer - wall.inner) / 2)
         self.yields_at = pipe_codes.YIELD[self.grade]
-        self.yields = any(isinstance(t, dict) and "plasticity" in t for t in types_of(results, line))
+        self.yields = any("plasticity" in t for t in types_of(results, line))
         # Only a run that began with statics and has its first output knows a state at rest.
         self.at_rest = results.has("dnv_local_buckling") and not results.time[0] > 0
         self.find_parts(results, line)
@@ -78,16 +77,16 @@ class Checked:
 
     def told(self):
         """What the checks are by, in sentences."""
-        given = self.pipe["condition_factor"] if isinstance(self.pipe["condition_factor"], dict) else {}
+        given = self.pipe["condition_factor"]
         uneven = is_uneven(self.results)
         usual = {"supports": 1.0, "span": 1.0, "seabed": UNEVEN_SEABED if uneven else 1.0}
-        parts = ", ".join(f"{name} {stress.number(given.get(name), value):g}" for name, value in usual.items())
+        parts = ", ".join(f"{name} {given.get(name, value):g}" for name, value in usual.items())
         why = "; uneven seabed" if uneven and "seabed" not in given else ""
         fed = (" Loads of what was in the stock at rest count as environmental altogether, which is on the safe side."
                if stations.end_of(self.results, self.line) else "")
         return [f"{self.outer * 1e3:.4g} mm x {self.wall * 1e3:.4g} mm, {self.grade}, {self.pipe['fabrication']}, ovality "
-                f"{100 * stress.number(self.pipe['ovality'], 0.015):g} %.",
-                f"DNV-ST-F101: safety class {self.pipe['safety_class']}, alpha_U {stress.number(self.pipe['material_factor'], 0.96):g}, "
+                f"{100 * self.pipe['ovality']:g} %.",
+                f"DNV-ST-F101: safety class {self.pipe['safety_class']}, alpha_U {self.pipe['material_factor']:g}, "
                 f"gamma_C of functional loads: {parts}{why}.{fed}"]
 
     def static(self, quantity, part):
@@ -107,7 +106,7 @@ class Checked:
             row("overbend strain at rest, DNV simplified I", STRAIN, 100 * still, True, False)
             row("overbend strain in motion, DNV simplified II", STRAIN, 100 * moving, False, True)
         if part == "sagbend":
-            row("sagbend stress, DNV simplified", STRESS, pipe_codes.SAGBEND_STRESS * stress.number(self.pipe["material_factor"], 0.96) *
+            row("sagbend stress, DNV simplified", STRESS, pipe_codes.SAGBEND_STRESS * self.pipe["material_factor"] *
                 self.yields_at, True, True)
         return rows
 

@@ -1,14 +1,16 @@
 """hawser pipe: strain, stress and the checks of codes of a pipe on its supports, in its sagbend and on the seabed."""
-from pathlib import Path
-
 import numpy as np
 
 from . import export, pipe_checks, pipe_tables, stations, stress
+from .arguments import place_for
 from .given import refuse_since, results_of
 from .results import Refusal
 
 
 def pipe_of(results, name):
+    if not results.as_read:
+        raise Refusal(f"{results.path}: was written by hawser {results.attribute('version')}, which did not keep how it read the case: "
+                      "run the case again")
     pipes = [line for line in results.lines if stress.is_pipe(results, line)]
     if name:
         line = results.line(name)
@@ -26,6 +28,8 @@ def make(options):
     if results.modes:
         raise Refusal(f"{results.path} holds natural modes, and their size means nothing")
     since, line = options.since or 0.0, pipe_of(results, options.line)
+    path = place_for(options.output or results.path.with_name(f"{results.path.stem}-pipe.csv"), [results], (".csv",), "a table")
+    beside = place_for(path.with_name(f"{path.stem}-stations.csv"), [results])
     checked = pipe_checks.of_case(results, line)
     if checked is None:
         raise Refusal(f"{results.path}: the case does not say of which steel '{line.name}' is: give its pipe a 'grade', and run it")
@@ -43,13 +47,11 @@ def make(options):
         print_table(*at_stations)
     for doubt in pipe_checks.doubts(checked):
         print(f"warning: {doubt}")
-    path = Path(options.output) if options.output else results.path.with_name(f"{results.path.stem}-pipe.csv")
     keep = np.flatnonzero(results.since(since))
     columns = [np.nanmax(np.where(np.isnan(v[keep]), -np.inf, v[keep]), axis=0) for v in checked.values.values()]
     export.write(path, ["arc_length [m]", *checked.values], [row for row in zip(line.arc, *columns) if np.isfinite(row[1])])
     print(f"largest values along the line: {path}")
     if at_stations:
-        beside = path.with_name(f"{path.stem}-stations{path.suffix}")
         export.write(beside, *stations.columns(results, line, checked.outer))
         print(f"least and largest values at stations, which stay with the feeder: {beside}")
 

@@ -1,7 +1,6 @@
 """hawser plot: one figure of a range, a stress, a history or the model."""
-from pathlib import Path
-
-from . import charts, report, scene, stress
+from . import charts, export, report, scene, stress
+from .arguments import place_for
 from .given import history_of, refuse_since, results_of
 from .page import whole
 from .results import Refusal
@@ -68,11 +67,13 @@ def make(options):
             figure = charts.one_over_another(series.column(other)[keep], values,
                                              (charts.label(other, series.unit(other)), charts.label(column, unit)), series.name)
     # Another field or history does not take the place of the first figure.
-    words = {"range": [options.line, field if field != "effective_tension" else None], "stress": [options.line]}
-    more = [word.replace(" ", "_").replace("/", "_") for word in words.get(options.what, [options.name, options.column]) if word]
-    path = Path(options.output) if options.output else results.path.with_name("-".join([results.path.stem, options.what, *more]) + ".png")
-    if path.suffix not in (".png", ".svg", ".pdf"):
-        raise Refusal(f"{path}: a figure is a .png, .svg or .pdf file")
+    lines = export.file_names([line.name for line in results.lines])
+    histories = export.file_names([results.series_name(key) for key in results.series_names])
+    words = {"range": [lines.get(options.line), field if field != "effective_tension" else None], "stress": [lines.get(options.line)]}
+    named = histories.get(options.name, options.name and export.file_name(options.name))
+    more = [word for word in words.get(options.what, [named, options.column]) if word]
+    path = place_for(options.output or results.path.with_name("-".join([results.path.stem, options.what, *more]) + ".png"),
+                     [results], (".png", ".svg", ".pdf"), "a figure")
     figure.savefig(path, dpi=150, bbox_inches=whole(figure))
     print(f"figure: {path}")
 

@@ -11,6 +11,7 @@ MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
 MOST_HISTORIES = 16
 MOST_ROWS = 60  # of a table of the input
+OTHER_PARTS = ("bodies", "joints", "links", "volumes", "supports", "contact", "statics", "stages", "dynamics", "events")
 
 
 def title_of(results):
@@ -42,9 +43,15 @@ def pictures(page, results):
 
 def given(page, results):
     page.section("Input")
-    page.text("As in the case file, with its units (numbers without one are SI); all of it stands at the end.")
-    for head, rows in (inputs.echo(results, "environment"), inputs.line_types(results), inputs.sections(results),
-                       inputs.echo(results, "bodies"), inputs.echo(results, "volumes"), inputs.echo(results, "dynamics")):
+    if not results.as_read:
+        page.text(f"These results were written by hawser {results.attribute('version')}, which did not keep how it read the case: run it "
+                  "again for tables of its input. The case file stands at the end.", "warning")
+        return
+    page.text("As in the case file, with its units (numbers without one are SI, angles in degrees), and with the defaults of what it does "
+              "not say; all of it stands at the end.")
+    for head, rows in (inputs.echo(results, "environment"), inputs.line_types(results),
+                       inputs.properties(results), inputs.sections(results), inputs.on_lines(results),
+                       *(inputs.echo(results, name) for name in OTHER_PARTS)):
         page.table(head, rows[:MOST_ROWS])
         if len(rows) > MOST_ROWS:
             page.text(f"{len(rows) - MOST_ROWS} more rows are in the case file.")
@@ -102,12 +109,8 @@ def ranges(page, results, lines, since):
     if moves(results):
         page.text(envelopes.told(results, results.reported("graph"), since))
     for line in lines:
-        for field in results.reported("graph"):
-            found = envelopes.envelope(results, line, field, since)
-            at_start = results.magnitude(field, line, 0)
-            if np.any(np.abs(at_start) > 0) or found is not None and np.any(np.abs([found.least, found.most]) > 0):
-                page.figure(charts.range_graph(results, line, field, since),
-                            f"{results.label(field).capitalize()} along {line.name}.")
+        for field in envelopes.above_noise(results, line, results.reported("graph"), since):
+            page.figure(charts.range_graph(results, line, field, since), f"{results.label(field).capitalize()} along {line.name}.")
         fed = stations.of_line(results, line)
         for field in fed[1] if fed else ():
             page.figure(charts.station_graph(results, line, field, *fed),
@@ -152,15 +155,17 @@ def strength(page, results, lines, since):
 def histories(page, results, lines, since):
     page.section("Time histories")
     time = results.step_time
-    shown = [name for name in results.histories if not tables.is_support(results.series(name))]
+    shown = [name for name in results.histories if not tables.is_support(results.series_at(name))]
     if len(shown) > MOST_HISTORIES:
         page.text(f"Figures are of the first {MOST_HISTORIES} of {len(shown)} histories by name; hawser plot "
                   "draws the others, and the table has the statistics of all.")
     for name in shown[:MOST_HISTORIES]:
-        series = results.series(name)
+        series = results.series_at(name)
+        scales = {unit: max((np.nanmax(np.abs(series.column(c)), initial=0.0) for c in series.columns if series.unit(c) == unit))
+                  for unit in series.units}
         for group in groups(series):
             curves = [(charts.words(c), series.column(c)) for c in group]
-            if all(np.ptp(v) == 0 for _, v in curves):
+            if all(np.ptp(v) <= envelopes.NOISE * scales[series.unit(group[0])] for _, v in curves):
                 continue
             what = results.label(group[0] if len(group) == 1 else group[0].rsplit("_", 1)[0])
             page.figure(charts.history(time, curves, series.unit(group[0]), what, series.name),

@@ -1,20 +1,14 @@
 """A results file of hawser: lines, outputs, histories and extremes as arrays, in SI units."""
-import re
+import json
+import os
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
 import h5py
 import numpy as np
-import yaml
 
-
-class Refusal(Exception):
-    """What the user asked for cannot be done; the text is one sentence."""
-
-
-def text_of(value):
-    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+from .layout import LARGEST, Refusal, check_layout, text_of
 
 
 @dataclass
@@ -46,22 +40,8 @@ class Series:
         return self.units[self.columns.index(name)]
 
 
-def make_change(case, change):
-    """KEY=VALUE of --set in a case as YAML reads it (include/hawser/io/case_changes.hpp)."""
-    path, _, value = change.partition("=")
-    steps = re.findall(r"\[(\d+)\]|([^.\[\]]+)", path)
-    at, new = case, yaml.safe_load(value)
-    for i, (place, key) in enumerate(steps):
-        if place:
-            key = int(place) if isinstance(at, list) else list(at)[int(place)]
-        if i + 1 < len(steps):
-            if isinstance(at, dict) and at.get(key) is None:
-                at[key] = {}
-            at = at[key]
-        elif new is None:
-            at.pop(key, None)
-        else:
-            at[key] = new
+def dictionary(value):
+    return value if isinstance(value, dict) else {}
 
 
 class Results:
@@ -76,6 +56,7 @@ class Results:
             raise Refusal(f"{path}: is no HDF5 file that can be read ({str(error).splitlines()[0]})") from error
         if "hawser_results" not in self.file.attrs:
             raise Refusal(f"{path}: is an HDF5 file, but none that hawser has written")
+        check_layout(self.file, path)
         # Of a run in progress more rows than these may be there: they are not results.
         self.outputs, self.steps = (int(n) for n in self.file["written"][0])
         if self.outputs == 0:
@@ -96,15 +77,36 @@ class Results:
         self.changes = text_of(self.file["set"][()]).splitlines() if "set" in self.file else []  # KEY=VALUE of --set
 
     @cached_property
-    def keys(self):
-        """The case as it was run: its file as YAML reads it, changed by --set; empty where it cannot."""
+    def as_read(self):
+        """The case as the program has read it: what `hawser check --json` prints. Empty: versions that did not write it."""
+        if "case_read" not in self.file:
+            return {}
         try:
-            found = yaml.safe_load(self.case)
-            for change in self.changes:
-                make_change(found, change)
-        except (yaml.YAMLError, LookupError, TypeError):
+            found = json.loads(text_of(self.file["case_read"][()]))
+        except ValueError:
             found = None
-        return found if isinstance(found, dict) else {}
+        if not isinstance(found, dict) or not all(isinstance(found.get(key, {}), dict) for key in ("read", "given", "line_types")):
+            raise Refusal(f"{self.path}: is damaged: its 'case_read' is not the case as JSON")
+        return found
+
+    @property
+    def keys(self):
+        """All keys of the case with their defaults, changed by --set: numbers in SI units (angles in deg)."""
+        return self.as_read.get("read", {})
+
+    @property
+    def given(self):
+        """The keys that the case and --set give, as they are written there."""
+        return self.as_read.get("given", {})
+
+    @property
+    def inputs(self):
+        """Files that must not be written over: these results, and what their run has read, where it was and, as results are moved
+        along with their case, as seen from here."""
+        case = self.attribute("case_path")
+        read = [*([case] if case else []), *map(str, self.as_read.get("inputs", []))]
+        beside = [self.path.parent / os.path.relpath(file, os.path.dirname(case)) for file in read] if case else []
+        return [self.path, *read, *beside]
 
     def attribute(self, name):
         return text_of(self.file.attrs.get(name, ""))
@@ -154,10 +156,11 @@ class Results:
         """Values at the nodes of a line: outputs x nodes (x 3), or nodes (x 3) of one output."""
         if not self.has(name):
             raise Refusal(f"there is no field '{name}' (there are: {', '.join(self.fields)})")
-        data = self.file["fields"][name]
-        if output is None:
-            return data[self.rows.start : self.rows.stop, line.nodes]
-        return data[self.rows[output], line.nodes]
+        rows = slice(self.rows.start, self.rows.stop) if output is None else self.rows[output]
+        values = self.file["fields"][name][rows, line.nodes]
+        if name == "position" and not np.all(np.abs(values) <= LARGEST):  # nor NaN
+            raise Refusal(f"{self.path}: is damaged: line '{line.name}' has nodes whose position is no number")
+        return values
 
     def magnitude(self, name, line, output=None):
         """As `field`, of vectors their size: outputs x nodes, or nodes of one output."""
@@ -179,9 +182,7 @@ class Results:
     @property
     def statistics_from(self):
         """s, from when on `statistics` count."""
-        given = (self.keys.get("output") or {}).get("statistics_from") if isinstance(self.keys.get("output"), dict) else None
-        found = re.fullmatch(r"\s*([-+.\deE]+)\s*(s|min|h)?\s*", str(given or 0))
-        return float(found.group(1)) * {"min": 60.0, "h": 3600.0}.get(found.group(2), 1.0) if found else 0.0
+        return float(dictionary(self.keys.get("output")).get("statistics_from") or 0)
 
     @property
     def series_names(self):
@@ -195,10 +196,7 @@ class Results:
     @property
     def duration(self):
         """s that the case asks for; 0: not known."""
-        try:
-            return float((self.keys.get("dynamics") or {}).get("duration") or 0)
-        except (AttributeError, TypeError, ValueError):
-            return 0.0
+        return float(dictionary(self.keys.get("dynamics")).get("duration") or 0)
 
     def since(self, t):
         """Which outputs are at t [s] or later: two at least, where there are more than one."""
@@ -209,7 +207,7 @@ class Results:
 
     @property
     def histories(self):
-        """Names of what `output.histories` and `output.clearances` ask for."""
+        """Places in the file of what `output.histories` and `output.clearances` ask for."""
         return [n for n in self.series_names if n not in ("energy", "solver")]
 
     def series_name(self, key):
@@ -219,14 +217,18 @@ class Results:
     def has_series(self, name):
         return any(name == self.series_name(key) for key in self.series_names)
 
+    def series_at(self, key):
+        """That with this place in the file, as of `series_names` and `histories`."""
+        data = self.file["series"][key]
+        return Series(self.series_name(key), [text_of(c) for c in data.attrs["columns"]],
+                      [text_of(u) for u in data.attrs["units"]], data[: self.steps])
+
     def series(self, name):
-        for key in self.series_names:
-            data = self.file["series"][key]
-            if name in (key, self.series_name(key)):
-                return Series(self.series_name(key),
-                              [text_of(c) for c in data.attrs["columns"]],
-                              [text_of(u) for u in data.attrs["units"]], data[: self.steps])
-        raise Refusal(f"there is no history '{name}' (there are: {', '.join(self.series_names) or 'none'})")
+        """That which the case calls so, else that with this place in the file, which may be another's name."""
+        names = {self.series_name(key): key for key in self.series_names}
+        if name in names or name in self.series_names:
+            return self.series_at(names.get(name, name))
+        raise Refusal(f"there is no history '{name}' (there are: {', '.join(names) or 'none'})")
 
     @property
     def step_time(self):
@@ -286,20 +288,3 @@ class Results:
         return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
                          [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
                          [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
-
-
-def quantity(value, units, otherwise):
-    """A number of a case file, which may be a text with one of these units, in SI units."""
-    found = re.fullmatch(r"\s*([-+.\deE]+)\s*([A-Za-z]*)\s*", str(value))
-    try:
-        return float(found.group(1)) * {"": 1.0, **units}[found.group(2)]
-    except (AttributeError, ValueError, KeyError):  # no number, or of another unit
-        return otherwise
-
-
-def metres(value, otherwise):
-    return quantity(value, {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3, "ft": 0.3048, "in": 0.0254}, otherwise)
-
-
-def pascals(value, otherwise):
-    return quantity(value, {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9}, otherwise)

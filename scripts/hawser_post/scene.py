@@ -5,7 +5,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
-from .charts import COLOURS, legend
+from .charts import colour, legend
 from .sea import Sea
 
 VIEWS = ("plan", "elevation", "space")
@@ -13,10 +13,6 @@ SEA, BED, HULL, FACE = "#4d8fbf", "#9c7a4d", "#7a858f", "#e4e8ec"
 MOST_EDGES, MOST_FACES = 6000, 30000
 MOST_WAVES = 60  # places along a side of the surface of the sea in a picture in space
 TICKS = 8  # along the longest axis of a picture in space
-
-
-def colour(results, line):
-    return COLOURS[line.number % len(COLOURS)]
 
 
 def edges(x, triangles):
@@ -70,7 +66,7 @@ def picture(results, view, output=-1, high=4.2, name=None):
     for line in results.lines:
         for output_shown in shown:
             last = output_shown == shown[-1]
-            axes.plot(*flat(results.field("position", line, output_shown)), color=colour(results, line),
+            axes.plot(*flat(results.field("position", line, output_shown)), color=colour(line.number, len(results.lines)),
                       lw=1.4 if last else 0.8, ls="-" if last else "--", zorder=3,
                       label=line.name if last and len(results.lines) <= 12 else None)
     for b, body in enumerate(results.bodies):
@@ -158,7 +154,7 @@ def in_space(results, output):
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     for line in results.lines:
         x = results.field("position", line, output)
-        axes.plot(x[:, 0], x[:, 1], x[:, 2], color=colour(results, line), lw=1.4, zorder=3)
+        axes.plot(x[:, 0], x[:, 1], x[:, 2], color=colour(line.number, len(results.lines)), lw=1.4, zorder=3)
         low, high = np.minimum(low, x.min(axis=0)), np.maximum(high, x.max(axis=0))
     for _, x, triangles in results.volumes(output):
         if len(triangles) <= MOST_FACES:

@@ -4,18 +4,7 @@ from pathlib import Path
 import numpy as np
 from scipy.interpolate import RegularGridInterpolator
 
-from .results import metres
-
-
-def dictionary(value):
-    return value if isinstance(value, dict) else {}
-
-
-def number(value, otherwise):
-    try:
-        return float(str(value).split()[0])
-    except (ValueError, IndexError):
-        return otherwise
+from .results import dictionary
 
 
 def ramp_at(t, ramp):
@@ -30,7 +19,7 @@ class Sea:
     def __init__(self, results):
         environment = dictionary(results.keys.get("environment"))
         water = dictionary(environment.get("water"))
-        self.level = metres(water.get("surface"), 0.0) if "water" in environment else None
+        self.level = water.get("surface", 0.0) if "water" in environment else None
         self.components, self.ramp = None, 0.0
         if "waves/components" in results.file:
             self.components = results.file["waves/components"][:]
@@ -41,8 +30,8 @@ class Sea:
             if "grid" in bed:
                 self.grid = grid_of(results, dictionary(bed["grid"]))
             elif "mesh" not in bed:
-                depth = metres(bed.get("depth", water.get("depth")), None)  # below z = 0, as the solver takes both
-                slope, way = (np.radians(number(bed.get(k), 0.0)) for k in ("slope_deg", "slope_direction_deg"))
+                depth = bed.get("depth", water.get("depth"))  # below z = 0, as the solver takes both
+                slope, way = (np.radians(bed.get(k, 0.0)) for k in ("slope_deg", "slope_direction_deg"))
                 self.plane = None if depth is None else (depth, np.tan(slope) * np.cos(way), np.tan(slope) * np.sin(way))
 
     @property

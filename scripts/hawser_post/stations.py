@@ -3,7 +3,8 @@ step of the run (the statistics whose names end with _at_stations)."""
 import numpy as np
 
 from .charts import label, shown
-from .results import text_of
+from .results import dictionary, text_of
+from .sections import part
 
 END = "_at_stations"
 
@@ -15,10 +16,8 @@ def fields(results):
 
 def end_of(results, line):
     """The end of a line, "end_a" or "end_b", whose feeder its stations belong to; None where it is not fed."""
-    case = results.keys.get("lines")
-    ends = case.get(line.name) if isinstance(case, dict) else None
-    return next((name for name in ("end_a", "end_b")
-                 if isinstance(ends, dict) and isinstance(ends.get(name), dict) and "feed" in ends[name]), None)
+    ends = dictionary(part(results, "lines").get(line.name))
+    return next((name for name in ("end_a", "end_b") if "feed" in dictionary(ends.get(name))), None)
 
 
 def of_line(results, line):

@@ -1,14 +1,11 @@
 """Breaking loads and areas that fatigue curves refer to: of the line types of the case and of the library of chains and
 ropes, at the nodes of a line."""
 import re
-from functools import cache
-from pathlib import Path
 
 import numpy as np
-import yaml
 
-from .results import Refusal, metres, quantity
-from .sections import lengths, types_of
+from .results import Refusal, dictionary
+from .sections import at_nodes, sections_of, types_of
 
 FORCES = {"N": 1.0, "kN": 1e3, "MN": 1e6, "GN": 1e9, "tf": 9806.65}
 AREAS = {"m2": 1.0, "m²": 1.0, "m^2": 1.0, "mm2": 1e-6, "mm²": 1e-6, "mm^2": 1e-6, "cm2": 1e-4, "cm²": 1e-4, "cm^2": 1e-4}
@@ -40,63 +37,41 @@ def area(text):
     return value
 
 
-@cache
-def library():
-    here = Path(__file__).resolve().parents[2]
-    for path in (here / "line-types.yaml", here / "data" / "line-types.yaml"):
-        if path.is_file():
-            return yaml.safe_load(path.read_text(encoding="utf-8"))
-    return {}
-
-
 def orq(diameter):
     """N, breaking load of oil rig quality chain of this bar diameter [m], API Spec 2F: 21.1 d² (44 - 0.08 d), d in mm."""
     d = 1000 * diameter
     return 21.1 * d**2 * (44 - 0.08 * d)
 
 
-def of_library(values):
-    """Its entry, name and nominal diameter [m] of a line type that is taken from the library; None: it is not."""
-    name = values.get("library") if isinstance(values, dict) else None
-    diameter = metres(values.get("diameter"), np.nan) if name else np.nan
-    return (library()[name], name, diameter) if name in library() and diameter > 0 else None
+def library_diameter(values, chain):
+    """m, nominal diameter of a line type that is chain (or else wire rope) of the library; NaN: it is not."""
+    kind = "chain" if chain else "wire"
+    return float(values["diameter"]) if str(values.get("library", "")).startswith(kind) else np.nan
 
 
-def is_chain(values):
-    found = of_library(values)
-    return found is not None and found[1].startswith("chain")
-
-
-def reference_load(values, chain):
+def reference_load(values, used, chain):
     """N, that a tension range is divided by: of chain that of ORQ chain of the same size whatever its grade (API RP 2SK
-    for R3 to R4S), of ropes their own. NaN: not known, or a type of the other kind."""
-    found = of_library(values)
+    for R3 to R4S), of ropes their own. NaN: not known, or a type of the other kind. values: of a line type as the case has
+    it; used: as it was computed with."""
     if chain:
-        return orq(found[2]) if is_chain(values) else np.nan
-    if is_chain(values) or not isinstance(values, dict):
+        return orq(library_diameter(values, True))
+    if str(values.get("library", "")).startswith("chain"):
         return np.nan
-    if "breaking_load" in values:
-        return quantity(values["breaking_load"], FORCES, np.nan)
-    if found is None:
-        return np.nan
-    powers = found[0].get("breaking_load") or {}
-    return sum(float(powers.get(key, 0)) * found[2]**k for key, k in (("d", 1), ("d2", 2), ("d3", 3))) or np.nan
+    return used.get("breaking_load") or np.nan
 
 
-def nominal_area(values, chain):
+def nominal_area(values, used, chain):
     """m², by DNV-OS-E301: both bars of a chain, the circle about a rope. NaN: not known, or a type of the other kind."""
-    found = of_library(values)
-    if found is None or is_chain(values) != chain:
-        return np.nan
-    return (2 if chain else 1) * np.pi / 4 * found[2]**2
+    return (2 if chain else 1) * np.pi / 4 * library_diameter(values, chain) ** 2
 
 
 def along(results, line, of_type):
-    """of_type(values of a line type) at the nodes of a line; where two types meet the smaller one."""
-    sizes = lengths(results, line)
-    if len(sizes) == 0 or np.isnan(sizes).any():
+    """of_type(values of a line type, what it was computed with) at the nodes of a line; where two types meet the smaller
+    one."""
+    used = dictionary(results.as_read.get("line_types"))
+    pairs = zip(types_of(results, line), sections_of(results, line.name))
+    values = np.array([of_type(t, dictionary(used.get(s["type"]))) for t, s in pairs], float)
+    nodes = at_nodes(results, line)
+    if nodes.size == 0:
         return np.full(len(line.arc), np.nan)
-    ends, values = np.cumsum(sizes), np.array([of_type(t) for t in types_of(results, line)], float)
-    close = 1e-9 * max(ends[-1], 1.0)
-    sides = [values[np.clip(np.searchsorted(ends, line.arc + shift), 0, len(ends) - 1)] for shift in (-close, close)]
-    return np.fmin(*sides)
+    return np.fmin(*values[nodes])

@@ -1,11 +1,10 @@
 """Von Mises stress of pipes: by wall tension, bending, torsion and the pressures inside and outside, after Lamé."""
-import re
 from dataclasses import dataclass
 
 import numpy as np
 
-from .results import Refusal, metres
-from .sections import lengths, types_of
+from .results import Refusal, dictionary
+from .sections import at_nodes, part, types_of
 
 THICKEST = 5.0  # m
 GRAVITY, SEAWATER = 9.80665, 1025.0  # m/s², kg/m³: what a case has that does not say
@@ -46,49 +45,36 @@ def von_mises(wall, wall_tension, moment, torsion, outside, inside):
 
 def of_type(values):
     """Of a line type of the case, m: outer and inner diameter of its wall, bore of its contents; NaN: not given."""
-    if not isinstance(values, dict):
-        return np.nan, np.nan, np.nan
-    pipe, contents = (v if isinstance(v, dict) else {} for v in (values.get("pipe"), values.get("contents")))
-    outer = metres(pipe.get("outer_diameter", values.get("outer_diameter")), np.nan)
-    wall = metres(pipe.get("wall_thickness", pipe.get("wall")), np.nan)
-    inner = metres(contents.get("inner_diameter", pipe.get("inner_diameter")), outer - 2 * wall)
+    pipe, contents = dictionary(values.get("pipe")), dictionary(values.get("contents"))
+    outer = pipe.get("outer_diameter", values.get("outer_diameter", np.nan))
+    inner = contents.get("inner_diameter", outer - 2 * pipe.get("wall_thickness", np.nan))
     bore = inner if contents else np.nan
     return outer, inner if 0 <= inner < outer else np.nan, bore
 
 
 def types_along(results, line):
     """What `of_type` gives at the nodes of a line on the side of end A and on that of end B: 2 x 3 x nodes."""
-    ends = np.cumsum(lengths(results, line))
-    if len(ends) == 0 or np.isnan(ends).any():
+    sections = at_nodes(results, line)
+    if sections.size == 0:
         return np.full((2, 3, len(line.arc)), np.nan)
     sizes = np.array([of_type(t) for t in types_of(results, line)])
-    close = 1e-9 * max(ends[-1], 1.0)
-    return np.array([sizes[np.clip(np.searchsorted(ends, line.arc + shift), 0, len(ends) - 1)].T for shift in (-close, close)])
+    return np.array([sizes[side].T for side in sections])
 
 
 def is_pipe(results, line):
     """Whether the case says that a part of the line is a pipe with a wall."""
-    return results.has("bending_moment") and any(isinstance(t, dict) and "pipe" in t for t in types_of(results, line))
-
-
-def number(value, otherwise):
-    found = re.match(r"\s*[-+.\deE]+", str(value))
-    try:
-        return float(found.group()) if found else otherwise
-    except ValueError:
-        return otherwise
+    return results.has("bending_moment") and any("pipe" in t for t in types_of(results, line))
 
 
 def outside_pressure(results, line):
     """Pa, outputs x nodes, of the still water."""
-    environment = results.keys.get("environment")
-    environment = environment if isinstance(environment, dict) else {}
+    environment = part(results, "environment")
     position = results.field("position", line)
     if "water" not in environment:
         return np.zeros(position.shape[:2])
-    water = environment["water"] if isinstance(environment["water"], dict) else {}
-    density, level = number(water.get("density"), SEAWATER), metres(water.get("surface"), 0.0)
-    return density * number(environment.get("gravity"), GRAVITY) * np.maximum(level - position[:, :, 2], 0)
+    water = environment["water"]
+    density, level = water.get("density", SEAWATER), water.get("surface", 0.0)
+    return density * environment.get("gravity", GRAVITY) * np.maximum(level - position[:, :, 2], 0)
 
 
 def walls_along(results, line, outer=None, thickness=None):
@@ -122,6 +108,8 @@ def along(results, line, outer=None, thickness=None):
     largest = np.full(moment.shape, np.nan)
     for wall, tension, outside, inside in walls_along(results, line, outer, thickness):
         largest = np.fmax(largest, von_mises(wall, tension, moment, torsion, outside, inside))
+    if np.isnan(largest).all():
+        raise Refusal(f"{results.path}: the stress of line '{line.name}' is nowhere known, as its tension or its moments are no numbers")
     return largest
 
 

@@ -5,8 +5,8 @@ import re
 import numpy as np
 
 from .charts import shown
-from .envelopes import begin, envelope, of_every_step
-from .results import metres
+from .envelopes import above_noise, begin, envelope, of_every_step
+from .results import dictionary
 from .statistics import statistics
 
 VERTICAL = np.array([0.0, 0.0, 1.0])
@@ -88,7 +88,7 @@ def of_fields(results, fields, since=0.0, lines=None):
     head = ["line", "quantity", "unit", "minimum", "at [s]", "at [m]", "maximum", "at [s]", "at [m]"]
     rows = []
     for line in results.lines if lines is None else lines:
-        for field in fields:
+        for field in above_noise(results, line, fields, since):
             found = envelope(results, line, field, since) if results.has(field) else None
             if found is None or not np.any(np.abs([found.least, found.most]) > 0):  # NaN: not known
                 continue
@@ -108,7 +108,7 @@ def clearances(results):
     """The smallest of each clearance of `output.clearances`, over every step."""
     head, rows = ["clearance", "smallest [m]", "at [s]", "on the line at [m]"], []
     for name in results.histories:
-        series = results.series(name)
+        series = results.series_at(name)
         if series.columns[:1] != ["clearance"]:
             continue
         x = series.column("clearance")
@@ -130,7 +130,7 @@ def supports(results):
             "that is", "highest above it [m]"]
     rows = []
     for name in results.histories:
-        series = results.series(name)
+        series = results.series_at(name)
         if not is_support(series):
             continue
         def size(stem):
@@ -149,14 +149,13 @@ def supports(results):
 
 def place_of(results, name):
     """The line and the node of a history of a point, None where it is of something else or between two nodes."""
-    output = results.keys.get("output")
-    points = output.get("histories") if isinstance(output, dict) else None
-    for point in points if isinstance(points, list) else ():
-        if not isinstance(point, dict) or "line" not in point or point.get("name", f"{point['line']}@{point.get('at')}") != name:
+    points, written = (dictionary(keys.get("output")).get("histories") or [] for keys in (results.keys, results.given))
+    for point, as_written in zip(points, written):
+        if "line" not in point or point.get("name", f"{point['line']}@{as_written['at']}") != name:
             continue
         for line in results.lines:
             if line.name == point["line"]:
-                at = {"end_a": 0.0, "end_b": line.length}.get(point.get("at"), metres(point.get("at"), np.nan))
+                at = {"end_a": 0.0, "end_b": line.length}.get(point["at"], point["at"])
                 node = int(np.argmin(np.abs(line.arc - at)))
                 return (line, node) if abs(line.arc[node] - at) < 1e-6 * line.length else None
     return None
@@ -174,7 +173,8 @@ def statistics_of(results, since=0.0):
     if np.count_nonzero(keep) < 2:
         return head, rows
     for name in results.histories:
-        series, place = results.series(name), place_of(results, name)
+        series = results.series_at(name)
+        place = place_of(results, series.name)
         for column in series.columns:
             x = series.column(column)[keep]
             if not np.all(np.isfinite(x)) or not np.any(x):

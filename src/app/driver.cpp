@@ -30,6 +30,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/base/share_of_time.hpp"
+#include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
 #include "hawser/model/summary.hpp"
@@ -182,7 +183,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   Progress progress(speak);
   model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
   if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
-  const OutputPlace place(comm, c.output.file, options.restart);
+  const OutputPlace place(comm, c.output.file, options.restart, c.inputs);
   c.output.file = place.path();
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
@@ -280,6 +281,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
   // An exit code other than 0 never comes without its reason.
   if (rank == 0 && !speak) fmt::print(stderr, "hawser: {}\n", recorder.audit_warning());
   return kExitEnergy;
+}
+
+int print_case(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes) {
+  const std::string json = io::case_json(io::read_case(case_path, {}, comm, changes));
+  if (rank_of(comm) == 0) fmt::print("{}\n", json);
+  return 0;
 }
 
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,

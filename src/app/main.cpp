@@ -164,6 +164,8 @@ CommandLine::CommandLine() {
       ->add_option("-n,--ranks", ranks, "Show the partition for this many ranks; else for those it runs on")
       ->check(hawser::app::whole_number(1, 1 << 20));
   check_command->add_flag("--quick", quick, "Without the trial run that tells the cost");
+  check_command->add_flag("--json", json,
+                          "Print the case as it was read, with all defaults, as JSON, and nothing else");
   add_set(check_command);
 
   schema_command = cli.add_subcommand("schema", "Print the schema of case files.");
@@ -229,8 +231,9 @@ int main(int argc, char** argv) {
   if (!petsc) begin();
   return guarded(*petsc, [&] {
     if (!*line.run_command && !*line.modes_command)
-      return hawser::app::check_case(PETSC_COMM_WORLD, line.check_path, line.ranks, !line.quick,
-                                     line.changes);
+      return line.json ? hawser::app::print_case(PETSC_COMM_WORLD, line.check_path, line.changes)
+                       : hawser::app::check_case(PETSC_COMM_WORLD, line.check_path, line.ranks, !line.quick,
+                                                 line.changes);
     const int code = *line.run_command ? hawser::app::run(PETSC_COMM_WORLD, line.run)
                                        : hawser::app::modes(PETSC_COMM_WORLD, line.modes);
     const auto left = unused(theirs);

@@ -169,7 +169,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   const std::string wanted = options.output.empty()
                                  ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
                                  : std::filesystem::absolute(options.output).string();
-  const OutputPlace place(comm, wanted, "");
+  const OutputPlace place(comm, wanted, "", c.inputs);
   if (!c.statics.enabled)
     throw InputError(c.path +
                      ": statics: modes are about the static equilibrium, which this case leaves out");
@@ -177,7 +177,6 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   c = with_targets_met(comm, std::move(c), volumes, progress);
   if (!options.added_mass)
     for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
-  c.tree.reset();
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   for (const auto& n : place.notes()) progress.say("note: " + n);
   for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);

@@ -35,16 +35,20 @@ bool same_file(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart)
+OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,
+                         const std::vector<std::string>& inputs)
     : path_(followed(path)), appends_(same_file(restart, path_)) {
   on_root(comm, [&] {
     check();
+    std::vector<std::string> read = inputs;
+    if (!appends_ && !restart.empty()) read.push_back(restart);
+    check_inputs(read);
     lock_ = std::make_unique<io::RunLock>(path_);
     if (!lock_->held())
       notes_.push_back(fmt::format(
           "the file system of {} does not support file locks: make sure that no other run writes this file",
           path_));
-    check_old(restart);
+    check_old();
     if (!io::xml_holds(fs::path(path_).filename().string()))
       notes_.push_back(
           fmt::format("the name of {} is not UTF-8: the XDMF file cannot tell ParaView of it", path_));
@@ -71,8 +75,20 @@ void OutputPlace::check() const {
             longest.size(), limit));
 }
 
+// Every file that the run makes, renames or removes, against those that it reads.
+void OutputPlace::check_inputs(const std::vector<std::string>& inputs) const {
+  const std::string xdmf = io::xdmf_beside(path_);
+  for (const std::string& written : {path_, path_ + ".new", path_ + ".lock", io::kept_name(path_), xdmf,
+                                     xdmf + ".new", io::kept_name(xdmf)})
+    for (const std::string& input : inputs)
+      if (same_file(written, input))
+        throw refusal(path_, fmt::format("{} is a file that this run reads{}, and would be replaced; give "
+                                         "another file with -o",
+                                         input, input == written ? "" : " (" + written + ")"));
+}
+
 // Files that are there already, and that the run will replace.
-void OutputPlace::check_old(const std::string& restart) {
+void OutputPlace::check_old() {
   const auto there = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
   const auto check_one = [&](const std::string& name, bool ours) {
     if (!there(name) || ours) return;
@@ -89,9 +105,6 @@ void OutputPlace::check_old(const std::string& restart) {
   const std::string kept = io::kept_name(path_), kept_xdmf = io::kept_name(xdmf);
   check_one(kept, io::is_results(kept));
   check_one(kept_xdmf, io::is_xdmf(kept_xdmf));
-  if (same_file(restart, kept))
-    throw refusal(path_, "what is there would take the place of " + kept +
-                             ", from which the run goes on; give another file with -o");
   if (there(path_))
     notes_.push_back(fmt::format("the results that are at {} will be kept as {}", path_, kept));
 }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -47,11 +48,23 @@ int post(char** arguments) {
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown), folder = package_folder(program);
   if (folder.empty()) return 1;
   setenv("HAWSER", program.c_str(), 1);
+  // Ctrl-C waits until Python can answer it with a sentence.
+  sigset_t interrupt;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  sigprocmask(SIG_BLOCK, &interrupt, nullptr);
   // The package comes first, not the folder of the user, in which there may be modules of the same names.
-  std::string python = "python3", no_bytecode = "-B", command = "-c", from = folder.string(),
-              start =
-                  "import runpy, sys; sys.path[0] = sys.argv.pop(1); runpy.run_module('hawser_post', "
-                  "run_name='__main__', alter_sys=True)";
+  std::string python = "python3", no_bytecode = "-B", command = "-c", from = folder.string(), start = R"(
+import sys
+sys.path[0] = sys.argv.pop(1)
+try:
+    import runpy, signal
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
+    runpy.run_module('hawser_post', run_name='__main__', alter_sys=True)
+except KeyboardInterrupt:
+    print('hawser: stopped by Ctrl-C', file=sys.stderr)
+    sys.exit(130)
+)";
   std::vector<char*> words{python.data(), no_bytecode.data(), command.data(), start.data(), from.data()};
   for (; *arguments; ++arguments) words.push_back(*arguments);
   words.push_back(nullptr);

@@ -13,6 +13,7 @@
 #include "hawser/app/version.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/io/case_json.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/model/wave_components.hpp"
 
@@ -21,6 +22,7 @@ namespace hawser::app {
 io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks) {
   io::RunInfo info;
   info.case_text = c.text, info.case_path = c.path;
+  info.case_read = io::case_json(c);
   info.changes = fmt::format("{}", fmt::join(c.changes, "\n"));
   info.version = kVersion, info.options = petsc_options, info.ranks = ranks;
   info.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));

@@ -84,7 +84,8 @@ Case read_document(const std::string& text, const std::string& path, const Readi
   model::check_structure(*tree, model::case_schema(), path);
   if (const Value* title = root.find("title"); news.title)
     news.title(title && !title->text.empty() ? title->text : c.path);
-  const CaseSource source{path, c.directory, comm};
+  c.inputs = {c.path};
+  const CaseSource source{path, c.directory, comm, &c.inputs};
   read_all(root, source, {}, c);
   c.tree = tree;
   examine(c);
@@ -97,7 +98,8 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
   Case out;
   out.text = c.text, out.file = c.file, out.path = c.path, out.directory = c.directory;
   out.tree = c.tree, out.changes = c.changes, out.change_notes = c.change_notes;
-  const CaseSource source{c.file, c.directory, comm};
+  out.inputs = {c.path};
+  const CaseSource source{c.file, c.directory, comm, &out.inputs};
   read_all(*c.tree, source, lengths, out);
   examine(out);
   return model::with_cuts(std::move(out));

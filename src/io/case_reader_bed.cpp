@@ -45,7 +45,7 @@ double least_step(const std::vector<double>& t) {
 
 std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& source,
                                             std::vector<std::string>& notes) {
-  const std::string path = source.absolute(v["file"].text);
+  const std::string path = source.input(v["file"].text);
   std::vector<int> line;
   const std::vector<std::vector<double>> rows = read_rows(path, v["file"], &line);
   const auto refuse_row = [&](size_t row, const std::string& text) {
@@ -106,7 +106,7 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
 }
 
 std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const CaseSource& source) {
-  const std::string path = source.absolute(v["file"].text);
+  const std::string path = source.input(v["file"].text);
   return once_a_host(source.comm, Host(source.comm), [&] {
     try {
       TriangleMesh sheet = read_sheet(path, v["scale"].number);
@@ -135,14 +135,14 @@ void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& b
   if (const Value* g = v.find("grid")) {
     const auto grid = read_grid(*g, source, notes);
     low = grid->lowest(), high = grid->highest();
-    bed.surface = grid, bed.file = source.absolute((*g)["file"].text);
+    bed.surface = grid, bed.file = source.input((*g)["file"].text);
   } else if (const Value* m = v.find("mesh")) {
     const auto mesh = read_mesh_bed(*m, source);
     const MeshView t = mesh->mesh();
     low = std::numeric_limits<double>::infinity(), high = -low;
     for (size_t i = 0; i < t.vertices.size() / 2; ++i)  // the other half is the floor
       low = std::min(low, t.vertices[i].z()), high = std::max(high, t.vertices[i].z());
-    bed.surface = mesh, bed.file = source.absolute((*m)["file"].text);
+    bed.surface = mesh, bed.file = source.input((*m)["file"].text);
   } else {
     return;
   }

@@ -178,15 +178,14 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
       if (!water.present) refuse(density, "is 'flooded', but there is no 'environment.water'");
       t.contents_density = water.density;
     }
+    const Value& given = bore ? (*c)["inner_diameter"] : v["pipe"];
     if (t.inner_diameter >= t.outer_diameter)
-      refuse((*c)["inner_diameter"], "{:g} m is not inside the outside of {:g} m", t.inner_diameter,
-             t.outer_diameter);
+      refuse(given, "{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.outer_diameter);
     // The bore is inside of what the line displaces, or its contents would weigh in the water though they
     // displace none.
     if (t.inner_diameter >= t.displaced_diameter)
-      refuse((*c)["inner_diameter"],
-             "a bore of {:g} m does not fit into the {:.4g} m that the line displaces{}", t.inner_diameter,
-             t.displaced_diameter,
+      refuse(given, "a bore of {:g} m does not fit into the {:.4g} m that the line displaces{}",
+             t.inner_diameter, t.displaced_diameter,
              v.has("weight")
                  ? " by its weights: if those are of the drained line in air and of the flooded line under "
                    "water leave 'contents' out, or give the weight of the empty line with closed ends as "

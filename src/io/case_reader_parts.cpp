@@ -40,6 +40,9 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
     std::istringstream words(line);
     for (std::string w; words >> w;) {
       const model::Quantity q = model::parse_quantity(w, model::Dimension::none);
+      if (q.status == model::Quantity::Status::out_of_range)
+        refuse(at, "{}:{}: {} is out of range; a number is 0 or between {:g} and {:g} in size", path, n,
+               model::quote(w), model::kSmallest, model::kLargest);
       if (q.status != model::Quantity::Status::ok)
         refuse(at, "{}:{}: {} is no finite number", path, n, model::quote(w));
       row.push_back(q.si);
@@ -53,6 +56,12 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const Value&
 
 std::string CaseSource::absolute(const std::string& path) const {
   return (fs::path(directory) / fs::path(path)).lexically_normal().string();
+}
+
+std::string CaseSource::input(const std::string& path) const {
+  std::string named = absolute(path);
+  if (inputs && std::find(inputs->begin(), inputs->end(), named) == inputs->end()) inputs->push_back(named);
+  return named;
 }
 
 void CaseSource::bad(const Value& v, const std::string& key, const std::string& text) const {
@@ -81,7 +90,7 @@ GivenRows read_given_rows(const Value& v, const CaseSource& source) {
   const bool from_file = v.has("file");
   GivenRows given{v[from_file ? "file" : "rows"], {}};
   if (from_file) {
-    given.rows = read_rows(source.absolute(given.at.text), given.at);
+    given.rows = read_rows(source.input(given.at.text), given.at);
     return given;
   }
   for (const Value& r : given.at.items) {

@@ -24,7 +24,7 @@ constexpr double kTogether = 1e-9;  // of its length, the end of a part from the
 }
 
 const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
-  const std::string path = source_.absolute(from.text);
+  const std::string path = source_.input(from.text);
   const double wanted = time ? time->number : -1;
   const auto [found, fresh] = runs_.try_emplace({path, wanted});
   Run& r = found->second;

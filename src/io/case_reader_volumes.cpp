@@ -15,7 +15,7 @@ using model::Value;
 
 void finish_volume(const Value& v, const CaseSource& source, model::Volume& o) {
   if (!o.shape) {
-    o.mesh = source.absolute(o.mesh);
+    o.mesh = source.input(o.mesh);
     const bool curved = o.sign == model::SignTest::automatic || o.sign == model::SignTest::pseudonormal;
     if (!curved && o.smooth && v["smooth"].given)
       refuse(v["smooth"],

@@ -66,6 +66,7 @@ void write_description(hid_t file, const ResultContents& c) {
   h5::text_attribute(root, "date", c.run.date);
   h5::int_attribute(root, "ranks", c.run.ranks);
   h5::write_text(file, "case", c.run.case_text);
+  h5::write_text(file, "case_read", c.run.case_read);
   h5::write_text(file, "options", c.run.options);
   h5::write_text(file, "set", c.run.changes);
 

@@ -34,7 +34,8 @@ ResultsSize results_size(const ResultContents& c, const ExpectedRows& rows) {
     size.rest += 3 * kOfDataset;
   }
   if (rows.checkpoint > 0) size.checkpoints = 2 * kSpare * sizeof(double) * rows.checkpoint;
-  size.rest += 20 * kOfDataset + kNode * c.nodes_total() + static_cast<double>(c.run.case_text.size());
+  size.rest += 20 * kOfDataset + kNode * c.nodes_total() +
+               static_cast<double>(c.run.case_text.size() + c.run.case_read.size());
   return size;
 }
 

@@ -103,9 +103,10 @@ class EventCheck {
   void check_cut(const Action& a) {
     const Line& l = line(a.whole);
     const double length = length_of(l);
-    if (!(a.cut < length * (1 - kArcTolerance)))
+    if (!(a.cut < length))
       return issue("cut.at", "arc length {:.6g} m is not within line '{}', which is {:.6g} m long", a.cut,
                    a.whole, length);
+    check_parts(a, length);
     if (l.target)
       issue("cut", "line '{}' has a 'target'; give it the length that meets that, and it can be cut",
             a.whole);
@@ -116,10 +117,39 @@ class EventCheck {
       if (const auto& feed = l.end(b).feed; feed && (b ? length - a.cut : a.cut) <= feed->stock)
         issue("cut.at", "arc length {:.6g} m of line '{}' is inside the feeder at its end {}", a.cut, a.whole,
               b ? 'B' : 'A');
-    for (std::size_t k = 0; k < i_; ++k)
-      if (const Action& o = c_.events[k].action;
-          o.cut >= 0 && o.whole == a.whole && std::abs(o.cut - a.cut) <= kArcTolerance * length)
+  }
+
+  // What a cut leaves on either side up to an end, a section's end or another cut is an element at least, and
+  // one that is shorter than the line is thick is no line.
+  void check_parts(const Action& a, double length) {
+    const double same = kArcTolerance * length;
+    const double shortest = std::max(type_at(a.whole, a.cut).outer_diameter, same);
+    if (const double part = std::min(a.cut, length - a.cut); part < shortest)
+      return issue("cut.at",
+                   "arc length {:.9g} m leaves {:.3g} m of line '{}' at its end {}, less than its outer "
+                   "diameter ({:.3g} m); an event with 'release' lets go of the end itself",
+                   a.cut, part, a.whole, a.cut < length - a.cut ? 'A' : 'B', shortest);
+    double end = 0;
+    for (const Section& s : line(a.whole).sections)
+      if (const double off = std::abs((end += s.length) - a.cut); off > same && off < shortest)
+        return issue(
+            "cut.at",
+            "arc length {:.9g} m of line '{}' is {:.3g} m from the end of a section at {:.9g} m, less "
+            "than its outer diameter ({:.3g} m); cut the line just there, or further away",
+            a.cut, a.whole, off, end, shortest);
+    for (std::size_t k = 0; k < i_; ++k) {
+      const Action& o = c_.events[k].action;
+      if (o.cut < 0 || o.whole != a.whole) continue;
+      const double part = std::abs(o.cut - a.cut);
+      if (part <= same)
         issue("cut.at", "line '{}' is cut there already by another event", a.whole);
+      else if (part < shortest)
+        issue(
+            "cut.at",
+            "another event cuts line '{}' {:.3g} m away, and a part between two cuts is no shorter than its "
+            "outer diameter ({:.3g} m)",
+            a.whole, part, shortest);
+    }
   }
 
   // All stages together: what is inside may run out, and so may what is outside.

@@ -86,7 +86,6 @@ Value literal(const std::string& s, int line) {
 
 // Of numbers but 0, SI: so that neither their products nor their ratios are beyond what a double holds. No
 // quantity of a model is near either.
-constexpr double kSmallest = 1e-40, kLargest = 1e40;
 
 class Checker {
  public:
@@ -164,6 +163,9 @@ class Checker {
       }
       case Quantity::Status::not_finite:
         bad(v, path, "{} is not a finite number", quote(v.text));
+      case Quantity::Status::out_of_range:
+        bad(v, path, "{} is out of range; a number is 0 or between {:g} and {:g} in size", quote(v.text),
+            kSmallest, kLargest);
       case Quantity::Status::wrong_unit: {
         if (const std::string hint = misspelt_number(q.unit); !hint.empty()) wrong_type(v, k, path, hint);
         if (k.unit == Dimension::none)
@@ -174,9 +176,6 @@ class Checker {
             quote(v.text), dimension_name(k.unit), enumerate(units), base_unit(k.unit));
       }
     }
-    if (const double size = std::abs(q.si); size > kLargest || (size > 0 && size < kSmallest))
-      bad(v, path, "{} is beyond the size of any quantity, which is {:g} to {:g} here", quote(v.text),
-          kSmallest, kLargest);
     if (whole && (q.si != std::floor(q.si) || std::abs(q.si) > 1e15)) wrong_type(v, k, path);
     const Bounds& b = k.bounds;
     if ((b.above && !(q.si > *b.above)) || (b.at_least && !(q.si >= *b.at_least)) ||

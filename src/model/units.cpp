@@ -126,6 +126,17 @@ std::string_view dimension_name(Dimension d) { return entry(d).name; }
 std::string_view base_unit(Dimension d) { return entry(d).base; }
 std::span<const Unit> units_of(Dimension d) { return entry(d).units; }
 
+namespace {
+
+Quantity::Status status_of(double si) {
+  if (!std::isfinite(si)) return Quantity::Status::not_finite;
+  const double size = std::abs(si);
+  return si == 0 || (size >= kSmallest && size <= kLargest) ? Quantity::Status::ok
+                                                            : Quantity::Status::out_of_range;
+}
+
+}  // namespace
+
 Quantity parse_quantity(std::string_view text, Dimension d) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -150,7 +161,7 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
     if (bad != std::errc() || rest != unit.data() + unit.size())
       return q.status = Quantity::Status::not_a_number, q;
     q.si = value / divisor;
-    if (!std::isfinite(q.si)) q.status = Quantity::Status::not_finite;
+    q.status = status_of(q.si);
     return q;
   }
   q.unit = unit;
@@ -167,7 +178,7 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
   }
   if (!u) return q.status = Quantity::Status::wrong_unit, q;
   q.si = value * u->multiply / u->divide;
-  if (!std::isfinite(q.si)) q.status = Quantity::Status::not_finite;
+  q.status = status_of(q.si);
   return q;
 }
 

@@ -1,6 +1,24 @@
 """A results file that was not computed, with as much as a test of the Python tools needs."""
+import json
+import re
+
 import h5py
 import numpy as np
+import yaml
+
+UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "s": 1.0, "MPa": 1e6}
+
+
+def as_read(value):
+    """What the program makes of texts of a case, as far as the tests have such."""
+    if isinstance(value, dict):
+        return {key: as_read(inner) for key, inner in value.items()}
+    if isinstance(value, list):
+        return [as_read(inner) for inner in value]
+    found = re.fullmatch(r"([-+]?[\d.]+(?:e[-+]?\d+)?) ?(\w*)", value)
+    if found and found[2] in UNITS:
+        return float(found[1]) * UNITS[found[2]]
+    return {"true": True, "false": False}.get(value, value)
 
 
 def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statistics=None, case="hawser: 1\n",
@@ -27,6 +45,8 @@ def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statis
         file["lines/first_node"] = np.concatenate([[0], np.cumsum(counts)[:-1]])
         file["lines/nodes"] = counts
         file["case"] = case.encode()
+        given = yaml.load(case, yaml.BaseLoader)  # all texts
+        file["case_read"] = json.dumps({"given": given, "read": as_read(given), "line_types": {}, "inputs": []}).encode()
         if stages:
             file["stages"] = [name.encode() for name in stages]
         if ended:

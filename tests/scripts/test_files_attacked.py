@@ -143,7 +143,7 @@ class OldFiles(Attack):
     def test_what_is_gone_on_from_stays(self):
         self.good("rod.yaml", "-q")
         self.good("rod.yaml", "-q")
-        self.refused(["rod.yaml", "--restart", "rod.h5~"], "would take the place of", "from which the run goes on")
+        self.refused(["rod.yaml", "--restart", "rod.h5~"], "rod.h5~ is a file that this run reads", "and would be replaced")
 
     def test_links_are_followed(self):
         (self.folder / "far").mkdir()

@@ -26,4 +26,7 @@ int run(MPI_Comm comm, const RunOptions& options);
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial = true,
                const std::vector<std::string>& changes = {});
 
+// Prints a case as it was read (io/case_json.hpp), and nothing else. Throws InputError. Collective.
+int print_case(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes);
+
 }  // namespace hawser::app

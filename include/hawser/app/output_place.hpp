@@ -15,8 +15,10 @@ namespace hawser::app {
 class OutputPlace {
  public:
   // A file at `path` is replaced only if it is a results file; a link is followed. `restart`: the file the
-  // run goes on from, or empty. Throws InputError unless results can be made there. Collective.
-  OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart);
+  // run goes on from, or empty; `inputs`: what the case reads, none of which is replaced. Throws InputError
+  // unless results can be made there. Collective.
+  OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,
+              const std::vector<std::string>& inputs);
 
   const std::string& path() const { return path_; }  // where links lead
   bool appends() const { return appends_; }          // goes on in the file itself
@@ -25,7 +27,8 @@ class OutputPlace {
 
  private:
   void check() const;
-  void check_old(const std::string& restart);
+  void check_inputs(const std::vector<std::string>& inputs) const;
+  void check_old();
 
   std::string path_;
   bool appends_ = false;

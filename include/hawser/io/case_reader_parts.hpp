@@ -15,11 +15,14 @@ namespace hawser::io {
 
 // Where a case comes from.
 struct CaseSource {
-  std::string file;               // as the user named it, for messages
-  std::string directory;          // absolute, for relative paths
-  MPI_Comm comm = MPI_COMM_SELF;  // of those who read it
+  std::string file;                            // as the user named it, for messages
+  std::string directory;                       // absolute, for relative paths
+  MPI_Comm comm = MPI_COMM_SELF;               // of those who read it
+  std::vector<std::string>* inputs = nullptr;  // gets the files that the case names and reads
 
   std::string absolute(const std::string& path) const;
+  // The same of a file that the case reads.
+  std::string input(const std::string& path) const;
   [[noreturn]] void bad(const model::Value& v, const std::string& key, const std::string& text) const;
 };
 

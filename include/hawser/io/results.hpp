@@ -23,7 +23,8 @@ namespace hawser::io {
 struct RunInfo {
   std::string case_text, case_path, version, options, date;
   int ranks = 1;
-  std::string changes = {};  // by --set, KEY=VALUE in a line each; case_text is without them
+  std::string changes = {};    // by --set, KEY=VALUE in a line each; case_text is without them
+  std::string case_read = {};  // case_json.hpp
 };
 
 // Nodes of a line follow each other in file order, end A to end B; lines follow each other as well.

@@ -377,6 +377,7 @@ struct Output {
 struct Case {
   std::string path, directory, text;  // as read
   std::string file;                   // as the user named it
+  std::vector<std::string> inputs;    // absolute paths of the case file and the files that it reads
   std::shared_ptr<const Value> tree;  // its keys, for the lines of refuse(); null: none
   std::string title;
   Environment environment;

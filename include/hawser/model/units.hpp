@@ -48,9 +48,13 @@ std::string_view dimension_name(Dimension d);  // "length", as in "a length is g
 std::string_view base_unit(Dimension d);       // as printed: "N m²"; "-" for none
 std::span<const Unit> units_of(Dimension d);   // first is the base unit
 
+// What a number may be in size, unless it is 0: products of five such numbers, as E d^4 of a bending
+// stiffness, are neither infinite nor zero.
+inline constexpr double kLargest = 1e60, kSmallest = 1e-60;
+
 // A number with or without unit, e.g. "0.85", "850 mm", "1e3 kN". Result in SI.
 struct Quantity {
-  enum class Status { ok, not_a_number, not_finite, wrong_unit };
+  enum class Status { ok, not_a_number, not_finite, out_of_range, wrong_unit };
   Status status = Status::ok;
   double si = 0;
   std::string unit;  // as written, for the sentence

@@ -1,0 +1,36 @@
+"""Every key of the schema with what is no number, far too large or of another form: each is refused in a sentence, or accepted;
+with HAWSER_FULL in the environment what is accepted is also run."""
+import os
+import unittest
+from pathlib import Path
+
+import sweep
+from support import ROOT
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+CHECKER = Path(HAWSER).parent / "tests/check_many"
+
+
+class Sweep(unittest.TestCase):
+    def test_every_key(self):
+        full = bool(os.environ.get("HAWSER_FULL"))
+        complaints, codes = sweep.sweep(HAWSER, CHECKER, runs=full)
+        self.assertEqual(complaints, [])
+        self.assertGreater(codes[2], 3000)
+        self.assertGreater(codes[0], 300)
+
+    def test_what_is_wrong_is_found(self):
+        """Numbers that are none in what is printed, and the places of keys in a case."""
+        self.assertTrue(sweep.NO_NUMBER.search("note: the density is inf t/m³"))
+        self.assertTrue(sweep.NO_NUMBER.search("by -nan %"))
+        self.assertFalse(sweep.NO_NUMBER.search("information, nanometres, res/inf.txt"))
+        schema = {"type": "object", "properties": {"a": {"type": "number"}, "b": {"anyOf": [{"type": "string"}, {
+            "type": "array", "items": {"type": "object", "properties": {"c": {}}}}]}}}
+        self.assertEqual(list(sweep.keys_of(schema)), [("a",), ("b",), ("b", "[]", "c")])
+        found = list(sweep.places_of(schema, {"b": [{"c": "1"}]}))
+        self.assertEqual(found, [(("a",), ("a",), False), (("b",), ("b",), True), (("b", "[]", "c"), ("b", 0, "c"), True)])
+        self.assertEqual(sweep.changed({"b": [{"c": "1"}]}, ("b", 0, "c"), "nan"), "{b: [{c: nan}]}\n")
+
+
+if __name__ == "__main__":
+    unittest.main()
