@@ -1,6 +1,7 @@
 // How much of a round section, of a ball, or of a body of some height is under water.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace hawser {
@@ -17,6 +18,71 @@ inline Wetting circle_wetting(double u) {
   if (u <= -1) return {};
   const double c2 = 1 - u * u, c = std::sqrt(c2), a = std::asin(u);
   return {0.5 + (u * c + a) / M_PI, 2 * c / M_PI, 0.5 * u + (c - c * c2 / 3 + u * a) / M_PI};
+}
+
+// Of a straight piece of an axis with circular sections, as a function of the heights h1, h2 [m] of the
+// surface above its ends and of b [m], half the height over which a section gets wet. z runs from 0 to 1
+// along the piece, h = h1 + z (h2 - h1), and F = circle_wetting(h/b).share.
+struct PieceWetting {
+  double integral = 0;              // m, mean of b Psi(h/b), Psi' = F; homogeneous of degree 1 in h1, h2, b
+  double share1 = 0, share2 = 0;    // its derivatives by h1 and h2: means of (1 - z) F and z F
+  double slope11 = 0, slope12 = 0;  // 1/m, second derivatives: means of (1 - z)² F'/b and z (1 - z) F'/b,
+  double slope22 = 0;               // and of z² F'/b
+};
+
+// With h = b sin(phi) within the band |h| < b, where F'/b = 2 cos(phi)/(pi b), the moments are
+//   m_k = mean of z^k F'/b = 2/(pi (h2 - h1)) int z^k cos²(phi) dphi,  z = (b sin(phi) - h1)/(h2 - h1),
+// in closed form, or by Gauss's rule (exact to rounding) where the closed form loses digits because phi
+// changes little. The other means follow from them by parts.
+inline PieceWetting piece_wetting(double h1, double h2, double b) {
+  if (std::min(h1, h2) >= b) return {0.5 * (h1 + h2), 0.5, 0.5, 0, 0, 0};
+  if (std::max(h1, h2) <= -b) return {};
+  constexpr double kLevel = 1e-7, kNarrow = 0.25;  // of b; rad
+  const double rise = h2 - h1;
+  double m[3] = {};
+  if (std::abs(rise) < kLevel * b) {
+    const double mean = circle_wetting(0.5 * (h1 + h2) / b).slope / b;
+    for (int k = 0; k < 3; ++k) m[k] = mean / (k + 1);
+  } else {
+    const auto angle = [b](double h) { return std::asin(std::clamp(h / b, -1.0, 1.0)); };
+    const double from = angle(h1), to = angle(h2), over = 2 / (M_PI * rise);
+    if (std::abs(to - from) < kNarrow) {
+      constexpr double at[2] = {0.33998104358485626480, 0.86113631159405257522};
+      constexpr double weight[2] = {0.65214515486254614263, 0.34785484513745385737};
+      for (int g = 0; g < 4; ++g) {
+        const double phi = 0.5 * (from + to) + (g % 2 ? 0.5 : -0.5) * (to - from) * at[g / 2];
+        const double z = (b * std::sin(phi) - h1) / rise, c = std::cos(phi);
+        double w = over * 0.5 * (to - from) * weight[g / 2] * c * c;
+        for (int k = 0; k < 3; ++k) {
+          m[k] += w;
+          w *= z;
+        }
+      }
+    } else {
+      const auto integrals = [](double phi, double* I) {  // of sin^k cos², k = 0, 1, 2
+        const double s = std::sin(phi), c = std::cos(phi);
+        I[0] = 0.5 * (phi + s * c);
+        I[1] = -c * c * c / 3;
+        I[2] = 0.125 * (phi - s * c * (1 - 2 * s * s));
+      };
+      double I[3], low[3];
+      integrals(to, I);
+      integrals(from, low);
+      for (int k = 0; k < 3; ++k) I[k] -= low[k];
+      m[0] = over * I[0];
+      m[1] = over * (b * I[1] - h1 * I[0]) / rise;
+      m[2] = over * (b * b * I[2] - 2 * b * h1 * I[1] + h1 * h1 * I[0]) / (rise * rise);
+    }
+  }
+  const Wetting end = circle_wetting(h2 / b);
+  PieceWetting out;
+  out.share2 = 0.5 * (end.share - rise * m[2]);
+  out.share1 = end.share - rise * m[1] - out.share2;
+  out.integral = b * end.integral - rise * out.share2;
+  out.slope11 = m[0] - 2 * m[1] + m[2];
+  out.slope12 = m[1] - m[2];
+  out.slope22 = m[2];
+  return out;
 }
 
 // Cap of a ball: share = (2 + 3 u - u³)/4.
