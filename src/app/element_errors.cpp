@@ -158,8 +158,12 @@ void ElementErrors::look_at_lifts(const LineSpan& line, std::span<const At> node
       if (mesh_.mesh->nodes[line.first_node + n + side].two_sided) continue;
       const double weight =
           case_.environment.gravity * model::mass_in_water(case_, type(next), nodes[n].x.z());
-      const double grows = nodes[n + 2 * side].tension - nodes[n].tension;
-      const double error = std::abs(grows - weight * (nodes[n + 2 * side].x.z() - nodes[n].x.z()));
+      // The tension at a node is the mean of its elements'. From the node above, whose elements both hang,
+      // follow those of the elements below it and so that of the one that lies.
+      const At &lies = nodes[n], &low = nodes[n + side], &high = nodes[n + 2 * side];
+      const double hanging = high.tension - 0.5 * weight * (high.x.z() - low.x.z());
+      const double leaving = 2 * low.tension - hanging, lying = std::max(2 * lies.tension - leaving, 0.0);
+      const double error = std::abs(high.tension - lying - weight * (high.x.z() - lies.x.z()));
       if (error > worst.error)
         worst = {.error = error,
                  .arc = mesh_.mesh->nodes[line.first_node + n].arc,

@@ -38,47 +38,48 @@ inline PieceWetting piece_wetting(double h1, double h2, double b) {
   if (std::min(h1, h2) >= b) return {0.5 * (h1 + h2), 0.5, 0.5, 0, 0, 0};
   if (std::max(h1, h2) <= -b) return {};
   constexpr double kLevel = 1e-7, kNarrow = 0.25;  // of b; rad
-  const double rise = h2 - h1;
+  const double rise = h2 - h1, s1 = std::clamp(h1 / b, -1.0, 1.0), s2 = std::clamp(h2 / b, -1.0, 1.0);
+  const double c2 = std::sqrt(1 - s2 * s2), from = std::asin(s1), to = std::asin(s2);
   double m[3] = {};
   if (std::abs(rise) < kLevel * b) {
-    const double mean = circle_wetting(0.5 * (h1 + h2) / b).slope / b;
-    for (int k = 0; k < 3; ++k) m[k] = mean / (k + 1);
-  } else {
-    const auto angle = [b](double h) { return std::asin(std::clamp(h / b, -1.0, 1.0)); };
-    const double from = angle(h1), to = angle(h2), over = 2 / (M_PI * rise);
-    if (std::abs(to - from) < kNarrow) {
-      constexpr double at[2] = {0.33998104358485626480, 0.86113631159405257522};
-      constexpr double weight[2] = {0.65214515486254614263, 0.34785484513745385737};
-      for (int g = 0; g < 4; ++g) {
-        const double phi = 0.5 * (from + to) + (g % 2 ? 0.5 : -0.5) * (to - from) * at[g / 2];
-        const double z = (b * std::sin(phi) - h1) / rise, c = std::cos(phi);
-        double w = over * 0.5 * (to - from) * weight[g / 2] * c * c;
-        for (int k = 0; k < 3; ++k) {
-          m[k] += w;
-          w *= z;
-        }
+    for (int k = 0; k < 3; ++k) m[k] = 2 / (M_PI * b) * c2 / (k + 1);
+  } else if (std::abs(to - from) < kNarrow) {
+    constexpr double at[2] = {0.33998104358485626480, 0.86113631159405257522};
+    constexpr double weight[2] = {0.65214515486254614263, 0.34785484513745385737};
+    const double half = 0.5 * (to - from), s = std::sin(from + half), c = std::cos(from + half);
+    for (int g = 0; g < 4; ++g) {
+      const double d = (g % 2 ? half : -half) * at[g / 2], d2 = d * d;  // sine and cosine to rounding:
+      const double sin_d = d * (1 - d2 / 6 * (1 - d2 / 20 * (1 - d2 / 42)));
+      const double cos_d = 1 - d2 / 2 * (1 - d2 / 12 * (1 - d2 / 30 * (1 - d2 / 56)));
+      const double cosine = c * cos_d - s * sin_d, z = (b * (s * cos_d + c * sin_d) - h1) / rise;
+      double w = 2 / (M_PI * rise) * half * weight[g / 2] * cosine * cosine;
+      for (int k = 0; k < 3; ++k) {
+        m[k] += w;
+        w *= z;
       }
-    } else {
-      const auto integrals = [](double phi, double* I) {  // of sin^k cos², k = 0, 1, 2
-        const double s = std::sin(phi), c = std::cos(phi);
-        I[0] = 0.5 * (phi + s * c);
-        I[1] = -c * c * c / 3;
-        I[2] = 0.125 * (phi - s * c * (1 - 2 * s * s));
-      };
-      double I[3], low[3];
-      integrals(to, I);
-      integrals(from, low);
-      for (int k = 0; k < 3; ++k) I[k] -= low[k];
-      m[0] = over * I[0];
-      m[1] = over * (b * I[1] - h1 * I[0]) / rise;
-      m[2] = over * (b * b * I[2] - 2 * b * h1 * I[1] + h1 * h1 * I[0]) / (rise * rise);
     }
+  } else {
+    const auto integrals = [](double phi, double sine, double cosine,
+                              double* I) {  // of sin^k cos², k = 0, 1, 2
+      I[0] = 0.5 * (phi + sine * cosine);
+      I[1] = -cosine * cosine * cosine / 3;
+      I[2] = 0.125 * (phi - sine * cosine * (1 - 2 * sine * sine));
+    };
+    double I[3], low[3];
+    integrals(to, s2, c2, I);
+    integrals(from, s1, std::sqrt(1 - s1 * s1), low);
+    for (int k = 0; k < 3; ++k) I[k] -= low[k];
+    const double over = 2 / (M_PI * rise);
+    m[0] = over * I[0];
+    m[1] = over * (b * I[1] - h1 * I[0]) / rise;
+    m[2] = over * (b * b * I[2] - 2 * b * h1 * I[1] + h1 * h1 * I[0]) / (rise * rise);
   }
-  const Wetting end = circle_wetting(h2 / b);
+  const double share = 0.5 + (s2 * c2 + to) / M_PI;  // circle_wetting at h2
+  const double integral = h2 >= b ? h2 : b * (0.5 * s2 + (c2 - c2 * c2 * c2 / 3 + s2 * to) / M_PI);
   PieceWetting out;
-  out.share2 = 0.5 * (end.share - rise * m[2]);
-  out.share1 = end.share - rise * m[1] - out.share2;
-  out.integral = b * end.integral - rise * out.share2;
+  out.share2 = 0.5 * (share - rise * m[2]);
+  out.share1 = share - rise * m[1] - out.share2;
+  out.integral = integral - rise * out.share2;
   out.slope11 = m[0] - 2 * m[1] + m[2];
   out.slope12 = m[1] - m[2];
   out.slope22 = m[2];
