@@ -157,13 +157,16 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
       if (partly) {
         // By Euler's theorem on homogeneous functions.
         const double G = B * (wet.integral - piece.h1 * wet.share1 - piece.h2 * wet.share2) / band.b;
-        for (int j = 0; j < n; ++j) out.f[j] += G * db[j];
+        out.f[0] += G * db[0], out.f[end] += G * db[end];
         if constexpr (tangent) {
-          for (int j = 0; j < n; ++j)
-            for (int k = 0; k < n; ++k) {
-              out.K[j][k] += outer((-B * from[j]) * unit(2), by1[k]) + outer((-B * to[j]) * unit(2), by2[k]);
-              if constexpr (beam) out.K[j][k] += outer(B * db[j], by_b[k]);
+          for (int k = 0; k < n; ++k) {
+            for (int j = 0; j < n; ++j) out.K[j][k].r[2] -= (B * from[j]) * by1[k] + (B * to[j]) * by2[k];
+            if constexpr (beam) {
+              const Mat by_band = outer(B * db[end], by_b[k]);
+              out.K[end][k] += by_band;
+              out.K[0][k] -= by_band;
             }
+          }
           if (beam && !convex) {  // a section wider than the element is long would rather stand
             const Mat k2 = (G / band.b) * (band.by_lean * by_chord2_of(t, inverse) - outer(db[end], db[end]));
             out.K[0][0] += k2, out.K[end][end] += k2;
