@@ -147,29 +147,29 @@ double taut_stiffness(const Case& c, const Body& b) {
 
 // The periods of bodies that move by their own equations: on springs, on taut lines, on links and in the
 // surface, of which the share `part` is a step.
-void add_free_bodies(const Case& c, double part, Shortest& own) {
+void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own) {
   const std::string fraction = part == kOfFree ? "a sixtieth" : "a twentieth";
-  const auto oscillates = [&](double mass, double stiffness, const std::string& what) {
+  const auto oscillates = [&](Shortest& to, double mass, double stiffness, const std::string& what) {
     if (stiffness > 0)
-      own.of(2 * M_PI * std::sqrt(mass / stiffness) / part, fraction + " of the period of body " + what);
+      to.of(2 * M_PI * std::sqrt(mass / stiffness) / part, fraction + " of the period of body " + what);
   };
   for (const Body& b : c.bodies) {
     if (!b.mass) continue;
-    oscillates(b.mass->mass, b.mass->stiffness.maxCoeff(), b.name + " on its springs");
+    oscillates(afloat, b.mass->mass, b.mass->stiffness.maxCoeff(), b.name + " on its springs");
     double mass = b.mass->mass;
     if (b.mass->in_water) {
       const BodyInWater& w = *b.mass->in_water;
       mass += w.added_mass.z();
-      oscillates(mass, c.environment.water.density * c.environment.gravity * w.volume / w.height,
+      oscillates(afloat, mass, c.environment.water.density * c.environment.gravity * w.volume / w.height,
                  b.name + " in the surface");
     }
     // What is driven follows such a line as if it were a bar.
-    if (part == kOfFree) oscillates(mass, taut_stiffness(c, b), b.name + " on its lines");
+    if (part == kOfFree) oscillates(own, mass, taut_stiffness(c, b), b.name + " on its lines");
   }
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
       if (const int body = c.body_index(e->body); c.floats(body))
-        oscillates(c.bodies[body].mass->mass, l.law.most_stiffness(), e->body + " on link " + l.name);
+        oscillates(own, c.bodies[body].mass->mass, l.law.most_stiffness(), e->body + " on link " + l.name);
 }
 
 void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortest& drags) {
@@ -261,7 +261,10 @@ LongestStep longest_step(const Case& c) {
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(c, b, to));
   for (const Body& b : c.bodies) add_drag_of_body(b, c.environment, speed, drags);
-  add_free_bodies(c, to.best().length > 0 ? kOfOwn : kOfFree, own);
+  // Where nothing drives them, neither outputs nor the duration say how long their steps may be.
+  Shortest afloat;
+  const bool driven_by_motion = to.best().length > 0;
+  add_free_bodies(c, driven_by_motion ? kOfOwn : kOfFree, driven_by_motion ? own : afloat, own);
   add_factor(c.environment.water.current.time_factor, "the current", to);
   add_ramps(c, to);
   to.of(c.output.every, "the time between outputs");
@@ -274,6 +277,7 @@ LongestStep longest_step(const Case& c) {
     if (what.length > 0) to.of(std::max(what.length, least * driven), what.reason);
   };
   follow(own.best(), kLeastOwn), follow(drags.best(), kLeastDrag);
+  if (afloat.best().length > 0) to.of(afloat.best().length, afloat.best().reason);
   return to.best();
 }
 
