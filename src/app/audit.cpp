@@ -53,7 +53,15 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   held = std::max(held, e.strain);
   if (error < least_error) least_error = error, climb = {};
   const double rise = error - least_error;
-  there = std::max(there, e.kinetic + std::abs(e.strain - start.strain) - rise);
+  least_by_water = std::min(least_by_water, e.by_water - start.by_water);
+  const double taken_before = taken;
+  taken = std::max(taken, (e.friction - start.friction) + (e.damping - start.damping) +
+                              (e.unresolved - start.unresolved) - least_by_water);
+  // What is dissipated takes its share of what was made with it.
+  if (there > 0) remains *= std::exp(-(taken - taken_before) / there);
+  remains = std::max(0.0, remains + error - before);
+  most_remains = std::max(most_remains, remains);
+  there = std::max(there, e.kinetic + std::abs(e.strain - start.strain) - remains);
   const bool most = error - before > climb.value;
   if (most) climb = {error - before, time, h, -1, Step::ContactWith::nothing};
   if (rise > made.value) made = {rise, time, h}, worst = climb;
@@ -70,10 +78,11 @@ double Audit::size() const { return at_start + worked + set_free + kRounding * h
 
 double Audit::percent() const { return 100 * error / size(); }
 
-// What is made in a long run is not made good by the work of all its waves: no more than ever was there.
+// What is made in a long run is not made good by the work of all its waves: what may still be in the lines is
+// no more than ever was there.
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
-  return made.value > kMadeWrong * size() || made.value > there + kRounding * held + kNothing ||
+  return made.value > kMadeWrong * size() || most_remains > there + kRounding * held + kNothing ||
          lost.value > kLostWrong * size();
 }
 

@@ -12,9 +12,9 @@ namespace hawser::app {
 namespace {
 
 constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
-    {"kinetic", &Energy::kinetic},      {"strain", &Energy::strain},   {"potential", &Energy::potential},
-    {"friction", &Energy::friction},    {"damping", &Energy::damping}, {"work", &Energy::work},
-    {"unresolved", &Energy::unresolved}};
+    {"kinetic", &Energy::kinetic},       {"strain", &Energy::strain},    {"potential", &Energy::potential},
+    {"friction", &Energy::friction},     {"damping", &Energy::damping},  {"work", &Energy::work},
+    {"unresolved", &Energy::unresolved}, {"by_water", &Energy::by_water}};
 
 // Each number of an audit with its name.
 template <class AnAudit, class Each>
@@ -22,6 +22,8 @@ void numbers(AnAudit& a, Each&& each) {
   each("audit.brought_in", a.brought_in), each("audit.error", a.error), each("audit.at_start", a.at_start);
   each("audit.worked", a.worked), each("audit.set_free", a.set_free), each("audit.there", a.there);
   each("audit.held", a.held), each("audit.least_error", a.least_error);
+  each("audit.taken", a.taken), each("audit.remains", a.remains);
+  each("audit.most_remains", a.most_remains), each("audit.least_by_water", a.least_by_water);
   for (const auto& [name, l] : {std::pair{"audit.made.", &a.made}, {"audit.lost.", &a.lost}}) {
     const std::string prefix = name;
     each(prefix + "value", l->value), each(prefix + "time", l->time), each(prefix + "step", l->step);

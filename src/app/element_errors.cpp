@@ -1,4 +1,4 @@
-// The class ElementErrors: three estimates of what long elements cost a line, by the formulas of
+// The class ElementErrors: four estimates of what long elements cost a line, by the formulas of
 // docs/theory/element-length.md, and the sentences about them.
 #include "hawser/app/element_errors.hpp"
 
@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "hawser/model/doubts.hpp"
 
 namespace hawser::app {
 namespace {
@@ -83,6 +85,7 @@ void ElementErrors::look(const Kinematics& at, const Values& values) {
     const int first = inside[l][0], last = line.elements - inside[l][1];  // elements outside of feeders
     if (!values.pressed.empty()) look_at_edges(line, nodes, at.time, lines_[l].edge);
     look_at_sag(line, nodes, first, last, at.time, lines_[l].sag);
+    if (!(at.step > 0)) look_at_lifts(line, nodes, first, last, at.time, lines_[l].lift);
     if (!values.moment.empty()) look_at_bends(line, nodes, first, last, at.time, lines_[l].bend);
   }
 }
@@ -144,6 +147,39 @@ void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes,
   if (here.error > worst.error) worst = here;
 }
 
+// From where a cable leaves the bed its tension at rest grows by its weight in water times the height. An
+// element of which one end lies and the other hangs gives its weight to both by halves, wherever between them
+// the line leaves the bed, and two elements on the tension has the whole error.
+void ElementErrors::look_at_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last,
+                                  double time, Worst& worst) const {
+  if (!case_.lines[&line - mesh_.mesh->lines.data()].loads.empty()) return;
+  for (int n = first; n <= last; ++n) {
+    if (!nodes[n].carried || nodes[n].pressed > 0) continue;  // a volume's friction takes tension
+    for (const int side : {-1, 1}) {
+      if (n + 2 * side < first || n + 2 * side > last) continue;
+      if (nodes[n + side].carried || nodes[n + 2 * side].carried) continue;
+      const int i = line.first_element + (side > 0 ? n : n - 1);
+      const Element &next = mesh_.mesh->elements[i], &after = mesh_.mesh->elements[i + side];
+      if (next.beam || after.beam || next.type != after.type) continue;
+      if (mesh_.mesh->nodes[line.first_node + n + side].two_sided) continue;
+      const double weight =
+          case_.environment.gravity * model::mass_in_water(case_, type(next), nodes[n].x.z());
+      // The tension at a node is the mean of its elements'. From the node above, whose elements both hang,
+      // follow those of the elements below it and so that of the one that lies.
+      const At &lies = nodes[n], &low = nodes[n + side], &high = nodes[n + 2 * side];
+      const double hanging = high.tension - 0.5 * weight * (high.x.z() - low.x.z());
+      const double leaving = 2 * low.tension - hanging, lying = std::max(2 * lies.tension - leaving, 0.0);
+      const double error = std::abs(high.tension - lying - weight * (high.x.z() - lies.x.z()));
+      if (error > worst.error)
+        worst = {.error = error,
+                 .arc = mesh_.mesh->nodes[line.first_node + n].arc,
+                 .time = time,
+                 .length = next.length,
+                 .weight = weight};
+    }
+  }
+}
+
 // On a support, at a clamp or where something is attached the moment of a beam under tension has a peak, from
 // which it falls off like exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend it has none.
 void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> nodes, int first, int last,
@@ -171,7 +207,7 @@ void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> node
 std::vector<std::string> ElementErrors::warnings(int line, double largest_tension,
                                                  double largest_moment) const {
   const std::string& name = mesh_.mesh->lines[line].name;
-  const auto& [edge, sag, bend] = lines_[line];
+  const auto& [edge, sag, bend, lift] = lines_[line];
   std::vector<std::string> out;
   if (edge.error > kEdgeWarned * largest_tension)
     out.push_back(
@@ -188,6 +224,14 @@ std::vector<std::string> ElementErrors::warnings(int line, double largest_tensio
         "give it elements of {:.2g} m there",
         name, sag.length, sag.turn * 180 / M_PI, sag.arc, sag.time, off_by(sag.error / largest_tension),
         sag.length * std::sqrt(kGood * largest_tension / sag.error)));
+  // Half an element's weight is the most that may be wrong.
+  if (lift.error > kWarned * largest_tension)
+    out.push_back(fmt::format(
+        "line {} leaves the bed steeply within an element of {:.3g} m (arc length {:.4g} m), of which either "
+        "half may hang, so that its tension is off by about {:.2g} % of the largest: give it elements of "
+        "{:.2g} m there",
+        name, lift.length, lift.arc, 100 * lift.error / largest_tension,
+        2 * kGood * largest_tension / lift.weight));
   if (bend.error > kWarned * largest_moment)
     out.push_back(fmt::format(
         "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), "

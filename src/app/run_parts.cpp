@@ -138,6 +138,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
         "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest "
         "in more than one shape, see whether this is the one meant, and say so by `start` if it is not",
         s.escapes, s.escapes == 1 ? "um" : "a"));
+  for (const std::string& w : sim.tilting_warnings()) progress.say("warning: " + w);
   if (s.negative_eigenvalues > 0)
     progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
                              s.negative_eigenvalues));

@@ -328,6 +328,24 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   return report;
 }
 
+std::vector<std::string> Simulation::tilting_warnings() const {
+  std::vector<std::string> out;
+  if (!bodies_in_water_) return out;
+  std::vector<double> cut(case_.bodies.size());
+  for (const int b : bodies_in_water_->in_surface(state_.view(0))) cut[static_cast<size_t>(b)] = 1;
+  all_reduce(system_->comm(), MPI_SUM, cut);
+  for (size_t b = 0; b < cut.size(); ++b)
+    if (cut[b] > 0 && case_.bodies[b].mass->turning_stiffness.head<2>().minCoeff() == 0)
+      out.push_back(
+          fmt::format("bodies.{}: it floats in the surface, and in_water has no stiffness of its waterplane "
+                      "against roll and "
+                      "pitch, so that their periods and amplitudes are wrong: give turning_stiffness, rho g "
+                      "times the second "
+                      "moments of area of the waterplane",
+                      case_.bodies[b].name));
+  return out;
+}
+
 std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
   std::vector<std::string> out;
   for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
@@ -407,15 +425,22 @@ DynamicsSettings Simulation::dynamics_settings() const {
   DynamicsSettings s;
   s.rho_infinity = d.rho_infinity;
   s.tolerance = d.tolerance;
-  double diameter = 0;
-  for (const auto& t : case_.line_types) diameter = std::max(diameter, t.outer_diameter);
   s.step.fixed = d.step;
   s.step.resolve_impacts = d.resolve_impacts;
   s.step.longest = d.max_step > 0 ? d.max_step : model::longest_step(case_).length;
   s.step.first = s.step.longest / 10;
   s.step.shortest = d.min_step > 0 ? d.min_step : 1e-7 * std::max(1.0, d.step > 0 ? 10 * d.step : 1.0);
-  // A hundredth of a diameter a step is far below what a picture or a tension shows.
-  s.step.error_tolerance = d.error_tolerance > 0 ? d.error_tolerance : 0.01 * diameter;
+  s.step.error_tolerance = d.error_tolerance;
+  if (d.error_tolerance > 0) return s;
+  // A hundredth of its diameter a step is far below what a picture or a tension of a line shows.
+  for (const auto& t : case_.line_types)
+    s.step.error_tolerance = std::max(s.step.error_tolerance, 0.01 * t.outer_diameter);
+  for (const LineSpan& span : mesh().lines) {
+    double diameter = 0;
+    for (int e = span.first_element; e < span.first_element + span.elements; ++e)
+      diameter = std::max(diameter, case_.line_types[mesh().elements[e].type].outer_diameter);
+    s.strictness.push_back(diameter > 0 ? s.step.error_tolerance / (0.01 * diameter) : 1);
+  }
   return s;
 }
 

@@ -146,15 +146,16 @@ template <bool beam, int n>
 double potential(const WaterSection& s, const Motion<n>& m) {
   using R = Rule<beam>;
   const Row chord = m.X[n - (beam ? 2 : 1)] - m.X[0];
-  const double l = beam ? std::sqrt(dot(chord, chord)) : s.length, lean = l > 0 ? chord[2] / l : 0;
+  const double l = std::sqrt(dot(chord, chord)), fall = m.surface[1] - m.surface[0] - chord[2];
+  const Band<beam> band(s, l > 0 ? chord[2] / l : 0);
   double sum = 0;
   for (int g = 0; g < R::points; ++g) {
     const double z = R::at[g];
     double N[n], h = (1 - z) * m.surface[0] + z * m.surface[1];
     R::shape(z, N);
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
-    const Band<beam> band(s.radius, R::reach[g] * s.length, lean);
-    sum += R::weight[g] * band.b * circle_wetting(h / band.b).integral;
+    const Piece<beam> piece(g, h, fall);
+    sum += R::weight[g] * piece_wetting(piece.h1, piece.h2, band.b).integral;
   }
   return s.buoyancy * s.length * sum;
 }

@@ -22,8 +22,7 @@ struct Rule<false> {
   static constexpr int points = 2, shapes = 2;
   static constexpr double at[2] = {0.21132486540518711775, 0.78867513459481288225};
   static constexpr double weight[2] = {0.5, 0.5};
-  // Of the length: how far about each point a steep element's wetting is smeared.
-  static constexpr double reach[2] = {0.25, 0.25};
+  static constexpr double edge[3] = {0, 0.5, 1};  // of the pieces that the points represent
   static void shape(double s, double* N) { N[0] = 1 - s, N[1] = s; }
 };
 template <>
@@ -31,9 +30,7 @@ struct Rule<true> {
   static constexpr int points = 3, shapes = 4;
   static constexpr double at[3] = {0.11270166537925831148, 0.5, 0.88729833462074168852};
   static constexpr double weight[3] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-  // Not beyond its ends, so that what is under water is right when the surface is at a node; that of the
-  // middle goes to where the others end.
-  static constexpr double reach[3] = {at[0], at[1] - 2 * at[0], at[0]};
+  static constexpr double edge[4] = {0, 5.0 / 18, 13.0 / 18, 1};
   static void shape(double s, double* N) {
     const double r = 1 - s;
     N[0] = r * r * (1 + 2 * s), N[1] = s * r * r, N[2] = s * s * (3 - 2 * s), N[3] = -s * s * r;
@@ -56,29 +53,40 @@ struct Forces {
   Mat M[n][n];
 };
 
-// Half the width of the band of heights in which the section at a point gets wet. Of a beam: a circle's that
-// leans as the chord does, and the reach along it, b² = R² (1 - t_z²) + delta² t_z². Of a cable the circle's
-// stays as it is, b² = R² + (delta rise/L)²: an element shorter than thick would rather stand up, as a log
-// does, and in a slack cable nothing keeps it from that. So a cable through the surface is that wet only if
-// it is long beside its thickness, and its potential is convex.
+// Half the height over which a section gets wet, b. Of a beam: that of a circle across the axis,
+// b² = R² (1 - t_z²) + delta² t_z², where a small delta keeps b from 0, and the derivatives finite, where the
+// axis is vertical. Of a cable b = R at any lean: an element shorter than thick would rather stand up, as a
+// log does, and in a slack cable nothing keeps it from that. The potential of a cable is convex.
 template <bool beam>
 struct Band {
-  double by_lean = 0, b = 1;  // m², derivative of b² by lean²; m
-  Band() = default;
-  Band(double radius, double delta, double lean)
-      : by_lean(delta * delta - (beam ? radius * radius : 0)),
-        b(std::sqrt(radius * radius + by_lean * lean * lean)) {}
+  static constexpr double kSharp = 1e-3;  // delta, of the length
+  double by_lean = 0, b = 1;              // m², derivative of b² by t_z²; m
+  Band(const WaterSection& s, double lean) {
+    const double delta = kSharp * s.length;
+    if (beam) by_lean = delta * delta - s.radius * s.radius;
+    b = std::sqrt(s.radius * s.radius + by_lean * lean * lean);
+  }
 };
 
-// Derivatives of lean²/2 by the chord. The lean of a beam is t_z, that of a cable its rise over its length L.
+// The piece of the axis that a Gauss point represents: straight, with the slope of the chord, through the
+// point. The pieces make up the element, so that what is wet of a straight one is exact.
 template <bool beam>
-Row by_chord_of(Row t, double inverse, double lean, double length) {
-  return beam ? (inverse * lean) * (unit(2) - lean * t) : (lean / length) * unit(2);
-}
-template <bool beam>
-Mat by_chord2_of(Row t, double inverse, double lean, double length) {
+struct Piece {
+  double from, to;  // of the element's length, from the point
+  double h1, h2;    // m, height of the surface above its ends
+  // h: above the point; fall: by which that grows from one end of the element to the other
+  Piece(int g, double h, double fall)
+      : from(Rule<beam>::edge[g] - Rule<beam>::at[g]),
+        to(Rule<beam>::edge[g + 1] - Rule<beam>::at[g]),
+        h1(h + from * fall),
+        h2(h + to * fall) {}
+};
+
+// Derivatives of t_z²/2 by the chord.
+inline Row by_chord_of(Row t, double inverse) { return (inverse * t[2]) * (unit(2) - t[2] * t); }
+inline Mat by_chord2_of(Row t, double inverse) {
   const Row up = unit(2);
-  if (!beam) return (1 / (length * length)) * outer(up, up);
+  const double lean = t[2];
   const Row k = 2 * lean * t;
   const Mat m = outer(up - k, up) + outer(2 * lean * k - 2 * lean * up, t) - identity(lean * lean);
   return (inverse * inverse) * m;
@@ -96,7 +104,14 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
   const Row chord = m.X[end] - m.X[0];
   const double l = std::sqrt(dot(chord, chord)), inverse = l > 0 ? 1 / l : 0;
   const Row t = inverse * chord;
-  const double ma = s.added_axial - s.added_normal, lean = beam ? t[2] : chord[2] / s.length;
+  const double ma = s.added_axial - s.added_normal;
+  const double fall = m.surface[1] - m.surface[0] - chord[2];
+  const Band<beam> band(s, t[2]);
+  Row db[n] = {};  // derivative of the band
+  if constexpr (beam) {
+    db[end] = (band.by_lean / band.b) * by_chord_of(t, inverse);
+    db[0] = -db[end];
+  }
   // Sums of which blocks are made.
   double masses[n][n] = {};
   Mat by_chord[n];  // derivative by x2 (minus that by x1) through the chord
@@ -115,36 +130,45 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const double w = R::weight[g] * s.length;
     double h = (1 - z) * m.surface[0] + z * m.surface[1];
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
-    const double delta = R::reach[g] * s.length;
-    Band<beam> band;
-    double level = 1;
-    Wetting wet{1, 0, 1};
-    if (h < s.radius + delta * std::abs(lean)) {  // else above any band
-      band = Band<beam>(s.radius, delta, lean);
-      level = h / band.b;
-      if (level <= -1) continue;
-      wet = circle_wetting(level);
-    }
-    const bool partly = level < 1;
-    Row by_chord_of_b = zero, dh[n];  // minus the derivative of h, with what the band adds
-    if (partly) {
-      by_chord_of_b = (band.by_lean / band.b) * by_chord_of<beam>(t, inverse, lean, s.length);
-      for (int j = 0; j < n; ++j) dh[j] = N[j] * unit(2);
-      dh[0] -= level * by_chord_of_b, dh[end] += level * by_chord_of_b;
+    const Piece<beam> piece(g, h, fall);
+    const PieceWetting wet = piece_wetting(piece.h1, piece.h2, band.b);
+    const double share = wet.share1 + wet.share2;
+    if (!(share > 0)) continue;
+    const bool partly = wet.slope11 > 0 || wet.slope22 > 0;
+    double from[n], to[n];  // minus the derivatives of h1 and h2 by heights
+    for (int j = 0; j < n; ++j) from[j] = to[j] = N[j];
+    from[0] -= piece.from, from[end] += piece.from;
+    to[0] -= piece.to, to[end] += piece.to;
+    // Derivatives of h1, h2 and b times the second derivatives of the integral.
+    Row by1[n], by2[n], by_b[n];
+    if (tangent && partly) {
+      const double b1 = -(piece.h1 * wet.slope11 + piece.h2 * wet.slope12) / band.b;
+      const double b2 = -(piece.h1 * wet.slope12 + piece.h2 * wet.slope22) / band.b;
+      const double bb = -(piece.h1 * b1 + piece.h2 * b2) / band.b;
+      for (int k = 0; k < n; ++k) {
+        by1[k] = -(wet.slope11 * from[k] + wet.slope12 * to[k]) * unit(2) + b1 * db[k];
+        by2[k] = -(wet.slope12 * from[k] + wet.slope22 * to[k]) * unit(2) + b2 * db[k];
+        by_b[k] = -(b1 * from[k] + b2 * to[k]) * unit(2) + bb * db[k];
+      }
     }
     if constexpr (part != Part::flow) {
       const double B = w * s.buoyancy;
-      for (int j = 0; j < n; ++j) out.f[j][2] -= B * N[j] * wet.share;
+      for (int j = 0; j < n; ++j) out.f[j][2] -= B * (wet.share1 * from[j] + wet.share2 * to[j]);
       if (partly) {
-        const double G = B * (wet.integral - level * wet.share);
-        out.f[0] -= G * by_chord_of_b, out.f[end] += G * by_chord_of_b;
+        // By Euler's theorem on homogeneous functions.
+        const double G = B * (wet.integral - piece.h1 * wet.share1 - piece.h2 * wet.share2) / band.b;
+        out.f[0] += G * db[0], out.f[end] += G * db[end];
         if constexpr (tangent) {
-          const double k1 = B * wet.slope / band.b;
-          for (int j = 0; j < n; ++j)
-            for (int k = 0; k < n; ++k) out.K[j][k] += outer(k1 * dh[j], dh[k]);
-          if (!beam || !convex) {  // a section wider than the reach would rather stand
-            const Mat k2 = (G / band.b) * (band.by_lean * by_chord2_of<beam>(t, inverse, lean, s.length) -
-                                           outer(by_chord_of_b, by_chord_of_b));
+          for (int k = 0; k < n; ++k) {
+            for (int j = 0; j < n; ++j) out.K[j][k].r[2] -= (B * from[j]) * by1[k] + (B * to[j]) * by2[k];
+            if constexpr (beam) {
+              const Mat by_band = outer(B * db[end], by_b[k]);
+              out.K[end][k] += by_band;
+              out.K[0][k] -= by_band;
+            }
+          }
+          if (beam && !convex) {  // a section wider than the element is long would rather stand
+            const Mat k2 = (G / band.b) * (band.by_lean * by_chord2_of(t, inverse) - outer(db[end], db[end]));
             out.K[0][0] += k2, out.K[end][end] += k2;
             out.K[0][end] -= k2, out.K[end][0] -= k2;
           }
@@ -159,12 +183,12 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const double along = dot(u, t);
     const Row un = u - along * t;
     const double speed = std::sqrt(dot(un, un)), size = std::abs(along);
-    const double wF = w * wet.share;
+    const double wF = w * share;
     // Drag ½ρ Cd D |u_n| u_n across and ½ρ Cd πD |u_t| u_t along, and Froude-Krylov, N/m of wet length.
     const Row flow = (s.drag_normal * speed) * un + (s.drag_axial * size * along) * t + s.displaced_mass * aw;
     // Accelerations that belong to each shape: consistent for a beam, the mean of lumped and consistent for a
     // cable, as its own mass.
-    double share[n][n];
+    double at[n][n];
     Row y[n], q[n];
     Row point{};
     for (int k = 0; k < n; ++k) point += N[k] * m.A[k];
@@ -177,8 +201,8 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
       out.f[j] += wF * q[j];
       if constexpr (tangent)
         for (int k = 0; k < n; ++k) {
-          share[j][k] = beam ? N[j] * N[k] : 0.5 * N[j] * (N[k] + (j == k ? 1 : 0));
-          masses[j][k] += wF * share[j][k];
+          at[j][k] = beam ? N[j] * N[k] : 0.5 * N[j] * (N[k] + (j == k ? 1 : 0));
+          masses[j][k] += wF * at[j][k];
         }
     }
     if constexpr (tangent) {
@@ -202,7 +226,7 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
         }
         if (partly)
           for (int k = 0; k < n; ++k) {
-            const Row slope = (-w * wet.slope / band.b) * dh[k];
+            const Row slope = w * (by1[k] + by2[k]);
             for (int j = 0; j < n; ++j) out.K[j][k] += outer(q[j], slope);
           }
       }

@@ -153,12 +153,11 @@ void WaterSections4::set(int lane, const WaterSection& s) {
   drag_normal[lane] = s.drag_normal, drag_axial[lane] = s.drag_axial;
 }
 
-// The section gets wet in a band about the axis; see morison_points.hpp.
+// The section gets wet over its radius above and below the axis; see morison_points.hpp.
 unsigned submerged(const WaterSections4& s, const CablesInWater4& m) {
   const Row h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
-  const Row least = h[0] < h[1] ? h[0] : h[1], rise = 0.25 * (m.x[1][2] - m.x[0][2]);
-  const Row band2 = s.radius * s.radius + rise * rise;
-  const auto dry = (least <= 0) | (least * least < band2);
+  const Row least = h[0] < h[1] ? h[0] : h[1];
+  const auto dry = least < s.radius;
   unsigned wet = 0;
   for (int i = 0; i < 4; ++i) wet |= dry[i] ? 0u : 1u << i;
   return wet;

@@ -12,24 +12,24 @@ HarmonicLaw law_of(const HarmonicMotion& m) {
   return {m.amplitude, m.rotation_amplitude, m.period, m.phase, m.rotation_phase};
 }
 
-TableLaw law_of(const TableMotion& m) {
+struct ToLaw {
+  MotionLaw operator()(std::monostate) const { return {}; }
+  MotionLaw operator()(const ConstantMotion& m) const { return SteadyLaw{m.velocity, m.axis, m.rate}; }
+  MotionLaw operator()(const HarmonicMotion& m) const { return law_of(m); }
+  MotionLaw operator()(const TableMotion& m) const { return table_law(m); }
+};
+
+}  // namespace
+
+TableLaw table_law(const TableMotion& m) {
   TableLaw law;
   if (!m.offset.empty()) law.offset = RowCurve(m.time, m.offset, m.between);
   if (!m.rotation.empty()) law.rotation = RowCurve(m.time, m.rotation, m.between);
   return law;
 }
 
-struct ToLaw {
-  MotionLaw operator()(std::monostate) const { return {}; }
-  MotionLaw operator()(const ConstantMotion& m) const { return SteadyLaw{m.velocity, m.axis, m.rate}; }
-  MotionLaw operator()(const HarmonicMotion& m) const { return law_of(m); }
-  MotionLaw operator()(const TableMotion& m) const { return law_of(m); }
-};
-
-}  // namespace
-
 DriftLaw drift_law(const Drift& d) {
-  return {d.offset, d.rotation, law_of(d.harmonic), law_of(d.table), d.ramp};
+  return {d.offset, d.rotation, law_of(d.harmonic), table_law(d.table), d.ramp};
 }
 
 RigidMotion rigid_motion(const Body& body) {

@@ -10,7 +10,8 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kLargestStrain = 0.10;     // to reach between held ends; more is a misprint, not a taut line
+// To reach between held ends, of what has the modulus [Pa] of metal; more is a misprint, not a taut line.
+constexpr double kLargestStrain = 0.10, kMetal = 20e9;
 constexpr double kLargestExpansion = 0.05;  // by heat; ropes and rubber stay below
 constexpr double kMostWeight = 100;  // of a line in air, in EA: soft rubber under water has 1 at the most
 
@@ -137,18 +138,31 @@ class LineCheck {
       issue(fmt::format("start.points[{}]", i), "is {:.4g} m away from the line's end, which is held", gap);
   }
 
+  // The strain that its sections can take, the mean along the line: fibres and rubber far more than metal.
+  double largest_strain() const {
+    double sum = 0;
+    for (const Section& s : line_.sections) {
+      const LineType& t = c_.line_type(s.type);
+      const double modulus = t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter);
+      sum += s.length * (t.tension_table    ? t.tension_table->last() + kStrainBeyondRows
+                         : modulus > kMetal ? kLargestStrain
+                                            : kStrainBeyondRows);
+    }
+    return sum / length_;
+  }
+
   // A taut line may be a little shorter than its span; it stretches.
   void check_span() {
     if (!held(line_.end_a) || !held(line_.end_b)) return;
     if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // it moves
     const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
-    const double natural = outside() + expansion_of(c_, line_), strain = (span - natural) / natural;
-    if (!(strain < kLargestStrain))
+    const double natural = outside() + expansion_of(c_, line_), strain = (span - natural) / natural,
+                 most = largest_strain();
+    if (!(strain < most))
       issue("sections",
             "the line is {:.6g} m long{} but its ends are {:.6g} m apart at t = 0; reaching that takes a "
             "strain of {:.3g} %, and the limit is {:g} %",
-            natural, natural == outside() ? "" : " at its temperature", span, 100 * strain,
-            100 * kLargestStrain);
+            natural, natural == outside() ? "" : " at its temperature", span, 100 * strain, 100 * most);
   }
 
   void check_arc(double s, const std::string& key) {

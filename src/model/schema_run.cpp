@@ -50,7 +50,7 @@ Key dynamics() {
               above(0), at_most(1e-2), or_else("1e-8")),
        number({"error_tolerance", &Dynamics::error_tolerance}, length,
               "local error of a step in automatic stepping", above(0),
-              or_else_note("chosen by the program"))},
+              or_else_note("a hundredth of the diameter of each line"))},
       "Motion in time; without this key only statics is run.");
 }
 

@@ -148,10 +148,13 @@ NodeValue alpha_turn(const LocalMesh& mesh, const std::vector<double>& u) {
 }
 
 double alpha_error(const LocalMesh& mesh, const AlphaCoefficients& c, double h, const AlphaState& from,
-                   const AlphaState& to) {
+                   const AlphaState& to, const std::vector<double>& strictness) {
   double worst = 0;
-  for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n)
-    worst = std::max(worst, (to.ax[n] - from.ax[n]).squaredNorm());
+  for (size_t n = 0; n < static_cast<size_t>(mesh.owned); ++n) {
+    const auto line = static_cast<size_t>(mesh.mesh->nodes[mesh.global[n]].line);
+    const double strict = line < strictness.size() ? strictness[line] : 1;
+    worst = std::max(worst, strict * strict * (to.ax[n] - from.ax[n]).squaredNorm());
+  }
   return std::abs(1.0 / 6 - c.beta) * h * h * std::sqrt(worst);
 }
 

@@ -259,6 +259,26 @@ bool is_beam(const model::Case& c, const model::Line& line, const std::vector<Ca
   return load * std::pow(length, 4) < 8 * sag * M_PI * M_PI * stiffness;
 }
 
+// Whether a line that is clamped at one end stands out from there in the direction that it is given,
+// whichever that is: a column of the weight w [N/m] and the length L stands while w L³ < 7.837 EI (Greenhill
+// 1881), one under a load P at its end while P L² < pi²/4 EI (Euler).
+bool stands(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
+            double length) {
+  const model::End& e = line.end_a.kind != model::EndKind::free ? line.end_a : line.end_b;
+  const bool held = e.clamped || (e.kind == model::EndKind::joint && c.joint(e.body).rigid);
+  if (!held || !e.direction) return false;
+  double stiffness = HUGE_VAL, load = 0, at_end = 0;
+  for (const model::Section& s : line.sections) {
+    const model::LineType& t = c.line_type(s.type);
+    stiffness = std::min(stiffness, t.kind == model::LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
+  }
+  for (const CatenarySection& s : sections) {
+    load = std::max(load, s.load.norm());
+    at_end += s.end_load.norm();
+  }
+  return load * std::pow(length, 3) / 7.837 + at_end * length * length * 4 / (M_PI * M_PI) < stiffness;
+}
+
 }  // namespace
 
 RigidPose start_pose(const model::Case& c, const Bodies& bodies, const model::End& e) {
@@ -291,6 +311,7 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
   });
   if ((a || b) && (line.start == Start::straight || !loaded)) return straight();
   if (!a && !b) throw InputError("lines." + line.name + ": both ends are free and no start shape is given");
+  if (a != b && line.start == Start::automatic && stands(c, line, sections, span.length)) return straight();
   const auto closed_form = [&]() -> std::optional<LineStart> {
     try {
       if (a && b) {

@@ -41,11 +41,22 @@ bool rigid(const model::Case& c, const model::End& e) {
   return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
 }
 
+// Whether the line would go into the ground if its end at x, on the ground, had the opposite of this
+// direction.
+bool opposite_is_below_ground(const model::Case& c, bool at_b, const Vec3& x, const Vec3& given) {
+  const model::Environment& e = c.environment;
+  const double height = e.seabed.present  ? model::height_above_bed(e.seabed, x)
+                        : e.water.present ? x.z() - (e.water.surface - e.water.depth)
+                                          : HUGE_VAL;
+  const double outwards = at_b ? -given.z() : given.z();
+  return outwards > 0 && height < 1e-3 * std::abs(x.z() - e.water.surface);
+}
+
 // Says that an end is clamped against the way that the line takes there by itself.
-void doubt_direction(const model::Line& line, bool at_b, const Vec3& own, const Vec3& given,
-                     std::vector<std::string>& notes) {
+void doubt_direction(const model::Case& c, const model::Line& line, bool at_b, const Vec3& x, const Vec3& own,
+                     const Vec3& given, std::vector<std::string>& notes) {
   const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
-  if (turn < kAgainst) return;
+  if (turn < kAgainst || opposite_is_below_ground(c, at_b, x, given)) return;
   const Vec3& d = *line.end(at_b).direction;
   std::string note = fmt::format(
       "lines.{}.{}.direction: the line would have to turn by {:.0f} degrees to have this direction at end "
@@ -69,7 +80,9 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
     if (!(e.clamped || rigid(c, e)) || !e.direction) return;
     const Vec3 given = start_pose(c, bodies, e).rotation * e.direction->normalized();
     Vec3& tangent = at_b ? shape.tangent.back() : shape.tangent.front();
-    if (line.starts_by_itself()) doubt_direction(line, at_b, tangent.normalized(), given, notes);
+    if (line.starts_by_itself())
+      doubt_direction(c, line, at_b, at_b ? shape.x.back() : shape.x.front(), tangent.normalized(), given,
+                      notes);
     tangent = given;
   };
   clamp_direction(false), clamp_direction(true);

@@ -45,7 +45,8 @@ Verdict Dynamics::check_step() {
     return {Kind::shorter, "Newton's iteration does not converge: " + imbalance(system_, r_.get(), norms_)};
   const Kinematics trial = trial_.s.view(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
-  double most[2] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_), turn.value};
+  double most[2] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness),
+                    turn.value};
   all_reduce(system_.comm(), MPI_MAX, most);
   tries_.info.error = most[0];
   if (most[1] > M_PI) {  // a rotation beyond half a turn is another one

@@ -24,6 +24,7 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
     b.data.displaced_mass = sea_.density * w.volume, b.data.buoyancy = sea_.gravity * b.data.displaced_mass;
     b.data.added = w.added_mass, b.data.drag = 0.5 * sea_.density * w.drag_area;
     b.node = n, b.block = mesh.block[n], b.global = global;
+    b.body = body;
     b.rests = finds_rest(c, body);
   }
 }
@@ -60,6 +61,15 @@ BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) cons
   Water calm;
   calm.surface = sea_.surface;
   out.force.at_centre -= body_water_force(floating, s, calm, calm).at_centre;
+  return out;
+}
+
+std::vector<int> BodiesInWater::in_surface(const Kinematics& at) const {
+  std::vector<int> out;
+  for (const Wet& b : list_) {
+    const double z = places(b, floating_state(at, b.node)).centre.z();
+    if (std::abs(sea_.surface - z) < 0.5 * b.data.height) out.push_back(b.body);
+  }
   return out;
 }
 
@@ -122,6 +132,7 @@ Energy BodiesInWater::energy(const Kinematics& at) const {
   Energy e;
   for (const Wet& b : list_) {
     e.work += b.work;
+    e.by_water += b.work;
     if (idle(b)) continue;
     e.potential += body_water_potential(b.data, floating_state(at, b.node), sea_.surface);
     if (!(at.step > 0) && b.flowed) e.potential -= work(b.flow, flow(b, at));

@@ -197,7 +197,7 @@ Energy Hydrodynamics::energy(const Kinematics& at) const {
     e.potential += ball_potential(b.ball, at.x[n], calm);
   }
   if (!(at.step > 0) && !flow_.place.empty()) e.potential -= work(flow_, flow(at));
-  e.work = work_;
+  e.work = e.by_water = work_;
   return e;
 }
 

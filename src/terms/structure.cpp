@@ -174,15 +174,12 @@ double StructureTerm::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-// Rubber doubles its length, but not at a constant EA: of what is given by that, nylon ropes stretch most, by
-// 0.4 or so before they break. A table holds as far beyond its rows.
 Overstretch StructureTerm::overstretched(const Kinematics& at) const {
-  constexpr double kBeyond = 0.5;
   Overstretch worst;
   const auto look = [&](const auto& e, double strain) {
     const ResponseCurve* table = e.section.tension;
-    const double most = strain > 0 ? (table ? table->last() : 0) + kBeyond
-                                   : (table ? std::min(table->first(), 0.0) : 0) - kBeyond;
+    const double most = strain > 0 ? (table ? table->last() : 0) + kStrainBeyondRows
+                                   : (table ? std::min(table->first(), 0.0) : 0) - kStrainBeyondRows;
     const double beyond = std::abs(strain) - std::abs(most);
     if (!(beyond > worst.beyond)) return;
     const int node = mesh_.global[e.at.first];

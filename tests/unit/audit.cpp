@@ -117,6 +117,28 @@ TEST(Audit, MoreThanEverWasThereIsAnAlarmInALongRun) {
   EXPECT_NE(a.warning(false, "here").find("created 200 J"), std::string::npos);
 }
 
+// An end brings in 50 J a wave more than it takes out, drag takes them, and of what is made, half a per cent
+// of what is worked, nothing stays: no alarm, though it adds up to ten times what is there at any time.
+// Without drag it stays.
+TEST(Audit, WhatDissipationTakesAlongIsNoAlarm) {
+  for (const double drag : {50.0, 0.0}) {
+    app::Audit a;
+    a.update(moving(0), moving(0), 0, 0);
+    for (int wave = 1; wave <= 1000; ++wave) {
+      const double made_before = wave - 1, through = drag * wave;
+      Energy in = moving(100, 100 - made_before);
+      in.by_water = -through + drag;
+      a.update(moving(0), in, wave, 1);
+      Energy out = moving(0, -made_before - 1);
+      out.by_water = -through;
+      a.update(moving(0), out, wave + 0.5, 1);
+    }
+    EXPECT_NEAR(a.error, 1000, 1e-9);
+    EXPECT_NEAR(a.there, 100, 2);
+    EXPECT_EQ(a.wrong(), drag == 0);
+  }
+}
+
 // Rounding of a line that hangs still is nothing, and neither is what nothing brings in yet.
 TEST(Audit, RestIsNoAlarm) {
   app::Audit a;

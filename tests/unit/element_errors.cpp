@@ -138,6 +138,50 @@ TEST(ElementErrors, SagIsWhatShorterElementsShow) {
   EXPECT_NEAR(percent, 100 * (exact - coarse) / exact, 0.3 * percent) << told;
 }
 
+// A slack chain that hangs straight down to where it lies: at its upper end hangs its weight in water over
+// the height of its axis above what lies, 5842.1 N/m times 199.83 m, by hand. Elements of 10 m give the half
+// of the one that leaves the bed to either of its ends; what they are told is what they are off. Elements of
+// 2 m are not told.
+TEST(ElementErrors, ASlackChainThatLeavesTheBedSteeply) {
+  const auto top = [](int elements, std::vector<std::string>& told) {
+    const model::Case c = io::read_case_text(fmt::format(R"(
+hawser: 1
+environment: {{water: {{depth: 200}}, seabed: {{depth: 200, normal_stiffness: {{per_area: 3.0e6}}}}}}
+line_types: {{chain: {{outer_diameter: 0.333, mass_per_length: 685, EA: 3.27 GN, bending: false}}}}
+lines:
+  chain:
+    sections: [{{type: chain, length: 850, elements: {}}}]
+    end_a: {{anchor: [-400, 0, -200]}}
+    end_b: {{anchor: [0, 0, 0]}}
+)",
+                                                         elements),
+                                             "/nowhere/case.yaml");
+    Simulation sim(MPI_COMM_SELF, c);
+    sim.solve_statics();
+    const Kinematics at = sim.state().view(0);
+    std::vector<double> tension(static_cast<size_t>(elements) + 1);
+    for (const FieldSource& f : sim.system().fields().sources())
+      if (f.name == "effective_tension") f.fill(at, tension);
+    std::vector<bool> carried;
+    for (const Vec3& x : at.x) carried.push_back(x.z() < -200 + 0.17);
+    ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
+    errors.look(at, {tension, {}, {}, carried});
+    told = errors.warnings(0, tension.back(), HUGE_VAL);
+    return tension.back();
+  };
+  const double exact = (685 - 1025 * M_PI / 4 * 0.333 * 0.333) * 9.80665 * (200 - 0.1665);
+  EXPECT_NEAR(exact, 1167.5e3, 100);
+  std::vector<std::string> told;
+  const double coarse = top(85, told);
+  ASSERT_EQ(told.size(), 1U);
+  const size_t at = told[0].find("off by about ");
+  ASSERT_NE(at, std::string::npos) << told[0];
+  const double percent = std::stod(told[0].substr(at + 13));
+  EXPECT_NEAR(percent, 100 * std::abs(exact - coarse) / coarse, 0.3) << told[0];
+  EXPECT_NEAR(top(425, told), exact, 0.006 * exact);
+  EXPECT_TRUE(told.empty()) << told[0];
+}
+
 // Moments of nodes 1 m apart of a beam under tension with decay 1 m, exp(-|s|) about its middle: the cubic's
 // own curvature misses 1/16.2 of what it shows. At a mass the forces say what it is.
 TEST(ElementErrors, PeaksOfBendingMoment) {

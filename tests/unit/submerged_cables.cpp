@@ -87,10 +87,11 @@ TEST(SubmergedCables, AreNotWhereOneGetsDry) {
   EXPECT_EQ(submerged(q.sections, q.motion), 15u);
   q.motion.x[1][2][2] = -0.999 * q.section[2].radius;
   EXPECT_EQ(submerged(q.sections, q.motion), 11u);
-  // A steep one gets wet over a quarter of its rise.
-  for (const double top : {-0.9, -1.3}) {
-    q.motion.x[0][2][2] = top, q.motion.x[1][2][2] = top - 4;
-    EXPECT_EQ(submerged(q.sections, q.motion), top < -1.1 ? 15u : 11u);
+  // A steep one likewise, at its upper end.
+  for (const double depth : {0.999, 1.001}) {
+    q.motion.x[0][2][2] = -depth * q.section[2].radius;
+    q.motion.x[1][2][2] = q.motion.x[0][2][2] - 4;
+    EXPECT_EQ(submerged(q.sections, q.motion), depth > 1 ? 15u : 11u);
   }
   for (int k = 0; k < 2; ++k) q.motion.x[k][2][2] = 20;
   EXPECT_EQ(submerged(q.sections, q.motion), 11u);

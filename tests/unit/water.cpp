@@ -74,41 +74,76 @@ TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
   }
 }
 
-// However thick a beam is and wherever it goes through the surface, what a vertical element displaces is near
-// what is under water, and it grows without jumps; it is right when the surface is at a node. Cables have to
-// be thin for that.
-TEST(WaterLoad, SteepElementsGetWetSmoothly) {
-  for (const bool beam : {false, true})
-    for (const double d : {0.3, 5.0, 6.0}) {
-      const WaterSection s = section(10, d);
-      double last = 0, worst = 0, f[12];
-      const auto wet = [&](double middle) {
-        WaterEnds e;
-        e.x1 = {0, 0, middle - 5}, e.x2 = {0, 0, middle + 5};
-        e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), Vec3::UnitZ());
-        water_residual(beam, s, e, f);
-        return -(f[2] + f[beam ? 8 : 5]) / (10 * s.buoyancy);
-      };
-      for (int i = 0; i <= 3000; ++i) {
-        const double z = 9 - 0.006 * i;
-        const double now = wet(z), exact = std::clamp((5 - z) / 10, 0.0, 1.0);
-        worst = std::max(worst, std::abs(now - exact));
-        EXPECT_GE(now, last - 1e-12);
-        EXPECT_LT(now - last, (beam ? 1.6 : 2.5) * 0.0006);
-        last = now;
+// Means over a straight piece and its derivatives against quadrature of circle_wetting, for pieces that are
+// level, nearly so and steep, from both sides of where the formulas change.
+TEST(Wetting, OfAPieceIsTheMeanOfItsSections) {
+  const double b = 0.7;
+  const double rises[] = {0, 1e-8, -1e-6, 1e-3, 0.1, -0.17, 0.18, 0.5, -1.3, 4, 400};
+  for (const double rise : rises)
+    for (const double middle : {-0.69, -0.6, -0.1, 0.0, 0.35, 0.68, 1.2}) {
+      const double h1 = middle - 0.5 * rise, h2 = middle + 0.5 * rise;
+      double integral = 0, share[2] = {}, slope[3] = {};
+      const int n = 400000;
+      for (int i = 0; i < n; ++i) {
+        const double z = (i + 0.5) / n;
+        const Wetting w = circle_wetting((h1 + z * rise) / b);
+        integral += b * w.integral / n;
+        share[0] += (1 - z) * w.share / n;
+        share[1] += z * w.share / n;
+        slope[0] += (1 - z) * (1 - z) * w.slope / b / n;
+        slope[1] += z * (1 - z) * w.slope / b / n;
+        slope[2] += z * z * w.slope / b / n;
       }
-      EXPECT_EQ(last, 1);
-      if (!beam && d > 1) continue;           // a thick cable is wet over its radius, too
-      EXPECT_LT(worst, beam ? 0.061 : 0.08);  // of the element
-      EXPECT_NEAR(wet(5), 0, beam ? 1e-12 : 0.02);
-      EXPECT_NEAR(wet(-5), 1, beam ? 1e-12 : 0.02);
+      const PieceWetting p = piece_wetting(h1, h2, b);
+      // The quadrature itself is that accurate at the edges of the band.
+      const double near = 1e-9 * (1 + std::abs(rise)), edge = 2e-5;
+      EXPECT_NEAR(p.integral, integral, near) << rise << " " << middle;
+      EXPECT_NEAR(p.share1, share[0], 2e-8) << rise << " " << middle;
+      EXPECT_NEAR(p.share2, share[1], 2e-8) << rise << " " << middle;
+      EXPECT_NEAR(p.slope11, slope[0], edge) << rise << " " << middle;
+      EXPECT_NEAR(p.slope12, slope[1], edge) << rise << " " << middle;
+      EXPECT_NEAR(p.slope22, slope[2], edge) << rise << " " << middle;
     }
 }
 
-// The potential of short beams is that of a body: depth, times rho g, over what is under water of a
+// However thick a beam is and wherever it goes through the surface, what a vertical element displaces is what
+// is under water, and its stiffness is that of its waterplane, rho g A: both by hand. A cable gets wet over
+// its radius.
+TEST(WaterLoad, SteepElementsDisplaceWhatIsUnderWater) {
+  for (const bool beam : {false, true})
+    for (const double d : {0.3, 5.0, 6.0}) {
+      const WaterSection s = section(10, d);
+      const double band = beam ? 0.011 : d / 2;
+      double last = 0, f[12], K[144], C[144], M[144];
+      for (int i = 0; i <= 3000; ++i) {
+        const double middle = 9 - 0.006 * i;
+        WaterEnds e;
+        e.x1 = {0, 0, middle - 5}, e.x2 = {0, 0, middle + 5};
+        e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), Vec3::UnitZ());
+        const MassEnds& m = e.motion;
+        if (beam)
+          beam_water_tangent(s, e, false, f, K, C, M);
+        else
+          cable_water_tangent(s, {e.x1, e.x2, m.v1, m.v2, m.a1, m.a2, e.water1, e.water2}, false, f, K, C, M);
+        const int other = beam ? 8 : 5, row = beam ? 12 : 6;
+        const double now = -(f[2] + f[other]) / (10 * s.buoyancy);
+        const double stiffness =
+            K[2 * row + 2] + K[2 * row + other] + K[other * row + 2] + K[other * row + other];
+        EXPECT_GE(now, last - 1e-12);
+        EXPECT_LT(now - last, 1.0001 * 0.0006);
+        last = now;
+        if (std::abs(std::abs(middle) - 5) < band) continue;
+        EXPECT_NEAR(now, std::clamp((5 - middle) / 10, 0.0, 1.0), 1e-10);
+        EXPECT_NEAR(stiffness, std::abs(middle) < 5 ? s.buoyancy : 0, 1e-8 * s.buoyancy)
+            << d << " " << middle;
+      }
+      EXPECT_NEAR(last, 1, 1e-15);
+    }
+}
+
+// The potential of beams, few or many, is that of a body: depth, times rho g, over what is under water of a
 // cylinder that leans, by quadrature.
 TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
-  const int n = 40;
   const double radius = 0.5, length = 4;
   for (const double angle : {0.0, 0.4, 1.0, 1.4}) {
     const Vec3 t(std::cos(angle), 0, std::sin(angle)), middle(0, 0, 0.13);
@@ -121,15 +156,17 @@ TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
         exact += std::max(-z, 0.0) * 2 * std::sqrt(radius * radius - up * up) * (length / 1000) *
                  (2 * radius / 1000) * kRho * kG;
       }
-    const WaterSection s = section(length / n, 2 * radius);
-    double sum = 0;
-    for (int i = 0; i < n; ++i) {
-      WaterEnds e;
-      e.x1 = middle + (i * s.length - length / 2) * t, e.x2 = e.x1 + s.length * t;
-      e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), t);
-      sum += water_potential(s, e, true);
+    for (const int n : {1, 3, 40}) {
+      const WaterSection s = section(length / n, 2 * radius);
+      double sum = 0;
+      for (int i = 0; i < n; ++i) {
+        WaterEnds e;
+        e.x1 = middle + (i * s.length - length / 2) * t, e.x2 = e.x1 + s.length * t;
+        e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), t);
+        sum += water_potential(s, e, true);
+      }
+      EXPECT_NEAR(sum, exact, 5e-5 * exact) << angle << " " << n;  // of the quadrature
     }
-    EXPECT_NEAR(sum, exact, 1e-3 * exact) << angle;
   }
 }
 

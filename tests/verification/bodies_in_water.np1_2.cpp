@@ -77,6 +77,45 @@ TEST(BodiesInWater, LoadSwingsBelowItsHook) {
   EXPECT_NEAR(found, T, 1e-3 * T);
 }
 
+// Heave of a body in the surface with the steps that the program takes: T = 2 pi sqrt((m + A) H/(rho g V)).
+// What the scheme adds to it is at most a thousandth.
+TEST(BodiesInWater, HeavesWithAutomaticSteps) {
+  const double T = 2 * M_PI * std::sqrt(7000.0 * 3 / (1000 * kG * 12));
+  model::Case c = load("",
+                       "position: [0, 0, 0], floating: {mass: 7000, inertia: [9000, 12000, 11000], "
+                       "centre_of_mass: [0, 0, -0.4], weight: true, velocity: [0, 0, 0.2], "
+                       "in_water: {volume: 12, height: 3}}",
+                       "", fmt::format("dynamics: {{duration: {}}}\noutput: {{every: {}}}", 20 * T, 20 * T));
+  const double found = swing(c, 2);
+  printf("heave by automatic steps: %.5f s, closed form %.5f s (%+.4f %%)\n", found, T,
+         100 * (found / T - 1));
+  EXPECT_NEAR(found, T, 1.2e-3 * T);
+}
+
+// in_water has nothing of the waterplane: what floats in the surface without a stiffness of its own against
+// tilting is named, not what is deep under water or has one.
+TEST(BodiesInWater, WhatFloatsWithoutAWaterplaneIsNamed) {
+  const auto named = [](double mass, const std::string& more) {
+    const model::Case c =
+        load("",
+             fmt::format("position: [0, 0, -10], floating: {{mass: {}, inertia: [9000, 12000, "
+                         "11000], centre_of_mass: [0, 0, -0.4], weight: true, in_water: "
+                         "{{volume: 12, height: 3}}{}}}",
+                         mass, more),
+             mass > 12000 ? "sections: [{type: rope, length: 20, elements: 1}], end_a: "
+                            "{anchor: [0, 0, 10]}, end_b: {body: load, at: [0, 0, 0]}"
+                          : "",
+             "dynamics: {duration: 1}");
+    Simulation s(PETSC_COMM_WORLD, c);
+    s.solve_statics();
+    return s.tilting_warnings();
+  };
+  ASSERT_EQ(named(7000, "").size(), 1U);
+  EXPECT_NE(named(7000, "").front().find("bodies.load: it floats in the surface"), std::string::npos);
+  EXPECT_TRUE(named(7000, ", turning_stiffness: [2e5, 2e5, 0]").empty());
+  EXPECT_TRUE(named(13000, "").empty());
+}
+
 // It falls until drag carries its weight in water: v = sqrt(2 (m g - rho g V)/(rho Cd A)).
 TEST(BodiesInWater, TerminalVelocity) {
   const model::Case c =

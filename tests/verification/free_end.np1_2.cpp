@@ -285,5 +285,30 @@ TEST(FreeEnd, AStartOnItselfComesApartOrIsRefused) {
   EXPECT_GT(least, 0.9 * c.line_type("chain").contact_diameter);
 }
 
+// A pile that is clamped in the bed with its direction up stands, shorter by its weight in water and air over
+// EA, and nothing is asked about its direction: by hand, EA u = integral of what is above.
+TEST(FreeEnd, APileThatIsClampedUpwardsStands) {
+  const model::Case c = io::read_case_text(R"(hawser: 1
+environment: {water: {depth: 30}}
+line_types: {pile: {outer_diameter: 1.0, mass_per_length: 1000, EA: 1e10, EI: 1e10, GJ: 1e10}}
+lines:
+  pile:
+    sections: [{type: pile, length: 45, elements: 90}]
+    end_a: {anchor: [0, 0, -30], clamped: true, direction: [0, 0, 1]}
+    end_b: free
+)",
+                                           HAWSER_SOURCE_DIR "/tests/free_end.yaml");
+  Simulation s(PETSC_COMM_WORLD, c);
+  for (const std::string& note : s.notes()) EXPECT_EQ(note.find("direction"), std::string::npos) << note;
+  s.solve_statics();
+  const double g = c.environment.gravity, air = 1000 * g, lift = 1025 * g * M_PI / 4;
+  const double shorter = (0.5 * air * 45 * 45 - 0.5 * lift * 30 * 30) / 1e10;
+  const int n = s.local().find(90);
+  if (n < 0 || n >= s.local().owned) return;
+  const Vec3 top = s.state().x[static_cast<size_t>(n)];
+  EXPECT_NEAR(top.z(), 15 - shorter, 1e-5);
+  EXPECT_LT(std::hypot(top.x(), top.y()), 1e-9);
+}
+
 }  // namespace
 }  // namespace hawser::test::free_end

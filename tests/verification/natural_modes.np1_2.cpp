@@ -57,6 +57,39 @@ TEST(NaturalModes, OfEqualLinesAreAllThere) {
   }
 }
 
+// Heave of a spar that is one vertical line through the surface: omega² = rho g A/m, in closed form, wherever
+// the surface lies in an element.
+TEST(NaturalModes, HeaveOfASparDoesNotGoByItsElements) {
+  const double rho = 1025, diameter = 8, length = 110, draught = 100, per_length = 20000;
+  const double area = M_PI / 4 * diameter * diameter;
+  for (const int elements : {11, 37, 110, 220}) {
+    model::LineType t = beam_type(1e11, 1e13, 1e13, per_length);
+    t.outer_diameter = diameter;
+    t.Ca_normal = 1;
+    model::Case c = one_line(t, length, elements, {}, {});
+    c.environment.gravity = kG;
+    c.environment.water.present = true;
+    c.environment.water.density = rho;
+    c.environment.water.depth = 320;
+    model::Line& line = c.lines[0];
+    // In balance: rho A times the draught.
+    const double balance = rho * area * draught - per_length * length;
+    line.masses.push_back({.at = 0, .mass = balance});
+    line.start = model::Start::points;
+    line.points = {Vec3(0, 0, -draught), Vec3(0, 0, length - draught)};
+    c.statics.enabled = false;
+    Simulation s(PETSC_COMM_WORLD, c);
+    s.solve_statics();
+    const auto modes = hawser::natural_modes(s.system(), s.state().view(0), 6);
+    const double exact = std::sqrt(rho * kG * area / (balance + per_length * length));
+    double nearest = HUGE_VAL;
+    for (const auto& mode : modes)
+      if (shape_at(s, mode, elements).cwiseAbs().z() > 0.9)
+        nearest = std::min(nearest, std::abs(std::sqrt(std::max(mode.squared, 0.0)) / exact - 1));
+    EXPECT_LT(nearest, 1e-3) << elements;
+  }
+}
+
 // A load on one sling is a double pendulum in both planes: M = [m L², m L a; m L a, I + m a²], K = [m g L, m
 // g a], and free to turn about the sling.
 TEST(NaturalModes, LoadOnASling) {

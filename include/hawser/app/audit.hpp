@@ -21,6 +21,12 @@ struct Audit {
   double there = 0;        // the most that moved and was strained at a time, without what was made
   double held = 0;         // the most strain energy: what rounding of an error is a part of
   double least_error = 0;  // so far
+  // Dissipated so far: by friction, damping and the scheme, and what water has taken out and not brought
+  // back.
+  double taken = 0, least_by_water = 0;
+  // Of what steps have made, what may still be in the lines (docs/theory/time-integration.md), now and at
+  // most.
+  double remains = 0, most_remains = 0;
   struct Step {
     double value = 0, time = 0, length = 0;  // J; s, at its end; s
     int node = -1;                           // of the mesh, where the motion changed most; -1: not known

@@ -42,9 +42,10 @@ class ElementErrors {
     double length = 0;  // m, of the element
     double decay = 0;   // m, within which a moment falls off
     double good = 0;    // m, of an element that shows it
+    double weight = 0;  // N/m, in water
   };
   struct OfLine {
-    Worst edge, sag, bend;
+    Worst edge, sag, bend, lift;
   };
   struct At {  // a node in a state
     Vec3 x = Vec3::Zero();
@@ -55,6 +56,8 @@ class ElementErrors {
   void look_at_edges(const LineSpan& line, std::span<const At> nodes, double time, Worst& worst) const;
   void look_at_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
                    Worst& worst) const;
+  void look_at_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
+                     Worst& worst) const;
   void look_at_bends(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
                      Worst& worst) const;
   const model::LineType& type(const Element& e) const;

@@ -66,6 +66,9 @@ class Simulation {
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
+  // Of bodies at rest in the surface whose stiffness against tilting has no part of the waterplane.
+  // Collective.
+  std::vector<std::string> tilting_warnings() const;
   const std::vector<std::string>& warnings() const { return start_contact_.warnings; }  // of the start shape
   // Of automatic contact stiffness that is higher than it was when this was last asked, one sentence a
   // volume.

@@ -61,6 +61,13 @@ class RowCurve {
   // component span in all.
   std::vector<Overshoot> overshoots(double share) const;
 
+  // Integrals over the rows of |x' - mean x'|² and |x''|², all components together. Where the slope jumps at
+  // a row by d, as between straight lines, as if it changed over half of either interval: d²/((h + h')/2).
+  struct Activity {
+    double rate = 0, second = 0;
+  };
+  Activity activity() const;
+
  private:
   void bend_spline();
   void bend_monotone();

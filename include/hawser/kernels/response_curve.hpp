@@ -8,6 +8,11 @@
 
 namespace hawser {
 
+// Strain beyond the rows of a table, or of a constant EA, up to which a line is believed: rubber doubles its
+// length, but not at a constant EA; of what is given by that, nylon ropes stretch most, by 0.4 or so before
+// they break.
+constexpr double kStrainBeyondRows = 0.5;
+
 // A rising cubic through the rows and the origin; straight beyond the rows.
 class ResponseCurve {
  public:

@@ -1,6 +1,7 @@
 // How much of a round section, of a ball, or of a body of some height is under water.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace hawser {
@@ -17,6 +18,72 @@ inline Wetting circle_wetting(double u) {
   if (u <= -1) return {};
   const double c2 = 1 - u * u, c = std::sqrt(c2), a = std::asin(u);
   return {0.5 + (u * c + a) / M_PI, 2 * c / M_PI, 0.5 * u + (c - c * c2 / 3 + u * a) / M_PI};
+}
+
+// Of a straight piece of an axis with circular sections, as a function of the heights h1, h2 [m] of the
+// surface above its ends and of b [m], half the height over which a section gets wet. z runs from 0 to 1
+// along the piece, h = h1 + z (h2 - h1), and F = circle_wetting(h/b).share.
+struct PieceWetting {
+  double integral = 0;              // m, mean of b Psi(h/b), Psi' = F; homogeneous of degree 1 in h1, h2, b
+  double share1 = 0, share2 = 0;    // its derivatives by h1 and h2: means of (1 - z) F and z F
+  double slope11 = 0, slope12 = 0;  // 1/m, second derivatives: means of (1 - z)² F'/b and z (1 - z) F'/b,
+  double slope22 = 0;               // and of z² F'/b
+};
+
+// With h = b sin(phi) within the band |h| < b, where F'/b = 2 cos(phi)/(pi b), the moments are
+//   m_k = mean of z^k F'/b = 2/(pi (h2 - h1)) int z^k cos²(phi) dphi,  z = (b sin(phi) - h1)/(h2 - h1),
+// in closed form, or by Gauss's rule (exact to rounding) where the closed form loses digits because phi
+// changes little. The other means follow from them by parts.
+inline PieceWetting piece_wetting(double h1, double h2, double b) {
+  if (std::min(h1, h2) >= b) return {0.5 * (h1 + h2), 0.5, 0.5, 0, 0, 0};
+  if (std::max(h1, h2) <= -b) return {};
+  constexpr double kLevel = 1e-7, kNarrow = 0.25;  // of b; rad
+  const double rise = h2 - h1, s1 = std::clamp(h1 / b, -1.0, 1.0), s2 = std::clamp(h2 / b, -1.0, 1.0);
+  const double c2 = std::sqrt(1 - s2 * s2), from = std::asin(s1), to = std::asin(s2);
+  double m[3] = {};
+  if (std::abs(rise) < kLevel * b) {
+    for (int k = 0; k < 3; ++k) m[k] = 2 / (M_PI * b) * c2 / (k + 1);
+  } else if (std::abs(to - from) < kNarrow) {
+    constexpr double at[2] = {0.33998104358485626480, 0.86113631159405257522};
+    constexpr double weight[2] = {0.65214515486254614263, 0.34785484513745385737};
+    const double half = 0.5 * (to - from), s = std::sin(from + half), c = std::cos(from + half);
+    for (int g = 0; g < 4; ++g) {
+      const double d = (g % 2 ? half : -half) * at[g / 2], d2 = d * d;  // sine and cosine to rounding:
+      const double sin_d = d * (1 - d2 / 6 * (1 - d2 / 20 * (1 - d2 / 42)));
+      const double cos_d = 1 - d2 / 2 * (1 - d2 / 12 * (1 - d2 / 30 * (1 - d2 / 56)));
+      const double cosine = c * cos_d - s * sin_d, z = (b * (s * cos_d + c * sin_d) - h1) / rise;
+      double w = 2 / (M_PI * rise) * half * weight[g / 2] * cosine * cosine;
+      for (int k = 0; k < 3; ++k) {
+        m[k] += w;
+        w *= z;
+      }
+    }
+  } else {
+    const auto integrals = [](double phi, double sine, double cosine,
+                              double* I) {  // of sin^k cos², k = 0, 1, 2
+      I[0] = 0.5 * (phi + sine * cosine);
+      I[1] = -cosine * cosine * cosine / 3;
+      I[2] = 0.125 * (phi - sine * cosine * (1 - 2 * sine * sine));
+    };
+    double I[3], low[3];
+    integrals(to, s2, c2, I);
+    integrals(from, s1, std::sqrt(1 - s1 * s1), low);
+    for (int k = 0; k < 3; ++k) I[k] -= low[k];
+    const double over = 2 / (M_PI * rise);
+    m[0] = over * I[0];
+    m[1] = over * (b * I[1] - h1 * I[0]) / rise;
+    m[2] = over * (b * b * I[2] - 2 * b * h1 * I[1] + h1 * h1 * I[0]) / (rise * rise);
+  }
+  const double share = 0.5 + (s2 * c2 + to) / M_PI;  // circle_wetting at h2
+  const double integral = h2 >= b ? h2 : b * (0.5 * s2 + (c2 - c2 * c2 * c2 / 3 + s2 * to) / M_PI);
+  PieceWetting out;
+  out.share2 = 0.5 * (share - rise * m[2]);
+  out.share1 = share - rise * m[1] - out.share2;
+  out.integral = integral - rise * out.share2;
+  out.slope11 = m[0] - 2 * m[1] + m[2];
+  out.slope12 = m[1] - m[2];
+  out.slope22 = m[2];
+  return out;
 }
 
 // Cap of a ball: share = (2 + 3 u - u³)/4.

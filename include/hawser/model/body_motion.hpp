@@ -11,6 +11,7 @@ namespace hawser::model {
 // std::invalid_argument for a motion that makes no sense (check() and the reader have refused it before).
 RigidMotion rigid_motion(const Body& body);
 DriftLaw drift_law(const Drift& drift);
+TableLaw table_law(const TableMotion& table);
 
 // When a body's velocity jumps: times of the rows of tables with straight lines between them, s, increasing.
 std::vector<double> velocity_jumps(const std::vector<Body>& bodies);

@@ -13,13 +13,13 @@ struct LongestStep {
   std::string reason;  // what it comes from, for the user
 };
 
-// A hundredth of the period of prescribed motions and turns; a 75th of that of waves (mean period T01 of a
-// spectrum, DNV-RP-C205 3.5.2.3; a ninetieth of the peak's); a row of a table, but for the densest that cover
-// a tenth of its time; a twentieth of a ramp; the time between outputs; a fiftieth of the duration. Of the
-// lines themselves, as far as that is no less than a tenth of it, a twentieth of the slowest period of each
-// (and of a wave along it, where a run starts out of balance or a speed jumps), and of a floating body's on
-// its springs; as far as it is no less than half, a tenth of the time in which drag slows what is carried
-// along.
+// A hundredth of the period of prescribed motions and turns, of tables the mean period of the curve through
+// their rows; a 75th of that of waves (mean period T01 of a spectrum, DNV-RP-C205 3.5.2.3; a ninetieth of the
+// peak's); a twentieth of a ramp; the time between outputs; a fiftieth of the duration. As far as that is no
+// less than a tenth of it, a twentieth of the slowest period of each line (and of a wave along it, where a
+// run starts out of balance or a speed jumps), and of the period of a body on its springs, on links and in
+// the surface; where nothing periodic drives it, a sixtieth, and of that on taut lines as well. As far as it
+// is no less than half, a tenth of the time in which drag slows what is carried along.
 LongestStep longest_step(const Case& c);
 
 // Slowest period of a line [s], from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness

@@ -23,6 +23,8 @@ struct DynamicsSettings {
   double tolerance = 1e-8;  // of the residual, against the size of its contributions
   int max_iterations = 20;  // Newton, before a step counts as failed
   StepSettings step;
+  // By line: step.error_tolerance over that of the line; of bodies, and where there is none: 1.
+  std::vector<double> strictness;
 };
 
 // What happened in one accepted step.

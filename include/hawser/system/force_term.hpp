@@ -20,10 +20,12 @@ struct Energy {
   double friction = 0, damping = 0,
          work = 0;        // taken out by friction, by damping; brought in by moving bodies
   double unresolved = 0;  // taken by the time integration out of axial vibration too fast for its steps
+  double by_water = 0;    // the part of `work` that moving water and drag have done
 
   Energy& operator+=(const Energy& o) {
     kinetic += o.kinetic, strain += o.strain, potential += o.potential;
     friction += o.friction, damping += o.damping, work += o.work, unresolved += o.unresolved;
+    by_water += o.by_water;
     return *this;
   }
 };

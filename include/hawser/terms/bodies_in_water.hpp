@@ -19,6 +19,9 @@ class BodiesInWater final : public ForceTerm, public ScalesResiduals {
   void hold(bool on) { hold_ = on; }
   void scale_current(double factor) { sea_.current_scale = factor; }
 
+  // Those of this rank's bodies that the surface cuts, by their index in the case.
+  std::vector<int> in_surface(const Kinematics& at) const;
+
   std::string_view name() const override { return "bodies in water"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -43,6 +46,7 @@ class BodiesInWater final : public ForceTerm, public ScalesResiduals {
   struct Wet {
     BodyInWater data;
     int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
+    int body = 0;                         // of the case
     bool rests = false;
     // Waves are looked at once a step: at its end, where the centres get with their speed at its start.
     Places start, speed;              // m, m/s, at the start of the step

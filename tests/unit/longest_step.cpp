@@ -1,0 +1,138 @@
+// The longest automatic step from tables of motion, and of bodies that swing freely.
+#include "hawser/model/longest_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace hawser::longest_step_test {
+namespace {
+
+model::Case moved(const model::TableMotion& table) {
+  model::Case c;
+  c.dynamics.duration = 1e5;
+  c.output.every = 1e4;
+  c.bodies.emplace_back().motion = table;
+  return c;
+}
+
+template <class OfTime>
+model::TableMotion table(double every, double duration, const OfTime& of_time,
+                         BetweenRows between = BetweenRows::spline) {
+  model::TableMotion t;
+  t.between = between;
+  for (int i = 0; i * every <= duration; ++i) {
+    t.time.push_back(i * every);
+    t.offset.emplace_back(of_time(i * every), 0, 0);
+  }
+  return t;
+}
+
+double wave(double t, double amplitude, double period) { return amplitude * std::sin(2 * M_PI * t / period); }
+
+// A sine is a sine by whatever rows: a hundredth of its period, as where its amplitude and period are given.
+// A monotone cubic through few rows has corners where it turns, and is faster.
+TEST(LongestStep, OfASineInATableIsThatOfTheSine) {
+  const auto step = [](double every, BetweenRows between) {
+    const auto t = table(
+        every, 1200, [](double time) { return wave(time, 2, 12); }, between);
+    return model::longest_step(moved(t)).length;
+  };
+  for (const double every : {0.01, 0.25, 1.0, 2.0}) {
+    EXPECT_NEAR(step(every, BetweenRows::spline), 0.12, 0.02 * 0.12) << every;
+    EXPECT_NEAR(step(every, BetweenRows::linear), 0.12, 0.12 * 0.12) << every;
+    EXPECT_LT(step(every, BetweenRows::monotone), 0.125) << every;
+    EXPECT_GT(step(every, BetweenRows::monotone), 0.05) << every;
+  }
+}
+
+// In closed form: 2 pi sqrt of the sum of (a omega)² over that of (a omega²)². A drift and a steady velocity
+// beside it leave the waves their number of steps.
+TEST(LongestStep, OfWavesOnADriftFollowsTheWaves) {
+  const double fast = 2 * M_PI / 10, slow = 2 * M_PI / 100;
+  const auto t =
+      table(0.5, 2000, [](double time) { return wave(time, 1, 10) + wave(time, 8, 100) + 0.7 * time; });
+  const double rate = std::pow(fast, 2) + std::pow(8 * slow, 2);
+  const double second = std::pow(fast, 4) + std::pow(8 * slow * slow, 2);
+  const double step = model::longest_step(moved(t)).length;
+  EXPECT_NEAR(step, 2 * M_PI * std::sqrt(rate / second) / 100, 0.01 * step);
+  EXPECT_LT(step, 10. / 60);
+}
+
+TEST(LongestStep, OfSlowTablesIsLong) {
+  model::TableMotion shift;
+  shift.between = BetweenRows::monotone;
+  shift.time = {0, 1000, 3000, 9000};
+  shift.offset = {Vec3::Zero(), Vec3::Zero(), Vec3(30, 0, 0), Vec3(30, 0, 0)};
+  EXPECT_GT(model::longest_step(moved(shift)).length, 10);
+  model::TableMotion steady;
+  steady.time = {0, 5000};
+  steady.offset = {Vec3::Zero(), Vec3(5000, 0, 0)};
+  EXPECT_EQ(model::longest_step(moved(steady)).length, 1e5 / 50);
+}
+
+// Pitch moves what is attached 40 m from the origin: it counts beside the heave by that lever.
+TEST(LongestStep, OfRotationsGoesByWhatIsAttached) {
+  model::TableMotion t = table(0.25, 1000, [](double time) { return wave(time, 2, 20); });
+  for (const double time : t.time) t.rotation.emplace_back(0, wave(time, 0.01, 5), 0);
+  model::Case c = moved(t);
+  c.bodies[0].name = "vessel";
+  model::Line& line = c.lines.emplace_back();
+  line.end_b.kind = model::EndKind::body;
+  line.end_b.body = "vessel";
+  const auto expected = [](double lever) {
+    const double w = 2 * M_PI / 20, p = 2 * M_PI / 5;
+    const double rate = std::pow(2 * w, 2) + std::pow(0.01 * lever * p, 2);
+    return 2 * M_PI / 100 * std::sqrt(rate / (std::pow(2 * w * w, 2) + std::pow(0.01 * lever * p * p, 2)));
+  };
+  for (const double lever : {2.0, 40.0}) {
+    line.end_b.at = {lever, 0, 0};
+    EXPECT_NEAR(model::longest_step(c).length, expected(lever), 0.01 * expected(lever));
+  }
+}
+
+TEST(LongestStep, OfACurrentThatChanges) {
+  model::Case c;
+  c.dynamics.duration = 1e5;
+  c.output.every = 1e4;
+  std::vector<std::pair<double, double>> rows;
+  for (int i = 0; i <= 400; ++i) rows.emplace_back(5 * i, 1 + wave(5 * i, 0.3, 100));
+  c.environment.water.current.time_factor = TimeFactor(rows);
+  EXPECT_NEAR(model::longest_step(c).length, 1, 0.02);
+}
+
+// A load on a rope that nothing drives: a sixtieth of 2 pi sqrt(m L/EA), with which the period of the scheme
+// is a thousandth too long (3.47/n², its own recursion). In waves it follows the hook, and its period sets no
+// step.
+TEST(LongestStep, OfALoadOnARope) {
+  model::Case c;
+  c.dynamics.duration = 100;
+  c.output.every = 1;
+  model::Body& load = c.bodies.emplace_back();
+  load.name = "load";
+  load.position = {0, 0, -50};
+  load.mass.emplace().mass = 4e5;
+  model::LineType& rope = c.line_types.emplace_back();
+  rope.name = "rope";
+  rope.kind = model::LineKind::cable;
+  rope.EA = 2e7;
+  rope.mass_per_length = 5;
+  model::Line& line = c.lines.emplace_back();
+  line.sections.push_back({"rope", 50, 10, 1});
+  line.end_a.kind = model::EndKind::anchor;
+  line.end_b.kind = model::EndKind::body;
+  line.end_b.body = "load";
+  const double period = 2 * M_PI * std::sqrt(4e5 * 50 / 2e7);
+  EXPECT_NEAR(model::longest_step(c).length, period / 60, 1e-9);
+  model::HarmonicMotion heave;
+  heave.amplitude = {0, 0, 1};
+  heave.period = 30;
+  model::Body& crane = c.bodies.emplace_back();
+  crane.name = "crane";
+  crane.motion = heave;
+  EXPECT_NEAR(model::longest_step(c).length, 0.3, 1e-9);
+}
+
+}  // namespace
+}  // namespace hawser::longest_step_test
