@@ -413,7 +413,10 @@ DynamicsSettings Simulation::dynamics_settings() const {
 }
 
 Dynamics& Simulation::dynamics() {
-  if (!dynamics_) dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
+  if (!dynamics_) {
+    if (line_pairs_) line_pairs_->settle(false);
+    dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
+  }
   return *dynamics_;
 }
 
