@@ -90,7 +90,7 @@ std::vector<std::pair<int, int>> excluded_pairs(const model::Case& c) {
 }
 
 std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                                           std::vector<std::string>& notes) {
+                                           std::vector<std::string>& details) {
   const model::BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return nullptr;
   const int lines = static_cast<int>(c.lines.size());
@@ -149,7 +149,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
         least = std::min(least, automatic_stiffness(i.least, j.least, i.radius + j.radius));
         most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
       }
-    notes.push_back(
+    details.push_back(
         fmt::format("contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
                     "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false "
                     "leaves such contact out",
@@ -160,6 +160,26 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
                                               : fmt::format("{:.3g}", most)));
   }
   return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
+}
+
+std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
+  int farthest = -1, others = 0;
+  for (int k = 0; k < places.size(); ++k) {
+    if (!(places.within(k) > CandidateSettings{}.exclusion_diameters * places.diameter(k))) continue;
+    others += farthest >= 0;
+    if (farthest < 0 || places.within(k) > places.within(farthest)) farthest = k;
+  }
+  if (farthest < 0) return "";
+  const auto name = [&](const Stretch& s) { return mesh.lines[mesh.nodes[s.node].line].name; };
+  const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
+  return fmt::format(
+      "{} from one place, or from places nearer to each other than the contact radii, and {} only more than "
+      "{:.3g} m along from there, beyond where they are first apart{}",
+      one == other ? fmt::format("both ends of line {} go", one)
+                   : fmt::format("lines {} and {} go", one, other),
+      one == other ? "they touch each other" : "touch each other", places.within(farthest),
+      others > 0 ? fmt::format("; likewise {} more pair{} nearer to theirs", others, others > 1 ? "s" : "")
+                 : "");
 }
 
 }  // namespace hawser::app

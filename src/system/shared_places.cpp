@@ -11,13 +11,13 @@
 namespace hawser {
 namespace {
 
-// They are free of each other up to so many times the length at which they are first apart. Straight lines are
-// apart there by this many sums of their radii.
+// They are free of each other up to so many times the length at which they are first apart. Straight lines
+// are apart there by this many sums of their radii.
 constexpr int kFree = 2;
 // Steps to a sum of the radii.
 constexpr int kSteps = 4;
-// Of the sum of the radii. Lines that are nowhere nearer than the sum less kPressed, from one place they share
-// to the next, lie side by side, pressed into each other by their contact. Apart by kClear they do not.
+// Of the sum of the radii. Lines that are nowhere nearer than the sum less kPressed, from one place they
+// share to the next, lie side by side, pressed into each other by their contact. Apart by kClear they do not.
 constexpr double kPressed = 0.1, kClear = 0.5;
 
 }  // namespace
@@ -93,6 +93,8 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, std::vector<dou
   }
 }
 
+double SharedPlaces::diameter(int k) const { return kSteps * places_[k].step; }
+
 const std::vector<int>& SharedPlaces::between(int line, int other) const {
   static const std::vector<int> none;
   if (between_.empty()) return none;
@@ -156,7 +158,8 @@ std::vector<int> SharedPlaces::nodes_to(const Stretch& stretch, double reach) co
   const auto [first, last] = outside(mesh_.mesh->nodes[stretch.node].line);
   const double from = begin(stretch);
   std::vector<int> out;
-  for (int n = std::clamp(stretch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes(); n += stretch.way) {
+  for (int n = std::clamp(stretch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
+       n += stretch.way) {
     const int line = mesh_.mesh->nodes[n].line;
     if (whole_[line] != whole) break;
     const auto [a, b] = outside(line);
@@ -249,7 +252,8 @@ void SharedPlaces::update(const Kinematics& at, bool settles) {
 void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool settles) const {
   const Gaps gaps{one, other, p.step};
   const int reach = static_cast<int>(
-      std::min({p.limit, one.s.back(), other.s.back(), (kFree * (std::max(p.within, 0) + 1) + 1) * p.step}) / p.step);
+      std::min({p.limit, one.s.back(), other.s.back(), (kFree * (std::max(p.within, 0) + 1) + 1) * p.step}) /
+      p.step);
   const int most = static_cast<int>(p.limit / p.step);
   const bool unknown = p.within == kUnknown;
   const int known_to = unknown ? most : std::min(most, reach);
@@ -270,7 +274,8 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
       nearest = std::min(nearest, gap);
     }
     const int a = mesh_.mesh->nodes[p.of.one.node].line, b = mesh_.mesh->nodes[p.of.other.node].line;
-    const bool side_by_side = first == most && whole_[a] != whole_[b] && nearest > -kPressed * kSteps * p.step;
+    const bool side_by_side =
+        first == most && whole_[a] != whole_[b] && nearest > -kPressed * kSteps * p.step;
     p.within = side_by_side ? 0 : first == most ? most : free_to(first);
   } else if (!overlaps(p.within)) {
     int first = p.within;

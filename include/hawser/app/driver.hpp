@@ -23,7 +23,8 @@ int run(MPI_Comm comm, const RunOptions& options);
 
 // Reads and checks, prints the summary with the partition for `ranks` (0: those of comm). trial: and runs the
 // beginning of the case for some seconds, writing nothing, for the expected cost or the reason why it stops.
+// verbose: also what was chosen that rarely matters.
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial = true,
-               const std::vector<std::string>& changes = {});
+               const std::vector<std::string>& changes = {}, bool verbose = false);
 
 }  // namespace hawser::app

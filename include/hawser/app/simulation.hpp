@@ -64,8 +64,9 @@ class Simulation {
   SeabedTerm* seabed() { return seabed_; }         // null: there is none
   LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines
   State& state() { return state_; }
-  Dynamics& dynamics();                                             // made at the first call
-  const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
+  Dynamics& dynamics();                                                 // made at the first call
+  const std::vector<std::string>& notes() const { return notes_; }      // what was chosen, one sentence each
+  const std::vector<std::string>& details() const { return details_; }  // of what rarely matters
   const std::vector<std::string>& warnings() const { return start_contact_.warnings; }  // of the start shape
   // Of automatic contact stiffness that is higher than it was when this was last asked, one sentence a
   // volume.
@@ -118,7 +119,7 @@ class Simulation {
   LineVolumeContact* contact_ = nullptr;
   State state_;
   std::unique_ptr<Dynamics> dynamics_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, details_;
   std::vector<ContactVolume> volumes_;  // that lines may touch
   StartContact start_contact_;
   // Of the volumes of contact, in their basis, as raised_stiffness() last found it.

@@ -78,7 +78,8 @@ class LineCandidates {
                  CandidateSettings settings = {});
 
   // How many elements of each line are inside feeders at its ends A and B: they take no part, and what is
-  // near along lines that share a place counts from the feeders. True when this is news: the pairs change with update().
+  // near along lines that share a place counts from the feeders. True when this is news: the pairs change
+  // with update().
   bool leave_out(std::vector<std::array<int, 2>> inside);
   // Whether an element is inside a feeder.
   bool left_out(int element) const;

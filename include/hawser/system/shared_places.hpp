@@ -29,8 +29,8 @@ struct SharedPlace {
 
 class SharedPlaces {
  public:
-  // radius: m, of each of Mesh::elements, not 0 along the stretches. whole: of each line the first line of the
-  // line that it is a part of (lines that are cut later); empty: each is whole.
+  // radius: m, of each of Mesh::elements, not 0 along the stretches. whole: of each line the first line of
+  // the line that it is a part of (lines that are cut later); empty: each is whole.
   SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
                std::vector<SharedPlace> places, std::vector<int> whole);
 
@@ -44,6 +44,7 @@ class SharedPlaces {
 
   int size() const { return static_cast<int>(places_.size()); }
   const SharedPlace& place(int k) const { return places_[k].of; }
+  double diameter(int k) const;  // m, the mean of the two at place k
   // m, along either stretch from place k.
   double within(int k) const { return places_[k].step * std::max(places_[k].within, 0); }
   // What a checkpoint has of a place; the rank with its first node has it.
@@ -109,7 +110,7 @@ class SharedPlaces {
   std::vector<double> offset_;  // m, of each line: where it begins along its whole
   std::vector<std::array<int, 2>> inside_;
   std::vector<Place> places_;
-  bool agreed_ = true;  // all ranks know the same of the places
+  bool agreed_ = true;                                       // all ranks know the same of the places
   std::map<std::pair<int, int>, std::vector<int>> between_;  // by whole lines
 };
 

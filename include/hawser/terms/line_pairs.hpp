@@ -124,10 +124,10 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
     bool counted = false;
     LinePairLaw law;
     std::array<double, 2> part_a{0, 1}, part_b{0, 1};  // of the elements, in xi: what may touch the other
-    SegmentPair chords;                // at the start of the step
-    double clear = 0;                  // m, between the surfaces then, at least
-    std::unique_ptr<History> history;  // null: did not touch
-    std::unique_ptr<Trial> trial;      // null: none was asked for in this step
+    SegmentPair chords;                                // at the start of the step
+    double clear = 0;                                  // m, between the surfaces then, at least
+    std::unique_ptr<History> history;                  // null: did not touch
+    std::unique_ptr<Trial> trial;                      // null: none was asked for in this step
   };
   // Whether there is no contact near a place that they share: then chords say nothing of what may touch.
   static bool clipped(const Pair& p) {
