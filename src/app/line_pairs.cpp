@@ -178,8 +178,7 @@ std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
       one == other ? fmt::format("both ends of line {} go", one)
                    : fmt::format("lines {} and {} go", one, other),
       one == other ? "they touch each other" : "touch each other", places.within(farthest),
-      others > 0 ? fmt::format("; likewise {} more pair{} nearer to theirs", others, others > 1 ? "s" : "")
-                 : "");
+      others > 0 ? fmt::format("; likewise {} more pair{}, over less", others, others > 1 ? "s" : "") : "");
 }
 
 }  // namespace hawser::app

@@ -152,11 +152,11 @@ class Crossings {
     const auto pair = closest_points_of_segments(*one.x[k], *one.x[k + 1], *other.x[l], *other.x[l + 1]);
     if (pair.distance >= radii) return std::nullopt;
     Crossing a{&one, k, s, one.radius[k], one.at(k, s)}, b{&other, l, t, other.radius[l], other.at(l, t)};
-    // Ends at one place are no crossing.
+    // What ends at the other does not cross it.
     const auto at_end = [radii](const Crossing& q) {
       return (q.x - *q.rope->x.front()).norm() < radii || (q.x - *q.rope->x.back()).norm() < radii;
     };
-    if (at_end(a) && at_end(b)) return std::nullopt;
+    if (at_end(a) || at_end(b)) return std::nullopt;
     return std::pair(a, b);
   }
 

@@ -85,7 +85,7 @@ Set joint(Random& r) {
   Set s{"joint",
         fmt::format(
             "hawser: 1\nline_types: {{c: {{outer_diameter: {:.6g}, mass_per_length: {:.6g}, EA: {:.6g}, "
-            "bending: false}}}}\njoints: {{j: {{position: [0, 0, {:.6g}]}}}}\n",
+            "bending: false}}}}\njoints: {{j: {{start: [0, 0, {:.6g}]}}}}\n",
             d, 4000 * d * d, 5e9 * d * d, -h),
         ""};
   s.lines += line("up", "c", h * 1.05, 1, anchored({0, 0, 0}), "{joint: j}");
@@ -170,8 +170,11 @@ void expect_over(const Crossing& c, unsigned seed) {
     const double t = (pipe.x() - r.x[n - 1].x()) / (r.x[n].x() - r.x[n - 1].x());
     const double z = r.x[n - 1].z() + t * (r.x[n].z() - r.x[n - 1].z());
     EXPECT_GT(z - pipe.z(), 0.9 * c.radii);
-    EXPECT_LT(std::abs(pipe.z() - c.under), 0.2 * c.radii);
-    EXPECT_GT(r.force, 0);
+    EXPECT_LT(pipe.z() - c.under, 0.05 * c.radii);  // pressed down, not lifted
+    // Where the chain does not hang clear of the pipe it presses on it.
+    if (z - pipe.z() < 0.99 * c.radii) {
+      EXPECT_GT(r.force, 0);
+    }
   }
 }
 
