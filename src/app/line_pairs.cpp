@@ -66,6 +66,10 @@ std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
       if (p.stretch.node != q.stretch.node && (p.at - q.at).norm() < p.radius + q.radius)
         out.push_back({p.stretch, q.stretch});
     }
+  // Until it is cut a line goes on from each of its parts to the next.
+  for (size_t l = 1; l < c.lines.size(); ++l)
+    if (c.contact.takes_part(c.lines[l]) && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole)
+      out.push_back({{mesh.lines[l].first_node - 1, -1}, {mesh.lines[l].first_node, 1}});
   return out;
 }
 
