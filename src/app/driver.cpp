@@ -80,7 +80,7 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
   const std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
   if (volumes.empty()) return true;
   const LocalMesh local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
-  const StartShape shape = start_shape(c, local, bodies);
+  const StartShape shape = start_shape(c, local, bodies, surfaces);
   const Kinematics at = shape.state.view(0);
   const Feeders feeders(local, c);
   const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes);
@@ -290,7 +290,7 @@ int print_case(MPI_Comm comm, const std::string& case_path, const std::vector<st
 }
 
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,
-               const std::vector<std::string>& changes) {
+               const std::vector<std::string>& changes, bool verbose) {
   const int rank = rank_of(comm);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   Progress progress(rank == 0);
@@ -334,6 +334,8 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
              ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
   Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
+  if (verbose)
+    for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
   fmt::print("{}", starts_well ? "the case is valid\n"
                                : "the case is valid if statics moves its lines out of the volumes they start "
                                  "in; the run stops if not\n");

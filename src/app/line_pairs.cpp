@@ -17,63 +17,69 @@
 namespace hawser::app {
 namespace {
 
-// An end of a line that is held, and where the line goes from there: its other end, as long as nothing is
-// cut.
+// What goes on from an end of a line that is held or joined.
 struct Place {
-  const model::End *end, *other;  // null: this end is a cut to come
-  int node;
-  double diameter, length;  // m, of contact; of the line
+  Vec3 at;  // m, in space
+  Stretch stretch;
+  double radius;  // m, of contact
 };
 
-Place place(const model::Case& c, const model::Line& line, bool at_a, const LineSpan& span) {
-  const model::Line& all = line.whole ? *line.whole : line;
-  const auto pick = [at_a](const model::Line& l, bool other) { return at_a != other ? &l.end_a : &l.end_b; };
-  const model::End *own = pick(line, false), *here = pick(all, false);
-  const bool cut = own->kind != here->kind || own->body != here->body || own->at != here->at;
-  double length = 0;
-  for (const model::Section& s : all.sections) length += s.length;
-  const model::Section& section = at_a ? line.sections.front() : line.sections.back();
-  return {own, cut ? nullptr : pick(all, true), at_a ? span.first_node : span.first_node + span.nodes - 1,
-          c.line_type(section.type).contact_diameter, length};
+// The line that a line is a part of.
+const model::Line& whole_of(const model::Line& line) { return line.whole ? *line.whole : line; }
+
+// An end is held where the case has it, not by a cut to come.
+bool is_place(const model::Line& line, bool at_b) {
+  const model::End &own = line.end(at_b), &of_whole = whole_of(line).end(at_b);
+  return own.kind != model::EndKind::free && own.kind == of_whole.kind && own.body == of_whole.body;
 }
 
-// Round lines that part at an angle from one point overlap near it: so far along both together [m] that with
-// half of the angle between their chords they would be clear of each other. Half, since lines that sag, or
-// are pulled together, part at less than their chords do. 0 where one ends free, and where this would be more
-// than half of the shorter line: such lines lie side by side, or are twisted, and touch.
-double overlap(const model::Case& c, const Place& p, const Place& q) {
-  for (const Place* x : {&p, &q})
-    if (!x->other || x->other->kind == model::EndKind::free) return 0;
-  const auto chord = [&c](const Place& x) -> Vec3 {
-    return (model::end_position(c, *x.other) - model::end_position(c, *x.end)).stableNormalized();
-  };
-  const Vec3 u = chord(p), v = chord(q);
-  const double angle = 2 * std::atan2((u - v).norm(), (u + v).norm());
-  const double both = 0.5 * (p.diameter + q.diameter) / std::max(std::sin(angle / 4), 1e-9);
-  return both < 0.5 * std::min(p.length, q.length) ? both : 0;
-}
-
-// Ends of two lines at one place of one body, or of space: one point for what is near along the lines.
-std::vector<CandidateSettings::Joined> joined_ends(const model::Case& c, const Mesh& mesh) {
+std::vector<Place> places_of_lines(const model::Case& c, const Mesh& mesh) {
   std::vector<Place> places;
-  for (size_t l = 0; l < c.lines.size(); ++l)
-    for (const bool at_a : {true, false}) places.push_back(place(c, c.lines[l], at_a, mesh.lines[l]));
-  std::erase_if(places, [](const Place& p) { return p.end->kind == model::EndKind::free; });
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const LineSpan& span = mesh.lines[l];
+    const model::Line& line = c.lines[l];
+    if (!c.contact.takes_part(line)) continue;
+    for (const bool b : {false, true}) {
+      if (!is_place(line, b)) continue;
+      const model::Section& section = b ? line.sections.back() : line.sections.front();
+      places.push_back({model::end_position(c, line.end(b)),
+                        {b ? span.first_node + span.nodes - 1 : span.first_node, b ? -1 : 1},
+                        0.5 * c.line_type(section.type).contact_diameter});
+    }
+  }
+  return places;
+}
+
+// Pairs of stretches that begin nearer to each other than they are thick.
+std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
+  std::vector<Place> places = places_of_lines(c, mesh);
   double widest = 0;
-  for (const Place& p : places) widest = std::max(widest, p.diameter);
-  // Along x of one body, so that each looks at those beside it only.
-  const auto where = [](const Place& p) { return std::tie(p.end->kind, p.end->body, p.end->at.x(), p.node); };
+  for (const Place& p : places) widest = std::max(widest, 2 * p.radius);
+  // Along x, so that each is compared with those beside it only.
+  const auto where = [](const Place& p) { return std::tuple(p.at.x(), p.stretch.node, p.stretch.way); };
   std::sort(places.begin(), places.end(),
             [&](const Place& p, const Place& q) { return where(p) < where(q); });
-  std::vector<CandidateSettings::Joined> out;
+  std::vector<SharedPlace> out;
   for (size_t i = 0; i < places.size(); ++i)
-    for (size_t j = i + 1; j < places.size(); ++j) {
+    for (size_t j = i + 1; j < places.size() && places[j].at.x() - places[i].at.x() <= widest; ++j) {
       const Place &p = places[i], &q = places[j];
-      if (p.end->kind != q.end->kind || p.end->body != q.end->body || q.end->at.x() - p.end->at.x() > widest)
-        break;
-      if (p.other != q.end && (p.end->at - q.end->at).norm() < 0.5 * (p.diameter + q.diameter))
-        out.push_back({std::min(p.node, q.node), std::max(p.node, q.node), overlap(c, p, q)});
+      if (p.stretch.node != q.stretch.node && (p.at - q.at).norm() < p.radius + q.radius)
+        out.push_back({p.stretch, q.stretch});
     }
+  // Until it is cut a line goes on from each of its parts to the next.
+  for (size_t l = 1; l < c.lines.size(); ++l)
+    if (c.contact.takes_part(c.lines[l]) && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole)
+      out.push_back({{mesh.lines[l].first_node - 1, -1}, {mesh.lines[l].first_node, 1}});
+  return out;
+}
+
+// Of each line the first part of the line that is cut into it.
+std::vector<int> first_parts(const model::Case& c) {
+  std::vector<int> out;
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    out.push_back(l > 0 && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole
+                      ? out.back()
+                      : static_cast<int>(l));
   return out;
 }
 
@@ -88,7 +94,7 @@ std::vector<std::pair<int, int>> excluded_pairs(const model::Case& c) {
 }
 
 std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                                           std::vector<std::string>& notes) {
+                                           std::vector<std::string>& details) {
   const model::BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return nullptr;
   const int lines = static_cast<int>(c.lines.size());
@@ -103,7 +109,8 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
       if (takes_part[j])
         ++pairs, wanted += !std::binary_search(excluded.begin(), excluded.end(), std::pair(i, j));
   if (wanted == 0) return nullptr;
-  options.candidates.joined = joined_ends(c, *mesh.mesh);
+  options.shared = shared_places(c, *mesh.mesh);
+  options.whole = first_parts(c);
 
   options.general = b.general;
   for (const auto& t : b.pairs)
@@ -146,7 +153,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
         least = std::min(least, automatic_stiffness(i.least, j.least, i.radius + j.radius));
         most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
       }
-    notes.push_back(
+    details.push_back(
         fmt::format("contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
                     "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false "
                     "leaves such contact out",
@@ -157,6 +164,25 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
                                               : fmt::format("{:.3g}", most)));
   }
   return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
+}
+
+std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
+  int farthest = -1, others = 0;
+  for (int k = 0; k < places.size(); ++k) {
+    if (!(places.within(k) > CandidateSettings{}.exclusion_diameters * places.diameter(k))) continue;
+    others += farthest >= 0;
+    if (farthest < 0 || places.within(k) > places.within(farthest)) farthest = k;
+  }
+  if (farthest < 0) return "";
+  const auto name = [&](const Stretch& s) { return mesh.lines[mesh.nodes[s.node].line].name; };
+  const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
+  return fmt::format(
+      "{} from one place, or from places nearer to each other than the contact radii, and {} only more than "
+      "{:.3g} m along from there, beyond where they are first apart{}",
+      one == other ? fmt::format("both ends of line {} go", one)
+                   : fmt::format("lines {} and {} go", one, other),
+      one == other ? "they touch each other" : "touch each other", places.within(farthest),
+      others > 0 ? fmt::format("; likewise {} more pair{}, over less", others, others > 1 ? "s" : "") : "");
 }
 
 }  // namespace hawser::app

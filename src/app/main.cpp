@@ -108,7 +108,7 @@ struct CommandLine {
   bool in_vacuum = false;
   std::string check_path;
   int ranks = 0;
-  bool quick = false, json = false, markdown = false;
+  bool quick = false, verbose = false, json = false, markdown = false;
 
   CommandLine();
   CommandLine(const CommandLine&) = delete;
@@ -166,6 +166,7 @@ CommandLine::CommandLine() {
   check_command->add_flag("--quick", quick, "Without the trial run that tells the cost");
   check_command->add_flag("--json", json,
                           "Print the case as it was read, with all defaults, as JSON, and nothing else");
+  check_command->add_flag("--verbose", verbose, "Also print what was chosen that rarely matters");
   add_set(check_command);
 
   schema_command = cli.add_subcommand("schema", "Print the schema of case files.");
@@ -233,7 +234,7 @@ int main(int argc, char** argv) {
     if (!*line.run_command && !*line.modes_command)
       return line.json ? hawser::app::print_case(PETSC_COMM_WORLD, line.check_path, line.changes)
                        : hawser::app::check_case(PETSC_COMM_WORLD, line.check_path, line.ranks, !line.quick,
-                                                 line.changes);
+                                                 line.changes, line.verbose);
     const int code = *line.run_command ? hawser::app::run(PETSC_COMM_WORLD, line.run)
                                        : hawser::app::modes(PETSC_COMM_WORLD, line.modes);
     const auto left = unused(theirs);

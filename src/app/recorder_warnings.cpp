@@ -74,7 +74,8 @@ std::string Recorder::compressed(const io::SummaryRow& r) const {
                EI = std::min(type->EI2, type->EI3), buckles = kPinnedFoot * std::cbrt(EI * w * w);
   if (!(-r.value > buckles)) return {};
   return fmt::format(
-      "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; on a pinned foot it "
+      "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; on a pinned foot "
+      "it "
       "buckles at about {:.2g} kN: does its upper end pull enough?",
       r.line, -r.value / 1000, r.arc_length, when_text(c, r.time), buckles / 1000);
 }

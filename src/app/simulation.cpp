@@ -134,7 +134,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
     feeders = std::make_unique<Feeders>(local(), case_);
   feeders_ = feeders.get();
   add_lines();
-  StartShape start = start_shape(case_, local(), *bodies_);
+  StartShape start = start_shape(case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
   const Kinematics at = start.state.view(0);
   bodies_->fix_drawn(comm, case_, at);
@@ -144,7 +144,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   add_seabed(at, held);
   add_contact(at, held, surfaces);
   add_bodies(std::move(surfaces), std::move(skeletons));
-  if (auto between = make_line_pairs(comm, case_, local(), notes_)) {
+  if (auto between = make_line_pairs(comm, case_, local(), details_)) {
     line_pairs_ = between.get();
     line_pairs_->fed_by(feeders_);
     system_->add(std::move(between));
@@ -314,6 +314,9 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
         !why.empty())
       throw SolveError("statics: " + why);
   for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
+  if (line_pairs_)
+    if (std::string note = shared_places_note(line_pairs_->shared(), *mesh_); !note.empty())
+      notes_.push_back(std::move(note));
   std::vector<double> slack = structure_->slack(state_.view(0));
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
@@ -445,7 +448,10 @@ DynamicsSettings Simulation::dynamics_settings() const {
 }
 
 Dynamics& Simulation::dynamics() {
-  if (!dynamics_) dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
+  if (!dynamics_) {
+    if (line_pairs_) line_pairs_->settle(false);
+    dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
+  }
   return *dynamics_;
 }
 

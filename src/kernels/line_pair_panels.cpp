@@ -96,7 +96,10 @@ std::vector<LinePairPass::Panel> LinePairPass::panels() const {
   for (const ContactInterval& s :
        split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)),
                        panel_levels(slave_.ends.length, set_.slave_radius))) {
-    const Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
+    Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
+    if (p.from < set_.part[0]) p.from = set_.part[0], p.at_from = End::fixed;
+    if (p.to > set_.part[1]) p.to = set_.part[1], p.at_to = End::fixed;
+    if (!(p.from < p.to)) continue;
     if (part_ == ProjectOn::element)
       split(p, out);
     else

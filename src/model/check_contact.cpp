@@ -80,6 +80,21 @@ void check_apart(const Case& c, const Issues& issue) {
     }
 }
 
+// No line over itself, and no two over each other.
+void check_order(const BetweenLines& b, const Issues& issue) {
+  for (std::size_t i = 0; i < b.over.size(); ++i) {
+    const auto& [upper, lower] = b.over[i];
+    const std::string key = fmt::format("contact.between_lines.over[{}]", i);
+    if (upper == lower)
+      issue(key, "names line {} twice; give the upper line and the lower one", quote(upper));
+    const auto reversed = std::pair(lower, upper);
+    if (upper != lower && std::find(b.over.begin(), b.over.begin() + static_cast<std::ptrdiff_t>(i),
+                                    reversed) != b.over.begin() + static_cast<std::ptrdiff_t>(i))
+      issue(key, "line {} is to lie over line {} and under it; give one of the two", quote(upper),
+            quote(lower));
+  }
+}
+
 }  // namespace
 
 void check_contact(const Case& c, const Issues& issue) {
@@ -92,6 +107,7 @@ void check_contact(const Case& c, const Issues& issue) {
   const BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return;
   check_apart(c, issue);
+  check_order(b, issue);
   check_smoothing(b.general.smoothing, thickness, "contact.between_lines.smoothing", issue);
   for (std::size_t i = 0; i < b.pairs.size(); ++i) {
     const BetweenLines::Tuned& p = b.pairs[i];

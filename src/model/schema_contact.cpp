@@ -51,6 +51,7 @@ std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
 
 Key between_lines() {
   const Key two = list("", reference("", "lines"), "two lines, or one twice for itself", items(2, 2));
+  const Key upper = list("", reference("", "lines"), "the upper line and the lower one", items(2, 2));
   Key pair = two;
   pair.name = "lines", pair.required = true;
   pair.fields = {by<BetweenLines::Tuned>([](BetweenLines::Tuned& t, const Value& v) {
@@ -63,6 +64,9 @@ Key between_lines() {
            line_pair_keys({boolean({"self", &BetweenLines::self}, "a line touches itself", or_else("true")),
                            list({"exclude", &BetweenLines::exclude}, two,
                                 "pairs of lines that do not touch each other", or_else("[]")),
+                           list({"over", &BetweenLines::over}, upper,
+                                "pairs of lines that cross in their start shapes: the first over the second",
+                                or_else("[]")),
                            list("pairs",
                                 map("", line_pair_keys({std::move(pair)}, true),
                                     "settings of one pair of lines; what is not said is as for all"),

@@ -6,15 +6,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/solve/laid_places.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
+#include "start_crossings.hpp"
 #include "start_line.hpp"
 
 namespace hawser {
 namespace {
+
+using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 
 constexpr double kAgainst = 0.75 * M_PI;  // rad between a direction that is given and that of the shape
 
@@ -66,15 +70,22 @@ void doubt_direction(const model::Case& c, const model::Line& line, bool at_b, c
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
 }
 
-// Places, tangents and node axes of a line that is not a part of another.
+// Places and tangents of a line that is not a part of another.
 LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& g,
-                   const LineSpan& span, std::vector<std::string>& notes) {
+                   const LineSpan& span) {
   LineStart shape = line.end_a.feed || line.end_b.feed ? line_start_fed(c, line, bodies, g, span)
                     : line.starts_by_itself() && !line.buried.empty()
                         ? line_start_from_soil(c, line, bodies, g, span)
                         : line_start(c, line, bodies, g, span);
   mend(shape);
   if (line.starts_by_itself() && line.buried.empty()) lift(c.environment.seabed, shape);
+  return shape;
+}
+
+// Clamped ends have their directions, and nodes their axes.
+void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, LineStart& shape,
+          std::vector<std::string>& notes) {
+  mend(shape);
   const auto clamp_direction = [&](bool at_b) {
     const model::End& e = line.end(at_b);
     if (!(e.clamped || rigid(c, e)) || !e.direction) return;
@@ -95,22 +106,48 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
     for (size_t i = 0; i < q.size(); ++i)
       q[i] = (minimal_rotation(q[i] * Vec3::UnitX(), shape.tangent[i]) * q[i]).normalized();
   }
-  return shape;
 }
 
 // Of a part of a line that is cut: what it has of the whole.
-LineStart part_of_shape(const model::Case& c, const model::Line& line, const Bodies& bodies, int nodes,
-                        std::vector<std::string>& notes) {
-  model::Case alone;
-  alone.line_types = c.line_types, alone.lines = {*line.whole};
-  const Mesh mesh = build_mesh(alone);
-  LineStart shape = shape_of(c, *line.whole, bodies, mesh, mesh.lines.front(), notes);
-  const auto first = mesh.nearest_node(0, line.from), last = first + nodes;
+LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) {
+  LineStart shape = whole.shape;
+  const auto first = whole.mesh->nearest_node(0, line.from), last = first + nodes;
   const auto take = [&](auto& values) {
     values.erase(values.begin() + last, values.end()), values.erase(values.begin(), values.begin() + first);
   };
   take(shape.x), take(shape.tangent), take(shape.q);
   return shape;
+}
+
+// Of each line of the case, parts of one that is cut on their own.
+std::vector<LineStart> all_shapes(const model::Case& c, const Mesh& g, const Bodies& bodies,
+                                  const Surfaces& surfaces, std::vector<std::string>& notes) {
+  std::vector<StartedLine> wholes;
+  std::deque<Mesh> meshes;       // of lines that are cut
+  std::vector<size_t> whole_of;  // of each line
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const model::Line& line = c.lines[l];
+    if (!line.whole || wholes.empty() || wholes.back().line != line.whole.get()) {
+      StartedLine& whole = wholes.emplace_back(StartedLine{&line, &g, g.lines[l], {}});
+      if (line.whole) {
+        model::Case alone;
+        alone.line_types = c.line_types, alone.lines = {*line.whole};
+        meshes.push_back(build_mesh(alone));
+        whole = {line.whole.get(), &meshes.back(), meshes.back().lines.front(), {}};
+      }
+      whole.shape = shape_of(c, *whole.line, bodies, *whole.mesh, whole.span);
+    }
+    whole_of.push_back(wholes.size() - 1);
+  }
+  lay_over_volumes(c, bodies, surfaces, wholes, notes);
+  lay_over_each_other(c, wholes, notes);
+  for (StartedLine& whole : wholes) turn(c, *whole.line, bodies, whole.shape, notes);
+  std::vector<LineStart> out;
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    StartedLine& whole = wholes[whole_of[l]];
+    out.push_back(c.lines[l].whole ? part_of(whole, c.lines[l], g.lines[l].nodes) : std::move(whole.shape));
+  }
+  return out;
 }
 
 // Where nothing clamps a line of beams its twist is held at an end: 0 or 1; at a joint only where no other
@@ -205,16 +242,16 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
 
 }  // namespace
 
-StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies) {
+StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
+                       const Surfaces& surfaces) {
   const Mesh& g = *mesh.mesh;
   StartShape out{State(mesh.nodes()), {}, {}, {}, {}};
+  const std::vector<LineStart> shapes = all_shapes(c, g, bodies, surfaces, out.notes);
   std::vector<std::vector<Vec3>> places;  // by line
-
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
     const LineSpan& span = g.lines[l];
-    const LineStart shape = line.whole ? part_of_shape(c, line, bodies, span.nodes, out.notes)
-                                       : shape_of(c, line, bodies, g, span, out.notes);
+    const LineStart& shape = shapes[l];
     const std::vector<Quat>& q = shape.q;
     out.ends.push_back({start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
                         start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()});

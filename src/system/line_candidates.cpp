@@ -16,6 +16,9 @@
 namespace hawser {
 namespace {
 
+// Of what is without contact near a shared place, which may become less, the list leaves out this part.
+constexpr double kShared = 0.8;
+
 // What the narrow test needs of an axis half way along its path.
 struct Middle {
   Vec3 a, b;             // chord
@@ -68,7 +71,15 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
   for (auto& p : settings_.excluded)
     if (p.first > p.second) std::swap(p.first, p.second);
   std::sort(settings_.excluded.begin(), settings_.excluded.end());
+  if (settings_.shared) within_.assign(settings_.shared->size(), 0);
   gather();
+}
+
+// Whether pairs are left out near a shared place that may touch by now.
+bool LineCandidates::shares_less() const {
+  for (size_t k = 0; k < within_.size(); ++k)
+    if (settings_.shared->within(static_cast<int>(k)) < within_[k]) return true;
+  return false;
 }
 
 void LineCandidates::gather() {
@@ -82,7 +93,7 @@ void LineCandidates::gather() {
   constexpr size_t kMost = 15;
   unseen_.assign(built_.size(), 0);
   for (size_t i = 0; i < built_.size(); ++i)
-    for (size_t j = i + 1; j < std::min(built_.size(), i + 1 + kMost) && excluded(built_[i], built_[j]); ++j)
+    for (size_t j = i + 1; j < std::min(built_.size(), i + 1 + kMost) && never(built_[i], built_[j]); ++j)
       ++unseen_[i];
   locate();
 }
@@ -178,7 +189,7 @@ bool LineCandidates::covers(const Kinematics& trial) const {
 }
 
 bool LineCandidates::update(const Kinematics& committed, double h) {
-  const bool known = builds_ > 0 && !outdated_;
+  const bool known = builds_ > 0 && !outdated_ && !shares_less();
   // Without time having passed: at the end of the way, or, when it was not gone, at its start.
   int good[2] = {known && holds(committed, 0, part(committed.time)),
                  known && !(committed.time > made_) && holds(committed, 0, 0)};
@@ -190,6 +201,9 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   if (good[0] || good[1]) return false;
   ++builds_;
   outdated_ = false;
+  if (settings_.shared)
+    for (size_t k = 0; k < within_.size(); ++k)
+      within_[k] = kShared * settings_.shared->within(static_cast<int>(k));
   foresee(committed, h);
   std::vector<std::pair<int, int>> found = search();
   if (found == list_) return false;
@@ -250,29 +264,25 @@ std::vector<std::pair<int, int>> LineCandidates::search() const {
   return out;
 }
 
-bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
+// Whether two elements can be no pair, however they move.
+bool LineCandidates::never(const SweptAxis& p, const SweptAxis& q) const {
   if (!settings_.excluded.empty() &&
       std::binary_search(settings_.excluded.begin(), settings_.excluded.end(), ordered(p.line, q.line)))
     return true;
   const double apart = settings_.exclusion_diameters * (p.radius + q.radius);
-  if (p.line == q.line)
-    return p.second == q.first || q.second == p.first ||
-           std::max(q.arc[0] - p.arc[1], p.arc[0] - q.arc[1]) < apart;
-  const auto& nodes = mesh_.mesh->nodes;
-  const auto from = [&](const SweptAxis& s, int node) {
-    const auto [first, last] = outside(s.line);
-    const auto arc_of = [&](int n) { return nodes[n].arc; };
-    const double arc = std::clamp(arc_of(node), arc_of(mesh_.mesh->elements[first].first),
-                                  arc_of(mesh_.mesh->elements[last].second));
-    return std::min(std::abs(s.arc[0] - arc), std::abs(s.arc[1] - arc));
-  };
-  for (const auto& [m, n, within] : settings_.joined) {
-    const int line = nodes[m].line, other = nodes[n].line;
-    const double most = std::max(apart, within);
-    if (line == p.line && other == q.line && from(p, m) + from(q, n) < most) return true;
-    if (line == q.line && other == p.line && from(q, m) + from(p, n) < most) return true;
-  }
-  return false;
+  if (p.line == q.line && (p.second == q.first || q.second == p.first ||
+                           std::max(q.arc[0] - p.arc[1], p.arc[0] - q.arc[1]) < apart))
+    return true;
+  return settings_.shared && settings_.shared->any_between(p.element, q.element, [&](const auto& f) {
+    return f.one[0] + f.other[0] < apart;
+  });
+}
+
+bool LineCandidates::excluded(const SweptAxis& p, const SweptAxis& q) const {
+  if (never(p, q)) return true;
+  return settings_.shared && settings_.shared->any_between(p.element, q.element, [&](const auto& f) {
+    return std::max(f.one[1], f.other[1]) <= within_[f.place];
+  });
 }
 
 void LineCandidates::couple(Couplings& to) const {

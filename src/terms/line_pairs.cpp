@@ -26,7 +26,11 @@ double deepest_of(const std::vector<LinePairHistory>& points) {
 }
 
 bool LinePairs::recouple(const Kinematics& committed, double h) {
-  if (feeders_ && candidates_.leave_out(feeders_->inside())) listed_ = false;
+  if (feeders_ && candidates_.leave_out(feeders_->inside())) {
+    shared_.leave_out(feeders_->inside());
+    listed_ = false;
+  }
+  shared_.update(committed, settles_);
   if (!candidates_.update(committed, h) && listed_) return false;
   // Histories go by element until the new list is there.
   for (Pair& p : pairs_)
@@ -62,6 +66,8 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   rods_ = rods(committed);
   for (Pair& p : pairs_) {
     p.trial = nullptr;
+    p.part_a = p.part_b = {0, 1};
+    shared_.clip(p.key.first, p.key.second, p.part_a, p.part_b);
     const Rod &a = rods_[p.a], &b = rods_[p.b];
     p.chords = closest_points_of_segments(a.x1, a.x2, b.x1, b.x2);
     p.clear = p.chords.distance - a.sagitta - b.sagitta - p.law.radii - p.law.normal.smoothing;
@@ -106,6 +112,8 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
     const int master = swapped ? pair.key.first : pair.key.second;
     if (part != ProjectOn::element && !joint(master, part == ProjectOn::second_end)) continue;
     const int slave = swapped ? pair.key.second : pair.key.first;
+    s.part = swapped ? pair.part_b : pair.part_a;
+    if (!(s.part[0] < s.part[1])) continue;
     s.slave_radius = settings(slave).radius;
     s.share = slave_share(s.slave_radius, settings(master).radius);
     s.swapped = swapped;

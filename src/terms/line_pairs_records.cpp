@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-enum Kind { kPoints, kSums, kDeepest };
+enum Kind { kPoints, kSums, kDeepest, kShared };
 
 // A point that touches, with the elements of its pair and the part of the pair that it is of.
 struct PairPoint {
@@ -30,7 +30,7 @@ struct PairPoint {
 // so it is kept at each node of the pair.
 std::vector<HistoryKind> LinePairs::history() const {
   return {history_kind<PairPoint>("points that touch"), history_kind<Account>("sums of a node"),
-          history_kind<Deepest>("deepest")};
+          history_kind<Deepest>("deepest"), history_kind<SharedPlaces::Kept>("shared places")};
 }
 
 std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
@@ -43,6 +43,9 @@ std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
   }
   if (deepest_.first >= 0 && of.has(element(deepest_.first).first))
     records.push_back(record_of(element(deepest_.first).first, 0, deepest_, kDeepest));
+  for (int k = 0; k < shared_.size(); ++k)
+    if (const int n = shared_.place(k).one.node; mesh_.owns(mesh_.find(n)) && of.has(n))
+      records.push_back(record_of(n, k, shared_.kept(k), kShared));
   std::map<int, int> number;  // of records at a node
   for (const Pair& p : pairs_) {
     if (!p.history) continue;
@@ -68,6 +71,7 @@ std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
 void LinePairs::restore(const std::vector<HistoryRecord>& records) {
   pairs_.clear(), kept_.clear();
   candidates_.forget();
+  shared_.forget();
   listed_ = false;
   accounts_.assign(accounts_.size(), {});
   deepest_ = {};
@@ -79,6 +83,10 @@ void LinePairs::restore(const std::vector<HistoryRecord>& records) {
     }
     if (r.kind == kDeepest) {
       if (const Deepest d = entry<Deepest>(r); d.depth > deepest_.depth) deepest_ = d;
+      continue;
+    }
+    if (r.kind == kShared) {
+      shared_.restore(entry<SharedPlaces::Kept>(r));
       continue;
     }
     const std::vector<PairPoint> points = entries<PairPoint>(r);

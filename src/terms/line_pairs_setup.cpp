@@ -12,6 +12,11 @@ namespace {
 
 constexpr auto all = [](const auto&) { return true; };
 
+CandidateSettings sharing(CandidateSettings settings, const SharedPlaces& places) {
+  settings.shared = &places;
+  return settings;
+}
+
 std::vector<double> radii(const std::vector<LineContactElement>& elements) {
   std::vector<double> r;
   r.reserve(elements.size());
@@ -31,7 +36,8 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineConta
     : mesh_(mesh),
       elements_(std::move(elements)),
       options_(std::move(options)),
-      candidates_(comm, mesh, radii(elements_), options_.candidates),
+      shared_(comm, mesh, radii(elements_), options_.shared, options_.whole),
+      candidates_(comm, mesh, radii(elements_), sharing(options_.candidates, shared_)),
       accounts_(static_cast<size_t>(mesh.owned)) {
   const size_t n = mesh_.mesh->elements.size();
   if (elements_.size() != n || (!options_.automatic.empty() && options_.automatic.size() != n))

@@ -41,7 +41,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   const Pair* through = nullptr;
   double least = HUGE_VAL;
   for (const Pair& p : pairs_) {
-    if (!met(p, is) || !tunnels(p, trial)) continue;
+    if (clipped(p) || !met(p, is) || !tunnels(p, trial)) continue;
     const double gap = nearest_at_start(p).gap;
     if (!through || gap < least) through = &p, least = gap;
   }
@@ -106,7 +106,7 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   const std::vector<Rod> is = rods(trial);
   for (const Pair& p : pairs_) {
     const double slow = slowness(p), ramp = p.law.normal.smoothing;
-    if (!p.counted || follows(slow, trial.step) || (!p.history && !near(p, is))) continue;
+    if (!p.counted || clipped(p) || follows(slow, trial.step) || (!p.history && !near(p, is))) continue;
     const AxisEnds a = ends(trial, p.a), b = ends(trial, p.b);
     const Nearest before = nearest_at_start(p),
                   after = nearest(p, closest_points_of_segments(a.x1, a.x2, b.x1, b.x2), a, b);
@@ -135,6 +135,7 @@ double LinePairs::deepest(const Pair& p) const {
 // An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
 void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   for (const Pair& p : pairs_) {
+    if (clipped(p)) continue;
     const size_t i = p.a, j = p.b;
     const Nearest c = nearest_at_start(p);
     const double ramp = p.law.normal.smoothing,

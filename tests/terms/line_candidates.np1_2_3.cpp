@@ -11,8 +11,13 @@ namespace hawser::test::line_candidates {
 namespace {
 
 struct Model {
-  Model(MPI_Comm comm, const model::Case& c, double radius, double stiffness, CandidateSettings settings = {})
-      : sim(comm, c) {
+  // places: that two ends share, given by their nodes.
+  Model(MPI_Comm comm, const model::Case& c, double radius, double stiffness, CandidateSettings settings = {},
+        std::vector<SharedPlace> places = {})
+      : sim(comm, c),
+        shared(comm, sim.local(), std::vector<double>(sim.mesh().elements.size(), radius), std::move(places),
+               {}) {
+    settings.shared = &shared;
     auto term = std::make_unique<MiddleSprings>(comm, sim.local(), radius, stiffness, std::move(settings));
     springs = term.get();
     sim.system().add(std::move(term));
@@ -27,6 +32,7 @@ struct Model {
     return out;
   }
   app::Simulation sim;
+  SharedPlaces shared;
   MiddleSprings* springs = nullptr;
 };
 
@@ -81,8 +87,9 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   CandidateSettings settings;
   settings.exclusion_diameters = 3;
   settings.excluded = {{4, 1}, {2, 2}};
-  settings.joined = {{0, 15}};  // the ends A of lines 0 and 1, far apart as they are
-  Model all(PETSC_COMM_WORLD, c, radius, 1, settings), one(PETSC_COMM_SELF, c, radius, 1, settings);
+  const std::vector<SharedPlace> ends = {{{0}, {15}}};  // A of lines 0 and 1, far apart as they are
+  Model all(PETSC_COMM_WORLD, c, radius, 1, settings, ends),
+      one(PETSC_COMM_SELF, c, radius, 1, settings, ends);
   State &a = all.sim.state(), &b = one.sim.state();
   const Mesh& mesh = one.sim.mesh();
   const LocalMesh& l = all.sim.local();
@@ -219,8 +226,7 @@ TEST(LineCandidates, JoinedEnds) {
   c.lines[1].name = "other", c.lines[1].end_b = anchor({9.9, 1, 0});
   CandidateSettings settings;
   Model apart(PETSC_COMM_SELF, c, 0.2, 1, settings);
-  settings.joined = {{0, 21}};
-  Model joined(PETSC_COMM_SELF, c, 0.2, 1, settings);
+  Model joined(PETSC_COMM_SELF, c, 0.2, 1, settings, {{{0}, {21}}});
   for (Model* m : {&apart, &joined}) m->sim.system().couple(m->sim.state().view(0), 0);
   const auto has = [](const Model& m, int a, int b) {
     const auto p = m.pairs();

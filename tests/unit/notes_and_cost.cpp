@@ -150,10 +150,10 @@ TEST(Cost, MemoryOfARun) {
   EXPECT_GT(peak_memory(), before + 5e7);
 }
 
-TEST(Notes, TellTheStiffnessOfALineWithItself) {
+TEST(Details, TellTheStiffnessOfALineWithItself) {
   const auto told = [](const std::string& between) {
     const Simulation sim(MPI_COMM_SELF, rod(10, between));
-    for (const std::string& n : sim.notes())
+    for (const std::string& n : sim.details())
       if (n.starts_with("contact of line rod with itself: a normal stiffness of ")) {
         EXPECT_TRUE(
             n.find(" N/m per m, chosen by weight and EA. contact.between_lines.normal_stiffness sets ") !=

@@ -23,8 +23,9 @@ int run(MPI_Comm comm, const RunOptions& options);
 
 // Reads and checks, prints the summary with the partition for `ranks` (0: those of comm). trial: and runs the
 // beginning of the case for some seconds, writing nothing, for the expected cost or the reason why it stops.
+// verbose: also what was chosen that rarely matters.
 int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial = true,
-               const std::vector<std::string>& changes = {});
+               const std::vector<std::string>& changes = {}, bool verbose = false);
 
 // Prints a case as it was read (io/case_json.hpp), and nothing else. Throws InputError. Collective.
 int print_case(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes);

@@ -69,6 +69,7 @@ class Simulation {
   // Of bodies at rest in the surface whose stiffness against tilting has no part of the waterplane.
   // Collective.
   std::vector<std::string> tilting_warnings() const;
+  const std::vector<std::string>& details() const { return details_; }  // of what rarely matters
   const std::vector<std::string>& warnings() const { return start_contact_.warnings; }  // of the start shape
   // Of automatic contact stiffness that is higher than it was when this was last asked, one sentence a
   // volume.
@@ -121,7 +122,7 @@ class Simulation {
   LineVolumeContact* contact_ = nullptr;
   State state_;
   std::unique_ptr<Dynamics> dynamics_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, details_;
   std::vector<ContactVolume> volumes_;  // that lines may touch
   StartContact start_contact_;
   // Of the volumes of contact, in their basis, as raised_stiffness() last found it.

@@ -300,6 +300,8 @@ struct BetweenLines {
   };
   std::vector<Tuned> pairs;
   std::vector<std::pair<std::string, std::string>> exclude;
+  std::vector<std::pair<std::string, std::string>>
+      over;  // where they cross, the first starts over the second
 };
 
 struct Contact {

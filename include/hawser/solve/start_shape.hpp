@@ -3,9 +3,11 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "hawser/geometry/surface.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/state.hpp"
@@ -27,6 +29,9 @@ struct StartShape {
 // Nodes are placed by line (Start of the case); rotations follow the tangent with least twist from end A,
 // whose axis 2 is horizontal. A clamped end has its given direction, or the tangent of the start shape. Where
 // no end of a line of beams is clamped its twist is held at one supported end, for nothing else holds it.
-StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies);
+// Where lines cross near the bed, or volumes lie on it, what lies over is raised (start_crossings.hpp).
+// surfaces: of the volumes of the case; empty: nothing is known of them.
+StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
+                       const std::vector<std::shared_ptr<const Surface>>& surfaces = {});
 
 }  // namespace hawser

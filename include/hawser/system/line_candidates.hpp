@@ -25,6 +25,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/couplings.hpp"
+#include "hawser/system/shared_places.hpp"
 
 namespace hawser {
 
@@ -52,13 +53,9 @@ struct CandidateSettings {
   double steps = 4;
   // Pairs of lines (indices, any order; a line with itself too) that do not see each other.
   std::vector<std::pair<int, int>> excluded;
-  // Mesh nodes of different lines that are one point (ends at one fairlead): arc lengths go on through it.
-  // What is nearer along them than so many diameters, or than `within` [m], is no contact.
-  struct Joined {
-    int first = 0, second = 0;
-    double within = 0;
-  };
-  std::vector<Joined> joined;
+  // Arc lengths go on through places that lines share, so that the same holds there; what is wholly within
+  // them is no pair. It outlives this.
+  const SharedPlaces* shared = nullptr;
 };
 
 // An element's axis as four Bézier points, now and at the end of the path foreseen, together with all that is
@@ -81,7 +78,8 @@ class LineCandidates {
                  CandidateSettings settings = {});
 
   // How many elements of each line are inside feeders at its ends A and B: they take no part, and what is
-  // near along joined lines counts from the feeders. True when this is news: the pairs change with update().
+  // near along lines that share a place counts from the feeders. True when this is news: the pairs change
+  // with update().
   bool leave_out(std::vector<std::array<int, 2>> inside);
   // Whether an element is inside a feeder.
   bool left_out(int element) const;
@@ -118,10 +116,12 @@ class LineCandidates {
   void foresee(const Kinematics& committed, double h);
   double skin(int element) const;
   SweptAxis at_rest(int element) const;
+  bool never(const SweptAxis& p, const SweptAxis& q) const;
   bool excluded(const SweptAxis& p, const SweptAxis& q) const;
   // boxes: of this rank's axes.
   std::vector<SweptAxis> from_others(std::span<const Box> boxes) const;
   std::vector<std::pair<int, int>> search() const;
+  bool shares_less() const;
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
@@ -133,6 +133,7 @@ class LineCandidates {
   std::vector<SweptAxis> built_;            // of local_, when the list was made
   // Of local_: what half way in time is off the middle of the straight way.
   std::vector<std::array<Vec3, 4>> bend_;
+  std::vector<double> within_;             // m, of the shared places, what the list leaves out
   double made_ = 0, span_ = 0;             // s, when that was and the time to the end of the paths
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
   std::vector<ContactSegment> segments_;

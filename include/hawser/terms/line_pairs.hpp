@@ -34,6 +34,9 @@ struct LinePairOptions {
   };
   std::vector<Automatic> automatic;
   CandidateSettings candidates;
+  // Of lines that take part; `whole` as for SharedPlaces.
+  std::vector<SharedPlace> shared;
+  std::vector<int> whole;
 };
 
 // N/m²: the larger of the two's own, or what the weaker one needs where they cross. radii: m, sum of the
@@ -54,6 +57,11 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
 
   // Of lines that are paid out and hauled in; they outlive this.
   void fed_by(Feeders* feeders) { feeders_ = feeders; }
+
+  // Where lines share a place, and how far from it they do not touch.
+  const SharedPlaces& shared() const { return shared_; }
+  // In statics the stretches without contact at shared places follow the shape, in motion they only shrink.
+  void settle(bool settles) { settles_ = settles; }
 
   // Off in the first stage of statics. While off no slip is kept.
   void enable_friction(bool on) { friction_on_ = on; }
@@ -115,11 +123,16 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
     Key key;
     bool counted = false;
     LinePairLaw law;
-    SegmentPair chords;                // at the start of the step
-    double clear = 0;                  // m, between the surfaces then, at least
-    std::unique_ptr<History> history;  // null: did not touch
-    std::unique_ptr<Trial> trial;      // null: none was asked for in this step
+    std::array<double, 2> part_a{0, 1}, part_b{0, 1};  // of the elements, in xi: what may touch the other
+    SegmentPair chords;                                // at the start of the step
+    double clear = 0;                                  // m, between the surfaces then, at least
+    std::unique_ptr<History> history;                  // null: did not touch
+    std::unique_ptr<Trial> trial;                      // null: none was asked for in this step
   };
+  // Whether there is no contact near a place that they share: then chords say nothing of what may touch.
+  static bool clipped(const Pair& p) {
+    return p.part_a[0] > 0 || p.part_a[1] < 1 || p.part_b[0] > 0 || p.part_b[1] < 1;
+  }
   // A segment as a rod: chord and how far the axis is from it.
   struct Rod {
     Vec3 x1, x2;
@@ -187,7 +200,9 @@ class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsStep
   const LocalMesh& mesh_;
   std::vector<LineContactElement> elements_;
   LinePairOptions options_;
+  SharedPlaces shared_;
   LineCandidates candidates_;
+  bool settles_ = true;
   std::vector<Pair> pairs_;
   std::map<Key, std::unique_ptr<History>> kept_;  // of pairs, while the list is made anew
   bool listed_ = false;

@@ -1,0 +1,355 @@
+// Lines that cross near the bed, and volumes on it: how the start shape of what lies over is raised there.
+#include "start_crossings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "hawser/geometry/box_pairs.hpp"
+#include "hawser/geometry/segment_distance.hpp"
+#include "hawser/model/bed.hpp"
+
+namespace hawser {
+namespace {
+
+// Of the sum of the radii: so much more than that the axes are apart after a line was raised.
+constexpr double kGap = 0.01;
+// Length over height of the slope up to a place where a line is raised.
+constexpr double kSlope = 20;
+// Sine of the angle with the vertical of the common normal of two lines, below which neither is over the
+// other.
+constexpr double kOver = 0.1;
+constexpr std::size_t kMostNotes = 3;
+
+// A line, whole, as a polyline of its nodes.
+struct Rope {
+  const model::Line* line = nullptr;
+  std::vector<Vec3*> x;
+  std::vector<double> s;       // m, arc length
+  std::vector<double> radius;  // m, of contact of what follows each node
+  std::vector<double> raise;   // m, of each node
+  std::vector<Vec3*> tangent;
+
+  size_t segments() const { return x.size() - 1; }
+  Vec3 at(size_t segment, double t) const { return *x[segment] + t * (*x[segment + 1] - *x[segment]); }
+};
+
+std::vector<Rope> ropes_of(const model::Case& c, std::vector<StartedLine>& lines) {
+  std::vector<Rope> ropes;
+  for (StartedLine& of : lines) {
+    if (!c.contact.takes_part(*of.line)) continue;
+    Rope& rope = ropes.emplace_back();
+    rope.line = of.line;
+    for (int i = 0; i < of.span.nodes; ++i) {
+      const int element = of.span.first_element + std::min(i, of.span.elements - 1);
+      rope.x.push_back(&of.shape.x[i]), rope.tangent.push_back(&of.shape.tangent[i]);
+      rope.s.push_back(of.mesh->nodes[of.span.first_node + i].arc);
+      rope.radius.push_back(0.5 * c.line_types[of.mesh->elements[element].type].contact_diameter);
+    }
+    rope.raise.assign(rope.x.size(), 0);
+  }
+  return ropes;
+}
+
+// Raises a line by `height` from the arc length `from` to `to`, with smooth slopes on both sides; at its ends
+// it stays.
+void raise(Rope& rope, double from, double to, double height) {
+  double longest = 0;
+  for (size_t i = 0; i < rope.segments(); ++i)
+    if (rope.s[i + 1] >= from && rope.s[i] <= to) longest = std::max(longest, rope.s[i + 1] - rope.s[i]);
+  for (size_t i = 0; i < rope.x.size(); ++i) {
+    const bool before = rope.s[i] < from;
+    const double off = before ? from - rope.s[i] : rope.s[i] > to ? rope.s[i] - to : 0;
+    const double room = before ? from - rope.s.front() : rope.s.back() - to;
+    const double flat = std::min(longest, 0.5 * room), slope = std::min(kSlope * height, room - flat);
+    double share = 1;
+    if (off > flat) share = off < flat + slope ? 0.5 * (1 + std::cos(M_PI * (off - flat) / slope)) : 0;
+    rope.raise[i] = std::max(rope.raise[i], share * height);
+  }
+}
+
+// Whether any node was moved. Tangents beside those that were are to be made anew.
+bool apply(std::vector<Rope>& ropes) {
+  bool any = false;
+  for (Rope& r : ropes)
+    for (size_t i = 0; i < r.x.size(); ++i) {
+      if (!(r.raise[i] > 0)) continue;
+      any = true;
+      r.x[i]->z() += r.raise[i], r.raise[i] = 0;
+      for (size_t k = i > 0 ? i - 1 : 0; k < std::min(i + 2, r.x.size()); ++k) r.tangent[k]->setZero();
+    }
+  return any;
+}
+
+void tell(std::vector<std::string> sentences, const char* what, std::vector<std::string>& notes) {
+  if (sentences.size() > kMostNotes) {
+    const size_t more = sentences.size() - kMostNotes;
+    sentences.resize(kMostNotes);
+    sentences.push_back(fmt::format("and {} more lines start over {}", more, what));
+  }
+  notes.insert(notes.end(), sentences.begin(), sentences.end());
+}
+
+std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
+
+// One line at a place where it crosses another.
+struct Crossing {
+  Rope* rope = nullptr;
+  size_t segment = 0;
+  double t = 0;       // in the segment
+  double radius = 0;  // m
+  Vec3 x = Vec3::Zero();
+
+  double arc() const { return rope->s[segment] + t * (rope->s[segment + 1] - rope->s[segment]); }
+  Vec3 along() const { return rope->at(segment, 1) - rope->at(segment, 0); }
+  const std::string& name() const { return rope->line->name; }
+};
+
+class Crossings {
+ public:
+  Crossings(const model::Case& c, std::vector<Rope>& ropes) : c_(c), ropes_(ropes) {
+    for (const auto& [x, y] : c.contact.between_lines.exclude) apart_[ordered(x, y)] = true;
+  }
+
+  // Raises what lies over; `done` gets a sentence for each pair.
+  void sweep(std::map<std::pair<std::string, std::string>, std::string>& done) {
+    std::vector<Box> boxes;
+    std::vector<std::pair<Rope*, size_t>> of;
+    for (Rope& r : ropes_)
+      for (size_t i = 0; i < r.segments(); ++i) {
+        Box b;
+        b.add(*r.x[i]), b.add(*r.x[i + 1]);
+        boxes.push_back(b.grown(r.radius[i]));
+        of.emplace_back(&r, i);
+      }
+    std::vector<std::pair<int, int>> pairs = overlapping_pairs(boxes);
+    std::sort(pairs.begin(), pairs.end());
+    for (const auto& [i, j] : pairs) {
+      const auto& [one, k] = of[i];
+      const auto& [other, l] = of[j];
+      if (one == other || apart_.count(ordered(one->line->name, other->line->name))) continue;
+      if (auto found = crossing(*one, k, *other, l)) settle(found->first, found->second, done);
+    }
+  }
+
+ private:
+  static std::pair<std::string, std::string> ordered(std::string a, std::string b) {
+    return a < b ? std::pair(a, b) : std::pair(b, a);
+  }
+
+  // Where two segments cross in plan, not at ends of their lines, and are nearer than their radii.
+  static std::optional<std::pair<Crossing, Crossing>> crossing(Rope& one, size_t k, Rope& other, size_t l) {
+    const Vec3 u = one.at(k, 1) - one.at(k, 0), v = other.at(l, 1) - other.at(l, 0),
+               w = other.at(l, 0) - one.at(k, 0);
+    const double area = u.x() * v.y() - u.y() * v.x(), radii = one.radius[k] + other.radius[l];
+    if (!(std::abs(area) > kOver * u.norm() * v.norm())) return std::nullopt;
+    const double s = (w.x() * v.y() - w.y() * v.x()) / area, t = (w.x() * u.y() - w.y() * u.x()) / area;
+    if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1)) return std::nullopt;
+    const auto pair = closest_points_of_segments(*one.x[k], *one.x[k + 1], *other.x[l], *other.x[l + 1]);
+    if (pair.distance >= radii) return std::nullopt;
+    Crossing a{&one, k, s, one.radius[k], one.at(k, s)}, b{&other, l, t, other.radius[l], other.at(l, t)};
+    // What ends at the other does not cross it.
+    const auto at_end = [radii](const Crossing& q) {
+      return (q.x - *q.rope->x.front()).norm() < radii || (q.x - *q.rope->x.back()).norm() < radii;
+    };
+    if (at_end(a) || at_end(b)) return std::nullopt;
+    return std::pair(a, b);
+  }
+
+  double height(const Vec3& x) const {
+    const model::Seabed& bed = c_.environment.seabed;
+    return bed.present ? model::height_above_bed(bed, x) : HUGE_VAL;
+  }
+  bool lies(const Vec3& x, double radius) const { return height(x) < 2 * radius; }
+  bool lies_from_end_to_end(const Rope& r) const {
+    return lies(*r.x.front(), r.radius.front()) && lies(*r.x.back(), r.radius[r.segments() - 1]);
+  }
+
+  // Which of the two lies over the other: by the case, by what can be moved, by which of them alone lies on
+  // the bed, there or from end to end, by the heights of the start shapes. Null: both stay. InputError where
+  // nothing says it.
+  const Crossing* upper(const Crossing& a, const Crossing& b) const {
+    for (const auto& [over, under] : c_.contact.between_lines.over) {
+      if (over == a.name() && under == b.name()) return &a;
+      if (over == b.name() && under == a.name()) return &b;
+    }
+    const bool a_moves = a.rope->line->starts_by_itself(), b_moves = b.rope->line->starts_by_itself();
+    if (!a_moves && !b_moves) return nullptr;
+    const bool a_lies = lies(a.x, a.radius), b_lies = lies(b.x, b.radius);
+    const double rise = a.x.z() - b.x.z();
+    if (a_moves != b_moves) {
+      const Crossing &moves = a_moves ? a : b, &stays = a_moves ? b : a;
+      const bool room = height(stays.x) - stays.radius >= 2 * moves.radius;
+      if (!room || moves.x.z() >= stays.x.z()) return &moves;
+      return nullptr;
+    }
+    if (a_lies != b_lies) return a_lies ? &b : &a;
+    if (a_lies) {
+      const bool a_all = lies_from_end_to_end(*a.rope), b_all = lies_from_end_to_end(*b.rope);
+      if (a_all != b_all) return a_all ? &b : &a;
+    } else if (std::abs(rise) > kGap * (a.radius + b.radius)) {
+      return nullptr;
+    }
+    c_.refuse(
+        "lines." + b.name(),
+        "it crosses line '{}' at {}, and nothing says which of the two lies over the other; say so with "
+        "'contact: {{between_lines: {{over: [[{}, {}]]}}}}' (the upper one first)",
+        a.name(), point(0.5 * (a.x + b.x)), b.name(), a.name());
+  }
+
+  void settle(const Crossing& a, const Crossing& b,
+              std::map<std::pair<std::string, std::string>, std::string>& done) const {
+    const Crossing* over = upper(a, b);
+    if (!over) return;
+    const Crossing& under = over == &a ? b : a;
+    if (!over->rope->line->starts_by_itself())
+      c_.refuse("contact.between_lines.over",
+                "line '{}' is to lie over line '{}', and its start shape passes through it at {}; move the "
+                "points of its 'start' over it",
+                over->name(), under.name(), point(over->x));
+    const Vec3 normal = over->along().cross(under.along()).normalized();
+    const double radii = a.radius + b.radius, slant = std::abs(normal.z());
+    if (slant < kOver) return;
+    const double to = under.x.z() + (1 + kGap) * radii / slant;
+    // The slopes of both lines at the place are those of their elements.
+    raise(*over->rope, over->arc(), over->arc(), to - over->x.z());
+    done.try_emplace(
+        ordered(over->name(), under.name()),
+        fmt::format("lines.{}: starts over line {}, which it crosses at {} "
+                    "('contact: {{between_lines: {{over: [[{}, {}]]}}}}' would have it under it)",
+                    over->name(), under.name(), point(Vec3(over->x.x(), over->x.y(), to)), under.name(),
+                    over->name()));
+  }
+
+  const model::Case& c_;
+  std::vector<Rope>& ropes_;
+  std::map<std::pair<std::string, std::string>, bool> apart_;
+};
+
+// A volume in the place that it has at the start.
+struct Obstacle {
+  const Surface* surface = nullptr;
+  RigidPose pose;
+  const std::string* name = nullptr;
+  double size = 0;  // m, of its bounds
+
+  double distance(const Vec3& x) const {
+    const auto p = surface->query(pose.to_body(x), size);
+    return p ? p->distance : size;
+  }
+  // m, from x along the unit vector `way` to where the distance is `radius`, or beyond `most`.
+  double way_out(const Vec3& x, const Vec3& way, double radius, double most) const {
+    double gone = 0;
+    while (gone < most) {
+      const double missing = radius - distance(x + gone * way);
+      if (missing <= 0) break;
+      gone += missing + kGap * radius;  // no distance grows faster than its point moves
+    }
+    return gone;
+  }
+};
+
+// What of a line is in a volume, or nearer than its radius.
+struct Stretch {
+  double from = 0, to = 0, height = 0;  // m, of arc length; to be raised by
+  Vec3 deepest = Vec3::Zero(), along = Vec3::UnitX();
+  double depth = 0, radius = 0;  // m
+};
+
+std::vector<Stretch> stretches_in(const Rope& rope, const Obstacle& volume) {
+  std::vector<Stretch> out;
+  bool inside = false;
+  for (size_t i = 0; i < rope.segments(); ++i) {
+    const double length = (rope.at(i, 1) - rope.at(i, 0)).norm(), radius = rope.radius[i];
+    for (double gone = 0; gone < length;) {
+      const Vec3 x = rope.at(i, gone / length);
+      const double gap = volume.distance(x) - radius,
+                   s = rope.s[i] + gone / length * (rope.s[i + 1] - rope.s[i]);
+      if (gap < 0) {
+        if (!inside) out.push_back({s, s});
+        Stretch& of = out.back();
+        of.to = s;
+        of.height = std::max(of.height, volume.way_out(x, Vec3::UnitZ(), radius, 2 * volume.size));
+        if (-gap > of.depth)
+          of.depth = -gap, of.deepest = x, of.radius = radius, of.along = rope.at(i, 1) - rope.at(i, 0);
+      }
+      inside = gap < 0;
+      gone += std::max(std::abs(gap), radius);
+    }
+  }
+  return out;
+}
+
+// Whether a stretch is to go over the volume: there is no room for it between the volume and the bed, and the
+// way over it is shorter than the way round it.
+bool goes_over(const model::Case& c, const Stretch& s, const Obstacle& volume) {
+  const model::Seabed& bed = c.environment.seabed;
+  if (!bed.present) return false;
+  const double down = volume.way_out(s.deepest, -Vec3::UnitZ(), s.radius, 2 * volume.size);
+  if (model::height_above_bed(bed, s.deepest - down * Vec3::UnitZ()) > s.radius) return false;
+  const Vec3 side = Vec3::UnitZ().cross(s.along);
+  if (!(side.norm() > kOver * s.along.norm())) return false;
+  for (const double sign : {1.0, -1.0})
+    if (volume.way_out(s.deepest, sign * side.normalized(), s.radius, 2 * volume.size) <= s.height)
+      return false;
+  return true;
+}
+
+}  // namespace
+
+void lay_over_volumes(const model::Case& c, const Bodies& bodies,
+                      const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                      std::vector<StartedLine>& lines, std::vector<std::string>& notes) {
+  std::vector<Rope> ropes = ropes_of(c, lines);
+  std::vector<std::string> sentences;
+  for (size_t v = 0; v < surfaces.size(); ++v) {
+    const model::Volume& volume = c.volumes[v];
+    const int body = c.body_index(volume.body);
+    if (!c.contact.takes_part(volume) || volume.roller || c.off_at_start(volume) || c.rides(body)) continue;
+    const Box bounds = surfaces[v]->bounds();
+    if (!std::isfinite(bounds.diagonal())) continue;
+    const Obstacle obstacle{surfaces[v].get(), bodies.pose(body, 0), &volume.name, bounds.diagonal()};
+    const Vec3 centre = obstacle.pose.to_space(bounds.centre());
+    for (Rope& rope : ropes) {
+      const model::Line& line = *rope.line;
+      const auto own = [&](const model::End& e) {
+        return e.kind == model::EndKind::body && e.body == volume.body;
+      };
+      if (!line.starts_by_itself() || own(line.end_a) || own(line.end_b)) continue;
+      const bool far = std::all_of(rope.x.begin(), rope.x.end(), [&](const Vec3* x) {
+        return (*x - centre).norm() > obstacle.size + rope.s.back() / static_cast<double>(rope.segments());
+      });
+      if (far) continue;
+      for (const Stretch& s : stretches_in(rope, obstacle)) {
+        if (!goes_over(c, s, obstacle)) continue;
+        raise(rope, s.from, s.to, s.height);
+        sentences.push_back(fmt::format("lines.{}: starts over volume {} at {}, as there is no room under it",
+                                        line.name, volume.name, point(s.deepest + s.height * Vec3::UnitZ())));
+      }
+    }
+    apply(ropes);
+  }
+  tell(std::move(sentences), "volumes", notes);
+}
+
+void lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines,
+                         std::vector<std::string>& notes) {
+  if (!c.contact.between_lines.enabled) return;
+  std::vector<Rope> ropes = ropes_of(c, lines);
+  std::map<std::pair<std::string, std::string>, std::string> done;
+  Crossings crossings(c, ropes);
+  // What was raised may meet a third.
+  for (size_t i = 0; i < ropes.size(); ++i) {
+    crossings.sweep(done);
+    if (!apply(ropes)) break;
+  }
+  std::vector<std::string> sentences;
+  for (auto& [pair, sentence] : done) sentences.push_back(std::move(sentence));
+  tell(std::move(sentences), "others", notes);
+}
+
+}  // namespace hawser

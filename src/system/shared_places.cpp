@@ -1,0 +1,298 @@
+// How far along two stretches from a place that they share there is no contact, from their positions.
+#include "hawser/system/shared_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/math/ordered.hpp"
+
+namespace hawser {
+namespace {
+
+// They are free of each other up to so many times the length at which they are first apart. Straight lines
+// are apart there by this many sums of their radii.
+constexpr int kFree = 2;
+// Steps to a sum of the radii.
+constexpr int kSteps = 4;
+// Of the sum of the radii. Lines that are nowhere nearer than the sum less kPressed, from one place they
+// share to the next, lie side by side, pressed into each other by their contact. Apart by kClear they do not.
+constexpr double kPressed = 0.1, kClear = 0.5;
+
+}  // namespace
+
+// The gap between two stretches at equal lengths along them, m.
+struct SharedPlaces::Gaps {
+  const Rope &one, &other;
+  double step = 0;
+
+  double at(int k) const { return std::min(of(one, other, k * step), of(other, one, k * step)); }
+
+  static size_t segment(const Rope& rope, double s) {
+    const auto after = std::upper_bound(rope.s.begin(), rope.s.end(), s) - rope.s.begin();
+    return static_cast<size_t>(std::clamp<std::ptrdiff_t>(after - 1, 0, std::ssize(rope.s) - 2));
+  }
+
+  static double distance(const Rope& rope, size_t i, const Vec3& p) {
+    const Vec3 along = rope.x[i + 1] - rope.x[i], from = p - rope.x[i];
+    const double length = along.squaredNorm();
+    const double t = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
+    return (from - t * along).norm() - rope.radius[i];
+  }
+
+  // From the place s of a rope to the nearest place of the other, looked for from equal length on.
+  static double of(const Rope& rope, const Rope& other, double s) {
+    const size_t i = segment(rope, s);
+    const double span = rope.s[i + 1] - rope.s[i], t = span > 0 ? (s - rope.s[i]) / span : 0;
+    const Vec3 p = rope.x[i] + std::min(t, 1.0) * (rope.x[i + 1] - rope.x[i]);
+    const size_t last = other.s.size() - 2;
+    size_t j = segment(other, s);
+    double least = distance(other, j, p);
+    for (const bool forward : {false, true})
+      while (forward ? j < last : j > 0) {
+        const size_t next = forward ? j + 1 : j - 1;
+        const double d = distance(other, next, p);
+        if (d > least) break;
+        least = d, j = next;
+      }
+    return least - rope.radius[i];
+  }
+};
+
+SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
+                           std::vector<SharedPlace> places, std::vector<int> whole)
+    : comm_(comm), mesh_(mesh), radius_(std::move(radius)), whole_(std::move(whole)) {
+  const std::vector<LineSpan>& lines = mesh.mesh->lines;
+  offset_.assign(lines.size(), 0);
+  for (size_t l = whole_.size(); l < lines.size(); ++l) whole_.push_back(static_cast<int>(l));
+  for (size_t l = 1; l < lines.size(); ++l)
+    if (whole_[l] == whole_[l - 1]) offset_[l] = offset_[l - 1] + lines[l - 1].length;
+  const auto first_radius = [&](const Stretch& s) {
+    const Node& n = mesh.mesh->nodes[s.node];
+    const LineSpan& line = lines[n.line];
+    return radius_[std::min(line.first_element + s.node - line.first_node,
+                            line.first_element + line.elements - 1)];
+  };
+  const auto length = [&](const Stretch& s) {
+    const std::vector<int> all = nodes_to(s, HUGE_VAL);
+    return std::abs(arc(all.back()) - arc(all.front()));
+  };
+  for (const SharedPlace& p : places) {
+    Place& place = places_.emplace_back();
+    place.of = p;
+    place.step = (first_radius(p.one) + first_radius(p.other)) / kSteps;
+    place.limit = std::min(length(p.one), length(p.other));
+    const int a = mesh.mesh->nodes[p.one.node].line, b = mesh.mesh->nodes[p.other.node].line;
+    if (whole_[a] == whole_[b]) {
+      const double apart = arc(p.other.node) - arc(p.one.node);
+      const bool facing = apart * p.one.way > 0 && apart * p.other.way < 0;
+      place.limit = std::min(place.limit, (facing ? 0.5 : 1) * std::abs(apart));
+    }
+    between_[ordered(whole_[a], whole_[b])].push_back(static_cast<int>(places_.size()) - 1);
+  }
+}
+
+double SharedPlaces::diameter(int k) const { return kSteps * places_[k].step; }
+
+const std::vector<int>& SharedPlaces::between(int line, int other) const {
+  static const std::vector<int> none;
+  if (between_.empty()) return none;
+  const auto at = between_.find(ordered(whole_[line], whole_[other]));
+  return at == between_.end() ? none : at->second;
+}
+
+// m, along the whole line.
+double SharedPlaces::arc(int node) const {
+  const Node& n = mesh_.mesh->nodes[node];
+  return offset_[n.line] + n.arc;
+}
+
+// The first and the last node of a line that are not inside a feeder.
+std::array<int, 2> SharedPlaces::outside(int line) const {
+  const LineSpan& l = mesh_.mesh->lines[line];
+  const std::array<int, 2> inside = inside_.empty() ? std::array{0, 0} : inside_[line];
+  return {l.first_node + inside[0], l.first_node + l.nodes - 1 - inside[1]};
+}
+
+// Where a stretch begins, m along the whole line.
+double SharedPlaces::begin(const Stretch& stretch) const {
+  const auto [first, last] = outside(mesh_.mesh->nodes[stretch.node].line);
+  return arc(std::clamp(stretch.node, first, last));
+}
+
+std::optional<std::array<double, 2>> SharedPlaces::along(const Stretch& stretch, int element) const {
+  const Element& e = mesh_.mesh->elements[element];
+  if (whole_[e.line] != whole_[mesh_.mesh->nodes[stretch.node].line]) return std::nullopt;
+  const double from = begin(stretch);
+  const double a = stretch.way * (arc(e.first) - from), b = stretch.way * (arc(e.second) - from);
+  if (std::min(a, b) < -1e-6 * e.length) return std::nullopt;
+  return std::array{a, b};
+}
+
+void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
+                        std::array<double, 2>& second_part) const {
+  const auto& elements = mesh_.mesh->elements;
+  for (const int k : between(elements[element].line, elements[second].line))
+    for (const bool swapped : {false, true}) {
+      const auto one = along(place(k).one, swapped ? second : element),
+                 other = along(place(k).other, swapped ? element : second);
+      if (!one || !other) continue;
+      const double within = this->within(k);
+      if (std::min((*one)[0], (*one)[1]) >= within || std::min((*other)[0], (*other)[1]) >= within) continue;
+      const auto take_off = [within](const std::array<double, 2>& d, std::array<double, 2>& of) {
+        const double xi = std::clamp((within - d[0]) / (d[1] - d[0]), 0.0, 1.0);
+        if (d[1] > d[0])
+          of[0] = std::max(of[0], xi);
+        else
+          of[1] = std::min(of[1], xi);
+      };
+      take_off(*one, swapped ? second_part : part);
+      take_off(*other, swapped ? part : second_part);
+    }
+}
+
+// The nodes of a stretch, outwards, up to the first one at `reach` [m] or beyond.
+std::vector<int> SharedPlaces::nodes_to(const Stretch& stretch, double reach) const {
+  const int whole = whole_[mesh_.mesh->nodes[stretch.node].line];
+  const auto [first, last] = outside(mesh_.mesh->nodes[stretch.node].line);
+  const double from = begin(stretch);
+  std::vector<int> out;
+  for (int n = std::clamp(stretch.node, first, last); n >= 0 && n < mesh_.mesh->line_nodes();
+       n += stretch.way) {
+    const int line = mesh_.mesh->nodes[n].line;
+    if (whole_[line] != whole) break;
+    const auto [a, b] = outside(line);
+    if (n < a || n > b) break;
+    out.push_back(n);
+    if (out.size() > 1 && std::abs(arc(n) - from) >= reach) break;
+  }
+  return out;
+}
+
+// Of nodes of the mesh, whichever rank has them.
+std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kinematics& at) const {
+  std::vector<Vec3> out(nodes.size(), Vec3::Zero());
+  std::vector<double> mine;
+  const bool alone = ranks_of(comm_) == 1;
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    const int n = mesh_.find(nodes[i]);
+    if (!mesh_.owns(n)) continue;
+    out[i] = at.x[n];
+    if (!alone) mine.insert(mine.end(), {static_cast<double>(i), out[i].x(), out[i].y(), out[i].z()});
+  }
+  if (alone) return out;
+  std::vector<double> all;
+  GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
+  for (size_t i = 0; i < all.size(); i += 4)
+    out[static_cast<size_t>(all[i])] = Vec3(all[i + 1], all[i + 2], all[i + 3]);
+  return out;
+}
+
+SharedPlaces::Rope SharedPlaces::rope(const Stretch& stretch, const std::vector<int>& nodes,
+                                      const std::vector<Vec3>& x) const {
+  Rope out;
+  out.x = x;
+  const double from = begin(stretch);
+  for (size_t i = 0; i < nodes.size(); ++i) {
+    out.s.push_back(std::abs(arc(nodes[i]) - from));
+    const Node& n = mesh_.mesh->nodes[nodes[i]];
+    const LineSpan& line = mesh_.mesh->lines[n.line];
+    const int element = line.first_element + nodes[i] - line.first_node - (stretch.way < 0 ? 1 : 0);
+    out.radius.push_back(
+        radius_[std::clamp(element, line.first_element, line.first_element + line.elements - 1)]);
+  }
+  return out;
+}
+
+void SharedPlaces::forget() {
+  for (Place& p : places_) p.within = kUnknown;
+  agreed_ = false;
+}
+
+void SharedPlaces::restore(const Kept& kept) {
+  if (kept.place < 0 || kept.place >= size() || kept.steps < 0)
+    throw std::invalid_argument("a record of places that lines share does not fit");
+  places_[kept.place].within = kept.steps;
+}
+
+void SharedPlaces::update(const Kinematics& at, bool settles) {
+  if (!std::exchange(agreed_, true) && !places_.empty()) {
+    std::vector<int> steps;
+    for (const Place& p : places_) steps.push_back(p.within);
+    all_reduce(comm_, MPI_MAX, steps);
+    for (size_t k = 0; k < places_.size(); ++k) places_[k].within = steps[k];
+  }
+  std::vector<std::array<std::vector<int>, 2>> nodes(places_.size());
+  std::vector<int> all;
+  for (size_t k = 0; k < places_.size(); ++k) {
+    const Place& p = places_[k];
+    if (!settles && p.within == 0) continue;  // apart for good
+    const double reach =
+        p.within == kUnknown ? p.limit : std::min(p.limit, (kFree * (p.within + 1) + 1) * p.step);
+    nodes[k] = {nodes_to(p.of.one, reach), nodes_to(p.of.other, reach)};
+    for (const std::vector<int>& of : nodes[k]) all.insert(all.end(), of.begin(), of.end());
+  }
+  if (all.empty()) return;  // on every rank
+  const std::vector<Vec3> x = gather(all, at);
+  auto next = x.begin();
+  for (size_t k = 0; k < places_.size(); ++k) {
+    std::array<Rope, 2> ropes;
+    for (const size_t side : {0, 1}) {
+      const std::vector<int>& of = nodes[k][side];
+      const SharedPlace& place = places_[k].of;
+      ropes[side] = rope(side == 0 ? place.one : place.other, of, {next, next + std::ssize(of)});
+      next += std::ssize(of);
+    }
+    if (nodes[k][0].size() > 1 && nodes[k][1].size() > 1) update(places_[k], ropes[0], ropes[1], settles);
+  }
+}
+
+// In steps k along the stretches: overlap from the place up to `first`, within = kFree times that.
+void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool settles) const {
+  const Gaps gaps{one, other, p.step};
+  const int reach = static_cast<int>(
+      std::min({p.limit, one.s.back(), other.s.back(), (kFree * (std::max(p.within, 0) + 1) + 1) * p.step}) /
+      p.step);
+  const int most = static_cast<int>(p.limit / p.step);
+  const bool unknown = p.within == kUnknown;
+  const int known_to = unknown ? most : std::min(most, reach);
+  const auto overlaps = [&](int k) { return gaps.at(k) < 0; };
+  // On from the first place apart as far as they stay apart.
+  const auto free_to = [&](int first) {
+    const int end = std::min(kFree * first, known_to);
+    int k = first;
+    while (k < end && !overlaps(k)) ++k;
+    return k;
+  };
+  if (unknown) {
+    double nearest = 0;
+    int first = 0;
+    for (; first < most; ++first) {
+      const double gap = gaps.at(first);
+      if (gap >= 0) break;
+      nearest = std::min(nearest, gap);
+    }
+    const int a = mesh_.mesh->nodes[p.of.one.node].line, b = mesh_.mesh->nodes[p.of.other.node].line;
+    const bool side_by_side =
+        first == most && whole_[a] != whole_[b] && nearest > -kPressed * kSteps * p.step;
+    p.within = side_by_side ? 0 : first == most ? most : free_to(first);
+  } else if (!overlaps(p.within)) {
+    int first = p.within;
+    while (first > 0 && !overlaps(first - 1)) --first;
+    const int wanted = free_to(first);
+    if (wanted < p.within || settles) p.within = wanted;
+  } else if (settles) {
+    // They came nearer to each other where they were clearly apart: not pressed together from outside.
+    int first = p.within;
+    while (first < known_to && overlaps(first)) ++first;
+    if (first <= p.clear) p.within = first == most ? most : free_to(first);
+  }
+  if (!settles) return;
+  const int end = std::min(most, kFree * (p.within + 1) + 1);
+  p.clear = p.within;
+  while (p.clear < std::min(end, known_to) && gaps.at(p.clear) > kClear * kSteps * p.step) ++p.clear;
+  if (p.clear >= known_to) p.clear = most;
+}
+
+}  // namespace hawser

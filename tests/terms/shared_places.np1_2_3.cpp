@@ -1,0 +1,45 @@
+// Places that lines share, on any number of ranks: the same lengths without contact, and through a
+// checkpoint.
+#include "hawser/system/shared_places.hpp"
+
+#include "support/rig.hpp"
+
+namespace hawser::test::shared_places_ranks {
+namespace {
+
+TEST(SharedPlacesOnRanks, KnowTheSame) {
+  model::Case c = one_line(cable_type(1e6, 1), 20, 40, anchor({0, 0, 0}), anchor({20, 0, 0}));
+  for (const double y : {3.0, 6.0}) {
+    c.lines.push_back(c.lines[0]);
+    c.lines.back().name = "to " + std::to_string(y);
+    c.lines.back().end_b = anchor({19, y, 0});
+  }
+  for (model::Line& l : c.lines) l.start = model::Start::straight;
+  c.contact.between_lines.self = false;
+  const auto of = [&](MPI_Comm comm) {
+    Simulation sim(comm, c);
+    const std::vector<double> radius(sim.mesh().elements.size(), 0.1);
+    const std::vector<SharedPlace> ends = {{{0}, {41}}, {{0}, {82}}, {{41}, {82}}};
+    SharedPlaces places(comm, sim.local(), radius, ends, {});
+    places.update(sim.state().view(0), true);
+    std::vector<double> out;
+    for (int k = 0; k < places.size(); ++k) out.push_back(places.within(k));
+    // What one rank has kept of a place reaches the others.
+    std::vector<SharedPlaces::Kept> kept;
+    for (int k = 0; k < places.size(); ++k)
+      if (sim.local().owns(sim.local().find(ends[static_cast<size_t>(k)].one.node)))
+        kept.push_back(places.kept(k));
+    places.forget();
+    for (const auto& k : kept) places.restore(k);
+    places.update(sim.state().view(0), false);
+    for (int k = 0; k < places.size(); ++k) EXPECT_EQ(places.within(k), out[static_cast<size_t>(k)]);
+    return out;
+  };
+  const std::vector<double> all = of(PETSC_COMM_WORLD), one = of(PETSC_COMM_SELF);
+  EXPECT_EQ(all, one);
+  EXPECT_GT(one[0], 0.2);
+  EXPECT_GT(one[0], one[1]);  // the smaller the angle the farther
+}
+
+}  // namespace
+}  // namespace hawser::test::shared_places_ranks
