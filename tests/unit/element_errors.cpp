@@ -160,7 +160,8 @@ lines:
     sim.solve_statics();
     const Kinematics at = sim.state().view(0);
     std::vector<double> tension(static_cast<size_t>(elements) + 1);
-    for (const FieldSource& f : sim.system().fields().sources())
+    const FieldRegistry fields = sim.system().fields();
+    for (const FieldSource& f : fields.sources())
       if (f.name == "effective_tension") f.fill(at, tension);
     std::vector<bool> carried;
     for (const Vec3& x : at.x) carried.push_back(x.z() < -200 + 0.17);
