@@ -152,6 +152,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   if (feeders) system_->add(std::move(feeders));
 
   state_ = std::move(start.state);
+  any_laid_ = start.any_laid;
   laid_ = std::move(start.laid);
   system_->tie(std::move(start.tied), [b = bodies_](int body, double t) { return b->pose(body, t); });
 }
@@ -247,9 +248,7 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) c
 }
 
 // By the case: a rank without nodes has no friction of its own, and statics is collective.
-bool Simulation::lays_lines() const {
-  return seabed_ && static_friction_.value_or(true) && model::static_bed_friction(case_);
-}
+bool Simulation::lays_lines() const { return seabed_ && static_friction_.value_or(true) && any_laid_; }
 
 // From the equilibrium with soft friction under the weight of what lay at the start to that with the law of
 // motion, by way of stiffer friction; where the slightest slip mobilises it, under the contact forces found.
@@ -367,22 +366,23 @@ std::vector<std::string> Simulation::on_bed() const {
   constexpr size_t kShown = 20;
   std::vector<SeabedTerm::OnBed> lines = seabed_->on_bed(state_.view(0));
   std::vector<double> sums;
-  for (const SeabedTerm::OnBed& l : lines) sums.insert(sums.end(), {l.lies, l.held, l.taken});
+  for (const SeabedTerm::OnBed& l : lines) sums.insert(sums.end(), {l.lies, l.laid, l.held, l.taken});
   all_reduce(system_->comm(), MPI_SUM, sums);
   size_t more = 0;
   for (size_t l = 0; l < lines.size(); ++l) {
-    const double lies = sums[3 * l], held = sums[3 * l + 1], taken = std::abs(sums[3 * l + 2]);
+    const double lies = sums[4 * l], laid = sums[4 * l + 1], held = sums[4 * l + 2];
+    const double taken = std::abs(sums[4 * l + 3]);
     if (!(lies > 0)) continue;
     if (out.size() == kShown) {
       ++more;
       continue;
     }
-    out.push_back(fmt::format("lines.{}: {:.4g} m on the seabed, {}", mesh_->lines[l].name, lies,
-                              lays_lines()
-                                  ? fmt::format("where friction takes {:.4g} kN of tension and holds "
-                                                "{:.4g} m with force to spare",
-                                                1e-3 * taken, held)
-                                  : "without friction in statics"));
+    std::string friction = "without friction in statics";
+    if (laid > 0)
+      friction =
+          fmt::format("where friction takes {:.4g} kN of tension and holds {:.4g} m with force to spare",
+                      1e-3 * taken, held);
+    out.push_back(fmt::format("lines.{}: {:.4g} m on the seabed, {}", mesh_->lines[l].name, lies, friction));
   }
   if (more > 0) out.push_back(fmt::format("{} more lines are on the seabed", more));
   return out;

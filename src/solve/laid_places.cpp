@@ -48,9 +48,7 @@ class Laying {
     if (given(l)) return start;
     const double a = holder({l, false}).height;
     const double b = holder({l, true}).height;
-    if (!std::isfinite(a) && !std::isfinite(b)) return start;
-    if (!std::isfinite(b)) return reckoned({l, false});
-    if (!std::isfinite(a)) return reckoned({l, true});
+    if (!std::isfinite(a) || !std::isfinite(b)) return beside_free_end(start, std::min(a, b));
     // Between two ends it was laid from the lower one, from both where they are equally high:
     // x = (h_b² x_a + h_a² x_b)/(h_a² + h_b²), continuous in the heights.
     const double tiny = 1e-12 * std::pow(mesh_.lines[l].length, 2);
@@ -64,6 +62,16 @@ class Laying {
  private:
   const model::End& end(const Side& s) const { return c_.lines[s.line].end(s.b); }
   const Vec3& start_of(const Side& s) const { return s.b ? starts_[s.line].back() : starts_[s.line].front(); }
+
+  // A line with a free end was laid as it starts, if its other end is near the bed; of one that hangs down
+  // onto the bed nothing says how it got there.
+  std::vector<Vec3> beside_free_end(const std::vector<Vec3>& start, double height) const {
+    constexpr double kNear = 0.1;  // of the length of the start shape
+    double length = 0;
+    for (size_t i = 1; i < start.size(); ++i) length += (start[i] - start[i - 1]).norm();
+    if (height < kNear * length) return start;
+    return std::vector<Vec3>(start.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  }
 
   // Whether the case gives the start shape and it lies from end to end.
   bool given(size_t l) const {

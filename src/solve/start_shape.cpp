@@ -245,7 +245,8 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
 StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
                        const Surfaces& surfaces) {
   const Mesh& g = *mesh.mesh;
-  StartShape out{State(mesh.nodes()), {}, {}, {}, {}};
+  StartShape out;
+  out.state = State(mesh.nodes());
   const std::vector<LineStart> shapes = all_shapes(c, g, bodies, surfaces, out.notes);
   std::vector<std::vector<Vec3>> places;  // by line
   for (size_t l = 0; l < c.lines.size(); ++l) {
@@ -268,6 +269,8 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
   }
   if (!places.empty()) {
     const std::vector<std::vector<Vec3>> laid = laid_places(c, g, places);
+    out.any_laid =
+        std::any_of(laid.begin(), laid.end(), [](const auto& line) { return line.front().allFinite(); });
     out.laid.assign(static_cast<size_t>(mesh.nodes()), Vec3::Zero());
     for (size_t l = 0; l < laid.size(); ++l)
       for (size_t i = 0; i < laid[l].size(); ++i)

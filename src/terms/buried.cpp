@@ -79,8 +79,10 @@ void BuriedTerm::prepare(const Kinematics& committed, double h) {
 double BuriedTerm::turn_to(const Kinematics& at, double share) {
   double most = 0;
   for (Point& p : points_) {
-    const Vec3 turn = line_.tangent(at, p.node) - p.tangent;
-    p.tangent = (p.tangent + share * turn).normalized();
+    const Vec3 now = line_.tangent(at, p.node);
+    const Vec3 turn = now - p.tangent;
+    // To the bit where the line is now, whatever the direction was before.
+    p.tangent = share < 1 ? Vec3((p.tangent + share * turn).normalized()) : now;
     most = std::max(most, turn.norm());
   }
   return most;

@@ -68,7 +68,8 @@ PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool deri
   if (convex) t.curvature.setZero();
   if (!touches) return {};
   if (at.step > 0) t.velocity = of_nodes(p, at.v);
-  if (friction_ == Friction::contact) return volume_contact(law(p).law, start(p), t, derivatives);
+  if (friction_ == Friction::contact && !(laid() && !laid_[place(p)].known()))
+    return volume_contact(law(p).law, start(p), t, derivatives);
   return volume_contact({law(p).law.normal, FrictionLaw{}}, start(p), t, derivatives);
 }
 
@@ -93,7 +94,7 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
     ContactTrial at;
     if (laid()) {
       const double force = contact(p, committed, false, at).normal.force;
-      if (friction_ == Friction::contact) laid_[place(p)].pressed = force;
+      if (friction_ == Friction::contact && laid_[place(p)].known()) laid_[place(p)].pressed = force;
       if (friction_ == Friction::pressed && force > 0) laid_[place(p)].normal = at.normal;
       continue;
     }

@@ -7,6 +7,7 @@ namespace hawser {
 
 PressedFriction SeabedTerm::pressed(const Point& p, const Vec3& x) const {
   const Laid& from = laid_[place(p)];
+  if (!from.known()) return {};
   FrictionLaw law = this->law(p).law.friction;
   if (firm_ && friction_ == Friction::pressed) law.stiffness = this->law(p).axial_stiffness;
   return pressed_friction(law, from.pressed, from.slip + (x - from.place), from.normal,
@@ -20,6 +21,7 @@ void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, b
   for (const Point& p : points_) {
     Laid& laid = laid_[place(p)];
     laid.place = of_nodes(p, places);
+    if (!laid.known()) continue;
     ContactTrial at;
     // Start shapes lie to within what the bed yields.
     const double near = law(p).radius;
@@ -33,7 +35,8 @@ void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, b
 void SeabedTerm::press_by_contact(const Kinematics& at) {
   for (const Point& p : points_) {
     ContactTrial trial;
-    laid_[place(p)].pressed = contact(p, at, false, trial).normal.force;
+    Laid& laid = laid_[place(p)];
+    if (laid.known()) laid.pressed = contact(p, at, false, trial).normal.force;
   }
 }
 
@@ -61,7 +64,8 @@ std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {
     OnBed& line = out[mesh_.node(p.node).line];
     line.lies += law(p).length;
     const FrictionLaw& f = law(p).law.friction;
-    if (!f.active()) continue;
+    if (!f.active() || !(laid() && laid_[place(p)].known())) continue;
+    line.laid += law(p).length;
     const Vec3 t = tangent(p, at);
     const double along = h.friction.dot(t);
     const double across = (h.friction - along * t).norm();

@@ -204,7 +204,7 @@ TEST(Stages, LetGoOntoTheBedInACurrent) {
   write_case(input, R"(hawser: 1
 environment:
   water: {density: 1025, depth: 30}
-  seabed: {depth: 30, normal_stiffness: {per_area: 100 kN/m3}, friction: 0.5}
+  seabed: {depth: 30, normal_stiffness: {per_area: 100 kN/m3}, friction: 0.5, friction_in_statics: none}
   current: {speed: 0.5, direction_deg: 40}
 line_types:
   chain: {outer_diameter: 0.1, mass_per_length: 60, EA: 200 MN, bending: false}

@@ -167,13 +167,13 @@ lines:
 // A bed at z = 0 and one above it, in air.
 TEST(BedFriction, ABedAboveZero) {
   const double w = 60 * 9.80665;
-  const double rest = 0.05 - w / (1e5 * 0.1);
+  const double rest = 0.05 - w / (1e6 * 0.1);
   const std::optional<LegLoads> own =
       LegSolver({.length = 60, .weight = w, .EA = 250e6, .friction = 0.5, .x = 50, .z = 20 - rest}).solve();
   ASSERT_TRUE(own);
   for (const double height : {0.0, 3.0}) {
     const Shown s = run("above", fmt::format(R"(hawser: 1
-environment: {{seabed: {{depth: {}, friction: {{axial: 0.5, lateral: 0.5, mobilisation_length: 0.1 mm}}}}}}
+environment: {{seabed: {{depth: {}, normal_stiffness: {{per_area: 1 MN/m3}}, friction: {{axial: 0.5, lateral: 0.5, mobilisation_length: 0.1 mm}}}}}}
 line_types: {{c: {{outer_diameter: 0.1, mass_per_length: 60, EA: 250 MN, bending: false}}}}
 contact: {{between_lines: false}}
 lines:
@@ -216,7 +216,7 @@ Leg random_leg(int seed) {
   const double padeye = heights[pick(4)];
   const bool full = uniform(0, 1) < 0.4;
   const int kind = pick(5);  // plain, joint, buoy, grid, plain
-  const double rest = 0.5 * outer - w / (1e5 * outer);
+  const double rest = 0.5 * outer - w / (1e6 * outer);
   const double fairlead = -uniform(5, 15);
   const double length = uniform(3, 7) * depth;
   const double height = depth + fairlead - rest;
@@ -273,7 +273,8 @@ Leg random_leg(int seed) {
         length - lower, 3 * elements / 4, fairlead, lower, elements / 4, anchor);
   }
   out.text = fmt::format(
-      "hawser: 1\nenvironment: {{water: {{depth: 1000}}, seabed: {{{}, friction: {{axial: {}, lateral: {}, "
+      "hawser: 1\nenvironment: {{water: {{depth: 1000}}, seabed: {{{}, normal_stiffness: {{per_area: 1 "
+      "MN/m3}}, friction: {{axial: {}, lateral: {}, "
       "mobilisation_length: {}}}, friction_in_statics: {}}}}}\n"
       "line_types: {{c: {{outer_diameter: {}, mass_per_length: {}, EA: {}, bending: false}}}}\n"
       "contact: {{between_lines: false}}\n{}",

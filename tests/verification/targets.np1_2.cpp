@@ -35,7 +35,7 @@ model::Case lying(const std::string& target, const std::string& more = "") {
   return case_of(
       "environment: {gravity: 10, seabed: {depth: 100, normal_stiffness: {per_length: 1e8}}}\nlines:\n  l:\n "
       "   "
-      "sections: [{type: rope, length: 395, elements: 80}]\n    end_a: {anchor: [0, 0, -100]}\n    end_b: "
+      "sections: [{type: rope, length: 395, elements: 80}]\n    end_a: {anchor: [0, 0, -99.95]}\n    end_b: "
       "{anchor: "
       "[360, 0, 0]}\n    target: " +
       target + "\n" + more);

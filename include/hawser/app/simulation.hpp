@@ -129,6 +129,7 @@ class Simulation {
   std::vector<double> last_stiffness_;
   int cut_ = 0;
   std::optional<bool> static_friction_;  // by a stage; none: as the case has it
+  bool any_laid_ = false;                // of any line of the case it is known where it was laid
   std::vector<Vec3> laid_;               // m, where local nodes were laid on the bed; as in StartShape
   Hydrodynamics* water_ = nullptr;
   RigidBodies* floating_ = nullptr;

@@ -21,8 +21,10 @@ struct StartShape {
   std::vector<TiedNode> tied;  // of this rank's local nodes
   // Of all lines: node axes at ends A and B, in the frame of the body there (or space).
   std::vector<std::array<Quat, 2>> ends;
-  // Where this rank's local nodes were laid on the bed [m]; empty: statics has no friction of the bed.
+  // Where this rank's local nodes were laid on the bed [m] (laid_places), and whether that is known of any
+  // line of the case: without it statics has no friction of the bed.
   std::vector<Vec3> laid;
+  bool any_laid = false;
   std::vector<std::string> notes;  // of clamped ends that point against their line
 };
 

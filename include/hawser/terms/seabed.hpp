@@ -67,7 +67,7 @@ class SeabedTerm final : public ForceTerm {
   // weight of what lies at the start, then the contact force of the state that has been found. Then it is the
   // law of motion. firm: in the first stage friction springs are as stiff as the line's elements instead of
   // the law's, and what they mobilise is mobilised in the second.
-  void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);  // m, by local node
+  void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);  // m, by local node or NaN
   // In the first stage: friction is fully mobilised by this slip [m] at the least, so that lines slip
   // smoothly.
   void mobilise_by(double least_slip) { least_slip_ = least_slip; }
@@ -76,8 +76,9 @@ class SeabedTerm final : public ForceTerm {
 
   // What lies of a line in the accepted state.
   struct OnBed {
-    double lies = 0, held = 0;  // m of line: on the bed, and of that where friction is not fully mobilised
-    double taken = 0;           // N, tension that friction takes, signed from end A to end B
+    // m of line: on the bed, of that with friction, and of that where friction is not fully mobilised.
+    double lies = 0, laid = 0, held = 0;
+    double taken = 0;  // N, tension that friction takes, signed from end A to end B
   };
   // By line of the mesh, at the points that this rank counts.
   std::vector<OnBed> on_bed(const Kinematics& at) const;
@@ -117,7 +118,8 @@ class SeabedTerm final : public ForceTerm {
   // force at the last iteration.
   struct Laid {
     Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();
-    double pressed = 0;  // N
+    double pressed = 0;                               // N
+    bool known() const { return place.allFinite(); }  // else there is no friction
   };
   // Of a bed that is a surface, changes the time and never the answer: no force nearer than `clear` to
   // `centre` (the signed distance is 1-Lipschitz); nearest triangle of the last query.
