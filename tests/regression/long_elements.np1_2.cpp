@@ -15,7 +15,7 @@ bodies:
 lines:
   chain:
     sections: [{type: chain, length: 130.72, elements: ELEMENTS}]
-    end_a: {anchor: [120, 0, -50]}
+    end_a: {anchor: [120, 0, -49.874]}
     end_b: {body: vessel, at: [0, 0, 0]}
 dynamics: {duration: 10STEP}
 output: {every: 1}
