@@ -57,7 +57,7 @@ def reference_load(values, used, chain):
         return orq(library_diameter(values, True))
     if str(values.get("library", "")).startswith("chain"):
         return np.nan
-    return used.get("breaking_load") or np.nan
+    return used.get("breaking_load") or values.get("breaking_load") or np.nan
 
 
 def nominal_area(values, used, chain):

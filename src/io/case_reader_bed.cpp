@@ -240,8 +240,8 @@ class BedCheck {
                                      : e.kind == model::EndKind::joint ? ".joint"
                                                                        : ".at");
     const model::LineType& type = c_.line_type(section.type);
-    if (!model::is_held(e)) return place(where, x, type, deepest_start(c_, type));
-    // The bed gives way to a held end (model::bed_at_end), on a small part of the line.
+    if (e.kind != model::EndKind::anchor) return place(where, x, type, deepest_start(c_, type));
+    // The bed gives way to an anchor (model::bed_at_end), on a small part of the line.
     constexpr double kPart = 0.01;
     const double deep = -model::height_above_bed(bed_, x);
     place(where, x, type, std::max(deepest_start(c_, type), kPart * model::length_of(line)));

@@ -71,7 +71,7 @@ BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element) {
   BedAtEnd out;
   const Seabed& bed = c.environment.seabed;
   const End& end = line.end(b);
-  if (!bed.present || !is_held(end)) return out;
+  if (!bed.present || end.kind != EndKind::anchor) return out;
   const double length = length_of(line), where = b ? length : 0;
   for (const Buried& s : line.buried)
     if (where >= s.from && where <= s.to) return out;

@@ -50,9 +50,10 @@ class Laying {
     const double b = holder({l, true}).height;
     if (!std::isfinite(a) || !std::isfinite(b)) return beside_free_end(start, std::min(a, b));
     // Between two ends it was laid from the lower one, from both where they are equally high:
-    // x = (h_b² x_a + h_a² x_b)/(h_a² + h_b²), continuous in the heights.
-    const double tiny = 1e-12 * std::pow(mesh_.lines[l].length, 2);
-    const double share = (a * a + tiny) / (a * a + b * b + 2 * tiny);
+    // x = (h_b⁴ x_a + h_a⁴ x_b)/(h_a⁴ + h_b⁴), continuous in the heights, and of a leg with a padeye that of
+    // its anchor alone.
+    const double tiny = 1e-40 * std::pow(mesh_.lines[l].length, 4);
+    const double share = (std::pow(a, 4) + tiny) / (std::pow(a, 4) + std::pow(b, 4) + 2 * tiny);
     std::vector<Vec3> out = reckoned({l, false});
     const std::vector<Vec3> other = reckoned({l, true});
     for (size_t i = 0; i < out.size(); ++i) out[i] += share * (other[i] - out[i]);

@@ -6,7 +6,7 @@ import h5py
 import numpy as np
 import yaml
 
-UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "s": 1.0, "MPa": 1e6}
+UNITS = {"": 1.0, "m": 1.0, "mm": 1e-3, "s": 1.0, "MPa": 1e6, "kN": 1e3}
 
 
 def as_read(value):

@@ -99,7 +99,7 @@ class TwoRuns(Attack):
 
     def test_a_lock_is_no_link_to_something_else(self):
         (self.folder / "rod.h5.lock").symlink_to("rod.yaml")
-        self.refused(["rod.yaml"], "rod.h5.lock cannot be made")
+        self.refused(["rod.yaml"], "rod.h5.lock), and would be replaced")
 
 
 class OldFiles(Attack):

@@ -471,21 +471,6 @@ TEST(LinePair, ContactAtAJointIsNotMissed) {
   EXPECT_EQ(missed, 0);
 }
 
-// All of the pressure is counted once, by the thinner line if the other is half as thick again.
-TEST(LinePair, SharesAddUp) {
-  double last = 0.5;
-  for (double ratio = 1; ratio < 3; ratio *= 1.02) {
-    const double thin = slave_share(0.1, 0.1 * ratio), thick = slave_share(0.1 * ratio, 0.1);
-    EXPECT_NEAR(thin + thick, 1, 1e-15) << ratio;
-    EXPECT_GE(thin, last) << ratio;
-    EXPECT_LT(thin, last + 0.04) << ratio;
-    last = thin;
-  }
-  EXPECT_EQ(slave_share(0.1, 0.1), 0.5);
-  EXPECT_EQ(slave_share(0.1, 0.16), 1);
-  EXPECT_EQ(slave_share(0.16, 0.1), 0);
-}
-
 TEST(AxisProjection, NearestOfAll) {
   for (int seed = 0; seed < 200; ++seed) {
     const AxisEnds e =

@@ -53,8 +53,8 @@ TEST(LinesThatCross, ChainOverAPipelineOnTheBed) {
     const double pipe = sim.state().x[251 + 50].z();
     EXPECT_NEAR(pipe, -99.695, 0.1) << start;
     EXPECT_NEAR(height(sim) - pipe, radii, 0.02 * radii) << start;
-    // 2 sqrt(2 h w T), h 0.61 m, w 1.197 kN/m, T about 400 kN.
-    EXPECT_NEAR(sim.line_pairs()->normal_force(), 48.3e3, 0.1 * 48.3e3) << start;
+    // 2 sqrt(2 h w T), h 0.61 m, w 1.197 kN/m, T 325 kN: friction has taken 108 kN of 433 before.
+    EXPECT_NEAR(sim.line_pairs()->normal_force(), 43.6e3, 0.05 * 43.6e3) << start;
   }
 }
 

@@ -19,9 +19,9 @@ double penetration_under(const Seabed& bed, double force, double diameter);
 // Height of the axis of a line of this type above the bed [m] where it lies at rest under its own weight.
 double resting_height(const Case& c, const LineType& type);
 
-// The bed beside a held end that is not above the bed. The end stays where the case puts it and the bed gives
-// way, so that the line lies straight there: the bed is lowered by `depth` at the end (raised where that is
-// negative), linearly less along the line, and by nothing from `length` on.
+// The bed beside an anchor that is not above the bed. The anchor stays where the case puts it and the bed
+// gives way, so that the line lies straight there: the bed is lowered by `depth` at the end (raised where
+// that is negative), linearly less along the line, and by nothing from `length` on.
 struct BedAtEnd {
   double depth = 0, length = 0;  // m
   double lowering(double from_end) const { return from_end < length ? depth * (1 - from_end / length) : 0; }
