@@ -31,6 +31,7 @@ def wave(amplitude, period, phase=0.0):
 
 
 SLOW, FAST = wave(2, 40), wave(0.8, 9)
+# Taut, and lying on the bed at its anchor: half a diameter below it would snap in the sea of `test_responses_in_a_sea`.
 CHAIN = """\
 hawser: 1
 environment:
@@ -44,7 +45,7 @@ bodies:
 lines:
   chain:
     sections: [{type: chain, length: 130.72, elements: 24}]
-    end_a: {anchor: [120, 0, -50]}
+    end_a: {anchor: [120, 0, -49.874]}
     end_b: {body: vessel, at: [AT]}
 contact: {between_lines: false}
 dynamics: {duration: DURATION}
