@@ -57,7 +57,8 @@ std::string Recorder::peak_warning(const io::SummaryRow& r) const {
 
 // A beam of weight w that stands on a pinned foot and is pulled further up, EI theta'' = w (z - z0) theta
 // with theta' = 0 at the foot, buckles there where the compression is that of the first zero of Ai', 1.019
-// (EI w²)^(1/3). Then its shape carries what presses, and its moments grow with it.
+// (EI w²)^(1/3). Then its shape carries what presses, and its moments grow with it. A short one is a strut,
+// which its weight does not hold: Euler's pi² EI/L².
 std::string Recorder::compressed(const io::SummaryRow& r) const {
   if (r.quantity != "min effective tension" || !(r.value < 0)) return {};
   const model::Case& c = sim_.model();
@@ -70,8 +71,10 @@ std::string Recorder::compressed(const io::SummaryRow& r) const {
       break;
     }
   if (type->kind != model::LineKind::beam) return {};
-  const double w = c.environment.gravity * std::abs(model::mass_in_water(c, *type, -HUGE_VAL)),
-               EI = std::min(type->EI2, type->EI3), buckles = kPinnedFoot * std::cbrt(EI * w * w);
+  const double w = c.environment.gravity * std::abs(model::mass_in_water(c, *type, -HUGE_VAL));
+  const double EI = std::min(type->EI2, type->EI3);
+  const double strut = M_PI * M_PI * EI / std::pow(model::length_of(line), 2);
+  const double buckles = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);
   if (!(-r.value > buckles)) return {};
   return fmt::format(
       "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; on a pinned foot "
