@@ -89,8 +89,9 @@ void active_box(Volume& o, const Value& v) {
 }
 
 Key shape() {
+  constexpr double kFarthest = 1e8;  // m, as of the vertices of meshes
   const auto radius = [](const Field& field, std::string about) {
-    return number({"radius", field}, length, std::move(about), above(0), required);
+    return number({"radius", field}, length, std::move(about), above(0), at_most(kFarthest), required);
   };
   const auto point = [](Head head, std::string about) {
     return vec3(std::move(head), length, std::move(about), required);
