@@ -3,6 +3,7 @@ import contextlib
 import io
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -120,7 +121,8 @@ class Names(Attack):
                      "end_a.rotational_stiffness</td><td class=\"text\">20 kNm/rad", "bend_stiffeners[0]</td><td class=\"text\">at end_a, EI",
                      "<td class=\"text\">Cd_normal</td><td>2.400</td>"):
             self.assertIn(part, page)
-        self.assertNotIn("True", page.split("Case file</h2>")[0].split("<body>")[1])
+        text = re.sub(r'base64,[^"]*', "", page.split("Case file</h2>")[0].split("<body>")[1])  # pictures hold any letters
+        self.assertNotIn("True", text)
 
     def test_each_line_has_its_file(self):
         code, out, err = tool("export", self.path)
