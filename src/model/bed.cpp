@@ -24,19 +24,14 @@ double height_above_bed(const Seabed& bed, const Vec3& x) {
 }
 
 Vec3 below_on_bed(const Seabed& bed, const Vec3& x) {
+  if (!bed.surface) return x - Vec3(0, 0, height_above_bed(bed, x) / bed_normal(bed).z());
   constexpr int kProjections = 5;
   Vec3 at = x;
-  for (int i = 0; i < (bed.surface ? kProjections : 1); ++i) {
-    Vec3 normal = bed_normal(bed);
-    double height = height_above_bed(bed, at);
-    if (bed.surface) {
-      const auto nearest = bed.surface->query(at, std::numeric_limits<double>::infinity());
-      if (!nearest) return x;
-      normal = nearest->normal;
-      height = nearest->distance;
-    }
-    if (!(normal.z() > 0)) return at;
-    at.z() -= height / normal.z();
+  for (int i = 0; i < kProjections; ++i) {
+    const auto nearest = bed.surface->query(at, std::numeric_limits<double>::infinity());
+    if (!nearest) return x;
+    if (!(nearest->normal.z() > 0)) return at;
+    at.z() -= nearest->distance / nearest->normal.z();
   }
   return at;
 }

@@ -22,7 +22,6 @@ constexpr double kAway = 1e-3;  // decides between equally low ends only
 struct Side {
   size_t line = 0;
   bool b = false;
-  bool operator<(const Side& o) const { return line != o.line ? line < o.line : b < o.b; }
 };
 
 // The end that holds a line on one side, through joints: the lowest there, and of ends that are equally low
