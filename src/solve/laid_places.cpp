@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 
 #include "hawser/geometry/surface.hpp"
@@ -84,22 +85,39 @@ class Laying {
                        [&](const Vec3& x) { return model::height_above_bed(bed_, x) < most; });
   }
 
-  Holder holder(const Side& s, std::vector<size_t> passed = {}) const {
-    const model::End& e = end(s);
-    Holder out;
-    if (e.kind == model::EndKind::free) return out;
-    if (e.kind != model::EndKind::joint) {
-      out.height = std::max(0.0, model::height_above_bed(bed_, start_of(s)));
-      return out;
+  // In a frame of many lines there are more ways through its joints than can be counted: the shortest are
+  // followed first (Dijkstra 1959).
+  Holder holder(const Side& s) const {
+    if (end(s).kind == model::EndKind::free) return {};
+    if (end(s).kind != model::EndKind::joint) return {height_of(s), false, {}};
+    struct Way {
+      Side first;  // of the line at the joint of s
+      Side to;     // where the way has come to
+    };
+    std::multimap<double, Way> open;  // by length
+    std::set<std::string> reached;
+    const auto go_on = [&](const std::string& joint, double length, const Side* first) {
+      if (!reached.insert(joint).second) return;
+      for (const Side& side : joints_.at(joint)) {
+        const Side far{side.line, !side.b};
+        if (side.line == s.line || end(far).kind == model::EndKind::free) continue;
+        const double height = end(far).kind == model::EndKind::joint ? 0 : height_of(far);
+        open.insert({length + kAway * mesh_.lines[side.line].length + height, {first ? *first : side, far}});
+      }
+    };
+    go_on(end(s).body, 0, nullptr);
+    while (!open.empty()) {
+      const auto [length, way] = *open.begin();
+      open.erase(open.begin());
+      if (end(way.to).kind != model::EndKind::joint) return {length, true, way.first};
+      go_on(end(way.to).body, length, &way.first);
     }
-    passed.push_back(s.line);
-    for (const Side& other : joints_.at(e.body)) {
-      if (std::find(passed.begin(), passed.end(), other.line) != passed.end()) continue;
-      const Side far{other.line, !other.b};
-      const double height = holder(far, passed).height + kAway * mesh_.lines[other.line].length;
-      if (height < out.height) out = {height, true, other};
-    }
-    return out;
+    return {};
+  }
+
+  // Of a held end above the bed [m].
+  double height_of(const Side& s) const {
+    return std::max(0.0, model::height_above_bed(bed_, start_of(s)));
   }
 
   // Of the bed at its point nearest to x.
