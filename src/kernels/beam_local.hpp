@@ -129,9 +129,10 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
     const Quat a(*r.axes);
     q1 = q1 * a, q2 = q2 * a;
   }
-  const Vec3 psi = log_so3(q1.conjugate() * q2);
+  const Quat relative = q1.conjugate() * q2;
+  const Vec3 psi = log_so3(relative);
   o.psi = load(psi);
-  o.Rm = wide::rotation(q1 * exp_so3(0.5 * psi));
+  o.Rm = wide::rotation(q1 * half_rotation(relative));
   o.y = left(load(Vec3(e.x2 - e.x1)), o.Rm);
   const double t2 = psi.squaredNorm();
   mean_spin_coefficient(t2, o.tau, o.tau1);

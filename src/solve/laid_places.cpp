@@ -116,9 +116,7 @@ class Laying {
   }
 
   // Of a held end above the bed [m].
-  double height_of(const Side& s) const {
-    return std::max(0.0, model::height_above_bed(bed_, start_of(s)));
-  }
+  double height_of(const Side& s) const { return std::max(0.0, model::height_above_bed(bed_, start_of(s))); }
 
   // Of the bed at its point nearest to x.
   Vec3 nearest_normal(const Vec3& x) const {

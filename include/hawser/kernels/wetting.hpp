@@ -37,26 +37,43 @@ struct PieceWetting {
 inline PieceWetting piece_wetting(double h1, double h2, double b) {
   if (std::min(h1, h2) >= b) return {0.5 * (h1 + h2), 0.5, 0.5, 0, 0, 0};
   if (std::max(h1, h2) <= -b) return {};
-  constexpr double kLevel = 1e-7, kNarrow = 0.25;  // of b; rad
-  const double rise = h2 - h1, s1 = std::clamp(h1 / b, -1.0, 1.0), s2 = std::clamp(h2 / b, -1.0, 1.0);
-  const double c2 = std::sqrt(1 - s2 * s2), from = std::asin(s1), to = std::asin(s2);
+  constexpr double kLevel = 1e-7;   // of b
+  constexpr double kNarrow = 0.13;  // tangent of half the change of phi
+  const double rise = h2 - h1;
+  const double s1 = std::clamp(h1 / b, -1.0, 1.0);
+  const double s2 = std::clamp(h2 / b, -1.0, 1.0);
+  const double c1 = std::sqrt((1 - s1) * (1 + s1));
+  const double c2 = std::sqrt((1 - s2) * (1 + s2));
+  const double to = std::asin(s2);
+  const double tangent = (s2 - s1) / (c1 + c2);
   double m[3] = {};
   if (std::abs(rise) < kLevel * b) {
     for (int k = 0; k < 3; ++k) m[k] = 2 / (M_PI * b) * c2 / (k + 1);
-  } else if (std::abs(to - from) < kNarrow) {
-    constexpr double at[2] = {0.33998104358485626480, 0.86113631159405257522};
-    constexpr double weight[2] = {0.65214515486254614263, 0.34785484513745385737};
-    const double half = 0.5 * (to - from), s = std::sin(from + half), c = std::cos(from + half);
+  } else if (std::abs(tangent) < kNarrow) {
+    constexpr double at[4] = {-0.86113631159405257522, -0.33998104358485626480, 0.33998104358485626480,
+                              0.86113631159405257522};
+    constexpr double weight[4] = {0.34785484513745385737, 0.65214515486254614263, 0.65214515486254614263,
+                                  0.34785484513745385737};
+    const double half = std::atan(tangent);
+    const double by_rise = 1 / rise;
+    const double over = 2 / M_PI * by_rise * half;
+    const double longer = std::sqrt(1 + tangent * tangent);  // 1/cosine of half the change
+    const double s = 0.5 * longer * (s1 + s2);               // in the middle
+    const double c = 0.5 * longer * (c1 + c2);
+    double w[4], z[4];
     for (int g = 0; g < 4; ++g) {
-      const double d = (g % 2 ? half : -half) * at[g / 2], d2 = d * d;  // sine and cosine to rounding:
-      const double sin_d = d * (1 - d2 / 6 * (1 - d2 / 20 * (1 - d2 / 42)));
-      const double cos_d = 1 - d2 / 2 * (1 - d2 / 12 * (1 - d2 / 30 * (1 - d2 / 56)));
-      const double cosine = c * cos_d - s * sin_d, z = (b * (s * cos_d + c * sin_d) - h1) / rise;
-      double w = 2 / (M_PI * rise) * half * weight[g / 2] * cosine * cosine;
-      for (int k = 0; k < 3; ++k) {
-        m[k] += w;
-        w *= z;
-      }
+      const double d = half * at[g];
+      const double d2 = d * d;  // sine and cosine to rounding:
+      const double sin_d = d * (1 + d2 * (-1 / 6.0 + d2 * (1 / 120.0 + d2 * (-1 / 5040.0))));
+      const double cos_d = 1 + d2 * (-1 / 2.0 + d2 * (1 / 24.0 + d2 * (-1 / 720.0 + d2 * (1 / 40320.0))));
+      const double cosine = c * cos_d - s * sin_d;
+      z[g] = (b * (s * cos_d + c * sin_d) - h1) * by_rise;
+      w[g] = over * weight[g] * cosine * cosine;
+    }
+    for (int g = 0; g < 4; ++g) {
+      m[0] += w[g];
+      m[1] += w[g] * z[g];
+      m[2] += w[g] * z[g] * z[g];
     }
   } else {
     const auto integrals = [](double phi, double sine, double cosine,
@@ -67,15 +84,15 @@ inline PieceWetting piece_wetting(double h1, double h2, double b) {
     };
     double I[3], low[3];
     integrals(to, s2, c2, I);
-    integrals(from, s1, std::sqrt(1 - s1 * s1), low);
+    integrals(std::asin(s1), s1, c1, low);
     for (int k = 0; k < 3; ++k) I[k] -= low[k];
     const double over = 2 / (M_PI * rise);
     m[0] = over * I[0];
     m[1] = over * (b * I[1] - h1 * I[0]) / rise;
     m[2] = over * (b * b * I[2] - 2 * b * h1 * I[1] + h1 * h1 * I[0]) / (rise * rise);
   }
-  const double share = 0.5 + (s2 * c2 + to) / M_PI;  // circle_wetting at h2
-  const double integral = h2 >= b ? h2 : b * (0.5 * s2 + (c2 - c2 * c2 * c2 / 3 + s2 * to) / M_PI);
+  const double share = 0.5 + (s2 * c2 + to) * (1 / M_PI);  // circle_wetting at h2
+  const double integral = h2 >= b ? h2 : b * (0.5 * s2 + (c2 - c2 * c2 * c2 / 3 + s2 * to) * (1 / M_PI));
   PieceWetting out;
   out.share2 = 0.5 * (share - rise * m[2]);
   out.share1 = share - rise * m[1] - out.share2;

@@ -21,9 +21,9 @@ inline Mat3 hat(const Vec3& a) {
 inline Quat exp_so3(const Vec3& u) {
   const double t2 = u.squaredNorm();
   double c, s;  // cos(t/2), sin(t/2)/t
-  if (t2 < 1e-4) {
-    c = 1 - t2 / 8 * (1 - t2 / 48 * (1 - t2 / 120));
-    s = 0.5 - t2 / 48 * (1 - t2 / 80 * (1 - t2 / 168));
+  if (t2 < 0.01) {
+    c = 1 - t2 * (1.0 / 8 - t2 * (1.0 / 384 - t2 * (1.0 / 46080 - t2 * (1.0 / 10321920))));
+    s = 0.5 - t2 * (1.0 / 48 - t2 * (1.0 / 3840 - t2 * (1.0 / 645120 - t2 * (1.0 / 185794560))));
   } else {
     const double t = std::sqrt(t2);
     c = std::cos(t / 2);
@@ -38,9 +38,20 @@ inline Vec3 log_so3(const Quat& q) {
   const Vec3 v = sign * q.vec();
   const double w = sign * q.w();
   const double n2 = v.squaredNorm();
-  if (n2 < 1e-8) return (2 / w) * (1 - n2 / (3 * w * w)) * v;
+  if (n2 < 0.0025 * w * w) {  // atan(n/w)/(n/w) to rounding
+    const double x = n2 / (w * w);
+    const double series = 1 - x * (1.0 / 3 - x * (1.0 / 5 - x * (1.0 / 7 - x * (1.0 / 9 - x * (1.0 / 11)))));
+    return (2 / w) * series * v;
+  }
   const double n = std::sqrt(n2);
   return (2 * std::atan2(n, w) / n) * v;
+}
+
+// The rotation by half the angle of q, of the two ways the shorter: exp(log(q)/2).
+inline Quat half_rotation(const Quat& q) {
+  const double sign = q.w() < 0 ? -1 : 1;
+  const Vec3 v = sign * q.vec();
+  return Quat(1 + sign * q.w(), v.x(), v.y(), v.z()).normalized();
 }
 
 // d exp(u): body-frame angular increment = right_jacobian(u) du.
