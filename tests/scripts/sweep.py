@@ -346,14 +346,16 @@ def run_wrong(program, folder):
     return ""
 
 
-def sweep(program, checker, runs=False, only=None, jobs=2, values=VALUES):
-    """Complaints, and how many of the changed cases were accepted and refused."""
+def sweep(program, checker, runs=False, only=None, jobs=2, values=VALUES, share=1):
+    """Complaints, and how many of the changed cases were accepted and refused. share: of the values, every how manieth a key
+    meets, the next key those that follow."""
     program, checker = Path(program).resolve(), Path(checker).resolve()
     schema = json.loads(subprocess.run([program, "schema", "--json"], capture_output=True, check=True).stdout)
     all_cases, places = list(cases()), sweep_places(schema)
     missing = sorted(".".join(key) for key in keys_of(schema) if key not in places)
     complaints = [f"{key}: stands in no case of the sweep" for key in missing]
-    tries = [(key, *places[key][:2], value) for key in places for value in values if not only or ".".join(key).startswith(only)]
+    tries = [(key, *places[key][:2], value) for n, key in enumerate(places) for value in values[n % share :: share]
+             if not only or ".".join(key).startswith(only)]
     with tempfile.TemporaryDirectory(prefix="hawser-sweep-") as name:
         top = Path(name)
         for worker in range(jobs):

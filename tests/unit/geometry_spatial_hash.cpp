@@ -88,9 +88,9 @@ TriangleMesh graded() {
 }
 
 // Points about the vertices, from the size of the mesh down to `finest` of it.
-// A third of the n points; all of them with HAWSER_FULL.
+// A tenth of the n points; all of them with HAWSER_FULL.
 void campaign(const TriangleMesh& m, int n, double finest = 1e-5) {
-  if (!std::getenv("HAWSER_FULL")) n = (n + 2) / 3;
+  if (!std::getenv("HAWSER_FULL")) n = (n + 9) / 10;
   const Search<SpatialHash> hash(m);
   const Search<BoxTree> tree(m);
   std::mt19937 gen(2);
