@@ -265,14 +265,14 @@ class Damaged(Attack):
                     if harm is not None:
                         file[name] = harm
                         file[name].attrs.update(attributes)
-                # All tools open a file alike. In the ordinary run every fifth that is opened meets one of them in turn.
+                # All tools open a file alike. In the ordinary run every tenth that is opened meets one of them in turn.
                 try:
                     Results(self.path)
                     turn += 1
                     if not few:
                         self.judge(f"{name} {what}")
-                    elif turn % 5 == 0:
-                        self.judge(f"{name} {what}", [self.TOOLS[turn // 5 % len(self.TOOLS)]])
+                    elif turn % 10 == 0:
+                        self.judge(f"{name} {what}", [self.TOOLS[turn // 10 % len(self.TOOLS)]])
                 except Refusal as refusal:
                     refused += 1
                     self.assertNotIn("\n", str(refusal))
