@@ -13,6 +13,8 @@ namespace {
 // a little is as good as one in thicker water.
 constexpr double kMadeTold = 0.01, kMadeWrong = 0.05, kLostTold = 0.05, kLostWrong = 0.20,
                  kUnresolvedTold = 0.02;
+// Of the most that was there at a time: what is made and not dissipated is still in the lines.
+constexpr double kRemainsWrong = 0.2;
 
 // Rounding and Newton's tolerance: of the strain energy that is there; and what is nothing to any line, J.
 constexpr double kRounding = 1e-6, kNothing = 1e-6;
@@ -79,10 +81,11 @@ double Audit::size() const { return at_start + worked + set_free + kRounding * h
 double Audit::percent() const { return 100 * error / size(); }
 
 // What is made in a long run is not made good by the work of all its waves: what may still be in the lines is
-// no more than ever was there.
+// judged against the most that was there at a time.
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
-  return made.value > kMadeWrong * size() || most_remains > there + kRounding * held + kNothing ||
+  return made.value > kMadeWrong * size() ||
+         most_remains > kRemainsWrong * there + kRounding * held + kNothing ||
          lost.value > kLostWrong * size();
 }
 

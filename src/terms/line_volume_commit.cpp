@@ -58,25 +58,25 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   };
   // Where the stiffness was raised, what the spring gave and has is not its own: it was brought in.
   const double raise = volumes_.raised(pair.volume) ? 1 : 0;
-  const auto add = [&](const AxisContactPoint& p, const Mat3& R, const Way& w, double share) {
-    sum.add(step, p, R, w.y0, w.y1, share);
-    sum.work += raise * 0.5 * share * p.elastic_force() * p.normal.dot(w.y1 - w.y0);
+  const auto add = [&](const AxisContactPoint& p, const Mat3& R, const Way& w, double touching) {
+    sum.add(step, p, R, w.y0, w.y1, touching);
+    sum.work += raise * 0.5 * touching * p.weight * p.elastic_force() * p.normal.dot(w.y1 - w.y0);
     if (!rolled) return;
     // What the line's surface moves by because the line rolls; friction's work on it goes with that on the
     // axis.
     const Vec3 surface = -pair.radius * rolled->angle(p.xi) * w.along.cross(p.normal);
-    sum.friction -= 0.25 * share * (R * p.friction).dot((step.R0 + step.R1) * surface);
+    sum.friction -= 0.25 * p.weight * (R * p.friction).dot((step.R0 + step.R1) * surface);
   };
   for (const AxisContactPoint& p : pair.points) {
     const Way w = way(p.xi);
     const double away = p.normal.dot(w.lifted), deep = std::max(smoothing - p.gap, 0.0);
-    add(p, step.R0, w, p.weight * (away > deep ? deep / away : 1));
+    add(p, step.R0, w, away > deep ? deep / away : 1);
     sum.work -= raise * p.weight * p.potential;
   }
   for (const AxisContactPoint& p : next) {
     const Way w = way(p.xi);
     const double came = -p.normal.dot(w.lifted), deep = smoothing - p.gap;
-    add(p, step.R1, w, p.weight * (came > deep ? deep / came : 1));
+    add(p, step.R1, w, came > deep ? deep / came : 1);
     sum.work += raise * p.weight * p.potential;
   }
 }

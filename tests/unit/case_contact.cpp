@@ -5,6 +5,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/model/doubts.hpp"
 
 namespace hawser::case_contact_test {
 namespace {
@@ -32,6 +33,45 @@ volumes:
     return e.what();
   }
   return "";
+}
+
+// Bodies touch each other without friction: refused where no line could use it, else a note.
+TEST(CaseContact, FrictionOfBodiesHasNoEffect) {
+  const auto text = [](const std::string& lines, const std::string& friction) {
+    return R"(hawser: 1
+bodies:
+  crate: {position: [0, 0, 0.3], floating: {mass: 600, inertia: [26, 58, 68], weight: true}}
+volumes:
+  slope: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}})" +
+           friction + R"(}
+  crate: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.4]}}, body: crate, normal_stiffness: {per_point: 1.0e7}}
+)" + lines +
+           "statics: false\ndynamics: {duration: 1}\n";
+  };
+  const std::string line =
+      "line_types: {rope: {outer_diameter: 0.1, mass_per_length: 10, EA: 1e7, bending: false}}\n"
+      "lines: {l: {sections: [{type: rope, length: 10, elements: 5}], end_a: {anchor: [5, 5, 5]}, end_b: "
+      "free}}\n";
+  const auto refused = [&](const std::string& lines, const std::string& friction) {
+    try {
+      io::read_case_text(text(lines, friction), "crate.yaml");
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused("", ""), "");
+  EXPECT_NE(refused("", ", friction: 0.5").find("volumes.slope.friction: has no effect: bodies touch"),
+            std::string::npos);
+  EXPECT_EQ(refused(line, ", friction: 0.5"), "");
+  const auto notes = [&](const std::string& friction) {
+    int found = 0;
+    for (const std::string& n : model::doubt_notes(io::read_case_text(text(line, friction), "crate.yaml")))
+      found += n.find("bodies slide on slope without friction") != std::string::npos;
+    return found;
+  };
+  EXPECT_EQ(notes(", friction: 0.5"), 1);
+  EXPECT_EQ(notes(""), 0);
 }
 
 TEST(CaseContact, RampsGoByTheLinesTheyActOn) {

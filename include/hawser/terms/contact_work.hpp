@@ -41,9 +41,10 @@ struct ContactWork {
   void reaches(double deep, double at, int into, int near) {
     if (deep > depth) depth = deep, time = at, volume = into, end = near;
   }
-  // share: of the way and of the place.
+  // Half of the work of the point's forces on the way y0 -> y1. touching: part of the way along the normal on
+  // which it touches; normal forces act there alone, friction by the trapezoidal rule on all of the way.
   void add(const StepOfBody& b, const ContactPoint& p, const Mat3& R, const Vec3& y0, const Vec3& y1,
-           double share);
+           double touching);
 };
 
 }  // namespace hawser

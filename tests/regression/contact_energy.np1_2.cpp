@@ -1,0 +1,163 @@
+// Energy and work of lines that bounce and slide on volumes.
+#include <algorithm>
+#include <numbers>
+
+#include "regression/runs.hpp"
+
+namespace hawser::runs::contact_energy {
+namespace {
+
+// A box of 60 x 20 x 1 m below z = 0, of twelve triangles.
+const char* const kDeck = R"(v -30 -10 -1
+v -30 -10 0
+v -30 10 -1
+v -30 10 0
+v 30 -10 -1
+v 30 -10 0
+v 30 10 -1
+v 30 10 0
+f 1 2 4
+f 1 4 3
+f 5 7 8
+f 5 8 6
+f 1 5 6
+f 1 6 2
+f 3 4 8
+f 3 8 7
+f 1 3 7
+f 1 7 5
+f 2 6 8
+f 2 8 4
+)";
+
+// A steel pipe of 4 m, 183.7 kg.
+const char* const kPipe = R"(
+hawser: 1
+line_types:
+  pipe: {pipe: {outer_diameter: 0.2, wall_thickness: 0.01}}
+volumes:
+  deck: {DECK}
+lines:
+  pipe:
+    sections: [{type: pipe, length: 4, elements: 8}]
+    end_a: free
+    end_b: free
+    start: {points: [[-2.0, 0, HEIGHT], [2.0, 0, HEIGHT]]}
+statics: false
+dynamics: {duration: 1.5, STEP}
+output: {every: 0.5, histories: [{line: pipe, at: 2, name: middle}]}
+)";
+constexpr double kWeight = 183.7 * 9.80665;
+
+// Steel on steel without damping: the pipe rises no higher than it fell from, and no energy is made.
+TEST(ContactEnergy, APipeDroppedOnADeckMakesNone) {
+  const std::string path = folder("pipe_on_deck"), file = path + "/case.yaml", out = path + "/case.h5";
+  write_case(path + "/deck.obj", kDeck);
+  for (const std::string deck : {"shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}",
+                                 "shape: {box: {centre: [0, 0, -1], size: [10, 4, 2]}}", "mesh: deck.obj"})
+    for (const double drop : {0.001, 0.01})
+      for (const std::string step : {"max_step: 1", "step: 0.02"}) {
+        write_case(file, kPipe,
+                   {{"DECK", deck},
+                    {"HEIGHT", std::to_string(0.1 + drop)},
+                    {"HEIGHT", std::to_string(0.1 + drop)},
+                    {"STEP", step}});
+        run_on_all({file, out});
+        if (rank_of(MPI_COMM_WORLD) != 0) continue;
+        const Results r = read(out);
+        const std::vector<double> z = r.column("middle", 2), error = named(out, r, "energy", "error");
+        double top = 0;  // after the first touch
+        for (size_t i = 0; i < z.size(); ++i)
+          if (r.step_times[i] > 2 * std::sqrt(2 * drop / 9.80665)) top = std::max(top, z[i]);
+        const double made = *std::max_element(error.begin(), error.end()) / (kWeight * drop);
+        printf("  %s, %g mm, %s: rises to %.4f of it, made %.1e of its energy, %zu steps\n",
+               deck.substr(0, 12).c_str(), 1e3 * drop, step.c_str(), (top - 0.1) / drop, made, z.size());
+        EXPECT_LT(top - 0.1, 1.05 * drop) << deck << " " << step;
+        EXPECT_LT(made, 0.05) << deck << " " << step;
+      }
+}
+
+// A cable lies half round a drum that turns under it: the drum brings in what friction takes, (T_a - T_b)
+// (R + r) times its speed, and Euler's ratio of both tensions is exp(mu pi).
+TEST(ContactEnergy, ADrumTurnsUnderACable) {
+  std::string points = "[-0.51, 0, -5]";
+  for (int i = 0; i <= 32; ++i) {
+    const double angle = std::numbers::pi * i / 32;
+    points += ", [" + std::to_string(-0.51 * std::cos(angle)) + ", 0, " +
+              std::to_string(0.51 * std::sin(angle)) + "]";
+  }
+  points += ", [0.51, 0, -5]";
+  const std::string path = folder("turning_drum"), file = path + "/case.yaml", out = path + "/case.h5";
+  write_case(file, R"(
+hawser: 1
+environment: {gravity: 0}
+line_types:
+  rope: {outer_diameter: 0.02, mass_per_length: 1, EA: 2.0e6, bending: false, stiffness_damping: 0.003}
+bodies:
+  drum: {motion: {rotation: {axis: [0, 1, 0], rate: 0.5}, ramp: 1}}
+volumes:
+  drum: {shape: {cylinder: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}, body: drum, friction: 0.3}
+lines:
+  rope:
+    sections: [{type: rope, length: 11.6022, element_length: 0.05}]
+    end_a: {anchor: [-0.51, 0, -5]}
+    end_b: free
+    start: {points: [)" +
+                       points + R"(]}
+    loads: [{at: end_b, force: [0, 0, -1000]}]
+dynamics: {duration: 4}
+output: {every: 1, histories: [{line: rope, at: end_a, name: a}]}
+)");
+  run_on_all({file, out});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(out);
+  const std::vector<double> friction = named(out, r, "energy", "friction"),
+                            work = named(out, r, "energy", "brought_in"), tension = r.column("a", kTension);
+  const auto from = static_cast<size_t>(
+      std::find_if(r.step_times.begin(), r.step_times.end(), [](double t) { return t >= 2; }) -
+      r.step_times.begin());
+  const double time = r.step_times.back() - r.step_times[from];
+  const double taken = (friction.back() - friction[from]) / time, given = (work.back() - work[from]) / time;
+  const double ratio = tension.back() / 1000, power = (tension.back() - 1000) * 0.51 * 0.5;
+  printf("  ratio %.4f, friction %.2f W, brought in %.2f W, by the tensions %.2f W\n", ratio, taken, given,
+         power);
+  EXPECT_NEAR(ratio, std::exp(0.3 * std::numbers::pi), 0.01 * ratio);
+  EXPECT_NEAR(taken, power, 0.01 * power);
+  EXPECT_NEAR(given, power, 0.01 * power);
+}
+
+// A wire hangs a little slack with 100 kg at its end and comes taut. Damping changes neither the steps much
+// nor the tension that comes to rest.
+TEST(ContactEnergy, AWireThatComesTautMayBeDamped) {
+  const std::string path = folder("comes_taut"), file = path + "/case.yaml", out = path + "/case.h5";
+  size_t undamped = 0;
+  for (const std::string damping : {"0", "1e-4", "1e-3", "1e-2", "0.1", "1"}) {
+    write_case(file, R"(
+hawser: 1
+line_types:
+  wire: {outer_diameter: 0.02, mass_per_length: 2.5, EA: 5.0e7, bending: false, stiffness_damping: DAMPING}
+lines:
+  wire:
+    sections: [{type: wire, length: 3.8, element_length: 0.05}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: free
+    start: {points: [[0, 0, 0], [0.03, 0, -1.9], [0, 0, -3.7987]]}
+    masses: [{at: end_b, mass: 100}]
+contact: {between_lines: false}
+statics: false
+dynamics: {duration: 0.5}
+output: {every: 0.5, histories: [{line: wire, at: end_a, name: top}]}
+)",
+               {{"DAMPING", damping}});
+    run_on_all({file, out});
+    if (rank_of(MPI_COMM_WORLD) != 0) continue;
+    const Results r = read(out);
+    if (damping == "0") undamped = r.step_times.size();
+    printf("  stiffness_damping %s: %zu steps, largest tension at the top %.0f N\n", damping.c_str(),
+           r.step_times.size(), largest(r.column("top", kTension)));
+    EXPECT_LT(r.step_times.size(), 3 * undamped / 2) << damping;
+  }
+}
+
+}  // namespace
+}  // namespace hawser::runs::contact_energy
