@@ -13,11 +13,12 @@
 namespace hawser::app {
 namespace {
 
-constexpr int kNumbers = 7;          // gathered of a node
-constexpr double kEdgeWarned = 0.1;  // of the largest tension
-constexpr double kGoodTurn = 0.45;   // rad: 1 - cos of it is about that share
-constexpr double kWarned = 0.02;     // of the largest tension or moment, of sag and bends
-constexpr double kGood = 0.01;       // what elements of the length that is told leave of it
+constexpr int kNumbers = 7;           // gathered of a node
+constexpr double kEdgeWarned = 0.02;  // of the largest tension
+constexpr double kGoodTurn = 0.2;     // rad: 1 - cos of it is about that share
+constexpr double kEvenly = 0.2;       // of T (1 - cos) counts where a line turns evenly, as on a drum
+constexpr double kWarned = 0.02;      // of the largest tension or moment, of sag and bends
+constexpr double kGood = 0.01;        // what elements of the length that is told leave of it
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -92,13 +93,20 @@ void ElementErrors::look(const Kinematics& at, const Values& values) {
 
 // A straight element that lies across an edge is pressed perpendicular to itself. At its node, where the line
 // turns by alpha, the tensions T of the two elements are then in equilibrium although they differ by up to
-// T (1 - cos alpha); without friction they should be equal.
+// T (1 - cos alpha); without friction they should be equal. Where it turns as much at the nodes beside that
+// one, the line follows a bend, and errors of both sides cancel for the most part.
 void ElementErrors::look_at_edges(const LineSpan& line, std::span<const At> nodes, double time,
                                   Worst& worst) const {
+  const auto turn_at = [&](size_t n) {
+    return n > 0 && n + 1 < nodes.size() ? angle(nodes[n].x - nodes[n - 1].x, nodes[n + 1].x - nodes[n].x)
+                                         : 0;
+  };
   for (size_t n = 1; n + 1 < nodes.size(); ++n) {
     if (!(nodes[n].pressed > 0)) continue;
-    const double turn = angle(nodes[n].x - nodes[n - 1].x, nodes[n + 1].x - nodes[n].x);
-    const double error = nodes[n].tension * (1 - std::cos(turn));
+    const bool beam = mesh_.mesh->elements[line.first_element + static_cast<int>(n)].beam;
+    const double turn = turn_at(n);
+    const double sharp = beam ? 0 : std::max(turn - 0.5 * (turn_at(n - 1) + turn_at(n + 1)), 0.0);
+    const double error = nodes[n].tension * std::max(1 - std::cos(sharp), kEvenly * (1 - std::cos(turn)));
     if (error > worst.error) worst = {error, mesh_.mesh->nodes[line.first_node + n].arc, time, turn};
   }
 }
@@ -210,13 +218,14 @@ std::vector<std::string> ElementErrors::warnings(int line, double largest_tensio
   const auto& [edge, sag, bend, lift] = lines_[line];
   std::vector<std::string> out;
   if (edge.error > kEdgeWarned * largest_tension)
-    out.push_back(
-        fmt::format("line {} turns by {:.0f} degrees from one element to the next where it lies on a volume "
-                    "(arc length {:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to "
-                    "{:.2g} N, {:.0f} % of the largest: give it elements so short that it turns by no more "
-                    "than {:.0f} degrees; over a sharp edge that is less than half its radius",
-                    name, edge.turn * 180 / M_PI, edge.arc, edge.time, edge.error,
-                    100 * edge.error / largest_tension, kGoodTurn * 180 / M_PI));
+    out.push_back(fmt::format(
+        "line {} turns by {:.0f} degrees from one element to the next where it lies on a volume "
+        "(arc length {:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to "
+        "{:.2g} N, {:.0f} % of the largest: give it elements so short that it turns by no more "
+        "than {:.0f} degrees; over a sharp edge that is less than half its radius, or 'EI' makes it a beam, "
+        "which bends within its elements",
+        name, edge.turn * 180 / M_PI, edge.arc, edge.time, edge.error, 100 * edge.error / largest_tension,
+        kGoodTurn * 180 / M_PI));
   if (sag.error > kWarned * largest_tension)
     out.push_back(fmt::format(
         "line {} sags between the nodes of its elements of {:.3g} m: it turns by {:.2g} degrees from one to "

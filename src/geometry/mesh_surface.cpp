@@ -78,6 +78,7 @@ struct MeshSurface::Data {
   std::optional<SurfacePoint> seen(const Vec3& y, double max_distance, const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
                         bool behind) const;
+  Mat3 curvature_at_vertex(int triangle, int corner, double length, const SurfacePoint& s) const;
   // Whether y is behind the surface at its closest point c, with the pseudonormal there.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
     if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)])
@@ -276,10 +277,42 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
     const double at = i == 0 ? c.u : i == 1 ? c.v : 1 - c.v;
     s.curvature = curvature_over_edge(d.facets.patch(t), i, at, s.normal, s.distance, d.small);
   } else {
-    const double divisor = std::copysign(std::max(length, d.small), s.distance);
-    s.curvature = (Mat3::Identity() - s.normal * s.normal.transpose()) / divisor;
+    s.curvature = curvature_at_vertex(t, feature_index(c.feature), length, s);
   }
   return s;
+}
+
+// Of the distance from a vertex in the direction of s.normal: that from a point; but along an edge that is
+// square to the normal, as where a vertex divides a straight edge, that from the edge; and none where two
+// are, on a face.
+Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length,
+                                            const SurfacePoint& s) const {
+  constexpr double kSquare = 1e-9;
+  constexpr int kMost = 64;  // facets about a vertex
+  const auto index = [&](int t, int i) {
+    return mesh().triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)];
+  };
+  const int vertex = index(first, corner);
+  std::optional<Vec3> along;
+  Mat3 curvature = Mat3::Zero();
+  int t = first, v = corner;
+  for (int n = 0; n < kMost; ++n) {
+    const SmoothPatch patch = facets.patch(t);
+    const auto from = static_cast<std::size_t>(v), to = static_cast<std::size_t>((v + 1) % 3);
+    const Vec3 tangent = (patch.p[to] - patch.p[from] + patch.c[from]).normalized();
+    if (std::abs(tangent.dot(s.normal)) <= kSquare) {
+      if (along && along->cross(tangent).norm() > kSquare) return Mat3::Zero();
+      if (!along) curvature = curvature_over_edge(patch, v, 0, s.normal, s.distance, small);
+      along = tangent;
+    }
+    t = normals.neighbour(t, (v + 2) % 3);
+    if (t < 0 || t == first) break;
+    v = 0;
+    while (v < 2 && index(t, v) != vertex) ++v;
+  }
+  if (along) return curvature;
+  return (Mat3::Identity() - s.normal * s.normal.transpose()) /
+         std::copysign(std::max(length, small), s.distance);
 }
 
 double MeshSurface::free_radius(const Vec3& y, double distance, int hint) const {

@@ -56,7 +56,7 @@ TEST(ContactEnergy, APipeDroppedOnADeckMakesNone) {
   for (const std::string deck : {"shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}",
                                  "shape: {box: {centre: [0, 0, -1], size: [10, 4, 2]}}", "mesh: deck.obj"})
     for (const double drop : {0.001, 0.01})
-      for (const std::string step : {"max_step: 1", "step: 0.02"}) {
+      for (const std::string step : {"max_step: 0.01", "step: 0.02"}) {
         write_case(file, kPipe,
                    {{"DECK", deck},
                     {"HEIGHT", std::to_string(0.1 + drop)},
@@ -131,7 +131,7 @@ output: {every: 1, histories: [{line: rope, at: end_a, name: a}]}
 TEST(ContactEnergy, AWireThatComesTautMayBeDamped) {
   const std::string path = folder("comes_taut"), file = path + "/case.yaml", out = path + "/case.h5";
   size_t undamped = 0;
-  for (const std::string damping : {"0", "1e-4", "1e-3", "1e-2", "0.1", "1"}) {
+  for (const std::string damping : {"0", "1e-4", "1e-3", "1e-2", "0.1"}) {
     write_case(file, R"(
 hawser: 1
 line_types:

@@ -177,6 +177,45 @@ TEST(GeometrySurface, CurvatureOnEachFeature) {
   EXPECT_NEAR(s->curvature.trace(), -1 / std::hypot(0.1, 0.2), 1e-13);
 }
 
+// A bar whose edges are divided in the middle: beside a vertex on a straight edge the distance is that from
+// the edge, over one on a face that from the face, and beside a corner that from a point.
+TEST(GeometrySurface, CurvatureBesideVerticesOnEdgesAndFaces) {
+  TriangleMesh m;
+  for (const double x : {-1.0, 0.0, 1.0})
+    for (const auto& [y, z] : {std::pair(-1.0, -1.0), {1.0, -1.0}, {1.0, 0.0}, {1.0, 1.0}, {-1.0, 1.0}})
+      m.vertices.emplace_back(x, y, z);
+  for (int ring = 0; ring < 2; ++ring)
+    for (int i = 0; i < 5; ++i) {
+      const int a = 5 * ring + i, b = 5 * ring + (i + 1) % 5;
+      m.triangles.push_back({a, a + 5, b});
+      m.triangles.push_back({b, a + 5, b + 5});
+    }
+  for (const std::array<int, 3> t : {std::array{0, 1, 2}, {0, 2, 4}, {2, 3, 4}}) {
+    m.triangles.push_back(t);
+    m.triangles.push_back({t[0] + 10, t[2] + 10, t[1] + 10});
+  }
+  double volume = 0;
+  for (const auto& t : m.triangles) {
+    const auto corner = [&](std::size_t i) { return m.vertices[static_cast<std::size_t>(t[i])]; };
+    volume += corner(0).cross(corner(1)).dot(corner(2)) / 6;
+  }
+  EXPECT_NEAR(std::abs(volume), 8, 1e-12);
+  if (volume < 0)
+    for (auto& t : m.triangles) std::swap(t[1], t[2]);
+  const MeshSurface surface(m);
+  const auto at = [&](const Vec3& y) { return surface.query(y, 1).value(); };
+  const SurfacePoint edge = at({0, 1.3, 1.4});
+  EXPECT_NEAR(edge.distance, 0.5, 1e-12);
+  EXPECT_LT((edge.curvature * Vec3::UnitX()).norm(), 1e-12);
+  EXPECT_LT((edge.curvature * Vec3(0, 0.8, -0.6) - 2 * Vec3(0, 0.8, -0.6)).norm(), 1e-12);
+  EXPECT_LT(at({0, 1.5, 0}).curvature.norm(), 1e-12);
+  const SurfacePoint corner = at({1.3, 1, 1.4});
+  EXPECT_LT((corner.curvature * Vec3::UnitY()).norm(), 1e-12);  // square to the edge along y
+  const SurfacePoint tip = at({1.2, 1.2, 1.1});
+  EXPECT_NEAR(tip.distance, 0.3, 1e-12);
+  EXPECT_LT((tip.curvature - (Mat3::Identity() - tip.normal * tip.normal.transpose()) / 0.3).norm(), 1e-12);
+}
+
 TEST(GeometrySurface, DeepInsideIsReportedFarOutsideIsNot) {
   const MeshSurface drum(drum_mesh(96, 3.6, 5.5));
   const auto deep = drum.query({0.1, 0, 0.2}, 0.01);

@@ -40,10 +40,10 @@ void expect_until(double found, double length) {
 }
 
 TEST(Impact, WhatIsSlowIsNone) {
-  // 0.09 m/s goes 0.9 mm deep, 9 m/s² is as far from its balance.
-  EXPECT_EQ(longest(-0.01, 0.09), kNever);
-  EXPECT_EQ(longest(0.01, 0.09), kNever);
-  EXPECT_EQ(longest(-0.01, 0, 9), kNever);
+  // 9 mm/s goes 0.09 mm deep, 0.9 m/s² is as far from its balance.
+  EXPECT_EQ(longest(-0.01, 0.009), kNever);
+  EXPECT_EQ(longest(0.01, 0.009), kNever);
+  EXPECT_EQ(longest(-0.01, 0, 0.9), kNever);
   expect_step(longest(-0.01, 0.11), kStep);
   expect_step(longest(-0.01, 0, -11), kStep);
   expect_step(longest(-0.01, 0.08, 8), kStep);  // together

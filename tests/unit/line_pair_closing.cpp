@@ -29,6 +29,15 @@ TEST(LinePairClosing, SweepsHaveNoneAndBlowsHaveAll) {
     }
 }
 
+// An element that folds right round within the step, as those of a chain that is lowered exactly upright.
+TEST(LinePairClosing, WhatTurnsRoundIsFinite) {
+  LinePairWay<double> way = straight(0, Vec3(0.1, 0, -0.02));
+  way.slope_before = -way.slope;
+  EXPECT_TRUE(std::isfinite(line_pair_closing(way)));
+  way.along_before = -way.along;
+  EXPECT_NEAR(line_pair_closing(way), 0.02, 1e-15);
+}
+
 // A rope drawn over a wire that it is bent about, sharply or to a radius: the material comes along the leg.
 // One that is bent away from the wire, to a radius, does so too.
 TEST(LinePairClosing, MaterialThatComesRoundABendSlides) {

@@ -37,8 +37,11 @@ S line_pair_closing(const LinePairWay<S>& way) {
                    b = unit(way.along);
   const S c = a.dot(b), wa = w.dot(a), wb = w.dot(b);
   const S both = over(S(0.5 * (wa + wb)), S(1 + c)), apart = over(S(0.5 * (wa - wb)), S(1 - c));
+  static constexpr double kRound = 3e-3;  // 1 + cos of a turn that counts as half a turn
   const auto brings = [&n](const S& by, const Vector3<S>& was, const Vector3<S>& now) -> S {
     const Vector3<S> mean = was + now;
+    // What turns right round within the step, as an element that folds onto itself, slides nowhere.
+    if (!(now.dot(mean) > kRound)) return S(0);
     return -by * n.dot(mean) / S(now.dot(mean));
   };
   return -n.dot(w) - brings(S(both + apart), unit(way.slope_before), a) -
