@@ -18,6 +18,10 @@ namespace hawser {
 using detail::Facets;
 using detail::FacetSearch;
 
+namespace {
+constexpr double kSquare = 1e-9;  // sine of an angle that is none
+}
+
 struct MeshSurface::Data {
   std::shared_ptr<const std::byte> keep;  // where the arrays are, if not their own
   Facets facets;
@@ -275,7 +279,12 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
   if (is_edge(c.feature)) {
     const int i = feature_index(c.feature);
     const double at = i == 0 ? c.u : i == 1 ? c.v : 1 - c.v;
-    s.curvature = curvature_over_edge(d.facets.patch(t), i, at, s.normal, s.distance, d.small);
+    const SmoothPatch patch = d.facets.patch(t);
+    const auto parallel = [&](const Vec3& v) { return v.cross(s.normal).norm() <= kSquare * v.norm(); };
+    // Where both facets of an edge have the normal there is no edge to the distance.
+    s.curvature = parallel(patch.normal(c.u, c.v)) && parallel(pseudonormal)
+                      ? curvature_over_patch(patch, c.u, c.v, s.normal, s.distance)
+                      : curvature_over_edge(patch, i, at, s.normal, s.distance, d.small);
   } else {
     s.curvature = curvature_at_vertex(t, feature_index(c.feature), length, s);
   }
@@ -287,7 +296,6 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
 // are, on a face.
 Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length,
                                             const SurfacePoint& s) const {
-  constexpr double kSquare = 1e-9;
   constexpr int kMost = 64;  // facets about a vertex
   const auto index = [&](int t, int i) {
     return mesh().triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(i)];

@@ -109,7 +109,7 @@ CableStart cable_start(const CableSection& s, const CableEnds& e, double stretch
   o.strain = now.strain;
   // EA beta |e'| <= T(e)
   if (now.strain > 0 && s.beta > 0) {
-    const double damper = s.EA * s.beta * std::abs(now.rate);
+    const double damper = s.EA * s.beta * std::abs(now.t.dot(now.dv)) / s.length;
     o.beta = damper > now.axial.force ? s.beta * now.axial.force / damper : s.beta;
   }
   o.stretch = stretch;

@@ -13,7 +13,6 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kSteps = 22;        // in a period: with fewer what bounces fast makes energy
 constexpr double kAbove = 1 + 1e-6;  // rounding of a step
 constexpr double kShort = 0.02;      // of such a step: nearer than that is there
-constexpr double kLight = 0.1;       // of `seen`: what inertia takes no deeper does not count
 constexpr double kRounding = 1e-12;  // of the energy of what moves as a whole
 
 // Time until something `away` [m], which comes at `speed` [m/s, > 0] and is pushed back by `acceleration`
@@ -51,7 +50,7 @@ double largest(double most, const Sum& sum, const What& what) {
 
 bool may_impact(double slowness, double seen, double speed, double acceleration) {
   const double rounding = 1 + 1e-9;
-  return std::hypot(slowness * speed, slowness * slowness * acceleration) * rounding > kLight * seen;
+  return std::hypot(slowness * speed, slowness * slowness * acceleration) * rounding > seen;
 }
 
 bool follows(double slowness, double h) { return h <= kAbove * M_PI / kSteps * slowness; }
@@ -59,14 +58,11 @@ bool follows(double slowness, double h) { return h <= kAbove * M_PI / kSteps * s
 std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass, const Approach& at) {
   const double by_speed = slowness * std::abs(at.closing),
                by_acceleration = slowness * slowness * std::abs(at.acceleration);
-  const double depth = std::hypot(by_speed, by_acceleration);
-  if (!(depth > kLight * seen)) return {};
-  // (d/seen)^4 below `seen`
-  const double part = depth < seen ? std::pow(depth / seen, 4) : 1;
+  if (!(std::hypot(by_speed, by_acceleration) > seen)) return {};
   const double step = 2 * M_PI / kSteps * slowness;
   ImpactEvent s;
   s.at_ = at, s.slowness_ = slowness;
-  s.half_ = part * 0.5 * mass / (slowness * slowness);
+  s.half_ = 0.5 * mass / (slowness * slowness);
   s.energy_ = s.half_ * (by_speed * by_speed + by_acceleration * by_acceleration);
   s.crossing_ = kNever;
   s.resolved_ = kAbove * step;
@@ -77,7 +73,7 @@ std::optional<ImpactEvent> impact_event(double slowness, double seen, double mas
     // Accelerations change on the way.
     s.crossing_ = std::min(until_contact(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
     s.resolved_ += s.crossing_;
-  } else if (!(by_acceleration > kLight * seen)) {
+  } else if (!(by_acceleration > seen)) {
     return {};  // it leaves; else it shakes as fast as the contact would
   }
   if (s.crossing_ < kShort * step) s.crossing_ = kNever;

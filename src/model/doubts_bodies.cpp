@@ -1,11 +1,9 @@
 // Whether the rotations of a motion, which are about the axes of space, are those of a body that is turned.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "hawser/math/so3.hpp"
-#include "hawser/model/body_pairs.hpp"
 #include "hawser/model/doubts.hpp"
 
 namespace hawser::model {
@@ -30,27 +28,9 @@ void doubt_rotation(const Body& b, const Vec3& about, const char* motion, std::v
                  25, Effect::part});
 }
 
-// Volumes whose friction is that of lines alone, and that bodies touch.
-void note_friction(const Case& c, std::vector<Doubt>& out) {
-  std::vector<std::string> names;
-  for (const BodyPair& p : body_pairs(c))
-    for (const std::size_t i : {p.a, p.b}) {
-      const Volume& v = c.volumes[i];
-      if (v.friction.axial > 0 || v.friction.lateral > 0) names.push_back(v.name);
-    }
-  if (names.empty()) return;
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
-  out.push_back(
-      {"volumes." + names.front() + ".friction",
-       fmt::format("acts on lines only: bodies slide on {} without friction", fmt::join(names, ", ")), 29,
-       Effect::part});
-}
-
 }  // namespace
 
 void doubt_bodies(const Case& c, std::vector<Doubt>& out) {
-  note_friction(c, out);
   for (const Body& b : c.bodies) {
     if (const auto* h = std::get_if<HarmonicMotion>(&b.motion))
       doubt_rotation(b, h->rotation_amplitude, "harmonic", out);

@@ -1,4 +1,4 @@
-// Energy and work of lines that bounce and slide on volumes.
+// Work of friction on a turning drum, and damping of cables that come taut.
 #include <algorithm>
 #include <numbers>
 
@@ -6,76 +6,6 @@
 
 namespace hawser::runs::contact_energy {
 namespace {
-
-// A box of 60 x 20 x 1 m below z = 0, of twelve triangles.
-const char* const kDeck = R"(v -30 -10 -1
-v -30 -10 0
-v -30 10 -1
-v -30 10 0
-v 30 -10 -1
-v 30 -10 0
-v 30 10 -1
-v 30 10 0
-f 1 2 4
-f 1 4 3
-f 5 7 8
-f 5 8 6
-f 1 5 6
-f 1 6 2
-f 3 4 8
-f 3 8 7
-f 1 3 7
-f 1 7 5
-f 2 6 8
-f 2 8 4
-)";
-
-// A steel pipe of 4 m, 183.7 kg.
-const char* const kPipe = R"(
-hawser: 1
-line_types:
-  pipe: {pipe: {outer_diameter: 0.2, wall_thickness: 0.01}}
-volumes:
-  deck: {DECK}
-lines:
-  pipe:
-    sections: [{type: pipe, length: 4, elements: 8}]
-    end_a: free
-    end_b: free
-    start: {points: [[-2.0, 0, HEIGHT], [2.0, 0, HEIGHT]]}
-statics: false
-dynamics: {duration: 1.5, STEP}
-output: {every: 0.5, histories: [{line: pipe, at: 2, name: middle}]}
-)";
-constexpr double kWeight = 183.7 * 9.80665;
-
-// Steel on steel without damping: the pipe rises no higher than it fell from, and no energy is made.
-TEST(ContactEnergy, APipeDroppedOnADeckMakesNone) {
-  const std::string path = folder("pipe_on_deck"), file = path + "/case.yaml", out = path + "/case.h5";
-  write_case(path + "/deck.obj", kDeck);
-  for (const std::string deck : {"shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}",
-                                 "shape: {box: {centre: [0, 0, -1], size: [10, 4, 2]}}", "mesh: deck.obj"})
-    for (const double drop : {0.001, 0.01})
-      for (const std::string step : {"max_step: 0.01", "step: 0.02"}) {
-        write_case(file, kPipe,
-                   {{"DECK", deck},
-                    {"HEIGHT", std::to_string(0.1 + drop)},
-                    {"HEIGHT", std::to_string(0.1 + drop)},
-                    {"STEP", step}});
-        run_on_all({file, out});
-        if (rank_of(MPI_COMM_WORLD) != 0) continue;
-        const Results r = read(out);
-        const std::vector<double> z = r.column("middle", 2), error = named(out, r, "energy", "error");
-        double top = 0;  // after the first touch
-        for (size_t i = 0; i < z.size(); ++i)
-          if (r.step_times[i] > 2 * std::sqrt(2 * drop / 9.80665)) top = std::max(top, z[i]);
-        const double made = *std::max_element(error.begin(), error.end()) / (kWeight * drop);
-        printf("  %s, %g mm, %s: rises to %.4f of it, made %.1e of its energy, %zu steps\n",
-               deck.substr(0, 12).c_str(), 1e3 * drop, step.c_str(), (top - 0.1) / drop, made, z.size());
-        EXPECT_LT(top - 0.1, 1.05 * drop) << deck << " " << step;
-        EXPECT_LT(made, 0.05) << deck << " " << step;
-      }
-}
 
 // A cable lies half round a drum that turns under it: the drum brings in what friction takes, (T_a - T_b)
 // (R + r) times its speed, and Euler's ratio of both tensions is exp(mu pi).

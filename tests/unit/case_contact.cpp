@@ -5,7 +5,6 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
-#include "hawser/model/doubts.hpp"
 
 namespace hawser::case_contact_test {
 namespace {
@@ -35,7 +34,7 @@ volumes:
   return "";
 }
 
-// Bodies touch each other without friction: refused where no line could use it, else a note.
+// Bodies touch each other without friction: refused where no line could use it.
 TEST(CaseContact, FrictionOfBodiesHasNoEffect) {
   const auto text = [](const std::string& lines, const std::string& friction) {
     return R"(hawser: 1
@@ -64,14 +63,6 @@ volumes:
   EXPECT_NE(refused("", ", friction: 0.5").find("volumes.slope.friction: has no effect: bodies touch"),
             std::string::npos);
   EXPECT_EQ(refused(line, ", friction: 0.5"), "");
-  const auto notes = [&](const std::string& friction) {
-    int found = 0;
-    for (const std::string& n : model::doubt_notes(io::read_case_text(text(line, friction), "crate.yaml")))
-      found += n.find("bodies slide on slope without friction") != std::string::npos;
-    return found;
-  };
-  EXPECT_EQ(notes(", friction: 0.5"), 1);
-  EXPECT_EQ(notes(""), 0);
 }
 
 TEST(CaseContact, RampsGoByTheLinesTheyActOn) {

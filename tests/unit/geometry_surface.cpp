@@ -209,6 +209,7 @@ TEST(GeometrySurface, CurvatureBesideVerticesOnEdgesAndFaces) {
   EXPECT_LT((edge.curvature * Vec3::UnitX()).norm(), 1e-12);
   EXPECT_LT((edge.curvature * Vec3(0, 0.8, -0.6) - 2 * Vec3(0, 0.8, -0.6)).norm(), 1e-12);
   EXPECT_LT(at({0, 1.5, 0}).curvature.norm(), 1e-12);
+  EXPECT_LT(at({0.5, 1.5, 0}).curvature.norm(), 1e-12);  // over an edge between facets of one plane
   const SurfacePoint corner = at({1.3, 1, 1.4});
   EXPECT_LT((corner.curvature * Vec3::UnitY()).norm(), 1e-12);  // square to the edge along y
   const SurfacePoint tip = at({1.2, 1.2, 1.1});

@@ -40,10 +40,10 @@ void expect_until(double found, double length) {
 }
 
 TEST(Impact, WhatIsSlowIsNone) {
-  // 9 mm/s goes 0.09 mm deep, 0.9 m/s² is as far from its balance.
-  EXPECT_EQ(longest(-0.01, 0.009), kNever);
-  EXPECT_EQ(longest(0.01, 0.009), kNever);
-  EXPECT_EQ(longest(-0.01, 0, 0.9), kNever);
+  // 0.09 m/s goes 0.9 mm deep, 9 m/s² is as far from its balance.
+  EXPECT_EQ(longest(-0.01, 0.09), kNever);
+  EXPECT_EQ(longest(0.01, 0.09), kNever);
+  EXPECT_EQ(longest(-0.01, 0, 9), kNever);
   expect_step(longest(-0.01, 0.11), kStep);
   expect_step(longest(-0.01, 0, -11), kStep);
   expect_step(longest(-0.01, 0.08, 8), kStep);  // together
@@ -166,20 +166,6 @@ TEST(Impact, AThousandLinesAreAsOne) {
 }
 
 // Pressed in by 10 mm at one end of the step, 50 mm away at the other.
-// What inertia takes to d < seen counts with (d/seen)^4 of its energy.
-TEST(Impact, LightOnesCountLess) {
-  for (const double depth : {0.2, 0.5, 1.0, 2.0}) {
-    const double speed = depth * kSeen / kSlow;
-    const auto s = impact_event(kSlow, kSeen, kMass, {0.01, speed, 0});
-    ASSERT_TRUE(s) << depth;
-    const double part = std::min(1.0, std::pow(depth, 4));
-    EXPECT_NEAR(s->energy(), part * 0.5 * kMass * speed * speed, 1e-12) << depth;
-  }
-  EXPECT_FALSE(impact_event(kSlow, kSeen, kMass, {0.01, 0.09 * kSeen / kSlow, 0}));
-  EXPECT_FALSE(may_impact(kSlow, kSeen, 0.09 * kSeen / kSlow, 0));
-  EXPECT_TRUE(may_impact(kSlow, kSeen, 0.11 * kSeen / kSlow, 0));
-}
-
 TEST(Impact, WhatCrossesUnseen) {
   const double k = kMass / (kSlow * kSlow), depth = 0.01, gap = 0.05;
   const auto error = [&](double path, double speed) {

@@ -53,8 +53,7 @@ class ImpactEvent {
 };
 
 // slowness: s, sqrt(m/k) of the contact, its period over 2 pi. seen: m; what inertia takes deeper than that,
-// by speed or by acceleration, strikes. What it takes only to d < seen counts with (d/seen)^4 of its energy,
-// and not at all below a tenth of `seen`: touches of what is laid down are many and light. mass: kg.
+// by speed or by acceleration, strikes. mass: kg.
 std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass, const Approach& at);
 // Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
 bool may_impact(double slowness, double seen, double speed, double acceleration);
