@@ -86,13 +86,15 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   const Elastic e = elastic_mean(s, from.strain, strain);
   o.grown = std::max(strain, 0.0) - std::max(from.strain, 0.0);
   o.elastic = e.mean;
-  o.damper = s.EA * from.beta / step.h * o.grown;
+  o.damper = s.EA * s.beta / step.h * o.grown;
+  const bool limited = o.damper > o.elastic;
+  if (limited) o.damper = o.elastic;
   o.filter = step.filter * s.EA * (o.grown - e.share * from.stretch);
   o.tension = o.elastic + o.damper + o.filter;
   if (o.tension <= 0) return o.tension = o.damper = o.filter = 0, o;
   const double way = strain - from.strain;
-  o.slope = e.slope;
-  if (strain > 0) o.slope += s.EA * (from.beta / step.h + step.filter);
+  o.slope = limited ? 2 * e.slope : e.slope;
+  if (strain > 0) o.slope += s.EA * ((limited ? 0 : s.beta / step.h) + step.filter);
   // The share changes with the end where only part of the way is taut.
   if (e.share < 1 && way != 0)
     o.slope -= step.filter * s.EA * from.stretch * ((strain > 0 ? 1 : 0) - e.share) / way;
@@ -101,17 +103,11 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
 
 }  // namespace
 
-CableStart cable_start(const CableSection& s, const CableEnds& e, double stretch) {
-  const Local now = local(s, e);
+CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch) {
   CableStart o;
-  o.chord = e.x2 - e.x1;
-  o.length = now.l;
-  o.strain = now.strain;
-  // EA beta |e'| <= T(e)
-  if (now.strain > 0 && s.beta > 0) {
-    const double damper = s.EA * s.beta * std::abs(now.t.dot(now.dv)) / s.length;
-    o.beta = damper > now.axial.force ? s.beta * now.axial.force / damper : s.beta;
-  }
+  o.chord = x2 - x1;
+  o.length = o.chord.norm();
+  o.strain = (o.length - s.length) / s.length - s.free_strain;
   o.stretch = stretch;
   o.rest = s.length;
   return o;
@@ -153,7 +149,7 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
   // Where it would push, the spring has worked against what holds it back alone.
   if (m.tension == 0) {
     const double spent = -m.elastic * way;
-    return from.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
+    return s.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
   }
   return {m.damper * way, m.filter * way, m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0, fed};
 }

@@ -76,24 +76,10 @@ TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
   cable_pull(s, {e.x1, e.x2, e.v1, e.v2}, false, o);
   EXPECT_NEAR(o.k(0, 0), 600, 1e-9);
   EXPECT_EQ(o.c.norm(), 0);
-}
-
-// The damper of a step has as much damping as keeps it within the spring's tension at the start of the step.
-TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
-  const CableSection s{1.0, 300, 0.1};
-  const Vec3 x1 = Vec3::Zero(), x2(1.01, 0, 0), still = Vec3::Zero();
-  const auto damping = [&](const Vec3& at, double speed) {
-    return cable_start(s, {x1, at, still, Vec3(speed, 0, 0)}, 0).beta;
-  };
-  EXPECT_EQ(damping(x2, 0), 0.1);
-  EXPECT_EQ(damping(x2, 0.05), 0.1);
-  EXPECT_NEAR(damping(x2, 50), 0.01 / 50, 1e-15);
-  EXPECT_NEAR(damping(x2, -50), 0.01 / 50, 1e-15);
-  EXPECT_EQ(damping(Vec3(0.99, 0, 0), 50), 0);
-  const CableStart from = cable_start(s, {x1, x2, still, Vec3(50, 0, 0)}, 0);
-  const Vec3 end(1.02, 0, 0);
-  const double elastic = 300 * 0.015, damper = 300 * from.beta * 0.01 / 1e-3;
-  EXPECT_NEAR(cable_mean(s, from, {1e-3, 0}, x1, end).x(), elastic + damper, 1e-9);
+  const CableStart slack = cable_start(s, Vec3::Zero(), Vec3(0.99, 0, 0), 0);
+  const Vec3 without = cable_mean({1.0, 300, 0}, slack, {1e-4, 0}, e.x1, e.x2);
+  EXPECT_GT(without.x(), 0.7);
+  EXPECT_LT((cable_mean(s, slack, {1e-4, 0}, e.x1, e.x2) - 2 * without).norm(), 1e-12);
 }
 
 // Steps of a cable whose ends are thrown about, slack and taut, in steps of all lengths.
@@ -105,20 +91,18 @@ struct Thrown {
 std::vector<Thrown> thrown(const CableSection& s, double filter) {
   Random r(21);
   std::vector<Thrown> out;
-  Vec3 x1 = Vec3::Zero(), x2 = 0.95 * s.length * Vec3::UnitX(), v2 = Vec3::Zero();
+  Vec3 x1 = Vec3::Zero(), x2 = 0.95 * s.length * Vec3::UnitX();
   double stretch = 0, h = 0.1;
   for (int i = 0; i < 500; ++i) {
     const double last = h;
     h = 0.1 * std::exp(r.u(r.g));
-    Thrown t{
-        cable_start(s, {x1, x2, Vec3::Zero(), v2}, stretch * std::min(1.0, h / last)), {h, filter}, {}, {}};
+    Thrown t{cable_start(s, x1, x2, stretch * std::min(1.0, h / last)), {h, filter}, {}, {}};
     t.x1 = x1 + 0.1 * r.vec();
     // Now and then hardly stretched at all.
     t.x2 =
         t.x1 + (i % 7 == 0 ? 1e-7 : 0.2) * r.vec() + s.length * (1 + 0.15 * r.u(r.g)) * r.vec().normalized();
     if (i % 7 == 0) t.x2 = t.x1 + (x2 - x1) * (1 + 1e-9);
     out.push_back(t);
-    v2 = (t.x2 - t.x1 - x2 + x1) / h;
     x1 = t.x1, x2 = t.x2, stretch = cable_loss(s, t.from, t.step, x1, x2).stretch;
   }
   return out;
@@ -204,10 +188,7 @@ TEST(CableMean, IsTheForceAtRest) {
   const Vec3 a(0.1, 0.2, 0.3), b(0.9, 1.0, 0.8);
   const Vec3 at_rest = cable_pull(s, {a, b, Vec3::Zero(), Vec3::Zero()});
   EXPECT_GT(at_rest.norm(), 1);
-  EXPECT_LT(
-      (cable_mean(s, cable_start(s, {a, b, Vec3::Zero(), Vec3::Zero()}, 0), {0.1, 0.06}, a, b) - at_rest)
-          .norm(),
-      1e-12);
+  EXPECT_LT((cable_mean(s, cable_start(s, a, b, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
 }
 
 TEST(CableMass, IsTheForceOfUnitAccelerations) {
