@@ -13,7 +13,8 @@ namespace {
 // a little is as good as one in thicker water.
 constexpr double kMadeTold = 0.01, kMadeWrong = 0.05, kLostTold = 0.05, kLostWrong = 0.20,
                  kUnresolvedTold = 0.02;
-// Of the most that was there at a time: what is made and not dissipated is still in the lines.
+// Share of the largest energy of motion and strain so far: energy that steps made and nothing has dissipated
+// is still in the lines.
 constexpr double kRemainsWrong = 0.2;
 
 // Rounding and Newton's tolerance: of the strain energy that is there; and what is nothing to any line, J.

@@ -18,7 +18,7 @@ constexpr double kEdgeWarned = 0.02;  // of the largest tension
 constexpr double kGoodTurn = 0.2;     // rad: 1 - cos of it is about that share
 constexpr double kEvenly = 0.2;       // of T (1 - cos) counts where a line turns evenly, as on a drum
 constexpr double kWarned = 0.02;      // of the largest tension or moment, of sag and bends
-constexpr double kGood = 0.01;        // what elements of the length that is told leave of it
+constexpr double kGood = 0.01;        // the share that elements of the recommended length leave
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 

@@ -19,7 +19,7 @@ using detail::Facets;
 using detail::FacetSearch;
 
 namespace {
-constexpr double kSquare = 1e-9;  // sine of an angle that is none
+constexpr double kSquare = 1e-9;  // sine of an angle below which directions count as parallel or square
 }
 
 struct MeshSurface::Data {
@@ -281,7 +281,7 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
     const double at = i == 0 ? c.u : i == 1 ? c.v : 1 - c.v;
     const SmoothPatch patch = d.facets.patch(t);
     const auto parallel = [&](const Vec3& v) { return v.cross(s.normal).norm() <= kSquare * v.norm(); };
-    // Where both facets of an edge have the normal there is no edge to the distance.
+    // Two facets in one plane have no edge between them: the distance is that from the plane.
     s.curvature = parallel(patch.normal(c.u, c.v)) && parallel(pseudonormal)
                       ? curvature_over_patch(patch, c.u, c.v, s.normal, s.distance)
                       : curvature_over_edge(patch, i, at, s.normal, s.distance, d.small);
@@ -291,9 +291,9 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
   return s;
 }
 
-// Of the distance from a vertex in the direction of s.normal: that from a point; but along an edge that is
-// square to the normal, as where a vertex divides a straight edge, that from the edge; and none where two
-// are, on a face.
+// Second derivative of the distance at a point whose nearest point is a vertex. In general the distance is
+// that from the vertex. Where an edge at the vertex is square to s.normal, as where the vertex divides a
+// straight edge, it is that from the edge; where two such edges are not parallel, that from their plane.
 Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length,
                                             const SurfacePoint& s) const {
   constexpr int kMost = 64;  // facets about a vertex

@@ -31,7 +31,8 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
 }
 
 // Trapezoid over the step: half with the forces at its start where they were, half with those at its end
-// where they are. Of a step in which a point met or left only the part in touch counts.
+// where they are. Of a step in which a point met or left the surface, normal forces count on the part of its
+// way on which it touched, friction on all of it.
 void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
                                 const std::vector<AxisContactPoint>& next) {
   const AxisShape& start = pair.start.shape;

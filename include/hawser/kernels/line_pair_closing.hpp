@@ -40,7 +40,8 @@ S line_pair_closing(const LinePairWay<S>& way) {
   static constexpr double kRound = 3e-3;  // 1 + cos of a turn that counts as half a turn
   const auto brings = [&n](const S& by, const Vector3<S>& was, const Vector3<S>& now) -> S {
     const Vector3<S> mean = was + now;
-    // What turns right round within the step, as an element that folds onto itself, slides nowhere.
+    // A line whose direction reverses within the step, as one that folds onto itself, does not slide along
+    // it.
     if (!(now.dot(mean) > kRound)) return S(0);
     return -by * n.dot(mean) / S(now.dot(mean));
   };
