@@ -42,51 +42,49 @@ struct EndB {
   double V = 0;                   // N, vertical tension at its lower end
 };
 
-EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double friction, double H, double V) {
+// With a line that is pulled down to the bed, its lower end follows the pull and what lies grows by what
+// hangs less: but for stretch these cancel, and so does not stand in the derivatives.
+EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double friction, double slope, double H,
+                     double V) {
   EndB r;
+  const double lies = H * slope;  // the vertical tension of what runs along the bed
+  const double along = std::hypot(1, slope);
   size_t i = sections.size();
   bool down = false;
   double top = V;
   while (i-- > 0 && !down) {
     const CatenarySection& s = sections[i];
-    const double w = -s.load.z(), natural = 1 + s.free_strain;
+    const double w = -s.load.z();
     if (i + 1 < sections.size()) {
       const double above = top;
       top += s.end_load.z();
-      if (top < 0) {  // a clump weight on the bed
+      if (top < lies) {  // a clump weight on the bed
         r.lowest = i, r.hanging = 0, r.V = above;
         break;
       }
     }
     const double bottom = top - w * s.length;
-    down = bottom < 0;
-    const double length = down ? top / w : s.length;
-    const Vec3 start(H, 0, down ? 0 : bottom);
+    down = bottom < lies;
+    const double length = down ? std::max(0.0, top - lies) / w : s.length;
+    const Vec3 start(H, 0, down ? lies : bottom);
     Mat3 d;
     const Vec3 chord = catenary_chord(start, s.load, length, s.EA, &d, s.free_strain);
     r.at.x += chord.x(), r.at.z += chord.z();
-    r.xx += d(0, 0);
-    if (down) {
-      // The lower end stays at no vertical tension; its length follows V.
-      const double T = std::hypot(H, top);
-      const double x = (natural / T + 1 / s.EA) * H, z = (natural / T + 1 / s.EA) * top;
-      r.xz += (x - (natural + H / s.EA)) / w, r.zz += z / w;
-    } else {
-      r.xz += d(0, 2), r.zz += d(2, 2);
-    }
+    r.xx += d(0, 0), r.xz += d(0, 2), r.zz += d(2, 2);
     r.lowest = i, r.hanging = length, r.V = start.z();
     top = bottom;
   }
   // What lies.
-  double T = H;
+  double T = H * along;
   for (size_t k = r.lowest + 1; k-- > 0;) {
     const CatenarySection& s = sections[k];
     const double l = k == r.lowest ? s.length - r.hanging : s.length,
                  drag = friction * std::max(-s.load.z(), 0.0);
     if (l <= 0) continue;
     const double pulled = drag * l > T ? T / drag : l;
-    r.at.x += (1 + s.free_strain) * l + pulled * (T - 0.5 * drag * pulled) / s.EA;
-    r.xx += pulled / s.EA;
+    const double laid = (1 + s.free_strain) * l + pulled * (T - 0.5 * drag * pulled) / s.EA;
+    r.at.x += laid / along, r.at.z += laid * slope / along;
+    r.xx += pulled / s.EA, r.xz += slope * pulled / s.EA, r.zz += slope * slope * pulled / s.EA;
     T = std::max(0.0, T - drag * l);
   }
   return r;
@@ -118,10 +116,10 @@ Pull first_guess(const std::vector<CatenarySection>& sections, double length, do
 }
 
 // The pull that brings end B to a place, by Newton's method; `scale` [m] is what the distance is measured by.
-std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double friction, const Plane& to,
-                            double scale, const Pull& first) {
+std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double friction, double slope,
+                            const Plane& to, double scale, const Pull& first) {
   double H = first.H, V = first.V;
-  EndB r = end_b_pulled_by(sections, friction, H, V);
+  EndB r = end_b_pulled_by(sections, friction, slope, H, V);
   double error = std::hypot(r.at.x - to.x, r.at.z - to.z);
   for (int i = 0; i < 200 && error > 1e-13 * scale; ++i) {
     const double ex = r.at.x - to.x, ez = r.at.z - to.z, det = r.xx * r.zz - r.xz * r.xz;
@@ -131,14 +129,14 @@ std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double
     double most = 1;
     if (dH < 0) most = std::min(most, 0.9 * H / -dH);
     if (dV < 0) most = std::min(most, 0.9 * V / -dV);
-    const double slope = ex * dH + ez * dV;
+    const double rate = ex * dH + ez * dV;
     double low = 0, high = 0, a = most;
     for (int search = 0; search < 60; ++search) {
-      r = end_b_pulled_by(sections, friction, H + a * dH, V + a * dV);
+      r = end_b_pulled_by(sections, friction, slope, H + a * dH, V + a * dV);
       const double now = (r.at.x - to.x) * dH + (r.at.z - to.z) * dV;
-      if (now > -0.5 * slope)
+      if (now > -0.5 * rate)
         high = a;
-      else if (now < 0.5 * slope && high > 0)
+      else if (now < 0.5 * rate && high > 0)
         low = a;
       else
         break;
@@ -156,7 +154,8 @@ std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double
 }  // namespace
 
 std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end_b,
-                                             const std::vector<CatenarySection>& sections, double friction) {
+                                             const std::vector<CatenarySection>& sections, double friction,
+                                             double slope) {
   const Vec3 span = end_b - anchor;
   const Plane to{span.head<2>().norm(), span.z()};
   double length = 0, weight = 0;
@@ -165,28 +164,33 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
       return {};
     length += (1 + s.free_strain) * s.length, weight -= s.load.z() * s.length;
   }
-  if (sections.empty() || !(weight > 0) || !(to.z > 0) || !(to.x > 0) || length >= to.x + to.z) return {};
+  const double height = to.z - slope * to.x;
+  const double along = std::hypot(1, slope);
+  if (sections.empty() || !(weight > 0) || !(height > 0) || !(to.x > 0) || length >= along * to.x + height)
+    return {};
 
-  const auto pull =
-      pull_to(sections, friction, to, length + to.x + to.z, first_guess(sections, length, weight, to));
+  Pull first = first_guess(sections, length, weight, to);
+  first.V += std::max(0.0, slope * first.H);
+  const auto pull = pull_to(sections, friction, slope, to, length + to.x + std::abs(to.z), first);
   if (!pull) return {};
   const EndB& r = pull->end;
   CatenaryOnBed out;
   out.anchor_ = anchor;
-  out.way_ = Vec3(span.x(), span.y(), 0) / to.x;
+  const Vec3 level = Vec3(span.x(), span.y(), 0) / to.x;
+  out.way_ = (level + slope * Vec3::UnitZ()) / along;
   double start = 0;
   for (size_t k = 0; k <= r.lowest; ++k) {
     const CatenarySection& s = sections[k];
     const double l = k == r.lowest ? s.length - r.hanging : s.length;
     const double drag = friction * std::max(-s.load.z(), 0.0);
     if (l > 0) {
-      if (s.load.z() > 0 && r.V <= 0) return {};  // it would float
+      if (s.load.z() > 0 && r.V <= slope * pull->H) return {};  // it would float
       out.pieces_.push_back({start, start + l, 0, 0, drag, s.EA, s.free_strain});
     }
     start += l;
   }
   out.grounded_ = out.pieces_.empty() ? 0 : out.pieces_.back().end;
-  double T = pull->H;
+  double T = pull->H * along;
   for (auto p = out.pieces_.rbegin(); p != out.pieces_.rend(); ++p) p->T_end = T, T = p->tension(p->start);
   double x = 0;
   for (auto& p : out.pieces_) {
@@ -201,7 +205,7 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
     hanging.erase(hanging.begin());
     if (hanging.empty()) return {};
   }
-  out.hanging_.emplace(anchor + x * out.way_, pull->H * out.way_ + r.V * Vec3::UnitZ(), std::move(hanging));
+  out.hanging_.emplace(anchor + x * out.way_, pull->H * level + r.V * Vec3::UnitZ(), std::move(hanging));
   return out;
 }
 

@@ -76,9 +76,8 @@ std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
 }
 
 // A line from an end near the bed to one high above it: part of it may lie. From an end above the bed it
-// first hangs straight down. The closed form is that of a level bed; on a slope its distances are those along
-// the bed, its heights stand on it, and the weight along the bed adds to friction or takes from it. Nothing
-// when there is no such shape.
+// first hangs straight down. The closed form is that of the plane through the places on the bed under both
+// ends. Nothing when there is no such shape.
 std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, const Vec3& xa, const Vec3& xb,
                                 std::vector<CatenarySection> sections, const Mesh& mesh,
                                 const LineSpan& span) {
@@ -102,12 +101,11 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
   const double rise = (foot.z() - anchor.z()) / way;  // the sine of the slope
   const double friction = (bed.as_laid ? bed.friction.axial : 0) * std::sqrt(1 - rise * rise) + rise;
   const auto found =
-      catenary_on_bed(Vec3::Zero(), Vec3(way, 0, high.z() - foot.z()), sections, std::max(0.0, friction));
+      catenary_on_bed(anchor, high, sections, std::max(0.0, friction), rise / std::sqrt(1 - rise * rise));
   if (!found) return {};
   const auto place = [&](double from) -> Vec3 {
     if (from < hang) return low - Vec3(0, 0, from);
-    const Vec3 flat = found->position(from - hang);
-    return anchor + flat.x() / way * (foot - anchor) + Vec3(0, 0, flat.z());
+    return found->position(from - hang);
   };
   LineStart out;
   for (int n = span.first_node; n < span.first_node + span.nodes; ++n) {

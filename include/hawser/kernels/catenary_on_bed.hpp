@@ -1,4 +1,4 @@
-// Elastic catenary of several sections from an anchor on a level seabed to an end above it, part of it lying
+// Elastic catenary of several sections from an anchor on a plane seabed to an end above it, part of it lying
 // on the bed with Coulomb friction. Closed form, see docs/theory/catenary.md. After Jonkman (2007), Dynamics
 // Modeling and Loads Analysis of an Offshore Floating Wind Turbine, 2.5, for one section.
 #pragma once
@@ -21,7 +21,7 @@ class CatenaryOnBed {
 
  private:
   friend std::optional<CatenaryOnBed> catenary_on_bed(const Vec3&, const Vec3&,
-                                                      const std::vector<CatenarySection>&, double);
+                                                      const std::vector<CatenarySection>&, double, double);
   struct Piece {
     double start, end;    // m, arc length
     double x_end, T_end;  // m from A, N, at its end
@@ -36,10 +36,12 @@ class CatenaryOnBed {
   std::optional<CatenaryShape> hanging_;  // from the touchdown point on
 };
 
-// `friction`: coefficient on the weight of what lies. Nothing when there is no such shape: a load that is not
-// vertical, an end that is not above the anchor, a line so long that it hangs straight down, a section that
-// floats off the bed.
+// `slope`: tangent of the angle by which the bed rises from the anchor towards end B. `friction`: what the
+// line loses of tension along the bed towards the anchor over the weight of what lies, mu cos + sin of the
+// slope. Nothing when there is no such shape: a load that is not vertical, an end that is not above the
+// anchor, a line so long that it hangs straight down, a section that floats off the bed.
 std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end_b,
-                                             const std::vector<CatenarySection>& sections, double friction);
+                                             const std::vector<CatenarySection>& sections, double friction,
+                                             double slope = 0);
 
 }  // namespace hawser
