@@ -159,13 +159,13 @@ Vec3 cable_pull(const CableSection& s, const CableEnds& e) {
   return o.tension * o.t;
 }
 
-void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePull& out) {
+void cable_pull(const CableSection& s, const CableEnds& e, double slack, CablePull& out) {
   const Local o = local(s, e);
   out.force = o.tension * o.t;
   const bool taut = o.tension > 0;
   const double ea = s.EA / s.length, across = taut ? o.tension / o.l : 0;
-  const double stiff = taut ? o.springs * o.axial.slope / s.length : ea;
-  Vec3 along = (taut || convex ? stiff : 0.0) * o.t - across * o.t;
+  const double stiff = taut ? o.springs * o.axial.slope / s.length : slack * ea;
+  Vec3 along = (stiff - across) * o.t;
   // rate = (t.dv - L' l/L)/L turns with the chord: its gradient is (dv - t (t.dv))/(l L) - L' t/L²
   if (o.damped)
     along += (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv)) - (ea * s.beta * s.grows / s.length) * o.t;

@@ -58,9 +58,10 @@ PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& s
     h2 = 0.75 * root / (rho * rho) - 1 / (rho * rho * rho);
   }
   r.potential = q * h;
-  r.force = -2 * h * As - 2 * q * h1 * Bs;
-  r.by_slip = -2 * h * A - 4 * h1 * (As * Bs.transpose() + Bs * As.transpose()) - 2 * q * h1 * B -
-              4 * q * h2 * Bs * Bs.transpose();
+  r.secant = -2 * h * A - 2 * q * h1 * B;
+  r.force = r.secant * slip;
+  r.by_slip =
+      r.secant - 4 * h1 * (As * Bs.transpose() + Bs * As.transpose()) - 4 * q * h2 * Bs * Bs.transpose();
   return r;
 }
 

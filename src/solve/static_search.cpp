@@ -15,13 +15,12 @@ namespace hawser {
 namespace {
 
 constexpr double kArmijo = 1e-4;
+constexpr double kRounding = 1e-10;  // of an energy
+constexpr double kFirstShift = 1e-3;
 constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
-    1e-7;  // shift that eigenvalues of what lies slack, nothing but round-off, stay below
-// Iterations after which energies that differ by round-off alone no longer pass for going down: a slack chain
-// whose elements tighten and loosen in turn would go round for ever.
-constexpr int kRound = 20;
+    1e-7;                      // shift that eigenvalues of what lies slack, nothing but round-off, stay below
 constexpr int kMostCut = 100;  // steps of a descent that lines in their way may cut short
 
 }  // namespace
@@ -94,7 +93,7 @@ void StaticSearch::approach() {
 }
 
 void StaticSearch::descend(double tolerance) {
-  tolerance_ = tolerance, shift_ = 1e-3, cut_ = 0, begun_ = report_.iterations;
+  tolerance_ = tolerance, shift_ = kFirstShift, cut_ = 0, begun_ = report_.iterations;
   const SNESConvergedReason reason = solve();
   if (reason < 0) give_up(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
 }
@@ -118,17 +117,15 @@ PetscErrorCode StaticSearch::search(SNESLineSearch search, void* self) {
   auto& s = *static_cast<StaticSearch*>(self);
   return s.error_.capture([&] {
     Vec y = nullptr;
-    PetscInt iteration = 0;
     PetscReal size = 0;
     check(SNESLineSearchGetVecs(search, nullptr, nullptr, &y, nullptr, nullptr));
-    check(SNESGetIterationNumber(s.snes_.get(), &iteration));
-    if (!s.advance(y, static_cast<int>(iteration))) return;
+    if (!s.advance(y)) return;
     check(VecNorm(s.r_.get(), NORM_2, &size));
     check(SNESLineSearchSetNorms(search, 0, size, 0));
   });
 }
 
-bool StaticSearch::advance(Vec y, int iteration) {
+bool StaticSearch::advance(Vec y) {
   const bool close = exact_;
   const double slope = downhill(y);
   double factor = limit();
@@ -145,9 +142,11 @@ bool StaticSearch::advance(Vec y, int iteration) {
     system_.residual(trial_.view(0), r_.get());
     const ResidualNorms n = system_.norms(r_.get());
     if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
-    const bool flat = std::abs(e - energy_) <= 1e-10 * std::abs(energy_);
-    const bool down = slope < 0 && e <= energy_ + kArmijo * factor * slope && !(flat && iteration >= kRound);
-    if (down || ((flat || close) && n.relative() < report_.norms.relative()) || n.small(tolerance_)) {
+    // Where the difference of the energies is lost in rounding: by their slopes at both ends of the step.
+    const bool flat = std::abs(e - energy_) <= kRounding * std::abs(energy_);
+    const double rise = flat ? 0.5 * factor * (slope + slope_at_trial()) : e - energy_;
+    const bool down = slope < 0 && rise <= kArmijo * factor * slope;
+    if (down || (close && n.relative() < report_.norms.relative()) || n.small(tolerance_)) {
       taken = true;
       take();
       report_.norms = n;
@@ -196,6 +195,7 @@ void StaticSearch::use_tangent(bool exact, double shift) {
   const double unit = report_.norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
   weights_.shift_position = shift * unit;
   weights_.shift_rotation = shift * unit * length_ * length_;
+  weights_.slack = std::min(1.0, shift / kFirstShift);
 }
 
 void StaticSearch::newton(Vec y) {
@@ -216,6 +216,12 @@ double StaticSearch::downhill(Vec y) {
   check(VecScale(u_.get(), -1));
   system_.gather(u_.get(), local_);
   return -rise;
+}
+
+double StaticSearch::slope_at_trial() const {
+  PetscScalar slope = 0;
+  check(VecDot(u_.get(), r_.get(), &slope));
+  return slope;
 }
 
 double StaticSearch::away(const State& from) const {

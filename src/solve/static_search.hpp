@@ -33,18 +33,20 @@ class StaticSearch : StaticTrial {
   void approach();
   void descend(double tolerance);
   // Moves the state along Newton's direction y: as far as the energy falls or, near the end, the residual.
-  // Whether it moved; why the search ends, where it does. iteration: of SNES.
-  bool advance(Vec y, int iteration);
+  // Whether it moved; why the search ends, where it does.
+  bool advance(Vec y);
   // On to round-off: what the tolerance leaves depends on the iterations taken, these on rounding and so on
   // the number of ranks, and a soft line beside stiff ones shows it.
   void polish();
   // The tangent to come: exact, or convex; a tension's worth of stiffness over an element for a unit of
-  // shift.
+  // shift. With the shift goes what slack cables keep of their axial stiffness.
   void use_tangent(bool exact, double shift);
   void newton(Vec y);
   // A direction of Newton's, from u = -y, to local_; where an exact tangent leads upwards y is made anew with
   // the convex one. Its slope on the energy.
   double downhill(Vec y);
+  // Of the energy at the trial along the increment, whose residual is in r_.
+  double slope_at_trial() const;
   // By dynamic relaxation from where it was pushed to; whether that moved it.
   bool rest();
   // m, of the node that is farthest from where it was there. Collective.

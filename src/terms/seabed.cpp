@@ -93,9 +93,12 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
     if (law(p).law.friction.active()) start.tangent = tangent(p, committed);
     ContactTrial at;
     if (laid()) {
+      Laid& laid = laid_[place(p)];
+      if (laid.last)
+        laid.foreseen = laid.last->force + laid.last->by_point * (of_nodes(p, committed.x) - laid.last->at);
       const double force = contact(p, committed, false, at).normal.force;
-      if (friction_ == Friction::contact && laid_[place(p)].known()) laid_[place(p)].pressed = force;
-      if (friction_ == Friction::pressed && force > 0) laid_[place(p)].normal = at.normal;
+      if (friction_ == Friction::contact && laid.known()) laid.pressed = force;
+      if (friction_ == Friction::pressed && force > 0) laid.normal = at.normal;
       continue;
     }
     const Vec3 x = of_nodes(p, committed.x);
@@ -131,10 +134,13 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    if (friction_ == Friction::pressed && laid()) {
-      const PressedFriction f = pressed(p, of_nodes(p, trial.x));
-      const Mat3 K = -f.by_slip;
-      if (laid_[place(p)].pressed > 0) add(p, -f.force, tangent ? &K : nullptr, nullptr, assembler);
+    Mat3 stop = Mat3::Zero();
+    if (friction_ != Friction::none && laid() && laid_[place(p)].pressed > 0) {
+      const Vec3 x = of_nodes(p, trial.x);
+      const PressedFriction f = pressed(p, x);
+      if (tangent) stop = stopping(p, x, f);
+      const Mat3 K = -f.by_slip - stop;
+      if (friction_ == Friction::pressed) add(p, -f.force, tangent ? &K : nullptr, nullptr, assembler);
     }
     const PointContact c = contact(p, trial, tangent, at, convex);
     const Pull pulled = pull(p, at, trial.step);
@@ -145,7 +151,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       continue;
     }
     const Mat3 K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
-                   c.by_point,
+                   c.by_point - (friction_ == Friction::contact ? stop : Mat3::Zero()),
                C = -c.by_velocity;
     add(p, residual, &K, trial.step > 0 ? &C : nullptr, assembler);
   }

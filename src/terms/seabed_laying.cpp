@@ -1,4 +1,5 @@
 // Friction in statics: it acts from where lines were laid (docs/theory/seabed.md).
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/terms/seabed.hpp"
@@ -12,6 +13,16 @@ PressedFriction SeabedTerm::pressed(const Point& p, const Vec3& x) const {
   if (firm_ && friction_ == Friction::pressed) law.stiffness = this->law(p).axial_stiffness;
   return pressed_friction(law, from.pressed, from.slip + (x - from.place), from.normal,
                           starts_[place(p)].tangent, least_slip_);
+}
+
+Mat3 SeabedTerm::stopping(const Point& p, const Vec3& x, const PressedFriction& f) {
+  Laid& laid = laid_[place(p)];
+  const double size = f.force.squaredNorm();
+  double met = 1;
+  if (laid.foreseen && size > 0) met = std::clamp(laid.foreseen->dot(f.force) / size, -1.0, 1.0);
+  const Mat3 more = (1 - met) * (f.secant - f.by_slip);
+  laid.last = {x, f.force, f.by_slip + more};
+  return more;
 }
 
 void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {

@@ -24,7 +24,7 @@ inline CableForce cable_force(const CableSection& s, const CableState& e) {
 // Force, and its derivatives by positions and by velocities.
 inline CableForce cable_tangent(const CableSection& s, const CableState& e, CableMatrix& K, CableMatrix& C) {
   CablePull o;
-  cable_pull(s, e, false, o);
+  cable_pull(s, e, 0, o);
   K << o.k, -o.k, -o.k, o.k;
   C << o.c, -o.c, -o.c, o.c;
   CableForce f;

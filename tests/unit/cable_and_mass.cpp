@@ -73,7 +73,7 @@ TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
   e.v2 = Vec3(50, 0, 0);
   EXPECT_NEAR(cable_stress(s, e).tension, 6, 1e-12);
   CablePull o;
-  cable_pull(s, {e.x1, e.x2, e.v1, e.v2}, false, o);
+  cable_pull(s, {e.x1, e.x2, e.v1, e.v2}, 0, o);
   EXPECT_NEAR(o.k(0, 0), 600, 1e-9);
   EXPECT_EQ(o.c.norm(), 0);
   const CableStart slack = cable_start(s, Vec3::Zero(), Vec3(0.99, 0, 0), 0);

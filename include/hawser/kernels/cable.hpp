@@ -60,10 +60,10 @@ struct CableStress {
 };
 
 // T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0; the damper's part is never larger than the
-// spring's. The force on the first end is -force, on the second force: residuals. `convex` keeps the axial
-// stiffness of a slack element, so that statics far from the solution has something to pull with.
+// spring's. The force on the first end is -force, on the second force: residuals. `slack`: share of its axial
+// stiffness that a slack element has in k.
 Vec3 cable_pull(const CableSection& s, const CableEnds& e);
-void cable_pull(const CableSection& s, const CableEnds& e, bool convex, CablePull& out);
+void cable_pull(const CableSection& s, const CableEnds& e, double slack, CablePull& out);
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
 

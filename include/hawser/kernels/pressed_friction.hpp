@@ -11,6 +11,7 @@ struct PressedFriction {
   double potential = 0;         // J
   Vec3 force = Vec3::Zero();    // N, on the point
   Mat3 by_slip = Mat3::Zero();  // N/m, derivative of the force by the slip
+  Mat3 secant = Mat3::Zero();   // N/m, the force is that times the slip
 };
 
 // With the slip s [m, space], its parts s_a along the line and s_l across it in the plane of `normal`, the

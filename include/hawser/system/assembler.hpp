@@ -14,10 +14,12 @@
 namespace hawser {
 
 // J = wK K T + wC C + wM M, where T is the right Jacobian of the step's rotation increments, plus a shift of
-// the free diagonal: N/m on positions, N m on rotations.
+// the free diagonal: N/m on positions, N m on rotations. slack: share of its axial stiffness that a slack
+// cable keeps in K, so that statics far from the solution has something to pull with.
 struct Weights {
   double K = 1, C = 0, M = 0;
   double shift_position = 0, shift_rotation = 0;
+  double slack = 0;
 };
 
 class Assembler {
