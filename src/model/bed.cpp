@@ -77,7 +77,8 @@ BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element) {
   // An end at the height at which the line begins to touch would have it sink beside the end; of one above
   // that the line hangs.
   out.depth = height <= radius ? rest - height : std::min(0.0, rest - 2 * radius + height);
-  out.length = std::max(std::abs(out.depth) / kSteepest, element);
+  // Beyond a joint the bed of the next line begins where it is.
+  out.length = std::max(std::min(std::abs(out.depth) / kSteepest, length), element);
   return out;
 }
 
