@@ -158,8 +158,9 @@ class Laying {
     const model::BedAtEnd bed = model::bed_at_end(c_, line, s.b, element);
     out.length[0] = bed.length;
     if (bed.length > 0) out.sine[0] = bed.depth / bed.length;
-    const double height = model::height_above_bed(bed_, start_of(s)) - 0.5 * type.contact_diameter;
-    if (!std::isfinite(height) || height <= 0) return out;
+    const double above = start_of(s).z() - model::below_on_bed(bed_, start_of(s)).z();
+    const double height = above - 0.5 * type.contact_diameter;
+    if (height <= 0) return out;
     // Without tension a cable hangs straight down. A beam of the weight w whose end is lifted by h from the
     // bed is lifted over (72 EI h/w)^(1/4).
     out.length[1] = height;
@@ -193,9 +194,11 @@ class Laying {
     for (int i = 0; way.isZero() && i < last; ++i) way = along_bed(start[node(i)], start[node(i + 1)]);
     std::vector<Vec3> out(start.size());
     Vec3 x = start_of(s);
-    // Beyond a mesh there is no bed.
-    if (const Vec3 n = nearest_normal(x); !in_soil(element(0)) && !n.isZero())
-      x -= n * model::height_above_bed(bed_, x);
+    // From above it hangs straight down; from below it rises by the shortest way. Beyond a mesh there is no
+    // bed.
+    const double height = model::height_above_bed(bed_, x);
+    if (!in_soil(element(0)) && std::isfinite(height))
+      x = height > 0 ? model::below_on_bed(bed_, x) : Vec3(x - height * nearest_normal(x));
     if (const Holder h = holder(s); h.joint) {
       const std::vector<Vec3> before = reckoned({h.next.line, !h.next.b});
       x = h.next.b ? before.back() : before.front();
