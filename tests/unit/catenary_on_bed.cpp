@@ -1,7 +1,9 @@
-// Lines on a level bed against MAP++ and MoorPy.
+// Lines on a level bed against MAP++ and MoorPy, on slopes against a solver of their own.
 #include "hawser/kernels/catenary_on_bed.hpp"
 
 #include <gtest/gtest.h>
+
+#include "support/leg_on_bed.hpp"
 
 namespace hawser::catenary_on_bed_test {
 namespace {
@@ -146,6 +148,34 @@ TEST(CatenaryOnBed, ClumpWeight) {
     }
     printf("  clump %g: grounded %g m, tension %g N\n", weight, c->grounded(), c->tension_b().norm());
   }
+}
+
+// Beds that rise and fall towards end B, slack and taut, against another solver: loads, both ends in place,
+// and what lies on the plane.
+TEST(CatenaryOnBed, SlopingBed) {
+  constexpr double kLength = 500;
+  for (const double slope : {-0.15, -0.05, 0.05, 0.15})
+    for (const double x : {410.0, 450.0, 470.0}) {
+      const test::LegOnBed leg{.length = kLength,
+                               .weight = 1500,
+                               .EA = 8e8,
+                               .friction = 0.6,
+                               .slope = slope,
+                               .x = x,
+                               .z = x * std::tan(slope) + 100};
+      const std::optional<test::LegLoads> own = test::LegSolver(leg).solve();
+      ASSERT_TRUE(own) << slope << ' ' << x;
+      const auto c = catenary_on_bed(Vec3::Zero(), Vec3(x, 0, leg.z), {part(leg.weight, kLength, leg.EA)},
+                                     0.6 * std::cos(slope) + std::sin(slope), std::tan(slope));
+      ASSERT_TRUE(c) << slope << ' ' << x;
+      EXPECT_NEAR(c->tension_b().norm(), own->fairlead, 1e-4 * own->fairlead) << slope << ' ' << x;
+      EXPECT_NEAR(c->tension_a().norm(), own->anchor, 1e-3 * own->fairlead) << slope << ' ' << x;
+      EXPECT_NEAR(c->grounded(), own->lying, 1e-3 * kLength) << slope << ' ' << x;
+      EXPECT_LT(c->position(0).norm(), 1e-7 * kLength);
+      EXPECT_LT((c->position(kLength) - Vec3(x, 0, leg.z)).norm(), 1e-7 * kLength);
+      for (double at = 0; at < c->grounded(); at += 7)
+        EXPECT_NEAR(c->position(at).z(), c->position(at).x() * std::tan(slope), 1e-9);
+    }
 }
 
 TEST(CatenaryOnBed, NothingWhereThereIsNoSuchShape) {
