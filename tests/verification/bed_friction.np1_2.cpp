@@ -6,6 +6,8 @@
 #include <random>
 
 #include "../regression/runs.hpp"
+#include "hawser/app/simulation.hpp"
+#include "hawser/io/case_reader.hpp"
 #include "support/leg_on_bed.hpp"
 
 namespace hawser::test::bed_friction {
@@ -197,6 +199,9 @@ lines:
 struct Leg {
   std::string text;
   LegOnBed own;
+  // Where all that lies does so on the bed that gives way to an end under it: on that bed, which is steeper.
+  LegOnBed beside_anchor;
+  double gives_way = 0;                   // m from the anchor
   double friction = 0, mobilisation = 0;  // m; 0: the slightest slip
 };
 
@@ -241,6 +246,11 @@ Leg random_leg(int seed) {
   LegOnBed& own = out.own;
   own = {length, w, EA, mu, slope, 0, away, fairlead - (bed + rest), 0, 0};
   if (padeye > rest) own.padeye = padeye - rest;
+  const double under = std::max(0.0, rest - padeye);
+  // The line comes from the place on the bed that is nearest to an end under it.
+  own.x += under * std::sin(slope) * std::cos(slope);
+  own.z += under * std::pow(std::sin(slope), 2);
+  out.gives_way = std::min(under / 0.005, kind == 1 ? 0.25 * length : length);
   std::string more;
   if (kind == 2) {
     own.lift = uniform(2, 6) * w;
@@ -248,6 +258,10 @@ Leg random_leg(int seed) {
     more = fmt::format(", masses: [{{at: {}, mass: 50, volume: {}}}]", length - own.lifted_from,
                        (50 * kGravity + own.lift) / (kDensity * kGravity));
   }
+  out.beside_anchor = own;
+  if (under > 0) out.beside_anchor.slope += under / out.gives_way;
+  out.beside_anchor.x = away;
+  out.beside_anchor.z = fairlead - (bed + padeye);
   std::string ground = fmt::format("depth: {}, slope_deg: {}, slope_direction_deg: {}", depth,
                                    std::abs(slope) * 180 / M_PI, down * 180 / M_PI);
   if (kind == 3) {
@@ -297,7 +311,8 @@ TEST(BedFriction, RandomLegs) {
   int tried = 0;
   for (int seed = 0; tried < legs; ++seed) {
     const Leg leg = random_leg(seed);
-    const std::optional<LegLoads> own = LegSolver(leg.own).solve();
+    std::optional<LegLoads> own = LegSolver(leg.own).solve();
+    if (own && own->lying < leg.gives_way) own = LegSolver(leg.beside_anchor).solve();
     // Lines that lie to some extent, and buoys on what is pulled: where it is not, a buoy rises with slack.
     if (!own || own->lying < 0.05 * leg.own.length) continue;
     if (leg.own.lift > 0 && !(own->anchor > 5 * leg.own.lift)) continue;
@@ -315,6 +330,59 @@ TEST(BedFriction, RandomLegs) {
   }
   if (runs::rank_of(MPI_COMM_WORLD) == 0) printf("  %d of %d legs solved\n", solved, tried);
   EXPECT_GE(solved, 0.98 * tried);
+}
+
+// A chain of 100 mm over a ridge or a trench of a measured bed, which it spans, taut and slack: Coulomb's
+// balance, and the same loads on elements of half the length.
+TEST(BedFriction, RidgesAndTrenches) {
+  constexpr double kLength = 400;
+  constexpr double kDepth = 80;
+  constexpr double kWeight = (200 - 1025 * M_PI / 4 * 0.18 * 0.18) * 9.80665;
+  for (const double height : {-3.0, 3.0}) {
+    const std::string grid = base_of("hill.xyz");
+    if (runs::rank_of(MPI_COMM_WORLD) == 0) {
+      std::ofstream out(grid);
+      for (int i = -10; i <= 60; ++i)
+        for (int j = -2; j <= 2; ++j)
+          out << 10 * i << ' ' << 100 * j << ' '
+              << -kDepth + height * std::exp(-std::pow((10 * i - 260) / 20.0, 2)) << '\n';
+    }
+    MPI_Barrier(MPI_COMM_WORLD);
+    for (const double away : {360.0, 385.0}) {
+      double top[2] = {0, 0};
+      double anchor[2] = {0, 0};
+      for (const int fine : {0, 1}) {
+        const Shown s = run("hill", fmt::format(R"(hawser: 1
+environment: {{water: {{depth: 1000}}, seabed: {{grid: {{file: hill.xyz}}, normal_stiffness: {{per_area: 1 MN/m3}}, friction: 0.6}}}}
+line_types: {{c: {{outer_diameter: 0.18, mass_per_length: 200, EA: 854 MN, bending: false}}}}
+contact: {{between_lines: false}}
+lines:
+  m: {{sections: [{{type: c, length: {}, elements: {}}}], end_a: {{anchor: [0, 0, -10]}}, end_b: {{anchor: [{}, 0, {}]}}}}
+)",
+                                                kLength, fine ? 800 : 400, away, -kDepth));
+        ASSERT_EQ(s.exit, 0) << height << " m, " << away << " m away";
+        EXPECT_LE(friction_over_normal(s, 1e-3 * kWeight), 0.6 * 1.001) << height;
+        top[fine] = s.tension.front();
+        anchor[fine] = s.tension.back();
+      }
+      if (runs::rank_of(MPI_COMM_WORLD) == 0)
+        printf("  %+.0f m, %.0f m away: %.2f and %.2f kN, at the anchor %.2f and %.2f kN\n", height, away,
+               top[0] / 1e3, top[1] / 1e3, anchor[0] / 1e3, anchor[1] / 1e3);
+      EXPECT_NEAR(top[0], top[1], 0.01 * top[1]) << height;
+      EXPECT_NEAR(anchor[0], anchor[1], 0.01 * top[1]) << height;
+    }
+  }
+}
+
+// Lines that lie slack come to rest by Newton's iteration alone, and soon.
+TEST(BedFriction, SlackLegsComeToRestSoon) {
+  for (const int seed : {0, 41, 58, 81, 121, 174, 292}) {
+    const model::Case c = io::read_case_text(random_leg(seed).text, "leg.yaml", {}, MPI_COMM_WORLD);
+    app::Simulation sim(MPI_COMM_WORLD, c);
+    const StaticsReport report = sim.solve_statics();
+    EXPECT_LT(report.iterations, 220) << "seed " << seed;
+    EXPECT_EQ(report.relaxation_steps, 0) << "seed " << seed;
+  }
 }
 
 }  // namespace
