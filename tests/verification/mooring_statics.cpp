@@ -159,10 +159,8 @@ TEST(MooringStatics, UnitTestsOfMapAndMoorPy) {
             length});
     expect({"MoorPy, C_B 0.1", line, 400, 200, 0.1, 96643.45416, 237751.7684, 202.8102894, 80418.631, 1e-3,
             250, 0, length});
-    // With a line a thousand times as elastic, which changes its tensions by less than 1e-4: springs of
-    // friction as stiff as its elements would otherwise lock slips of less than a nanometre.
-    expect({"MoorPy, C_B 5", fine_at_anchor({800, 500, 7.51e9, 200}, 0.05), 400, 200, 5, 96643.4604,
-            237751.7726, 202.8102842, 0, 1e-3, 250, 0, length});
+    expect(
+        {"MoorPy, C_B 5", line, 400, 200, 5, 96643.4604, 237751.7726, 202.8102842, 0, 1e-3, 250, 0, length});
   }
 }
 
