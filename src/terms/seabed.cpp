@@ -99,6 +99,9 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
       const double force = contact(p, committed, false, at).normal.force;
       if (friction_ == Friction::contact && laid.known()) laid.pressed = force;
       if (friction_ == Friction::pressed && force > 0) laid.normal = at.normal;
+      if (friction_ == Friction::none) continue;
+      const PressedFriction f = pressed(p, of_nodes(p, committed.x));
+      laid.last = {of_nodes(p, committed.x), f.force, f.by_slip + stopping(p, f)};
       continue;
     }
     const Vec3 x = of_nodes(p, committed.x);
@@ -138,7 +141,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (friction_ != Friction::none && laid() && laid_[place(p)].pressed > 0) {
       const Vec3 x = of_nodes(p, trial.x);
       const PressedFriction f = pressed(p, x);
-      if (tangent) stop = stopping(p, x, f);
+      if (tangent) stop = stopping(p, f);
       const Mat3 K = -f.by_slip - stop;
       if (friction_ == Friction::pressed) add(p, -f.force, tangent ? &K : nullptr, nullptr, assembler);
     }

@@ -15,14 +15,12 @@ PressedFriction SeabedTerm::pressed(const Point& p, const Vec3& x) const {
                           starts_[place(p)].tangent, least_slip_);
 }
 
-Mat3 SeabedTerm::stopping(const Point& p, const Vec3& x, const PressedFriction& f) {
-  Laid& laid = laid_[place(p)];
+Mat3 SeabedTerm::stopping(const Point& p, const PressedFriction& f) const {
+  const Laid& laid = laid_[place(p)];
   const double size = f.force.squaredNorm();
   double met = 1;
   if (laid.foreseen && size > 0) met = std::clamp(laid.foreseen->dot(f.force) / size, -1.0, 1.0);
-  const Mat3 more = (1 - met) * (f.secant - f.by_slip);
-  laid.last = {x, f.force, f.by_slip + more};
-  return more;
+  return (1 - met) * (f.secant - f.by_slip);
 }
 
 void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {

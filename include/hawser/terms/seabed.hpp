@@ -170,7 +170,7 @@ class SeabedTerm final : public ForceTerm {
   PressedFriction pressed(const Point& p, const Vec3& x) const;
   // N/m, what Newton's iteration adds to the derivative of friction at x, so that it does not push what
   // slides past the place where friction stops it. Nothing where the last tangent foresaw the force there.
-  Mat3 stopping(const Point& p, const Vec3& x, const PressedFriction& f);
+  Mat3 stopping(const Point& p, const PressedFriction& f) const;
   double contact_distance(const Point& p) const { return law(p).radius + law(p).law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
   // is then cut to `beyond` [m] more than where it touches.
