@@ -135,6 +135,24 @@ class Laying {
     return way.normalized();
   }
 
+  // The place on the bed that a line of this radius from x is laid from, and how far it hangs down to lie
+  // there [m]. From above it hangs straight down; from below it rises by the shortest way. Beyond a mesh
+  // there is no bed.
+  struct Foot {
+    Vec3 at = Vec3::Zero();
+    double drop = 0;
+  };
+  Foot foot(const Vec3& x, double radius) const {
+    const double height = model::height_above_bed(bed_, x);
+    if (!std::isfinite(height)) return {x, 0};
+    if (height <= radius) return {x - height * nearest_normal(x), 0};
+    const Vec3 below = model::below_on_bed(bed_, x);
+    const Vec3 n = nearest_normal(below);
+    if (!(n.z() > 0)) return {below, 0};
+    const Vec3 axis = below + radius / n.z() * Vec3::UnitZ();
+    return {axis - radius * n, std::max(0.0, x.z() - axis.z())};
+  }
+
   // How a line that was laid from a held end comes to lie: along the bed that gives way to the end, and from
   // an end above the bed down to it, both at a constant slope over a length from the end.
   struct Descent {
@@ -158,8 +176,7 @@ class Laying {
     const model::BedAtEnd bed = model::bed_at_end(c_, line, s.b, element);
     out.length[0] = bed.length;
     if (bed.length > 0) out.sine[0] = bed.depth / bed.length;
-    const double above = start_of(s).z() - model::below_on_bed(bed_, start_of(s)).z();
-    const double height = above - 0.5 * type.contact_diameter;
+    const double height = foot(start_of(s), 0.5 * type.contact_diameter).drop;
     if (height <= 0) return out;
     // Without tension a cable hangs straight down. A beam of the weight w whose end is lifted by h from the
     // bed is lifted over (72 EI h/w)^(1/4).
@@ -194,11 +211,8 @@ class Laying {
     for (int i = 0; way.isZero() && i < last; ++i) way = along_bed(start[node(i)], start[node(i + 1)]);
     std::vector<Vec3> out(start.size());
     Vec3 x = start_of(s);
-    // From above it hangs straight down; from below it rises by the shortest way. Beyond a mesh there is no
-    // bed.
-    const double height = model::height_above_bed(bed_, x);
-    if (!in_soil(element(0)) && std::isfinite(height))
-      x = height > 0 ? model::below_on_bed(bed_, x) : Vec3(x - height * nearest_normal(x));
+    const std::string& type = (s.b ? line.sections.back() : line.sections.front()).type;
+    if (!in_soil(element(0))) x = foot(x, 0.5 * c_.line_type(type).contact_diameter).at;
     if (const Holder h = holder(s); h.joint) {
       const std::vector<Vec3> before = reckoned({h.next.line, !h.next.b});
       x = h.next.b ? before.back() : before.front();

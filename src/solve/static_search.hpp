@@ -39,7 +39,7 @@ class StaticSearch : StaticTrial {
   // the number of ranks, and a soft line beside stiff ones shows it.
   void polish();
   // The tangent to come: exact, or convex; a tension's worth of stiffness over an element for a unit of
-  // shift. With the shift goes what slack cables keep of their axial stiffness.
+  // shift. With the shift goes how much stiffer K is.
   void use_tangent(bool exact, double shift);
   void newton(Vec y);
   // A direction of Newton's, from u = -y, to local_; where an exact tangent leads upwards y is made anew with

@@ -94,14 +94,9 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
     ContactTrial at;
     if (laid()) {
       Laid& laid = laid_[place(p)];
-      if (laid.last)
-        laid.foreseen = laid.last->force + laid.last->by_point * (of_nodes(p, committed.x) - laid.last->at);
       const double force = contact(p, committed, false, at).normal.force;
       if (friction_ == Friction::contact && laid.known()) laid.pressed = force;
       if (friction_ == Friction::pressed && force > 0) laid.normal = at.normal;
-      if (friction_ == Friction::none) continue;
-      const PressedFriction f = pressed(p, of_nodes(p, committed.x));
-      laid.last = {of_nodes(p, committed.x), f.force, f.by_slip + stopping(p, f)};
       continue;
     }
     const Vec3 x = of_nodes(p, committed.x);
@@ -137,12 +132,11 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    Mat3 stop = Mat3::Zero();
+    Mat3 stiffer = Mat3::Zero();  // N/m, by what friction's tangent is stiffer than its derivative
     if (friction_ != Friction::none && laid() && laid_[place(p)].pressed > 0) {
-      const Vec3 x = of_nodes(p, trial.x);
-      const PressedFriction f = pressed(p, x);
-      if (tangent) stop = stopping(p, f);
-      const Mat3 K = -f.by_slip - stop;
+      const PressedFriction f = pressed(p, of_nodes(p, trial.x));
+      if (tangent) stiffer = assembler.weights().stiffer * (f.by_slip - f.secant);
+      const Mat3 K = stiffer - f.by_slip;
       if (friction_ == Friction::pressed) add(p, -f.force, tangent ? &K : nullptr, nullptr, assembler);
     }
     const PointContact c = contact(p, trial, tangent, at, convex);
@@ -154,7 +148,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       continue;
     }
     const Mat3 K = pulled.by_lift * at.normal * at.normal.transpose() + pulled.force * at.curvature -
-                   c.by_point - (friction_ == Friction::contact ? stop : Mat3::Zero()),
+                   c.by_point + (friction_ == Friction::contact ? stiffer : Mat3::Zero()),
                C = -c.by_velocity;
     add(p, residual, &K, trial.step > 0 ? &C : nullptr, assembler);
   }

@@ -1,5 +1,4 @@
 // Friction in statics: it acts from where lines were laid (docs/theory/seabed.md).
-#include <algorithm>
 #include <cmath>
 
 #include "hawser/terms/seabed.hpp"
@@ -13,14 +12,6 @@ PressedFriction SeabedTerm::pressed(const Point& p, const Vec3& x) const {
   if (firm_ && friction_ == Friction::pressed) law.stiffness = this->law(p).axial_stiffness;
   return pressed_friction(law, from.pressed, from.slip + (x - from.place), from.normal,
                           starts_[place(p)].tangent, least_slip_);
-}
-
-Mat3 SeabedTerm::stopping(const Point& p, const PressedFriction& f) const {
-  const Laid& laid = laid_[place(p)];
-  const double size = f.force.squaredNorm();
-  double met = 1;
-  if (laid.foreseen && size > 0) met = std::clamp(laid.foreseen->dot(f.force) / size, -1.0, 1.0);
-  return (1 - met) * (f.secant - f.by_slip);
 }
 
 void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {

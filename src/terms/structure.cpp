@@ -111,7 +111,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
-      cable_pull(c.section, e, assembler.weights().slack, o);
+      cable_pull(c.section, e, assembler.weights().stiffer, o);
       assembler.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;

@@ -14,12 +14,13 @@
 namespace hawser {
 
 // J = wK K T + wC C + wM M, where T is the right Jacobian of the step's rotation increments, plus a shift of
-// the free diagonal: N/m on positions, N m on rotations. slack: share of its axial stiffness that a slack
-// cable keeps in K, so that statics far from the solution has something to pull with.
+// the free diagonal: N/m on positions, N m on rotations. stiffer, 0 to 1: so that statics far from the
+// solution has something to pull with, K has that share of the axial stiffness of slack cables and takes that
+// share of sliding friction by its secant instead of its derivative.
 struct Weights {
   double K = 1, C = 0, M = 0;
   double shift_position = 0, shift_rotation = 0;
-  double slack = 0;
+  double stiffer = 0;
 };
 
 class Assembler {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "hawser/geometry/surface.hpp"
@@ -121,14 +120,6 @@ class SeabedTerm final : public ForceTerm {
     Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();
     double pressed = 0;                               // N
     bool known() const { return place.allFinite(); }  // else there is no friction
-    // Friction as the last tangent had it, linear about a place of the point; and the force which that
-    // foresaw where the point is now.
-    struct Linear {
-      Vec3 at = Vec3::Zero(), force = Vec3::Zero();
-      Mat3 by_point = Mat3::Zero();
-    };
-    std::optional<Linear> last;
-    std::optional<Vec3> foreseen;
   };
   // Of a bed that is a surface, changes the time and never the answer: no force nearer than `clear` to
   // `centre` (the signed distance is 1-Lipschitz); nearest triangle of the last query.
@@ -168,9 +159,6 @@ class SeabedTerm final : public ForceTerm {
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
   // Of the first stage of statics, and what stands for the law's in the line search of the second.
   PressedFriction pressed(const Point& p, const Vec3& x) const;
-  // N/m, what Newton's iteration adds to the derivative of friction at x, so that it does not push what
-  // slides past the place where friction stops it. Nothing where the last tangent foresaw the force there.
-  Mat3 stopping(const Point& p, const PressedFriction& f) const;
   double contact_distance(const Point& p) const { return law(p).radius + law(p).law.normal.smoothing; }
   // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
   // is then cut to `beyond` [m] more than where it touches.
