@@ -95,7 +95,7 @@ contact: {between_lines: false}
     relaxed = std::max(relaxed, now.relaxation_steps);
   });
   printf("  %d steps of relaxation at the most: %s\n", relaxed, m.found.at(0).c_str());
-  EXPECT_LT(relaxed, 300);
+  EXPECT_LT(relaxed, 50);
 }
 
 // Each trial says what it has found.
