@@ -18,7 +18,8 @@ struct Kind {
 };
 
 // The anchor's end of a chain in soil so weak that it yields as the ship moves; a hot pipe on the bed, pulled
-// to and fro by one end; a mooring line whose ship moves in irregular waves.
+// to and fro by one end, so stiff that it does not buckle (of several shapes round-off would choose); a
+// mooring line whose ship moves in irregular waves.
 const Kind kKinds[] = {{"buried",
                         R"(hawser: 1
 environment: {water: {depth: 200}, seabed: {depth: 200, friction: 0.6}}
@@ -38,7 +39,7 @@ output: {every: 0.5, histories: [{line: chain, at: end_b, name: fairlead}]}
                        {"warm",
                         R"(hawser: 1
 environment: {water: {depth: 50}, seabed: {depth: 50, friction: {axial: 0.5, lateral: 0.5, mobilisation_length: 5 mm}}}
-line_types: {pipe: {outer_diameter: 0.1, mass_per_length: 100, EA: 5e8, EI: 1e5, GJ: 1e5, thermal_expansion: 1.17e-5}}
+line_types: {pipe: {outer_diameter: 0.3, mass_per_length: 100, EA: 5e8, EI: 2e7, GJ: 2e7, thermal_expansion: 1.17e-5}}
 bodies: {hand: {position: [300, 0, -49.95], motion: {harmonic: {amplitude: [0.1, 0.2, 0], period: 6}, ramp: 2}}}
 lines:
   pipe:
