@@ -30,6 +30,7 @@
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/links.hpp"
+#include "hawser/terms/platform_water.hpp"
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/seabed.hpp"
@@ -234,6 +235,9 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
     if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
                     [](const model::Body& b) { return b.mass && b.mass->in_water; }))
       bodies_in_water_ = add<BodiesInWater>(case_, local());
+    if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
+                    [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; }))
+      add<PlatformWater>(case_, local());
   }
   if (model::body_pairs(case_).empty() || skeletons.size() != case_.volumes.size()) return;
   std::vector<BodyVolume> touching;

@@ -2,18 +2,12 @@
 // velocity and acceleration, kinetic and spring energy.
 #include "hawser/kernels/rigid_body.hpp"
 
+#include <array>
+
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
 namespace {
-
-// d (T(phi)^-T p) / d phi at fixed p: T^-T p = p - phi x p / 2 + eta phi x (phi x p).
-Mat3 moment_slope(const Vec3& phi, const Vec3& p) {
-  double eta, eta1;
-  inverse_jacobian_coefficient(phi.squaredNorm(), eta, eta1);
-  const Vec3 c = phi.cross(p);
-  return 0.5 * hat(p) - eta * (hat(c) + hat(phi) * hat(p)) + eta1 * phi.cross(c) * phi.transpose();
-}
 
 Vec3 turned(const RigidBodyState& s, const RigidPose& rest) {
   return log_so3(rest.rotation.conjugate() * s.q);
@@ -33,13 +27,45 @@ RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, co
   r.held.tail<3>() = T.transpose() * p + b.turning_damping.cwiseProduct(s.w - W0);
   r.K.topLeftCorner<3, 3>() = b.stiffness.asDiagonal();
   r.K.bottomRightCorner<3, 3>() =
-      (moment_slope(phi, p) + T.transpose() * Mat3(b.turning_stiffness.asDiagonal())) * T -
+      (inverse_jacobian_transposed_slope(phi, p) + T.transpose() * Mat3(b.turning_stiffness.asDiagonal())) *
+          T -
       Mat3(b.turning_damping.asDiagonal()) * hat(W0);
   r.C.topLeftCorner<3, 3>() = b.damping.asDiagonal();
   r.C.bottomRightCorner<3, 3>() = hat(s.w) * b.inertia - hat(Jw) + Mat3(b.turning_damping.asDiagonal());
   r.M.topLeftCorner<3, 3>() = b.mass * Mat3::Identity();
   r.M.bottomRightCorner<3, 3>() = b.inertia;
   return r;
+}
+
+namespace {
+
+// Force and moment about the centre of mass, body axes.
+std::array<Vec3, 2> load_in_body(const RigidBodyLoad& load, const RigidBodyState& s) {
+  const Quat to_body = load.follows ? Quat::Identity() : s.q.conjugate();
+  const Vec3 F = to_body * load.force;
+  return {F, load.arm.cross(F) + to_body * load.moment};
+}
+
+}  // namespace
+
+// d (R^T y) = hat(R^T y) d phi of what stays in space; d (R F) = -R hat(F) d phi of what follows.
+void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResidual& to) {
+  const auto [F, moment] = load_in_body(load, s);
+  to.applied.head<3>() -= s.q * F;
+  to.applied.tail<3>() -= moment;
+  if (load.follows)
+    to.K.topRightCorner<3, 3>() += s.q.toRotationMatrix() * hat(F);
+  else
+    to.K.bottomRightCorner<3, 3>() -= hat(load.arm) * hat(F) + hat(s.q.conjugate() * load.moment);
+}
+
+double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
+  return load.follows ? 0 : -load.force.dot(s.x + s.q * load.arm);
+}
+
+double load_power(const RigidBodyLoad& load, const RigidBodyState& s) {
+  if (!load.follows) return load.moment.dot(s.q * s.w);
+  return (s.q * load.force).dot(s.v) + (load.arm.cross(load.force) + load.moment).dot(s.w);
 }
 
 double rigid_body_kinetic(const RigidBodyData& b, const RigidBodyState& s) {

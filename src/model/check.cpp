@@ -222,6 +222,7 @@ std::vector<Issue> check(const Case& c) {
   check_joints(c, issue);
   check_rides(c, issue);
   check_floating(c, issue);
+  check_platforms(c, issue);
   check_contact(c, issue);
   check_supports(c, issue);
   check_links(c, issue);

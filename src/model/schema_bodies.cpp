@@ -123,6 +123,66 @@ Key body_in_water() {
       at_most_one({"Ca", "added_mass"}));
 }
 
+Key six_by_six(const Field& field, const char* name, std::string about) {
+  return list({name, field}, list("", number("", none), items(6, 6)), std::move(about), items(6, 6));
+}
+
+Key body_hydrodynamics() {
+  using H = BodyHydrodynamics;
+  return map(
+      {"hydrodynamics", &BodyMass::hydrodynamics},
+      {text({"wamit", &H::wamit},
+            "path, from the case, of WAMIT's output files without their endings: `.1` and `.hst`, `.3` where "
+            "there are waves; each may be packed by gzip",
+            required),
+       number({"length_scale", &H::length}, length, "ULEN of the files", above(0), or_else("1")),
+       integer({"body", &H::body}, "which of the files' bodies it is", in_range(1, 20), or_else("1")),
+       vec3({"origin_in_file", &H::in_file}, length,
+            "where the files have the body's origin (XBODY), about which their moments are", or_else(kZero)),
+       number({"displaced_volume", &H::volume}, volume,
+              "of the body where the files have it, of water of the case", above(0),
+              or_else_note("what carries its mass")),
+       boolean({"gravity_in_stiffness", &H::gravity_in_stiffness},
+               "whether the stiffness of the files has the part that the body's weight has in it (WAMIT's, "
+               "where it was given mass and centre of gravity)",
+               or_else("false")),
+       vec3({"place", &H::place}, length,
+            "of the body's origin where the files have it: motion is counted from there",
+            or_else_note("x and y of `position`, z of `origin_in_file`")),
+       number({"heading_deg", &H::heading}, angle, "of the body there",
+              or_else_note("that of `rotation_deg`")),
+       boolean({"excitation", &H::excitation}, "whether the waves of the case act on it", or_else("true")),
+       word({"second_order", &H::second_order},
+            {{"none", SecondOrder::none},
+             {"mean", SecondOrder::mean},
+             {"newman", SecondOrder::newman},
+             {"full", SecondOrder::full}},
+            "slow drift by the waves: its mean; by Newman's approximation from mean forces (`.12d`, `.8`, "
+            "`.9` "
+            "or `.7`); by all difference-frequency forces (`.12d`)",
+            or_else("none")),
+       six_by_six(&H::stiffness, "stiffness",
+                  "added to it, about the body's origin: six rows of six, N/m, N and N m/rad"),
+       six_by_six(&H::damping, "damping", "linear damping added: six rows of six, N s/m, N s and N m s"),
+       list(
+           {"quadratic_damping", &H::quadratic_damping}, number("", none, at_least(0)),
+           "for each of the six velocities v of its origin the force is this times |v| v: N s²/m² and N m s²",
+           items(6, 6))},
+      "the sea acts on it by the coefficients of a diffraction program "
+      "([theory](../theory/platforms.md)); its `weight` acts");
+}
+
+Key body_loads() {
+  return list({"loads", &BodyMass::loads},
+              map("", {vec3({"force", &BodyLoad::force}, force, "force", or_else(kZero)),
+                       vec3({"moment", &BodyLoad::moment}, moment, "moment", or_else(kZero)),
+                       vec3({"at", &BodyLoad::at}, length, "where the force acts, in the body's frame",
+                            or_else(kZero)),
+                       word({"axes", &BodyLoad::follows}, {{"space", false}, {"body", true}},
+                            "of force and moment: they stay, or turn with the body", or_else("space"))}),
+              "constant forces on it, in statics too: thrust of a turbine or of thrusters");
+}
+
 Key floating() {
   return map({"floating", &Body::mass},
              {number({"mass", &BodyMass::mass}, mass, "mass", above(0), required),
@@ -147,7 +207,7 @@ Key floating() {
                    "springs against turning, axes of the body", at_least(0), or_else(kZero)),
               vec3({"turning_damping", &BodyMass::turning_damping}, turning_damping, "dampers beside them",
                    at_least(0), or_else(kZero)),
-              body_in_water()},
+              body_in_water(), body_hydrodynamics(), body_loads()},
              "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
              "prescribed");
 }

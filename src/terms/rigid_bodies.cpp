@@ -73,7 +73,8 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
 }  // namespace
 
 bool finds_rest(const model::Case& c, int body) {
-  return in_lines_or_links(c, body) || floats_at_rest(c, *c.bodies[body].mass);
+  const model::BodyMass& m = *c.bodies[body].mass;
+  return m.hydrodynamics || in_lines_or_links(c, body) || floats_at_rest(c, m);
 }
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
@@ -89,6 +90,8 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     if (m.weight) f.data.weight = -m.mass * c.environment.gravity * Vec3::UnitZ();
     f.data.stiffness = m.stiffness, f.data.damping = m.damping;
     f.data.turning_stiffness = m.turning_stiffness, f.data.turning_damping = m.turning_damping;
+    for (const model::BodyLoad& l : m.loads)
+      f.loads.push_back({l.force, l.moment, l.at - m.centre, l.follows});
     f.rests = finds_rest(c, body);
     f.centre = m.centre, f.body = body, f.node = n, f.global = global;
     f.block = mesh.block[n];
@@ -113,6 +116,7 @@ void RigidBodies::powers(const Floating& f, const Kinematics& at, double& dampin
   // What holds it brings in: its force on the springs and dampers at their far end.
   const Vec6 force = rigid_body(f.data, s, r).held;
   work = -force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
+  for (const RigidBodyLoad& l : f.loads) work += load_power(l, s);
 }
 
 void RigidBodies::prepare(const Kinematics& committed, double) {
@@ -121,7 +125,10 @@ void RigidBodies::prepare(const Kinematics& committed, double) {
 
 void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Floating& f : list_) {
-    const RigidBodyResidual r = rigid_body(data(f), floating_state(trial, f.node), rest(f, trial.time));
+    const RigidBodyState s = floating_state(trial, f.node);
+    RigidBodyResidual r = rigid_body(data(f), s, rest(f, trial.time));
+    if (!hold_ || f.rests)
+      for (const RigidBodyLoad& l : f.loads) add_load(l, s, r);
     const int blocks[2] = {f.block, f.block + 1};
     assembler.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
     if (hold_ && f.rests && assembler.wants_tangent()) {
@@ -140,7 +147,9 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const 
   for (const Floating& f : list_) {
     if (f.body != body) continue;
     const RigidBodyState s = floating_state(at, f.node);
-    const Vec6 own = rigid_body(f.data, s, rest(f, at.time)).f();
+    RigidBodyResidual r = rigid_body(f.data, s, rest(f, at.time));
+    for (const RigidBodyLoad& l : f.loads) add_load(l, s, r);
+    const Vec6 own = r.f();
     return {own.head<3>(), s.q * own.tail<3>()};
   }
   return {Vec3::Zero(), Vec3::Zero()};
@@ -164,6 +173,7 @@ Energy RigidBodies::energy(const Kinematics& at) const {
     const RigidBodyData d = data(f);
     e.strain += rigid_body_strain(d, s, rest(f, at.time));
     e.potential -= d.weight.dot(s.x);
+    for (const RigidBodyLoad& l : f.loads) e.potential += load_potential(l, s);
     e.damping += f.damping;
     e.work += f.work;
   }
@@ -172,7 +182,10 @@ Energy RigidBodies::energy(const Kinematics& at) const {
 
 double RigidBodies::dead_load() const {
   double sum = 0;
-  for (const Floating& f : list_) sum += f.data.weight.norm();
+  for (const Floating& f : list_) {
+    sum += f.data.weight.norm();
+    for (const RigidBodyLoad& l : f.loads) sum += l.force.norm();
+  }
   return sum;
 }
 

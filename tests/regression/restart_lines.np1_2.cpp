@@ -1,6 +1,7 @@
-// Lines in the soil, lines that are warmer than when they were cut to length, and lines in irregular waves: a
-// run that was stopped and goes on from its checkpoint is the run that was not, to the last bit on the same
-// number of ranks, to 1e-8 of the range of each field on another.
+// Lines in the soil, lines that are warmer than when they were cut to length, lines in irregular waves, and a
+// platform with the memory of its own waves: a run that was stopped and goes on from its checkpoint is the
+// run that was not, to the last bit on the same number of ranks, to 1e-8 of the range of each field on
+// another.
 #include <set>
 
 #include "regression/same_fields.hpp"
@@ -71,7 +72,30 @@ contact: {between_lines: false}
 dynamics: {duration: 8, step: 0.1}
 output: {every: 0.5, histories: [{line: chain, at: end_b, name: fairlead}]}
 )",
-                        "wall_tension", "hs: 4", "hs: 4.1"}};
+                        "wall_tension", "hs: 4", "hs: 4.1"},
+                       {"platform",
+                        R"(hawser: 1
+environment: {gravity: 9.81, water: {density: 1000, depth: 50}, seabed: {depth: 50, friction: 0.6}}
+line_types: {chain: {outer_diameter: 0.1, mass_per_length: 60, EA: 2e8, bending: false}}
+bodies:
+  sphere:
+    position: [0, 0, 1]
+    floating:
+      mass: 261800
+      inertia: [2.6e6, 2.6e6, 2.6e6]
+      hydrodynamics: {wamit: )" HAWSER_SOURCE_DIR R"(/tests/data/hemisphere, length_scale: 5}
+      loads: [{force: [5e4, 0, 0]}]
+lines:
+  chain:
+    sections: [{type: chain, length: 160, elements: 80}]
+    end_a: {anchor: [-145, 0, -50]}
+    end_b: {body: sphere, at: [-5, 0, 0]}
+contact: {between_lines: false}
+statics: false
+dynamics: {duration: 8, step: 0.1}
+output: {every: 0.5, histories: [{line: chain, at: end_b, name: fairlead}]}
+)",
+                        "effective_tension", "force: [5e4", "force: [6e4"}};
 
 // Where rounding differs Newton's method ends at other places within its tolerance, 1e-8 of the forces.
 constexpr double kNewton = 5e-8;

@@ -90,6 +90,14 @@ inline Mat3 inverse_right_jacobian(const Vec3& u) {
   return Mat3::Identity() + 0.5 * h + eta * h * h;
 }
 
+// d (T^-T(phi) p) / d phi at fixed p, T the right Jacobian: T^-T p = p - phi x p / 2 + eta phi x (phi x p).
+inline Mat3 inverse_jacobian_transposed_slope(const Vec3& phi, const Vec3& p) {
+  double eta, eta1;
+  inverse_jacobian_coefficient(phi.squaredNorm(), eta, eta1);
+  const Vec3 c = phi.cross(p);
+  return 0.5 * hat(p) - eta * (hat(c) + hat(phi) * hat(p)) + eta1 * phi.cross(c) * phi.transpose();
+}
+
 // The rotation about (from x to) that takes the unit vector `from` to the unit vector `to`.
 Quat minimal_rotation(const Vec3& from, const Vec3& to);
 

@@ -26,6 +26,7 @@
 #include "hawser/model/event.hpp"
 #include "hawser/model/feeder.hpp"
 #include "hawser/model/links.hpp"
+#include "hawser/model/platform.hpp"
 #include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"
 
@@ -117,6 +118,8 @@ struct BodyMass {
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards where `motion` wants it
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
   std::optional<BodyInWater> in_water;
+  std::optional<BodyHydrodynamics> hydrodynamics;
+  std::vector<BodyLoad> loads;
 
   Mat3 tensor() const;  // kg m², of inertia and products
 };

@@ -50,6 +50,7 @@ void check_law(const Feed& feed, const Issues& issue);
 void check_supports(const Case& c, const Issues& issue);
 // Its part that is about springs and dampers between two points.
 void check_links(const Case& c, const Issues& issue);
+void check_platforms(const Case& c, const Issues& issue);
 // The end of the line that comes first on its way over these supports, its tensioner's: the held end that is
 // nearer to the first box; null: no end is held.
 const End* end_before(const Case& c, const Line& line, const SupportBox& first);

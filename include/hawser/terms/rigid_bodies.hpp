@@ -43,6 +43,7 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
  private:
   struct Floating {
     RigidBodyData data;
+    std::vector<RigidBodyLoad> loads;
     Vec3 centre;                               // m, body frame
     int body = 0, node = 0;                    // of the case; local
     int block = 0, global = 0;                 // local block of the position; mesh node

@@ -1,0 +1,44 @@
+// A rigid body as hydrodynamic coefficients know it: the velocity of a point of it and its rate of turning,
+// in axes H that stay, instead of the unknowns of its centre of mass. See docs/theory/platforms.md.
+//
+// With x, R of the centre of mass, r the point from there in body axes, Q = H^T R:
+//   nu = (H^T v + Q (w x r), Q w),   nu' = (H^T a + Q (alpha x r + w x (w x r)), Q alpha),   nu = G (v, w)
+// A generalised force F by nu acts on the unknowns as G^T F.
+#pragma once
+
+#include "hawser/kernels/rigid_body.hpp"
+
+namespace hawser {
+
+// Of one state, with derivatives: by increments of position and material rotation (by_place) and by w.
+struct PlatformMotion {
+  Vec6 rate, acceleration;  // m/s, rad/s; m/s², rad/s²: axes H
+  Mat6 G;
+  Mat6 rate_by_place, acceleration_by_place, acceleration_by_rate;
+};
+PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s);
+// G alone times nothing else: the rate.
+Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s);
+
+// d (G^T F) by increments of position and rotation at fixed F.
+Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F);
+
+// Forces with a potential of the displacement xi = (H^T (p - place), log(H^T R)):
+//   V = xi . C xi / 2 + xi . constant
+// C: N/m, N, N m/rad, symmetric; constant: N, N m. On the unknowns they act as P^T (C xi + constant), with
+// P = d xi / d (x, rotation).
+struct PlatformPotential {
+  Mat3 axes = Mat3::Identity();  // H
+  Vec3 place = Vec3::Zero();     // m, of the point where xi = 0
+  Mat6 stiffness = Mat6::Zero();
+  Vec6 constant = Vec6::Zero();
+};
+struct PlatformPull {
+  double potential = 0;  // J
+  Vec6 displacement = Vec6::Zero();
+  Vec6 f = Vec6::Zero();  // the gradient, on the unknowns
+  Mat6 K = Mat6::Zero();
+};
+PlatformPull platform_pull(const PlatformPotential& V, const Vec3& r, const RigidBodyState& s);
+
+}  // namespace hawser

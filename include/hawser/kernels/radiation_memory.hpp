@@ -1,0 +1,45 @@
+// The force of the waves that a body has made by its own motion (Cummins 1962), from its radiation damping:
+//   F(t) = int_-inf^t K(t - s) v(s) ds,   K(t) = (2/pi) int_0^inf B(omega) cos(omega t) d omega  (Ogilvie
+//   1964)
+// With velocities that are linear between times t_k, with slopes a_k, and G'' = K, G(0) = G'(0) = 0:
+//   F(t) = v_0 G'(t - t_0) + sum_k a_k [G(t - t_k) - G(t - t_k+1)]
+// exactly, for steps of any length. See docs/theory/platforms.md.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace hawser {
+
+// Several entries of a matrix K at once, all with the same frequencies.
+class RadiationMemory {
+ public:
+  RadiationMemory() = default;
+  // omega [rad/s], above 0 and growing; damping: one row for each frequency, one column for each entry
+  // [N s/m, N s, N m s]. Straight lines between the rows and from 0 at omega = 0; nothing beyond the last.
+  // std::invalid_argument where sizes differ or frequencies do not grow.
+  RadiationMemory(const std::vector<double>& omega, const Eigen::MatrixXd& damping);
+
+  Eigen::Index entries() const { return damping_.cols(); }
+  // s, after which the memory is over: K is small from there on, and G is taken as constant, so that a body
+  // that moves steadily for long is not damped by a memory that was cut.
+  double length() const { return length_; }
+
+  // By entry: K(t) by its closed form, t >= 0.
+  Eigen::RowVectorXd retardation(double t) const;
+  // By entry: G(t) and, where `rate` is not null, G'(t), t >= 0, from a table, to about 1e-8 of
+  // K(0)/omega_last².
+  void integrals(double t, double* G, double* rate) const;
+  // int_0^length K(t) sin(omega t) dt / omega by entry: A(inf) - A(omega) (Ogilvie 1964).
+  Eigen::RowVectorXd added_mass_below_infinite(double omega) const;
+
+ private:
+  void tabulate();
+  std::vector<double> omega_;
+  Eigen::MatrixXd damping_;
+  double length_ = 0, spacing_ = 0;
+  // By time: G of all entries, then G', then K.
+  std::vector<double> table_;
+};
+
+}  // namespace hawser

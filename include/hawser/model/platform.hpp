@@ -1,0 +1,56 @@
+// A floating platform of the case: its hydrodynamic coefficients and constant forces on it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hawser/math/types.hpp"
+#include "hawser/model/hydrodynamic_data.hpp"
+
+namespace hawser::model {
+
+struct Case;
+struct BodyMass;
+
+// What the sea does to a large floating body by the coefficients of a diffraction program.
+struct BodyHydrodynamics {
+  std::string wamit;            // path of WAMIT's files without their endings, absolute
+  double length = 1;            // m, ULEN of the files
+  int body = 1;                 // which of the files' bodies it is
+  Vec3 in_file = Vec3::Zero();  // m, of the body's origin in the axes of the files
+  SecondOrder second_order = SecondOrder::none;
+  bool excitation = true;             // waves act on it
+  bool gravity_in_stiffness = false;  // the hydrostatic stiffness has the part of its weight
+  double volume = 0;                  // m³ that it displaces where `place` has it; 0: that of its mass
+  std::optional<Vec3> place;          // m, of its origin where motion is counted from
+  std::optional<double> heading;      // rad, there
+  std::vector<std::vector<double>> stiffness,
+      damping;                            // added, 6x6 about its origin: N/m ... N m s; or empty
+  std::vector<double> quadratic_damping;  // by freedom: N/(m/s)², N m/(rad/s)²; or empty
+  std::shared_ptr<const HydrodynamicData> data;
+};
+
+// A constant force on a floating body.
+struct BodyLoad {
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
+  Vec3 at = Vec3::Zero();                            // m, body frame
+  bool follows = false;                              // axes of the body; else of space
+};
+
+// Hydrostatics of the pressure alone, about the body's origin: weight acts by itself. Files with gravity have
+// -m g zG in C44 and C55, m g xG in C46 and m g yG in C56 (WAMIT manual 7, section 4.2).
+struct Hydrostatics {
+  Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();  // symmetric
+  double buoyancy = 0;                                                          // N
+  double arm_x = 0, arm_y = 0;  // m, of the centre of buoyancy from the body's origin
+};
+// Of a body with hydrodynamics; density of the water [kg/m³], gravity [m/s²].
+Hydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
+
+// Bodies of the case that radiate on each other: those with the same files, the first that is their body 1
+// with the first that is their body 2, and so on. Files of one body: each by itself.
+std::vector<std::vector<int>> radiating_groups(const Case& c);
+
+}  // namespace hawser::model

@@ -1,0 +1,94 @@
+// What the sea does to platforms, by hydrodynamic coefficients: hydrostatics, radiation with its memory, wave
+// forces of first and second order, added linear and quadratic damping. See docs/theory/platforms.md.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "hawser/kernels/platform_frame.hpp"
+#include "hawser/kernels/platform_waves.hpp"
+#include "hawser/kernels/radiation_memory.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/sea.hpp"
+
+namespace hawser {
+
+// Bodies that have coefficients of the same files are one group and radiate on each other. Every rank that
+// owns one of a group computes all of it; the owner of a body counts its energy.
+class PlatformWater final : public ForceTerm, public CouplesNodes, public ScalesResiduals {
+ public:
+  PlatformWater(const model::Case& c, const LocalMesh& mesh);
+
+  std::string_view name() const override { return "platforms in the sea"; }
+  bool recouple(const Kinematics& committed, double h) override;
+  void couple(Couplings& to) const override;
+  void update_ghosts() override;
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  double dead_load() const override;
+  double round_off(const Kinematics& at, double h) const override;
+  std::vector<HistoryKind> history() const override;
+  std::vector<HistoryRecord> records(NodeRange of) const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+ private:
+  struct Group;
+  struct Power {
+    double damping = 0, waves = 0;  // W, taken out; brought in
+  };
+  struct Platform {
+    int node = 0, local = -1, block = -1;  // of the mesh; local ones
+    bool owned = false;
+    Vec3 arm = Vec3::Zero();  // m, body's origin from the centre of mass, body axes
+    PlatformPotential potential;
+    Mat6 damping = Mat6::Zero();
+    Vec6 quadratic = Vec6::Zero();
+    PlatformWaves waves;
+    Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
+    double buoyancy = 0;              // N
+    double damping_work = 0, wave_work = 0;  // J, over the accepted steps
+    Power power;                             // of the last accepted state
+  };
+  // Velocities of a group at the end of an accepted step, and their change over its length.
+  struct Past {
+    double time = 0;
+    Eigen::VectorXd rate, slope;
+  };
+  static void add_past(Group& g, double time, Eigen::VectorXd rate);
+  // What a step does not change: the memory's force but for the share of the step in hand,
+  // F = past + damping (rate - rate at its start), and the forces of the waves.
+  struct AtTime {
+    double time = 0;
+    Eigen::VectorXd past, waves;
+    Eigen::MatrixXd damping;
+  };
+  struct Group {
+    std::vector<Platform> platforms;
+    std::vector<std::pair<int, int>> entries;  // rows and columns of what `memory` has, row <= column
+    RadiationMemory memory;
+    Eigen::MatrixXd added_mass;
+    std::deque<Past> past;
+    bool here = false;  // this rank owns one of its bodies
+    mutable AtTime now;
+    mutable bool known = false;
+  };
+  void add_group(const model::Case& c, const std::vector<int>& bodies);
+  Platform platform(const model::Case& c, int body) const;
+  Eigen::VectorXd rates(const Group& g, const Kinematics& at) const;
+  const AtTime& at_time(const Group& g, double time) const;
+  // The force of damping and memory on a group, and its derivative by the rates.
+  void damping(const Group& g, const AtTime& now, const Eigen::VectorXd& rate, Eigen::VectorXd& force,
+               Eigen::MatrixXd* slope) const;
+  std::vector<Power> powers(const Group& g, const Kinematics& at) const;
+
+  const LocalMesh& mesh_;
+  Sea sea_;
+  std::vector<Group> groups_;
+  bool coupled_ = false;
+};
+
+}  // namespace hawser

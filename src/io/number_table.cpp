@@ -1,0 +1,87 @@
+// Reading of such tables by zlib, which reads what is not packed as it is.
+#include "number_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+#include "hawser/io/input_file.hpp"
+
+namespace hawser::io {
+namespace {
+
+std::string unpacked(const std::string& path) {
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
+  if (!file) throw std::runtime_error(path + ": cannot be read");
+  std::string text;
+  std::vector<char> part(1 << 16);
+  while (true) {
+    const int count = gzread(file.get(), part.data(), static_cast<unsigned>(part.size()));
+    if (count < 0) throw std::runtime_error(path + ": is damaged: it cannot be unpacked");
+    if (count == 0) break;
+    text.append(part.data(), static_cast<size_t>(count));
+    if (static_cast<double>(text.size()) > 1e6 * kMostTable)
+      throw std::runtime_error(fmt::format("{}: has more than {:g} MB unpacked", path, kMostTable));
+  }
+  int error = 0;
+  const char* message = gzerror(file.get(), &error);
+  if (error != Z_OK && error != Z_STREAM_END)
+    throw std::runtime_error(fmt::format("{}: is truncated or damaged ({})", path, message));
+  return text;
+}
+
+// False where the line has something that is no number.
+bool numbers_of(const std::string& line, std::vector<double>& to) {
+  const char* at = line.c_str();
+  while (true) {
+    while (*at == ' ' || *at == '\t' || *at == '\r' || *at == ',') ++at;
+    if (*at == '\0') return true;
+    char* end = nullptr;
+    const double value = std::strtod(at, &end);
+    if (end == at || !std::isfinite(value)) return false;
+    to.push_back(value);
+    at = end;
+  }
+}
+
+}  // namespace
+
+NumberTable read_number_table(const std::string& path, const std::vector<size_t>& columns) {
+  NumberTable table;
+  for (const char* ending : {"", ".gz"})
+    if (unreadable(path + ending, "table", kMostTable).empty()) {
+      table.path = path + ending;
+      break;
+    }
+  if (table.path.empty()) return table;
+  const std::string text = unpacked(table.path);
+  size_t from = 0;
+  for (int line = 1; from < text.size(); ++line) {
+    const size_t end = std::min(text.find('\n', from), text.size());
+    NumberRow row{line, {}};
+    const bool numbers = numbers_of(text.substr(from, end - from), row.values);
+    from = end + 1;
+    if (numbers && row.values.empty()) continue;
+    const bool fits = std::count(columns.begin(), columns.end(), row.values.size()) > 0;
+    if (numbers && fits) {
+      table.rows.push_back(std::move(row));
+      continue;
+    }
+    if (table.rows.empty()) continue;  // a title
+    throw std::runtime_error(fmt::format("{}:{}: a row of this file has {} numbers, but this one has {}{}",
+                                         table.path, line, fmt::join(columns, " or "), row.values.size(),
+                                         numbers ? "" : " and something that is no number"));
+  }
+  if (table.rows.empty())
+    throw std::runtime_error(
+        fmt::format("{}: has no row of {} numbers", table.path, fmt::join(columns, " or ")));
+  return table;
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,316 @@
+// WAMIT's files into SI units: which rows there must be, scales by length, density and gravity.
+#include "hawser/io/wamit_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "hawser/kernels/radiation_memory.hpp"
+#include "number_table.hpp"
+
+namespace hawser::io {
+namespace {
+
+using model::HydrodynamicData;
+
+constexpr double kDegree = M_PI / 180;
+constexpr int kMostBodies = 20;
+
+bool rotates(int mode) { return mode % 6 >= 3; }  // modes from 0
+
+[[noreturn]] void refuse(const NumberTable& table, const NumberRow& row, const std::string& text) {
+  throw std::runtime_error(fmt::format("{}:{}: {}", table.path, row.line, text));
+}
+
+// A mode of motion, from 1 in the file, as an index from 0.
+int mode_of(const NumberTable& table, const NumberRow& row, size_t column, int modes) {
+  const double mode = row.values[column];
+  if (mode != std::floor(mode) || mode < 1 || mode > modes)
+    refuse(table, row,
+           fmt::format("{:g} is no mode of motion: it is a whole number from 1 to {}", mode, modes));
+  return static_cast<int>(mode) - 1;
+}
+
+NumberTable table_of(const std::string& stem, const char* ending, const std::vector<size_t>& columns,
+                     std::vector<std::string>& read) {
+  NumberTable table = read_number_table(stem + ending, columns);
+  if (!table.path.empty()) read.push_back(table.path);
+  return table;
+}
+
+NumberTable required(const std::string& stem, const char* ending, const std::vector<size_t>& columns,
+                     const char* what, std::vector<std::string>& read) {
+  NumberTable table = table_of(stem, ending, columns, read);
+  if (table.path.empty())
+    throw std::runtime_error(
+        fmt::format("{}{}: there is no such file, which has {}; 'wamit' is the path of WAMIT's files without "
+                    "their endings",
+                    stem, ending, what));
+  return table;
+}
+
+// A = rho L^k Abar, B = rho omega L^k Bbar; k = 3 between translations, 5 between rotations, else 4.
+void read_radiation(const std::string& stem, const WamitUnits& units, std::vector<std::string>& read,
+                    HydrodynamicData& data, bool& has_infinite) {
+  const NumberTable table = required(stem, ".1", {4, 5}, "added mass and damping", read);
+  int modes = 6;
+  for (const NumberRow& row : table.rows)
+    for (const size_t column : {1, 2})
+      modes = std::max(modes, 1 + mode_of(table, row, column, 6 * kMostBodies));
+  data.bodies = (modes + 5) / 6;
+  const Eigen::Index n = 6 * data.bodies;
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
+  struct Frequency {
+    Eigen::MatrixXd added, damping;
+  };
+  std::map<double, Frequency> by_omega;
+  has_infinite = false;
+  data.infinite = none;
+  for (const NumberRow& row : table.rows) {
+    const double period = row.values[0];
+    const int i = mode_of(table, row, 1, modes), j = mode_of(table, row, 2, modes);
+    const double scale = units.density * std::pow(units.length, 3 + rotates(i) + rotates(j));
+    if (period == 0) {
+      has_infinite = true;
+      data.infinite(i, j) = scale * row.values[3];
+    }
+    if (period <= 0) continue;
+    if (row.values.size() < 5)
+      refuse(table, row, "a row at a period above 0 has 5 numbers (period, two modes, added mass, damping)");
+    const double omega = 2 * M_PI / period;
+    Frequency& at = by_omega.try_emplace(omega, Frequency{none, none}).first->second;
+    at.added(i, j) = scale * row.values[3];
+    at.damping(i, j) = scale * omega * row.values[4];
+  }
+  for (auto& [omega, at] : by_omega) {
+    data.omega.push_back(omega);
+    data.added_mass.push_back(std::move(at.added));
+    data.damping.push_back(std::move(at.damping));
+  }
+  if (data.omega.size() < 2)
+    throw std::runtime_error(table.path +
+                             ": has fewer than two periods above 0, and memory needs a range of them");
+}
+
+// C33 = rho g L², C34, C35: L³, the rest: L⁴ times Cbar.
+void read_hydrostatics(const std::string& stem, const WamitUnits& units, std::vector<std::string>& read,
+                       HydrodynamicData& data) {
+  const NumberTable table = required(stem, ".hst", {3}, "hydrostatic stiffness", read);
+  const int n = 6 * data.bodies;
+  data.hydrostatic = Eigen::MatrixXd::Zero(n, n);
+  for (const NumberRow& row : table.rows) {
+    const int i = mode_of(table, row, 0, n), j = mode_of(table, row, 1, n);
+    data.hydrostatic(i, j) =
+        units.density * units.gravity * std::pow(units.length, 2 + rotates(i) + rotates(j)) * row.values[2];
+  }
+}
+
+// Values by frequency, direction [rad, 0 to 2 pi] and mode. Rows that are left out are zero; the directions
+// -180 and 180 degrees are the same.
+class ForceRows {
+ public:
+  explicit ForceRows(int bodies) : bodies_(bodies) {}
+  void add(double period, double direction_deg, int mode, Complex value) {
+    double direction = std::fmod(direction_deg, 360.0);
+    if (direction < 0) direction += 360;
+    if (direction > 360 - 1e-6) direction = 0;
+    const long key = std::lround(1e6 * direction);
+    directions_[key] = direction * kDegree;
+    auto& at = values_[{2 * M_PI / period, key}];
+    at.resize(static_cast<size_t>(6 * bodies_));
+    at[static_cast<size_t>(mode)] = value;
+  }
+  // Of each body. A pair of frequency and direction without any row: refused.
+  std::vector<WaveForceTable> tables(const std::string& path) const {
+    std::vector<double> omega, directions;
+    for (const auto& [at, value] : values_)
+      if (omega.empty() || at.first > omega.back()) omega.push_back(at.first);
+    for (const auto& [key, direction] : directions_) directions.push_back(direction);
+    std::vector<WaveForceTable> out;
+    for (int body = 0; body < bodies_; ++body) {
+      std::vector<ComplexVec6> values;
+      for (const auto& [key, direction] : directions_)
+        for (const double w : omega) {
+          const auto found = values_.find({w, key});
+          if (found == values_.end())
+            throw std::runtime_error(
+                fmt::format("{}: has no rows at {:.6g} s for {:g} deg, though other directions have them",
+                            path, 2 * M_PI / w, direction / kDegree));
+          values.push_back(Eigen::Map<const ComplexVec6>(&found->second[static_cast<size_t>(6 * body)]));
+        }
+      out.emplace_back(omega, directions, std::move(values));
+    }
+    return out;
+  }
+
+ private:
+  int bodies_;
+  std::map<long, double> directions_;
+  std::map<std::pair<double, long>, std::vector<Complex>> values_;
+};
+
+// X = rho g L^m (re + i im): m = 2 of forces, 3 of moments.
+void read_excitation(const std::string& stem, const WamitUnits& units, std::vector<std::string>& read,
+                     HydrodynamicData& data) {
+  NumberTable table = table_of(stem, ".3", {7}, read);
+  if (table.path.empty()) table = table_of(stem, ".2", {7}, read);
+  if (table.path.empty()) return;
+  ForceRows rows(data.bodies);
+  for (const NumberRow& row : table.rows) {
+    if (!(row.values[0] > 0)) continue;
+    const int mode = mode_of(table, row, 2, 6 * data.bodies);
+    const double scale = units.density * units.gravity * std::pow(units.length, 2 + rotates(mode));
+    rows.add(row.values[0], row.values[1], mode, scale * Complex(row.values[5], row.values[6]));
+  }
+  data.excitation = rows.tables(table.path);
+}
+
+// Mean forces in a regular wave: rho g A² L^k re, k = 1 of forces, 2 of moments; of two directions only equal
+// ones count. Modes below 0 are moments about other axes.
+bool read_drift(const std::string& stem, const char* ending, const WamitUnits& units,
+                std::vector<std::string>& read, HydrodynamicData& data) {
+  const NumberTable table = table_of(stem, ending, {8}, read);
+  if (table.path.empty()) return false;
+  ForceRows rows(data.bodies);
+  for (const NumberRow& row : table.rows) {
+    if (row.values[1] != row.values[2] || !(row.values[0] > 0) || row.values[3] < 0) continue;
+    const int mode = mode_of(table, row, 3, 6 * data.bodies);
+    const double scale = units.density * units.gravity * std::pow(units.length, 1 + rotates(mode));
+    rows.add(row.values[0], row.values[1], mode, scale * row.values[6]);
+  }
+  data.drift = rows.tables(table.path);
+  return true;
+}
+
+// Periods of .12d are rounded: those that differ by less than this share are one.
+constexpr double kSamePeriod = 1e-4;
+
+// F_ij = rho g L^k (re + i im); half of the matrix is given, F_ji = conj F_ij. One direction.
+bool read_difference(const std::string& stem, const WamitUnits& units, std::vector<std::string>& read,
+                     HydrodynamicData& data, std::vector<std::string>& notes) {
+  const NumberTable table = table_of(stem, ".12d", {9}, read);
+  if (table.path.empty()) return false;
+  std::vector<double> omega;
+  double direction = HUGE_VAL;
+  for (const NumberRow& row : table.rows) {
+    for (const size_t column : {0, 1})
+      if (row.values[column] > 0) omega.push_back(2 * M_PI / row.values[column]);
+    if (row.values[2] == row.values[3] && std::abs(row.values[2]) < std::abs(direction))
+      direction = row.values[2];
+  }
+  std::sort(omega.begin(), omega.end());
+  std::vector<double> distinct;
+  for (const double w : omega)
+    if (distinct.empty() || w > distinct.back() * (1 + kSamePeriod)) distinct.push_back(w);
+  const auto place = [&distinct](double period) {
+    const double w = 2 * M_PI / period;
+    const auto next = std::lower_bound(distinct.begin(), distinct.end(), w * (1 - kSamePeriod));
+    return static_cast<size_t>(next - distinct.begin());
+  };
+  const size_t n = distinct.size();
+  std::vector<ComplexVec6> values(n * n, ComplexVec6::Zero());
+  std::vector<bool> given(n * n, false);
+  bool others = false;
+  for (const NumberRow& row : table.rows) {
+    if (row.values[2] != direction || row.values[3] != direction) {
+      others = true;
+      continue;
+    }
+    const int mode = mode_of(table, row, 4, 6);
+    const double scale = units.density * units.gravity * std::pow(units.length, 1 + rotates(mode));
+    const Complex value = scale * Complex(row.values[7], row.values[8]);
+    const size_t i = place(row.values[0]), j = place(row.values[1]);
+    values[i * n + j][mode] = value;
+    values[j * n + i][mode] = std::conj(value);
+    given[i * n + j] = given[j * n + i] = true;
+  }
+  if (const auto missing = std::find(given.begin(), given.end(), false); missing != given.end()) {
+    const auto k = static_cast<size_t>(missing - given.begin());
+    throw std::runtime_error(
+        fmt::format("{}: has no row for the periods {:.5g} and {:.5g} s: difference-frequency forces are "
+                    "needed for every pair of periods",
+                    table.path, 2 * M_PI / distinct[k / n], 2 * M_PI / distinct[k % n]));
+  }
+  if (others)
+    notes.push_back(fmt::format("{}: its rows at {:g} deg are used; those at other directions are not",
+                                table.path, direction));
+  std::vector<ComplexVec6> diagonal;
+  for (size_t i = 0; i < n; ++i) diagonal.push_back(values[i * n + i]);
+  data.drift = {WaveForceTable(distinct, {direction * kDegree}, diagonal)};
+  data.difference = DifferenceForceTable(distinct, std::move(values));
+  return true;
+}
+
+// A(inf) = A(omega) + int_0^inf K sin(omega t) dt/omega (Ogilvie 1964), averaged over the frequencies.
+void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) {
+  const Eigen::Index n = 6 * data.bodies, rows = static_cast<Eigen::Index>(data.omega.size());
+  Eigen::MatrixXd damping(rows, n * n);
+  for (Eigen::Index k = 0; k < rows; ++k) damping.row(k) = data.damping[static_cast<size_t>(k)].reshaped();
+  const RadiationMemory memory(data.omega, damping);
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(n * n);
+  for (size_t k = 0; k < data.omega.size(); ++k)
+    sum += data.added_mass[k].reshaped().transpose() + memory.added_mass_below_infinite(data.omega[k]);
+  data.infinite = (sum / static_cast<double>(rows)).reshaped(n, n);
+  data.infinite_estimated = true;
+  notes.push_back(
+      data.name +
+      ".1: has no row of infinite frequency (period 0); its added mass is estimated from the other "
+      "rows by Ogilvie's relation");
+}
+
+void make_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
+
+// Of a matrix over its largest diagonal entries.
+double asymmetry(const Eigen::MatrixXd& m) {
+  double most = 0;
+  for (Eigen::Index i = 0; i < m.rows(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double scale = std::sqrt(std::abs(m(i, i) * m(j, j)));
+      if (scale > 0) most = std::max(most, std::abs(m(i, j) - m(j, i)) / scale);
+    }
+  return most;
+}
+
+}  // namespace
+
+HydrodynamicData read_wamit(const std::string& stem, const WamitUnits& units, SecondOrder order,
+                            std::vector<std::string>& read, std::vector<std::string>& notes) {
+  HydrodynamicData data;
+  data.name = stem;
+  bool has_infinite = false;
+  read_radiation(stem, units, read, data, has_infinite);
+  read_hydrostatics(stem, units, read, data);
+  read_excitation(stem, units, read, data);
+  if (order != SecondOrder::none) {
+    const bool found = (data.bodies == 1 && read_difference(stem, units, read, data, notes)) ||
+                       (order != SecondOrder::full && (read_drift(stem, ".8", units, read, data) ||
+                                                       read_drift(stem, ".9", units, read, data) ||
+                                                       read_drift(stem, ".7", units, read, data)));
+    if (!found)
+      throw std::runtime_error(
+          fmt::format("{}: 'second_order' needs {}, and there is none", stem,
+                      order == SecondOrder::full ? "a file .12d of one body" : "a file .12d, .8, .9 or .7"));
+  }
+  constexpr double kAskew = 0.05;
+  double askew = has_infinite ? asymmetry(data.infinite) : 0;
+  for (Eigen::MatrixXd& m : data.added_mass) {
+    askew = std::max(askew, asymmetry(m));
+    make_symmetric(m);
+  }
+  for (Eigen::MatrixXd& m : data.damping) make_symmetric(m);
+  if (askew > kAskew)
+    notes.push_back(
+        fmt::format("{}.1: added mass differs from its transpose by up to {:.2g} % of the diagonal; "
+                    "the mean of both is used",
+                    stem, 100 * askew));
+  if (has_infinite)
+    make_symmetric(data.infinite);
+  else
+    estimate_infinite(data, notes);
+  return data;
+}
+
+}  // namespace hawser::io

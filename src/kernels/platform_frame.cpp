@@ -1,0 +1,54 @@
+// Motion of a point of a rigid body in axes that stay, its derivatives, and forces with a potential of it.
+#include "hawser/kernels/platform_frame.hpp"
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+
+Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
+  Vec6 rate;
+  rate << H.transpose() * (s.v + s.q * s.w.cross(r)), H.transpose() * (s.q * s.w);
+  return rate;
+}
+
+PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s) {
+  PlatformMotion m;
+  const Mat3 Ht = H.transpose(), Q = Ht * s.q.toRotationMatrix();
+  const Vec3 turning = s.w.cross(r), lift = s.alpha.cross(r) + s.w.cross(turning);
+  m.rate << Ht * s.v + Q * turning, Q * s.w;
+  m.acceleration << Ht * s.a + Q * lift, Q * s.alpha;
+  const Mat3 Qr = Q * hat(r);
+  m.G << Ht, -Qr, Mat3::Zero(), Q;
+  m.rate_by_place << Mat3::Zero(), -Q * hat(turning), Mat3::Zero(), -Q * hat(s.w);
+  m.acceleration_by_place << Mat3::Zero(), -Q * hat(lift), Mat3::Zero(), -Q * hat(s.alpha);
+  m.acceleration_by_rate << Mat3::Zero(), -Q * (hat(turning) + hat(s.w) * hat(r)), Mat3::Zero(), Mat3::Zero();
+  return m;
+}
+
+// G^T F = (H F_p, r x Q^T F_p + Q^T F_t), and d (Q^T y) = hat(Q^T y) d phi.
+Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F) {
+  const Mat3 Qt = m.G.bottomRightCorner<3, 3>().transpose();
+  Mat6 K = Mat6::Zero();
+  K.bottomRightCorner<3, 3>() = hat(r) * hat(Qt * F.head<3>()) + hat(Qt * F.tail<3>());
+  return K;
+}
+
+// P = [H^T, -Q hat(r); 0, T^-1(theta)] with T the right Jacobian: d theta = T^-1 d phi.
+PlatformPull platform_pull(const PlatformPotential& V, const Vec3& r, const RigidBodyState& s) {
+  PlatformPull out;
+  const Mat3 Ht = V.axes.transpose(), Q = Ht * s.q.toRotationMatrix();
+  const Vec3 theta = log_so3(Quat(V.axes).conjugate() * s.q);
+  out.displacement << Ht * (s.x + s.q * r - V.place), theta;
+  const Vec6 pull = V.stiffness * out.displacement, F = pull + V.constant;
+  out.potential = out.displacement.dot(0.5 * pull + V.constant);
+  const Mat3 T = inverse_right_jacobian(theta);
+  Mat6 P;
+  P << Ht, -Q * hat(r), Mat3::Zero(), T;
+  out.f = P.transpose() * F;
+  out.K = P.transpose() * V.stiffness * P;
+  out.K.bottomRightCorner<3, 3>() +=
+      hat(r) * hat(Q.transpose() * F.head<3>()) + inverse_jacobian_transposed_slope(theta, F.tail<3>()) * T;
+  return out;
+}
+
+}  // namespace hawser

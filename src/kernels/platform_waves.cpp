@@ -1,0 +1,151 @@
+// Tables of wave forces on platforms and their sums over the components of a sea.
+#include "hawser/kernels/platform_waves.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace hawser {
+namespace {
+
+// Where x is among growing values: an index and the share of the next.
+struct Between {
+  size_t low = 0, high = 0;
+  double share = 0;
+};
+
+Between between(const std::vector<double>& values, double x) {
+  if (x <= values.front()) return {0, 0, 0};
+  if (x >= values.back()) return {values.size() - 1, values.size() - 1, 0};
+  const auto next = static_cast<size_t>(std::upper_bound(values.begin(), values.end(), x) - values.begin());
+  return {next - 1, next, (x - values[next - 1]) / (values[next] - values[next - 1])};
+}
+
+// Directions all round.
+Between around(const std::vector<double>& directions, double x) {
+  if (directions.size() == 1) return {0, 0, 0};
+  const double turn = 2 * M_PI, first = directions.front();
+  x = first + std::fmod(std::fmod(x - first, turn) + turn, turn);
+  if (x < directions.back()) return between(directions, x);
+  const double gap = first + turn - directions.back();
+  return {directions.size() - 1, 0, gap > 0 ? (x - directions.back()) / gap : 0};
+}
+
+}  // namespace
+
+WaveForceTable::WaveForceTable(std::vector<double> omega, std::vector<double> directions,
+                               std::vector<ComplexVec6> values)
+    : omega_(std::move(omega)), directions_(std::move(directions)), values_(std::move(values)) {
+  if (omega_.empty() || directions_.empty() || values_.size() != omega_.size() * directions_.size())
+    throw std::invalid_argument("a table of wave forces needs a value for each frequency and direction");
+  if (!std::is_sorted(omega_.begin(), omega_.end()) ||
+      !std::is_sorted(directions_.begin(), directions_.end()))
+    throw std::invalid_argument("frequencies and directions of wave forces must grow");
+}
+
+ComplexVec6 WaveForceTable::at(double omega, double direction) const {
+  const Between w = between(omega_, omega), d = around(directions_, direction);
+  const auto along = [&](size_t k) -> ComplexVec6 {
+    const ComplexVec6* row = &values_[k * omega_.size()];
+    return (1 - w.share) * row[w.low] + w.share * row[w.high];
+  };
+  return (1 - d.share) * along(d.low) + d.share * along(d.high);
+}
+
+DifferenceForceTable::DifferenceForceTable(std::vector<double> omega, std::vector<ComplexVec6> values)
+    : omega_(std::move(omega)), values_(std::move(values)) {
+  if (omega_.empty() || values_.size() != omega_.size() * omega_.size())
+    throw std::invalid_argument("difference-frequency forces need a value for each pair of frequencies");
+}
+
+ComplexVec6 DifferenceForceTable::at(double first, double second) const {
+  const Between a = between(omega_, first), b = between(omega_, second);
+  const auto along = [&](size_t row) -> ComplexVec6 {
+    const ComplexVec6* values = &values_[row * omega_.size()];
+    return (1 - b.share) * values[b.low] + b.share * values[b.high];
+  };
+  return (1 - a.share) * along(a.low) + a.share * along(a.high);
+}
+
+PlatformWaves::PlatformWaves(const std::vector<WaveComponent>& sea, double heading,
+                             const WaveForceTable& first, const WaveForceTable& mean,
+                             const DifferenceForceTable& difference, SecondOrder order)
+    : components_(sea) {
+  const auto n = static_cast<Eigen::Index>(sea.size());
+  Eigen::MatrixXd drift = Eigen::MatrixXd::Zero(6, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const WaveComponent& w = sea[static_cast<size_t>(i)];
+    const double direction = std::atan2(w.y, w.x) - heading;
+    first_.push_back(first.none() ? ComplexVec6(ComplexVec6::Zero())
+                                  : ComplexVec6(w.amplitude * first.at(w.omega, direction)));
+    if (order == SecondOrder::none) continue;
+    drift.col(i) = order == SecondOrder::full ? Vec6(difference.at(w.omega, w.omega).real())
+                                              : Vec6(mean.at(w.omega, direction).real());
+    mean_drift_ += w.amplitude * w.amplitude * drift.col(i);
+  }
+  if (order == SecondOrder::newman) add_newman(drift);
+  if (order == SecondOrder::full) add_full(difference);
+}
+
+// Newman (1974) in the form of Standing, Brendling and Wilson (1987): F_ij = sqrt(D_i D_j) where both have
+// the same sign, else 0, is the difference of two squares.
+void PlatformWaves::add_newman(const Eigen::MatrixXd& drift) {
+  for (int freedom = 0; freedom < 6; ++freedom)
+    for (const double sign : {1.0, -1.0}) {
+      Mode mode{freedom, sign, {}};
+      double all = 0;
+      for (size_t i = 0; i < components_.size(); ++i) {
+        const double D = std::max(sign * drift(freedom, static_cast<Eigen::Index>(i)), 0.0);
+        mode.amplitude.emplace_back(components_[i].amplitude * std::sqrt(D));
+        all += D;
+      }
+      if (all > 0) modes_.push_back(std::move(mode));
+    }
+}
+
+// sum_ij z_i conj(z_j) F_ij with z_i = a_i exp(i phase_i), F Hermitian: by its eigenvalues and -vectors
+// F = sum_m weight_m v_m v_m^H it is sum_m weight_m |sum_i v_mi z_i|². Modes that are small are left out.
+void PlatformWaves::add_full(const DifferenceForceTable& table) {
+  constexpr double kNegligible = 1e-4;
+  const auto n = static_cast<Eigen::Index>(components_.size());
+  std::vector<Eigen::MatrixXcd> F(6, Eigen::MatrixXcd::Zero(n, n));
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const WaveComponent &a = components_[static_cast<size_t>(i)], &b = components_[static_cast<size_t>(j)];
+      const ComplexVec6 value = a.amplitude * b.amplitude * table.at(a.omega, b.omega);
+      for (int freedom = 0; freedom < 6; ++freedom) F[static_cast<size_t>(freedom)](i, j) = value[freedom];
+    }
+  for (int freedom = 0; freedom < 6; ++freedom) {
+    const Eigen::MatrixXcd& matrix = F[static_cast<size_t>(freedom)];
+    if (matrix.cwiseAbs().maxCoeff() == 0) continue;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> modes(matrix);
+    const double largest = modes.eigenvalues().cwiseAbs().maxCoeff();
+    for (Eigen::Index m = 0; m < n; ++m) {
+      if (std::abs(modes.eigenvalues()[m]) < kNegligible * largest) continue;
+      const Eigen::VectorXcd v = modes.eigenvectors().col(m);
+      modes_.push_back({freedom, modes.eigenvalues()[m], {v.begin(), v.end()}});
+    }
+  }
+}
+
+PlatformWaves::Forces PlatformWaves::at(double time, double x, double y) const {
+  Forces out;
+  std::vector<Complex> turn(components_.size());
+  for (size_t i = 0; i < components_.size(); ++i) {
+    const WaveComponent& w = components_[i];
+    const double phase = w.omega * time - w.number * (w.x * x + w.y * y) - w.phase;
+    turn[i] = {std::cos(phase), std::sin(phase)};
+    const ComplexVec6& X = first_[i];
+    out.first += turn[i].real() * X.real() - turn[i].imag() * X.imag();
+  }
+  for (const Mode& m : modes_) {
+    Complex sum = 0;
+    for (size_t i = 0; i < turn.size(); ++i) sum += m.amplitude[i] * turn[i];
+    out.slow[m.freedom] += m.weight * std::norm(sum);
+  }
+  if (!modes_.empty()) out.slow -= mean_drift_;
+  return out;
+}
+
+}  // namespace hawser

@@ -1,0 +1,130 @@
+// Retardation functions from radiation damping, and their first and second integrals as a table.
+#include "hawser/kernels/radiation_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace hawser {
+namespace {
+
+// The memory ends where all that is left of K is below this share of the largest K of its column and row.
+constexpr double kNegligible = 2e-3;
+// Points of the table in a period of the highest frequency.
+constexpr double kPointsPerPeriod = 12;
+constexpr double kLongest = 400;  // s
+// K is over where it has been small for so many times as long as it was not, and for so many periods of the
+// highest frequency.
+constexpr size_t kSmallFor = 4, kLeastPeriods = 40;
+constexpr double kMostPoints = 20000;
+
+double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
+
+// Abscissae and weights of Gauss and Legendre on 0 to 1.
+constexpr double kAt[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
+constexpr double kWeight[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                              0.17392742256872693};
+
+}  // namespace
+
+RadiationMemory::RadiationMemory(const std::vector<double>& omega, const Eigen::MatrixXd& damping)
+    : omega_(omega), damping_(damping) {
+  if (omega.empty() || static_cast<Eigen::Index>(omega.size()) != damping.rows())
+    throw std::invalid_argument("radiation damping needs a row for each frequency");
+  double before = 0;
+  for (const double w : omega) {
+    if (!(w > before)) throw std::invalid_argument("frequencies of radiation damping must grow from above 0");
+    before = w;
+  }
+  tabulate();
+}
+
+// Between omega_k and omega_k+1, B = B_k + s_k (omega - omega_k), by parts:
+//   K = (2/pi) [B_N sin(omega_N t)/t + sum_k s_k (cos omega_k+1 t - cos omega_k t)/t²]
+// where the difference of cosines is -(b² - a²)/2 t² sinc((a + b) t/2) sinc((b - a) t/2).
+Eigen::RowVectorXd RadiationMemory::retardation(double t) const {
+  const Eigen::Index last = damping_.rows() - 1;
+  Eigen::RowVectorXd K = damping_.row(last) * (omega_.back() * sinc(omega_.back() * t));
+  double a = 0;
+  for (Eigen::Index k = 0; k <= last; ++k) {
+    const double b = omega_[static_cast<size_t>(k)];
+    const double cosines = -0.5 * (b * b - a * a) * sinc(0.5 * (a + b) * t) * sinc(0.5 * (b - a) * t);
+    K += damping_.row(k) * (cosines / (b - a));
+    if (k > 0) K -= damping_.row(k - 1) * (cosines / (b - a));
+    a = b;
+  }
+  return (2 / M_PI) * K;
+}
+
+void RadiationMemory::tabulate() {
+  const Eigen::Index n = entries();
+  spacing_ = 2 * M_PI / omega_.back() / kPointsPerPeriod;
+  const auto most = static_cast<size_t>(std::min(kLongest / spacing_, kMostPoints));
+  const Eigen::RowVectorXd scale = retardation(0).cwiseAbs();
+  const double largest = scale.size() > 0 ? scale.maxCoeff() : 0;
+  Eigen::RowVectorXd G = Eigen::RowVectorXd::Zero(n), rate = G;
+  size_t needed = 1;
+  const auto keep = [&](const Eigen::RowVectorXd& K) {
+    for (const Eigen::RowVectorXd* row : {&std::as_const(G), &std::as_const(rate), &K})
+      table_.insert(table_.end(), row->begin(), row->end());
+  };
+  keep(retardation(0));
+  const auto least = static_cast<size_t>(static_cast<double>(kLeastPeriods) * kPointsPerPeriod);
+  for (size_t p = 1; p <= most && largest > 0 && p < std::max(kSmallFor * needed, least); ++p) {
+    const double from = static_cast<double>(p - 1) * spacing_;
+    G += spacing_ * rate;
+    for (int q = 0; q < 4; ++q) {
+      const Eigen::RowVectorXd K = retardation(from + kAt[q] * spacing_);
+      rate += (kWeight[q] * spacing_) * K;
+      G += (kWeight[q] * spacing_ * (1 - kAt[q]) * spacing_) * K;
+    }
+    const Eigen::RowVectorXd K = retardation(static_cast<double>(p) * spacing_);
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (std::abs(K[i]) > kNegligible * scale[i]) needed = p + 1;
+    keep(K);
+  }
+  needed = std::min(needed, table_.size() / static_cast<size_t>(3 * std::max<Eigen::Index>(n, 1)) - 1);
+  table_.resize((needed + 1) * static_cast<size_t>(n) * 3);
+  length_ = static_cast<double>(needed) * spacing_;
+}
+
+// Quintic Hermite interpolation of G from G, G', K at both ends.
+void RadiationMemory::integrals(double t, double* G, double* rate) const {
+  const auto n = static_cast<size_t>(entries());
+  const bool over = t >= length_;
+  const size_t points = table_.size() / (3 * n);
+  const size_t p = std::min(static_cast<size_t>(t / spacing_), points - 2);
+  const double s = over ? 1 : t / spacing_ - static_cast<double>(p), r = 1 - s, h = spacing_;
+  const double s3 = s * s * s, r3 = r * r * r;
+  const double value0 = r3 * (1 + s * (3 + 6 * s)), value1 = s3 * (1 + r * (3 + 6 * r));
+  const double slope0 = h * s * r3 * (1 + 3 * s), slope1 = -h * r * s3 * (1 + 3 * r);
+  const double curve0 = 0.5 * h * h * s * s * r3, curve1 = 0.5 * h * h * r * r * s3;
+  const double *G0 = &table_[3 * n * p], *rate0 = G0 + n, *K0 = rate0 + n;
+  const double *G1 = K0 + n, *rate1 = G1 + n, *K1 = rate1 + n;
+  for (size_t i = 0; i < n; ++i)
+    G[i] = value0 * G0[i] + slope0 * rate0[i] + curve0 * K0[i] + value1 * G1[i] + slope1 * rate1[i] +
+           curve1 * K1[i];
+  if (!rate) return;
+  const double dvalue = 30 * s * s * r * r / h;
+  const double dslope0 = r * r * (1 + 2 * s - 15 * s * s), dslope1 = s * s * (1 + 2 * r - 15 * r * r);
+  const double dcurve0 = 0.5 * h * s * r * r * (2 - 5 * s), dcurve1 = -0.5 * h * r * s * s * (2 - 5 * r);
+  for (size_t i = 0; i < n; ++i)
+    rate[i] = over ? 0
+                   : dvalue * (G1[i] - G0[i]) + dslope0 * rate0[i] + dslope1 * rate1[i] + dcurve0 * K0[i] +
+                         dcurve1 * K1[i];
+}
+
+// By parts from the table: each interval by the rule of Gauss and Legendre.
+Eigen::RowVectorXd RadiationMemory::added_mass_below_infinite(double omega) const {
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(entries());
+  const auto intervals = static_cast<size_t>(std::lround(length_ / spacing_));
+  for (size_t p = 0; p < intervals; ++p)
+    for (int q = 0; q < 4; ++q) {
+      const double t = (static_cast<double>(p) + kAt[q]) * spacing_;
+      sum += (kWeight[q] * spacing_ * std::sin(omega * t) / omega) * retardation(t);
+    }
+  return sum;
+}
+
+}  // namespace hawser

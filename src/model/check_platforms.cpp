@@ -1,0 +1,107 @@
+// What coefficients of platforms cannot be: other conventions, other units, negative damping, bodies that are
+// missing.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "hawser/model/case.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+// In long waves the water carries a body as it moves itself: heave follows the crest and surge comes a
+// quarter of a period before it, and the heave force is that of the hydrostatic stiffness. Waves of this wave
+// number times the side of a cube of its volume are long.
+constexpr double kLongWaves = 0.1;
+constexpr double kPhase = 30 * kDegree;
+
+void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  if (h.data->excitation.empty()) return;
+  const WaveForceTable& table = h.data->excitation[static_cast<size_t>(h.body) - 1];
+  const double g = c.environment.gravity, omega = table.lowest();
+  const Hydrostatics still = hydrostatics(*b.mass, c.environment.water.density, g);
+  const double size = std::cbrt(still.buoyancy / (c.environment.water.density * g));
+  if (g == 0 || omega * omega / g * size > kLongWaves) return;
+  const ComplexVec6 X = table.at(omega, 0);
+  const double C33 = still.stiffness(2, 2), heave = std::abs(X[2]) / C33;
+  if (!(C33 > 0)) return;
+  const double surge = std::arg(X[0]);
+  if (std::abs(std::remainder(surge + M_PI / 2, 2 * M_PI)) < kPhase && std::abs(X[0]) > 0.02 * std::abs(X[2]))
+    issue("wamit",
+          "in the longest waves, {:.4g} s, the surge force comes {:.3g} deg after the crest, but the water "
+          "there "
+          "pushes a quarter of a period before it: the phases of {}.3 are conjugated or lags; WAMIT's are "
+          "leads "
+          "with exp(+i omega t)",
+          2 * M_PI / omega, -surge / kDegree, h.data->name);
+  constexpr double kFar = 1.5;
+  if (heave > kFar || heave < 1 / kFar)
+    issue("wamit",
+          "in the longest waves, {:.4g} s, the heave force of {}.3 is {:.3g} times the hydrostatic stiffness "
+          "C33, "
+          "and should be about 1: is 'length_scale' (ULEN, {:g} m here) that of the files, and are they in "
+          "metres?",
+          2 * M_PI / omega, h.data->name, heave, h.length);
+}
+
+// The damping of each row may take energy only; round-off of a panel method apart.
+void check_damping(const BodyHydrodynamics& h, const Issues& issue) {
+  constexpr double kSmall = 0.05;
+  static constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+  for (int k = 0; k < 6; ++k) {
+    const int i = 6 * (h.body - 1) + k;
+    double most = 0, least = 0, at = 0;
+    for (size_t w = 0; w < h.data->omega.size(); ++w) {
+      const double B = h.data->damping[w](i, i);
+      most = std::max(most, B);
+      if (B < least) least = B, at = h.data->omega[w];
+    }
+    if (least < -kSmall * most)
+      issue("wamit",
+            "the radiation damping of {} in {}.1 is negative at {:.4g} s, {:.3g} % of its largest: waves "
+            "that a "
+            "body makes cannot drive it",
+            kNames[k], h.data->name, 2 * M_PI / at, 100 * least / std::max(most, 1e-300));
+  }
+}
+
+void check_platform(const Case& c, const Body& b, const Issues& issue) {
+  const BodyMass& m = *b.mass;
+  const BodyHydrodynamics& h = *m.hydrodynamics;
+  if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
+  if (m.in_water) issue("", "stands in the place of 'in_water': give one of them");
+  if (!m.weight)
+    issue("", "brings the buoyancy of the body, so that its weight acts as well: leave out 'weight'");
+  if (h.excitation && c.environment.water.present && c.environment.water.waves.kind != Waves::Kind::none &&
+      h.data->excitation.empty())
+    issue("wamit",
+          "there are waves, and no file {}.3 or .2 with the forces of waves: 'excitation: false' does "
+          "without them",
+          h.data->name);
+  check_long_waves(c, b, issue);
+  check_damping(h, issue);
+}
+
+}  // namespace
+
+void check_platforms(const Case& c, const Issues& issue) {
+  for (const Body& b : c.bodies)
+    if (b.mass && b.mass->hydrodynamics)
+      check_platform(c, b, issue.below("bodies." + b.name + ".floating.hydrodynamics"));
+  for (const std::vector<int>& group : radiating_groups(c)) {
+    const Body& first = c.bodies[group.front()];
+    const HydrodynamicData& data = *first.mass->hydrodynamics->data;
+    if (static_cast<int>(group.size()) != data.bodies)
+      issue(
+          "bodies." + first.name + ".floating.hydrodynamics.wamit",
+          "{}.1 has {} bodies that radiate on each other, but {} of the case {} it: each needs an entry with "
+          "its number as 'body'",
+          data.name, data.bodies, group.size(), group.size() == 1 ? "uses" : "use");
+  }
+}
+
+}  // namespace hawser::model

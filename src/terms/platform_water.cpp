@@ -1,0 +1,363 @@
+// The class PlatformWater: forces and tangents of a group of platforms, their memory and their energy.
+#include "hawser/terms/platform_water.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hawser/kernels/motion.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser {
+namespace {
+
+// Derivatives of forces on the body at the blocks `row`, `row` + 1 by the motion of that at `column`.
+void add_coupling(Assembler& assembler, int row, int column, const Mat6& K, const Mat6& C, const Mat6& M) {
+  if (row == column) {
+    const int blocks[2] = {row, row + 1};
+    return assembler.add(blocks, nullptr, K.data(), C.data(), M.data());
+  }
+  using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
+  const auto beside = [](const Mat6& m) {
+    Mat12 both = Mat12::Zero();
+    both.topRightCorner<6, 6>() = m;
+    return both;
+  };
+  const int blocks[4] = {row, row + 1, column, column + 1};
+  assembler.add(blocks, nullptr, beside(K).data(), beside(C).data(), beside(M).data());
+}
+
+}  // namespace
+
+bool PlatformWater::recouple(const Kinematics&, double) {
+  const bool first = !coupled_;
+  coupled_ = true;
+  return first;
+}
+
+void PlatformWater::couple(Couplings& to) const {
+  for (const Group& g : groups_) {
+    const auto owned = [this](const Platform& p) { return mesh_.owns(mesh_.find(p.node)); };
+    if (std::none_of(g.platforms.begin(), g.platforms.end(), owned)) continue;
+    for (const Platform& a : g.platforms)
+      for (const Platform& b : g.platforms)
+        if (a.node < b.node) to.add({a.node, a.node}, {b.node, b.node});
+  }
+}
+
+void PlatformWater::update_ghosts() {
+  for (Group& g : groups_) {
+    g.here = false;
+    bool complete = true;
+    for (Platform& p : g.platforms) {
+      p.local = mesh_.find(p.node);
+      p.block = p.local < 0 ? -1 : mesh_.block[p.local];
+      p.owned = mesh_.owns(p.local);
+      g.here |= p.owned;
+      complete &= p.local >= 0;
+    }
+    g.here &= complete;
+  }
+}
+
+Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& at) const {
+  Eigen::VectorXd out(6 * g.platforms.size());
+  for (size_t i = 0; i < g.platforms.size(); ++i) {
+    const Platform& p = g.platforms[i];
+    out.segment<6>(6 * i) = platform_rate(p.potential.axes, p.arm, floating_state(at, p.local));
+  }
+  return out;
+}
+
+void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
+  Past next{time, std::move(rate), {}};
+  next.slope = Eigen::VectorXd::Zero(next.rate.size());
+  if (!g.past.empty()) next.slope = (next.rate - g.past.back().rate) / (time - g.past.back().time);
+  g.past.push_back(std::move(next));
+}
+
+// F(t) = v_0 G'(t - t_0) + sum_k a_k [G(t - t_k) - G(t - t_k+1)], of which the step in hand, from t_n on, is
+// G(t - t_n) (v - v_n)/(t - t_n).
+const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time) const {
+  AtTime& now = g.now;
+  if (g.known && now.time == time) return now;
+  const Eigen::Index n = 6 * static_cast<Eigen::Index>(g.platforms.size());
+  now.time = time;
+  now.past = Eigen::VectorXd::Zero(n), now.waves = Eigen::VectorXd::Zero(n);
+  now.damping = Eigen::MatrixXd::Zero(n, n);
+  g.known = true;
+  const size_t entries = g.entries.size();
+  const auto add = [&](const std::vector<double>& weight, const Eigen::VectorXd& by) {
+    for (size_t e = 0; e < entries; ++e) {
+      const auto [i, j] = g.entries[e];
+      now.past[i] += weight[e] * by[j];
+      if (i != j) now.past[j] += weight[e] * by[i];
+    }
+  };
+  if (!g.past.empty() && entries > 0) {
+    std::vector<double> later(entries), earlier(entries), rate(entries);
+    g.memory.integrals(time - g.past.back().time, later.data(), nullptr);
+    if (const double h = time - g.past.back().time; h > 0)
+      for (size_t e = 0; e < entries; ++e) {
+        const auto [i, j] = g.entries[e];
+        now.damping(i, j) = now.damping(j, i) = later[e] / h;
+      }
+    for (size_t k = g.past.size() - 1; k > 0; --k) {
+      const Past &from = g.past[k - 1], &to = g.past[k];
+      g.memory.integrals(time - from.time, earlier.data(), nullptr);
+      for (size_t e = 0; e < entries; ++e) later[e] = earlier[e] - later[e];
+      add(later, to.slope);
+      std::swap(later, earlier);
+    }
+    g.memory.integrals(time - g.past.front().time, earlier.data(), rate.data());
+    add(rate, g.past.front().rate);
+  }
+  const double ramp = sea_.wave_ramp > 0 ? quintic_ramp(time, sea_.wave_ramp).value : 1;
+  for (size_t i = 0; i < g.platforms.size(); ++i) {
+    const Platform& p = g.platforms[i];
+    if (p.waves.none()) continue;
+    const Vec3 origin = p.potential.place + p.potential.axes * p.file_origin;
+    const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
+    now.waves.segment<6>(6 * static_cast<Eigen::Index>(i)) = ramp * f.first + ramp * ramp * f.slow;
+  }
+  return now;
+}
+
+void PlatformWater::damping(const Group& g, const AtTime& now, const Eigen::VectorXd& rate,
+                            Eigen::VectorXd& force, Eigen::MatrixXd* slope) const {
+  force = now.past;
+  if (!g.past.empty()) force += now.damping * (rate - g.past.back().rate);
+  if (slope) *slope = now.damping;
+  for (size_t i = 0; i < g.platforms.size(); ++i) {
+    const Platform& p = g.platforms[i];
+    const auto first = 6 * static_cast<Eigen::Index>(i);
+    const Vec6 own = rate.segment<6>(first), size = own.cwiseAbs();
+    force.segment<6>(first) += p.damping * own + p.quadratic.cwiseProduct(size).cwiseProduct(own);
+    if (!slope) continue;
+    slope->block<6, 6>(first, first) += p.damping;
+    slope->block<6, 6>(first, first).diagonal() += 2 * p.quadratic.cwiseProduct(size);
+  }
+}
+
+// Where nothing went before, the memory begins with the velocity that there is.
+void PlatformWater::prepare(const Kinematics& committed, double h) {
+  for (Group& g : groups_) {
+    g.known = false;
+    if (!g.here) continue;
+    if (committed.step > 0 || !(h > 0) || g.past.size() > 1) continue;
+    g.past.clear();
+    add_past(g, committed.time, rates(g, committed));
+    const std::vector<Power> start = powers(g, committed);
+    for (size_t i = 0; i < start.size(); ++i) g.platforms[i].power = start[i];
+  }
+}
+
+// On the unknowns of each body: G^T (A a + D + memory - waves) and the pull of hydrostatics.
+void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
+  const bool moving = trial.step > 0;
+  for (const Group& g : groups_) {
+    if (!g.here) continue;
+    const size_t n = g.platforms.size();
+    std::vector<PlatformMotion> motion(n);
+    Eigen::VectorXd rate(6 * n), acceleration(6 * n), F = Eigen::VectorXd::Zero(6 * static_cast<int>(n));
+    Eigen::MatrixXd by_rate;
+    if (moving) {
+      for (size_t i = 0; i < n; ++i) {
+        const Platform& p = g.platforms[i];
+        motion[i] = platform_motion(p.potential.axes, p.arm, floating_state(trial, p.local));
+        rate.segment<6>(6 * i) = motion[i].rate;
+        acceleration.segment<6>(6 * i) = motion[i].acceleration;
+      }
+      const AtTime& now = at_time(g, trial.time);
+      damping(g, now, rate, F, assembler.wants_tangent() ? &by_rate : nullptr);
+      F += g.added_mass * acceleration - now.waves;
+    }
+    for (size_t i = 0; i < n; ++i) {
+      const Platform& p = g.platforms[i];
+      const int blocks[2] = {p.block, p.block + 1};
+      PlatformPull pull = platform_pull(p.potential, p.arm, floating_state(trial, p.local));
+      if (!moving) {
+        assembler.add(blocks, pull.f.data(), pull.K.data(), nullptr, nullptr);
+        continue;
+      }
+      const Vec6 own = F.segment<6>(6 * static_cast<Eigen::Index>(i));
+      const Vec6 f = motion[i].G.transpose() * own;
+      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
+      pull.K += platform_force_slope(motion[i], p.arm, own);
+      assembler.add(blocks, pull.f.data(), pull.K.data(), nullptr, nullptr);
+      if (!assembler.wants_tangent()) continue;
+      for (size_t j = 0; j < n; ++j) {
+        const Mat6 A = motion[i].G.transpose() * g.added_mass.block<6, 6>(6 * i, 6 * j);
+        const Mat6 D = motion[i].G.transpose() * by_rate.block<6, 6>(6 * i, 6 * j);
+        const Mat6 K = A * motion[j].acceleration_by_place + D * motion[j].rate_by_place;
+        const Mat6 C = A * motion[j].acceleration_by_rate + D * motion[j].G;
+        const Mat6 M = A * motion[j].G;
+        add_coupling(assembler, p.block, g.platforms[j].block, K, C, M);
+      }
+    }
+  }
+}
+
+void PlatformWater::commit(const Kinematics& accepted) {
+  for (Group& g : groups_) {
+    if (!g.here) continue;
+    if (!(accepted.step > 0)) {
+      g.past.clear();
+      continue;
+    }
+    const std::vector<Power> end = powers(g, accepted);
+    for (size_t i = 0; i < end.size(); ++i) {
+      Platform& p = g.platforms[i];
+      p.damping_work += 0.5 * accepted.step * (p.power.damping + end[i].damping);
+      p.wave_work += 0.5 * accepted.step * (p.power.waves + end[i].waves);
+      p.power = end[i];
+    }
+    add_past(g, accepted.time, rates(g, accepted));
+    // What is over has no force but as the velocity that the rest began with, which G' forgets.
+    const auto over = [&](const Past& p) { return p.time < accepted.time - g.memory.length(); };
+    while (g.past.size() > 2 && over(g.past[1])) g.past.pop_front();
+    g.known = false;
+  }
+}
+
+std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, const Kinematics& at) const {
+  const Eigen::VectorXd rate = rates(g, at);
+  Eigen::VectorXd force;
+  const AtTime& now = at_time(g, at.time);
+  damping(g, now, rate, force, nullptr);
+  std::vector<Power> out;
+  for (size_t i = 0; i < g.platforms.size(); ++i) {
+    const auto first = 6 * static_cast<Eigen::Index>(i);
+    const Vec6 own = rate.segment<6>(first);
+    out.push_back({force.segment<6>(first).dot(own), now.waves.segment<6>(first).dot(own)});
+  }
+  return out;
+}
+
+Energy PlatformWater::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Group& g : groups_) {
+    if (!g.here) continue;
+    const Eigen::VectorXd rate = rates(g, at);
+    const Eigen::VectorXd momentum = g.added_mass * rate;
+    for (size_t i = 0; i < g.platforms.size(); ++i) {
+      const Platform& p = g.platforms[i];
+      if (!p.owned) continue;
+      const auto first = 6 * static_cast<Eigen::Index>(i);
+      e.kinetic += 0.5 * rate.segment<6>(first).dot(momentum.segment<6>(first));
+      e.potential += platform_pull(p.potential, p.arm, floating_state(at, p.local)).potential;
+      e.damping += p.damping_work;
+      e.work += p.wave_work;
+      e.by_water += p.wave_work;
+    }
+  }
+  return e;
+}
+
+double PlatformWater::dead_load() const {
+  double sum = 0;
+  for (const Group& g : groups_)
+    for (const Platform& p : g.platforms)
+      if (p.owned) sum += p.buoyancy;
+  return sum;
+}
+
+// Accelerations are made of what is left of v h; stiffness sees a difference of positions.
+double PlatformWater::round_off(const Kinematics& at, double h) const {
+  const double eps = std::numeric_limits<double>::epsilon();
+  double sum = 0;
+  for (const Group& g : groups_)
+    for (size_t i = 0; i < g.platforms.size(); ++i) {
+      const Platform& p = g.platforms[i];
+      if (!p.owned) continue;
+      const auto first = 6 * static_cast<Eigen::Index>(i);
+      const double stiffness = p.potential.stiffness.topLeftCorner<3, 3>().diagonal().maxCoeff();
+      const double turning = p.potential.stiffness.bottomRightCorner<3, 3>().diagonal().maxCoeff();
+      sum += std::pow(4 * eps * stiffness * at.x[p.local].norm(), 2) + std::pow(4 * eps * turning, 2);
+      if (!(h > 0)) continue;
+      const double mass = g.added_mass.block<3, 3>(first, first).diagonal().maxCoeff();
+      const double inertia = g.added_mass.block<3, 3>(first + 3, first + 3).diagonal().maxCoeff();
+      sum += std::pow(4 * eps * mass * at.v[p.local].norm() / h, 2);
+      sum += std::pow(4 * eps * inertia * at.w[p.local].norm() / h, 2);
+    }
+  return sum;
+}
+
+namespace {
+
+struct KeptRate {
+  double time = 0;
+  Vec3 velocity = Vec3::Zero(), turning = Vec3::Zero();
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("time", "s", self.time);
+    each("velocity", "m/s", self.velocity);
+    each("rate of turning", "rad/s", self.turning);
+  }
+};
+
+struct KeptWork {
+  double damping = 0, waves = 0, damping_power = 0, wave_power = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("work of damping", "J", self.damping);
+    each("work of waves", "J", self.waves);
+    each("power of damping", "W", self.damping_power);
+    each("power of waves", "W", self.wave_power);
+  }
+};
+
+}  // namespace
+
+std::vector<HistoryKind> PlatformWater::history() const {
+  return {history_kind<KeptRate>("velocities of a platform"), history_kind<KeptWork>("sums of a platform")};
+}
+
+std::vector<HistoryRecord> PlatformWater::records(NodeRange of) const {
+  std::vector<HistoryRecord> out;
+  for (const Group& g : groups_)
+    for (size_t i = 0; i < g.platforms.size(); ++i) {
+      const Platform& p = g.platforms[i];
+      if (!p.owned || !of.has(p.node)) continue;
+      HistoryRecord rates{p.node, 0, {}, 0};
+      for (const Past& past : g.past) {
+        const Vec6 own = past.rate.segment<6>(6 * static_cast<Eigen::Index>(i));
+        put(KeptRate{past.time, own.head<3>(), own.tail<3>()}, rates.values);
+      }
+      out.push_back(std::move(rates));
+      const KeptWork work{p.damping_work, p.wave_work, p.power.damping, p.power.waves};
+      out.push_back(record_of(p.node, 0, work, 1));
+    }
+  return out;
+}
+
+void PlatformWater::restore(const std::vector<HistoryRecord>& records) {
+  for (Group& g : groups_) {
+    const auto n = static_cast<Eigen::Index>(g.platforms.size());
+    std::vector<std::pair<double, Eigen::VectorXd>> past;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      Platform& p = g.platforms[static_cast<size_t>(i)];
+      for (const HistoryRecord& r : records) {
+        if (r.node != p.node) continue;
+        if (r.kind == 1) {
+          const KeptWork kept = entry<KeptWork>(r);
+          p.damping_work = kept.damping;
+          p.wave_work = kept.waves;
+          p.power = {kept.damping_power, kept.wave_power};
+          continue;
+        }
+        const std::vector<KeptRate> kept = entries<KeptRate>(r);
+        past.resize(kept.size(), {0, Eigen::VectorXd::Zero(6 * n)});
+        for (size_t k = 0; k < kept.size(); ++k) {
+          past[k].first = kept[k].time;
+          past[k].second.segment<6>(6 * i) << kept[k].velocity, kept[k].turning;
+        }
+      }
+    }
+    g.past.clear();
+    g.known = false;
+    for (auto& [time, rate] : past) add_past(g, time, std::move(rate));
+  }
+}
+
+}  // namespace hawser

@@ -1,0 +1,90 @@
+// What the class PlatformWater is made of: groups of bodies by their files, stiffness and buoyancy of each.
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/math/so3.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/terms/platform_water.hpp"
+
+namespace hawser {
+namespace {
+
+// Entries of the damping matrix below this share of those on the diagonal are none.
+constexpr double kNoEntry = 1e-6;
+
+Mat6 matrix(const std::vector<std::vector<double>>& rows) {
+  Mat6 out = Mat6::Zero();
+  for (size_t i = 0; i < rows.size(); ++i)
+    for (size_t j = 0; j < 6; ++j) out(static_cast<int>(i), static_cast<int>(j)) = rows[i][j];
+  return out;
+}
+
+double yaw(const Vec3& rotation) {
+  const Vec3 bow = exp_so3(rotation) * Vec3::UnitX();
+  return std::atan2(bow.y(), bow.x());
+}
+
+}  // namespace
+
+PlatformWater::PlatformWater(const model::Case& c, const LocalMesh& mesh) : mesh_(mesh), sea_(sea_of(c)) {
+  for (const std::vector<int>& bodies : model::radiating_groups(c)) add_group(c, bodies);
+  update_ghosts();
+}
+
+PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) const {
+  const model::Body& b = c.bodies[body];
+  const model::BodyMass& m = *b.mass;
+  const model::BodyHydrodynamics& h = *m.hydrodynamics;
+  const double heading = h.heading ? *h.heading : yaw(b.rotation);
+  Platform p;
+  p.node = mesh_.mesh->body_node(body);
+  p.arm = -m.centre;
+  p.file_origin = -h.in_file;
+  p.potential.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
+  p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
+  const model::Hydrostatics still = model::hydrostatics(m, sea_.density, sea_.gravity);
+  p.buoyancy = still.buoyancy;
+  p.potential.stiffness = still.stiffness + matrix(h.stiffness);
+  p.potential.constant << 0, 0, -1, -still.arm_y, still.arm_x, 0;
+  p.potential.constant *= still.buoyancy;
+  p.damping = matrix(h.damping);
+  if (!h.quadratic_damping.empty()) p.quadratic = Eigen::Map<const Vec6>(h.quadratic_damping.data());
+  const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
+    return tables.empty() ? WaveForceTable() : tables[static_cast<size_t>(h.body) - 1];
+  };
+  if (h.excitation && !sea_.waves.none())
+    p.waves = PlatformWaves(sea_.waves.components(), heading, of_body(h.data->excitation),
+                            of_body(h.data->drift), h.data->difference, h.second_order);
+  p.potential.constant -= p.waves.mean_drift();
+  return p;
+}
+
+void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies) {
+  Group g;
+  std::vector<int> rows;  // of the files' matrices
+  for (const int body : bodies) {
+    g.platforms.push_back(platform(c, body));
+    for (int k = 0; k < 6; ++k) rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
+  }
+  const model::HydrodynamicData& data = *c.bodies[bodies.front()].mass->hydrodynamics->data;
+  g.added_mass = data.infinite(rows, rows);
+  const size_t n = rows.size(), frequencies = data.omega.size();
+  const auto most = [&](size_t i, size_t j) {
+    double largest = 0;
+    for (const Eigen::MatrixXd& B : data.damping) largest = std::max(largest, std::abs(B(rows[i], rows[j])));
+    return largest;
+  };
+  for (size_t i = 0; i < n; ++i)
+    for (size_t j = i; j < n; ++j)
+      if (most(i, j) > kNoEntry * std::sqrt(most(i, i) * most(j, j)))
+        g.entries.emplace_back(static_cast<int>(i), static_cast<int>(j));
+  Eigen::MatrixXd damping(frequencies, g.entries.size());
+  for (size_t k = 0; k < frequencies; ++k)
+    for (size_t e = 0; e < g.entries.size(); ++e)
+      damping(static_cast<int>(k), static_cast<int>(e)) = data.damping[k](
+          rows[static_cast<size_t>(g.entries[e].first)], rows[static_cast<size_t>(g.entries[e].second)]);
+  if (!g.entries.empty()) g.memory = RadiationMemory(data.omega, damping);
+  groups_.push_back(std::move(g));
+}
+
+}  // namespace hawser

@@ -1,0 +1,122 @@
+// Motion of a platform's origin, its derivatives, and forces with a potential of its displacement.
+#include "hawser/kernels/platform_frame.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser::platform_frame_test {
+namespace {
+
+const Vec3 kArm(1.3, -0.7, 2.1);
+
+Mat3 axes() { return exp_so3(Vec3(0, 0, 0.6)).toRotationMatrix(); }
+
+RigidBodyState state(const Vec6& place = Vec6::Zero(), const Vec6& rate = Vec6::Zero(),
+                     const Vec6& acceleration = Vec6::Zero()) {
+  RigidBodyState s;
+  s.x = Vec3(0.3, -0.2, 0.5) + place.head<3>();
+  s.q = exp_so3(Vec3(0.2, -0.3, 0.9)) * exp_so3(place.tail<3>());
+  s.v = Vec3(0.4, 0.1, -0.3) + rate.head<3>(), s.w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
+  s.a = Vec3(0.2, 0.5, -0.1) + acceleration.head<3>();
+  s.alpha = Vec3(-0.4, 0.3, 0.7) + acceleration.tail<3>();
+  return s;
+}
+
+template <class F>
+auto slope(F f, const Vec6& d) {
+  const double e = 1e-3;
+  return ((8 * (f(e * d) - f(-e * d)) - (f(2 * e * d) - f(-2 * e * d))) / (12 * e)).eval();
+}
+
+PlatformPotential potential() {
+  PlatformPotential V;
+  V.axes = axes();
+  V.place = Vec3(0.1, 0.4, -0.2);
+  const Mat6 half = Mat6::Random();
+  V.stiffness = half * half.transpose() + 3 * Mat6::Identity();
+  V.constant << 1, -2, -30, 4, 5, 0.5;
+  return V;
+}
+
+TEST(PlatformFrame, MotionHasItsDerivatives) {
+  const PlatformMotion m = platform_motion(axes(), kArm, state());
+  const Vec6 zero = Vec6::Zero();
+  const auto rate = [](const RigidBodyState& s) { return platform_motion(axes(), kArm, s).rate; };
+  const auto acceleration = [](const RigidBodyState& s) {
+    return platform_motion(axes(), kArm, s).acceleration;
+  };
+  EXPECT_LT((platform_rate(axes(), kArm, state()) - m.rate).norm(), 1e-14);
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 d = Vec6::Unit(k);
+    const Vec6 by_place = slope([&](const Vec6& u) { return rate(state(u)); }, d);
+    const Vec6 by_rate = slope([&](const Vec6& u) { return rate(state(zero, u)); }, d);
+    EXPECT_LT((m.rate_by_place * d - by_place).norm(), 1e-9) << k;
+    EXPECT_LT((m.G * d - by_rate).norm(), 1e-9) << k;
+    const Vec6 a_place = slope([&](const Vec6& u) { return acceleration(state(u)); }, d);
+    const Vec6 a_rate = slope([&](const Vec6& u) { return acceleration(state(zero, u)); }, d);
+    const Vec6 a_second = slope([&](const Vec6& u) { return acceleration(state(zero, zero, u)); }, d);
+    EXPECT_LT((m.acceleration_by_place * d - a_place).norm(), 1e-9) << k;
+    EXPECT_LT((m.acceleration_by_rate * d - a_rate).norm(), 1e-9) << k;
+    EXPECT_LT((m.G * d - a_second).norm(), 1e-9) << k;
+  }
+}
+
+// The acceleration is the derivative of the rate along the motion.
+TEST(PlatformFrame, AccelerationIsTheRateOfTheRate) {
+  const double h = 1e-4;
+  const auto at = [](double t) {
+    const RigidBodyState s = state();
+    RigidBodyState moved = s;
+    moved.x += t * s.v + 0.5 * t * t * s.a, moved.v += t * s.a;
+    moved.w += t * s.alpha;
+    moved.q = s.q * exp_so3(t * s.w + 0.5 * t * t * s.alpha);
+    return platform_rate(axes(), kArm, moved);
+  };
+  const Vec6 slope_in_time = (at(h) - at(-h)) / (2 * h);
+  EXPECT_LT((slope_in_time - platform_motion(axes(), kArm, state()).acceleration).norm(), 1e-7);
+}
+
+TEST(PlatformFrame, ForcesHaveTheirSlope) {
+  Vec6 F;
+  F << 3, -1, 2, 0.5, 4, -2;
+  const Mat6 K = platform_force_slope(platform_motion(axes(), kArm, state()), kArm, F);
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 d = Vec6::Unit(k);
+    const Vec6 found = slope(
+        [&](const Vec6& u) -> Vec6 { return platform_motion(axes(), kArm, state(u)).G.transpose() * F; }, d);
+    EXPECT_LT((K * d - found).norm(), 1e-9) << k;
+  }
+}
+
+TEST(PlatformFrame, PullIsTheGradientOfItsPotentialWithItsTangent) {
+  const PlatformPotential V = potential();
+  const PlatformPull pull = platform_pull(V, kArm, state());
+  using One = Eigen::Matrix<double, 1, 1>;
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 d = Vec6::Unit(k);
+    const One work = slope([&](const Vec6& u) { return One(platform_pull(V, kArm, state(u)).potential); }, d);
+    EXPECT_NEAR(pull.f.dot(d), work[0], 1e-8 * pull.f.norm()) << k;
+    const Vec6 found = slope([&](const Vec6& u) { return platform_pull(V, kArm, state(u)).f; }, d);
+    EXPECT_LT((pull.K * d - found).norm(), 1e-8 * pull.K.norm()) << k;
+  }
+}
+
+TEST(PlatformFrame, LoadsHaveTheirTangent) {
+  for (const bool follows : {false, true}) {
+    const RigidBodyLoad load{Vec3(3, -2, 5), Vec3(1, 4, -2), kArm, follows};
+    const auto of = [&load](const RigidBodyState& s) {
+      RigidBodyResidual r;
+      add_load(load, s, r);
+      return r;
+    };
+    for (int k = 0; k < 6; ++k) {
+      const Vec6 d = Vec6::Unit(k);
+      const Vec6 found = slope([&](const Vec6& u) { return of(state(u)).applied; }, d);
+      EXPECT_LT((of(state()).K * d - found).norm(), 1e-9) << k << follows;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hawser::platform_frame_test

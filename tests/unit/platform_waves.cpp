@@ -1,0 +1,98 @@
+// Sums of wave forces on platforms against direct sums.
+#include "hawser/kernels/platform_waves.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hawser::platform_waves_test {
+namespace {
+
+std::vector<WaveComponent> sea() {
+  std::vector<WaveComponent> out;
+  for (int i = 0; i < 12; ++i) {
+    WaveComponent w;
+    w.omega = 0.4 + 0.07 * i, w.number = w.omega * w.omega / 9.81;
+    w.amplitude = 1 + 0.3 * std::sin(i), w.phase = 0.9 * i * i;
+    w.x = std::cos(0.3), w.y = std::sin(0.3);
+    out.push_back(w);
+  }
+  return out;
+}
+
+DifferenceForceTable difference() {
+  std::vector<double> omega;
+  for (int i = 0; i < 8; ++i) omega.push_back(0.35 + 0.15 * i);
+  std::vector<ComplexVec6> values(64, ComplexVec6::Zero());
+  for (int i = 0; i < 8; ++i)
+    for (int j = 0; j < 8; ++j)
+      for (int k : {0, 4})
+        values[static_cast<size_t>(8 * i + j)][k] =
+            Complex((3 - 0.2 * (i + j)) * (k - 2), (i - j) * 0.4);  // Hermitian
+  return {omega, values};
+}
+
+WaveForceTable mean() {
+  std::vector<double> omega;
+  std::vector<ComplexVec6> values;
+  for (int i = 0; i < 8; ++i) {
+    omega.push_back(0.35 + 0.15 * i);
+    values.push_back(ComplexVec6::Zero());
+    values.back()[0] = 1 + i, values.back()[1] = 3 - i;
+  }
+  return {omega, {0}, values};
+}
+
+// (re cos - im sin) of a single wave, at a body that is turned and away from the origin.
+TEST(PlatformWaves, FirstOrderLeadsTheCrest) {
+  std::vector<ComplexVec6> values(4, ComplexVec6::Zero());
+  values[0][2] = Complex(1, 2), values[1][2] = Complex(3, 4);   // 0 deg
+  values[2][2] = Complex(5, -6), values[3][2] = Complex(7, 8);  // 90 deg
+  const WaveForceTable table({0.5, 1.0}, {0, M_PI / 2}, values);
+  WaveComponent w;
+  w.omega = 0.75, w.amplitude = 2, w.phase = 0.4, w.number = 0.06, w.x = std::cos(0.9), w.y = std::sin(0.9);
+  const PlatformWaves waves({w}, 0.9 - M_PI / 4, table, {}, {}, SecondOrder::none);
+  const Complex X = 0.25 * (Complex(1, 2) + Complex(3, 4) + Complex(5, -6) + Complex(7, 8));
+  const double t = 3.1, x = 12, y = -5;
+  const double phase = 0.75 * t - 0.06 * (w.x * x + w.y * y) - 0.4;
+  EXPECT_NEAR(waves.at(t, x, y).first[2], (2.0 * X * std::polar(1.0, phase)).real(), 1e-12);
+  EXPECT_EQ(waves.at(t, x, y).slow.norm(), 0);
+}
+
+TEST(PlatformWaves, FullDriftIsTheDoubleSum) {
+  const auto components = sea();
+  const DifferenceForceTable table = difference();
+  const PlatformWaves waves(components, 0, {}, {}, table, SecondOrder::full);
+  for (const double t : {0.0, 17.0, 230.5}) {
+    Vec6 sum = Vec6::Zero(), average = Vec6::Zero();
+    for (const WaveComponent& a : components)
+      for (const WaveComponent& b : components) {
+        const ComplexVec6 F = a.amplitude * b.amplitude * table.at(a.omega, b.omega);
+        sum += (F * std::polar(1.0, (a.omega - b.omega) * t - a.phase + b.phase)).real();
+        if (&a == &b) average += F.real();
+      }
+    EXPECT_LT((waves.mean_drift() - average).norm(), 1e-12 * average.norm());
+    EXPECT_LT((waves.mean_drift() + waves.at(t, 0, 0).slow - sum).norm(), 1e-3 * average.norm()) << t;
+  }
+}
+
+// sqrt(D_i D_j) of equal signs, 0 of others (Standing, Brendling and Wilson 1987).
+TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
+  const auto components = sea();
+  const PlatformWaves waves(components, 0, {}, mean(), {}, SecondOrder::newman);
+  for (const double t : {0.0, 17.0, 230.5}) {
+    Vec6 sum = Vec6::Zero();
+    for (const WaveComponent& a : components)
+      for (const WaveComponent& b : components)
+        for (int k = 0; k < 6; ++k) {
+          const double A = mean().at(a.omega, 0.3)[k].real(), B = mean().at(b.omega, 0.3)[k].real();
+          if (A * B <= 0) continue;
+          sum[k] += a.amplitude * b.amplitude * std::copysign(std::sqrt(A * B), A) *
+                    std::cos((a.omega - b.omega) * t - a.phase + b.phase);
+        }
+    EXPECT_LT((waves.mean_drift() + waves.at(t, 0, 0).slow - sum).norm(), 1e-12 * (1 + sum.norm())) << t;
+  }
+}
+
+}  // namespace
+}  // namespace hawser::platform_waves_test

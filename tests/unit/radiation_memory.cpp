@@ -1,0 +1,72 @@
+// Retardation functions and their integrals: a hemisphere from its damping, and the force on velocities that
+// are linear between times.
+#include "hawser/kernels/radiation_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace hawser::radiation_memory_test {
+namespace {
+
+// B = omega² exp(-omega) has K(t) = (2/pi) Re 2/(1 - i t)³.
+double damping(double omega) { return omega * omega * std::exp(-omega); }
+double retardation(double t) { return 4 / M_PI * (1 - 3 * t * t) / std::pow(1 + t * t, 3); }
+
+RadiationMemory memory(double step = 0.05) {
+  std::vector<double> omega;
+  for (double w = step; w < 15; w += step) omega.push_back(w);
+  Eigen::MatrixXd B(omega.size(), 2);
+  for (size_t k = 0; k < omega.size(); ++k)
+    B.row(static_cast<int>(k)) << damping(omega[k]), -0.5 * damping(omega[k]);
+  return {omega, B};
+}
+
+TEST(RadiationMemory, HasTheClosedFormOfItsDamping) {
+  const RadiationMemory m = memory();
+  for (double t = 0; t < 12; t += 0.37) {
+    EXPECT_NEAR(m.retardation(t)[0], retardation(t), 5e-4 * retardation(0)) << t;
+    EXPECT_NEAR(m.retardation(t)[1], -0.5 * retardation(t), 5e-4 * retardation(0)) << t;
+  }
+}
+
+// A(inf) - A(omega) by Ogilvie's relation, from the same K on a finer rule.
+TEST(RadiationMemory, GivesTheAddedMassByOgilvie) {
+  const RadiationMemory m = memory();
+  for (const double omega : {0.3, 1.0, 2.5}) {
+    double sum = 0;
+    const double h = 1e-3;
+    for (double t = 0.5 * h; t < 200; t += h) sum += h * retardation(t) * std::sin(omega * t) / omega;
+    EXPECT_NEAR(m.added_mass_below_infinite(omega)[0], sum, 2e-2) << omega;
+  }
+}
+
+TEST(RadiationMemory, IntegralsAreThoseOfTheRetardation) {
+  const RadiationMemory m = memory(0.1);
+  double G[2], rate[2], later[2], slope[2];
+  m.integrals(0, G, rate);
+  EXPECT_EQ(G[0], 0);
+  EXPECT_EQ(rate[0], 0);
+  const double e = 1e-4;
+  for (double t = 0.013; t < 0.9 * m.length(); t += 0.61) {
+    m.integrals(t, G, rate);
+    m.integrals(t + e, later, slope);
+    EXPECT_NEAR((later[0] - G[0]) / e, 0.5 * (rate[0] + slope[0]), 1e-6) << t;
+    EXPECT_NEAR((slope[0] - rate[0]) / e, m.retardation(t + 0.5 * e)[0], 2e-5) << t;
+  }
+  // No force on a body that has moved steadily for longer than the memory.
+  m.integrals(m.length() + 5, G, rate);
+  EXPECT_EQ(rate[0], 0);
+  m.integrals(m.length(), later, slope);
+  EXPECT_EQ(G[0], later[0]);
+}
+
+TEST(RadiationMemory, RefusesFrequenciesThatDoNotGrow) {
+  EXPECT_THROW(RadiationMemory({1, 1}, Eigen::MatrixXd::Ones(2, 1)), std::invalid_argument);
+  EXPECT_THROW(RadiationMemory({0, 1}, Eigen::MatrixXd::Ones(2, 1)), std::invalid_argument);
+  EXPECT_THROW(RadiationMemory({1, 2}, Eigen::MatrixXd::Ones(3, 1)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hawser::radiation_memory_test

@@ -1,0 +1,124 @@
+// WAMIT's files: scales, rows that are left out, files packed by gzip, and what is refused.
+#include "hawser/io/wamit_reader.hpp"
+
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+namespace hawser::wamit_reader_test {
+namespace {
+
+class WamitReader : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / "hawser_wamit" / test->name();
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    write(".1", kRadiation);
+    write(".hst", "3 3 2.0\n4 4 5.0\n5 5 6.0\n3 5 0.5\n5 3 0.5\n");
+    write(".3", kExcitation);
+  }
+  void write(const std::string& ending, const std::string& text) { std::ofstream(stem() + ending) << text; }
+  std::string stem() const { return (folder_ / "body").string(); }
+  model::HydrodynamicData read(SecondOrder order = SecondOrder::none) {
+    return io::read_wamit(stem(), {2, 1000, 10}, order, files, notes);
+  }
+  std::string refusal(SecondOrder order = SecondOrder::none) {
+    try {
+      read(order);
+    } catch (const std::runtime_error& e) {
+      return e.what();
+    }
+    return "";
+  }
+  std::vector<std::string> files, notes;
+
+ private:
+  static constexpr const char* kRadiation =
+      "PER I J Abar Bbar\n"
+      "-1 1 1 0.7\n 0 1 1 0.5\n 0 3 3 0.25\n"
+      "6.283185307179586 1 1 0.6 0.1\n6.283185307179586 1 5 0.3 0.2\n6.283185307179586 5 1 0.3 0.2\n"
+      "3.141592653589793 1 1 0.55 0.05\n3.141592653589793 5 5 0.4 0.3\n";
+  static constexpr const char* kExcitation =
+      "6.283185307179586 -180 3 9 9 1 2\n6.283185307179586 0 3 9 9 3 4\n6.283185307179586 0 5 9 9 5 6\n"
+      "3.141592653589793 -180 3 9 9 7 8\n3.141592653589793 0 3 9 9 9 10\n";
+  std::filesystem::path folder_;
+};
+
+// rho = 1000, L = 2: A11 = rho L³ Abar, A15: L⁴, A55: L⁵, B with omega.
+TEST_F(WamitReader, ScalesByLengthDensityAndFrequency) {
+  const model::HydrodynamicData d = read();
+  EXPECT_EQ(d.bodies, 1);
+  ASSERT_EQ(d.omega.size(), 2u);
+  EXPECT_NEAR(d.omega[0], 1, 1e-14);
+  EXPECT_NEAR(d.omega[1], 2, 1e-14);
+  EXPECT_NEAR(d.added_mass[0](0, 0), 0.6 * 8000, 1e-9);
+  EXPECT_NEAR(d.added_mass[0](0, 4), 0.3 * 16000, 1e-9);
+  EXPECT_NEAR(d.damping[1](4, 4), 0.3 * 32000 * 2, 1e-9);
+  EXPECT_EQ(d.damping[1](2, 2), 0);
+  EXPECT_NEAR(d.infinite(0, 0), 0.5 * 8000, 1e-9);
+  EXPECT_FALSE(d.infinite_estimated);
+  EXPECT_NEAR(d.hydrostatic(2, 2), 2 * 1e4 * 4, 1e-9);
+  EXPECT_NEAR(d.hydrostatic(2, 4), 0.5 * 1e4 * 8, 1e-9);
+  EXPECT_NEAR(d.hydrostatic(4, 4), 6 * 1e4 * 16, 1e-9);
+  ASSERT_EQ(d.excitation.size(), 1u);
+  const ComplexVec6 ahead = d.excitation[0].at(1, 0), astern = d.excitation[0].at(2, M_PI);
+  EXPECT_NEAR(std::abs(ahead[2] - 4e4 * Complex(3, 4)), 0, 1e-9);
+  EXPECT_NEAR(std::abs(ahead[4] - 8e4 * Complex(5, 6)), 0, 1e-9);
+  EXPECT_NEAR(std::abs(astern[2] - 4e4 * Complex(7, 8)), 0, 1e-9);
+  EXPECT_EQ(files.size(), 3u);
+}
+
+TEST_F(WamitReader, ReadsPackedFiles) {
+  std::ifstream in(stem() + ".1");
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  std::filesystem::remove(stem() + ".1");
+  gzFile packed = gzopen((stem() + ".1.gz").c_str(), "wb");
+  gzwrite(packed, text.data(), static_cast<unsigned>(text.size()));
+  gzclose(packed);
+  EXPECT_NEAR(read().added_mass[0](0, 0), 0.6 * 8000, 1e-9);
+}
+
+TEST_F(WamitReader, EstimatesTheInfiniteFrequencyAndSaysSo) {
+  std::string text;
+  for (int k = 1; k < 200; ++k) {
+    const double w = 0.05 * k, B = w * w * std::exp(-w);
+    text += std::to_string(2 * M_PI / w) + " 3 3 " + std::to_string(1 + 0.0 * B) + " " +
+            std::to_string(B / w) + "\n";
+  }
+  write(".1", text);
+  const model::HydrodynamicData d = read();
+  EXPECT_TRUE(d.infinite_estimated);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("Ogilvie"), std::string::npos);
+}
+
+TEST_F(WamitReader, ReadsDifferenceFrequencies) {
+  write(".12d", "6.2832 6.2832 0 0 1 9 9 4 0\n6.2832 3.1416 0 0 1 9 9 2 1\n3.1416 3.1416 0 0 1 9 9 3 0\n");
+  const model::HydrodynamicData d = read(SecondOrder::full);
+  EXPECT_NEAR(std::abs(d.difference.at(2, 1)[0] - 2e4 * Complex(2, -1)), 0, 1);
+  EXPECT_NEAR(std::abs(d.difference.at(1, 2)[0] - 2e4 * Complex(2, 1)), 0, 1);
+  EXPECT_NEAR(d.drift[0].at(2, 0)[0].real(), 6e4, 1);
+  write(".12d", "6.2832 6.2832 0 0 1 9 9 4 0\n3.1416 3.1416 0 0 1 9 9 3 0\n");
+  EXPECT_NE(refusal(SecondOrder::full).find("no row for the periods"), std::string::npos);
+}
+
+TEST_F(WamitReader, RefusesWithFileAndLine) {
+  write(".1", "6.28 1 1 0.6 0.1\n3.14 1 7.5 0.6 0.1\n");
+  EXPECT_NE(refusal().find("body.1:2: 7.5 is no mode of motion"), std::string::npos) << refusal();
+  write(".1", "6.28 1 1 0.6 0.1\n3.14 1 1 0.6 nonsense\n");
+  EXPECT_NE(refusal().find("body.1:2: "), std::string::npos) << refusal();
+  std::filesystem::remove(stem() + ".1");
+  EXPECT_NE(refusal().find("body.1: there is no such file"), std::string::npos) << refusal();
+}
+
+TEST_F(WamitReader, RefusesDriftThatIsNotThere) {
+  EXPECT_NE(refusal(SecondOrder::newman).find("'second_order' needs"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hawser::wamit_reader_test

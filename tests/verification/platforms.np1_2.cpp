@@ -1,0 +1,225 @@
+// Platforms by hydrodynamic coefficients: the decay of a hemisphere, two bodies that radiate on each other,
+// and the place where a platform rests under load.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "../regression/runs.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/kernels/radiation_memory.hpp"
+#include "verification/dynamics_rig.hpp"
+
+namespace hawser::test::platforms {
+namespace {
+
+using app::Simulation;
+
+// Places of the bodies' nodes (the centre of mass) at the ends of steps.
+std::vector<std::vector<Vec3>> run(const model::Case& c, double until, double every) {
+  Simulation s(PETSC_COMM_WORLD, c);
+  if (c.statics.enabled) s.solve_statics();
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  std::vector<std::vector<Vec3>> out;
+  const auto keep = [&](const Kinematics& at) {
+    auto& row = out.emplace_back();
+    for (size_t b = 0; b < c.bodies.size(); ++b) {
+      const int node = s.mesh().body_node(static_cast<int>(b)), local = s.local().find(node);
+      Vec3 x = s.local().owns(local) ? at.x[local] : Vec3(Vec3::Zero());
+      std::vector<double> all(x.begin(), x.end());
+      all_reduce(PETSC_COMM_WORLD, MPI_SUM, all);
+      row.push_back(Vec3(all.data()));
+    }
+  };
+  keep(d.kinematics());
+  integrate(d, until, every, [&](const StepInfo& i) {
+    if (std::abs(std::remainder(i.time, every)) < 1e-9) keep(d.kinematics());
+  });
+  return out;
+}
+
+// 1 m of heave of a hemisphere of 5 m: inverse Laplace transform of the exact transform of K, from added mass
+// and damping by the multipole method of Hulme (1982). Table of the IEA OES sphere with 261.8 t in 1000
+// kg/m³.
+TEST(Platforms, HemisphereDecays) {
+  constexpr double kTime = 2.5;
+  const double exact[] = {1, -0.798213175, 0.43444015, -0.144894465, -0.0327708241};
+  const std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 9.81, water: {{density: 1000}}}}
+bodies:
+  sphere:
+    position: [0, 0, 1]
+    floating:
+      mass: 261800
+      inertia: [2.6e6, 2.6e6, 2.6e6]
+      hydrodynamics: {{wamit: {}/tests/data/hemisphere, length_scale: 5}}
+statics: false
+dynamics: {{duration: 10, step: 0.02, rho_infinity: 1}}
+)",
+                                       HAWSER_SOURCE_DIR);
+  const auto found = run(io::read_case_text(text, testing::TempDir() + "sphere.yaml"), 10, kTime);
+  ASSERT_EQ(found.size(), 5u);
+  for (size_t i = 0; i < found.size(); ++i) {
+    printf("hemisphere at %4.1f s: %.6f m, exact %.6f m\n", kTime * static_cast<double>(i), found[i][0].z(),
+           exact[i]);
+    EXPECT_NEAR(found[i][0].z(), exact[i], 1e-3) << i;
+  }
+}
+
+// Two bodies with B = b (2, -1; -1, 1) omega² exp(-2 omega): their files.
+struct Pair {
+  static constexpr double kAdded[3] = {800, -200, 600}, kShare[3] = {2, -1, 1};
+  static constexpr double kDamping = 6000;
+  std::string stem;
+  std::vector<double> omega;
+  Eigen::MatrixXd damping;
+
+  Pair() {
+    for (int k = 1; k <= 120; ++k) omega.push_back(0.05 * k);
+    damping.resize(120, 3);
+    for (int k = 0; k < 120; ++k)
+      for (int e = 0; e < 3; ++e)
+        damping(k, e) = kDamping * kShare[e] * omega[k] * omega[k] * std::exp(-2 * omega[k]);
+    const auto folder = std::filesystem::path(testing::TempDir()) / "hawser_platform_pair";
+    stem = (folder / "pair").string();
+    if (rank_of(PETSC_COMM_WORLD) == 0) write(folder);
+    MPI_Barrier(PETSC_COMM_WORLD);
+  }
+  void write(const std::filesystem::path& folder) const {
+    std::filesystem::create_directories(folder);
+    const int modes[3][2] = {{3, 3}, {3, 9}, {9, 9}};
+    std::ofstream radiation(stem + ".1"), stiffness(stem + ".hst");
+    for (int e = 0; e < 3; ++e)
+      for (const bool turned : {false, true}) {
+        const int i = modes[e][turned], j = modes[e][!turned];
+        if (turned && i == j) continue;
+        radiation << fmt::format("0 {} {} {:.17g}\n", i, j, kAdded[e] / 1000);
+        for (size_t k = 0; k < omega.size(); ++k)
+          radiation << fmt::format("{:.17g} {} {} {:.17g} {:.17g}\n", 2 * M_PI / omega[k], i, j,
+                                   kAdded[e] / 1000, damping(static_cast<int>(k), e) / 1000 / omega[k]);
+      }
+    stiffness << "3 3 0.3\n9 9 0.2\n";
+  }
+};
+
+// Against the same equations by average acceleration and a trapezoidal convolution with small steps.
+std::vector<Eigen::Vector2d> pair_by_trapezoids(const Pair& pair, Eigen::Vector2d x, double until,
+                                                double every) {
+  constexpr double h = 0.01;
+  const RadiationMemory memory(pair.omega, pair.damping);
+  Eigen::Matrix2d M, C = Eigen::Vector2d(3000, 2000).asDiagonal();
+  M << 1000 + Pair::kAdded[0], Pair::kAdded[1], Pair::kAdded[1], 700 + Pair::kAdded[2];
+  const int steps = static_cast<int>(std::lround(until / h));
+  std::vector<Eigen::Matrix2d> K;
+  for (int k = 0; k <= steps; ++k) {
+    const auto e = memory.retardation(k * h);
+    K.emplace_back();
+    K.back() << e[0], e[1], e[1], e[2];
+  }
+  std::vector<Eigen::Vector2d> v = {Eigen::Vector2d::Zero()}, out = {x};
+  Eigen::Vector2d a = M.inverse() * (-C * x);
+  for (int n = 1; n <= steps; ++n) {
+    Eigen::Vector2d past = 0.5 * h * K[static_cast<size_t>(n)] * v[0];
+    for (int k = 1; k < n; ++k) past += h * K[static_cast<size_t>(n - k)] * v[static_cast<size_t>(k)];
+    // M a + h/2 K(0) v + past + C x = 0 with x, v of average acceleration.
+    const Eigen::Vector2d foreseen_v = v.back() + 0.5 * h * a,
+                          foreseen_x = x + h * v.back() + 0.25 * h * h * a;
+    const Eigen::Matrix2d left = M + 0.25 * h * h * K[0] + 0.25 * h * h * C;
+    const Eigen::Vector2d next = left.inverse() * (-past - 0.5 * h * K[0] * foreseen_v - C * foreseen_x);
+    x = foreseen_x + 0.25 * h * h * next;
+    v.push_back(foreseen_v + 0.5 * h * next);
+    a = next;
+    if (std::abs(std::remainder(n * h, every)) < 1e-6) out.push_back(x);
+  }
+  return out;
+}
+
+TEST(Platforms, TwoBodiesRadiateOnEachOther) {
+  const Pair pair;
+  const std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000}}}}
+bodies:
+  float: {{position: [0, 0, 0.1], floating: {{mass: 1000, inertia: [400, 400, 400], hydrodynamics: {{wamit: {0}, body: 1}}}}}}
+  spar: {{position: [5, 0, -0.05], floating: {{mass: 700, inertia: [400, 400, 400], hydrodynamics: {{wamit: {0}, body: 2}}}}}}
+statics: false
+dynamics: {{duration: 20, step: 0.02, rho_infinity: 1}}
+)",
+                                       pair.stem);
+  const auto found = run(io::read_case_text(text, testing::TempDir() + "pair.yaml"), 20, 2);
+  const auto exact = pair_by_trapezoids(pair, {0.1, -0.05}, 20, 2);
+  ASSERT_EQ(found.size(), exact.size());
+  for (size_t i = 0; i < found.size(); ++i) {
+    if (rank_of(PETSC_COMM_WORLD) == 0)
+      printf("two bodies at %2zu s: %.6f %.6f m, by trapezoids %.6f %.6f m\n", 2 * i, found[i][0].z(),
+             found[i][1].z(), exact[i][0], exact[i][1]);
+    EXPECT_NEAR(found[i][0].z(), exact[i][0], 1e-4) << i;
+    EXPECT_NEAR(found[i][1].z(), exact[i][1], 1e-4) << i;
+  }
+}
+
+// Steps of 0.05 to 0.2 s by turns: the memory knows no grid of times.
+TEST(Platforms, StepsMayChange) {
+  const std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 9.81, water: {{density: 1000}}}}
+bodies:
+  sphere:
+    position: [0, 0, 1]
+    floating:
+      mass: 261800
+      inertia: [2.6e6, 2.6e6, 2.6e6]
+      hydrodynamics: {{wamit: {}/tests/data/hemisphere, length_scale: 5}}
+statics: false
+dynamics: {{duration: 10, step: 0.05, rho_infinity: 1}}
+)",
+                                       HAWSER_SOURCE_DIR);
+  const model::Case c = io::read_case_text(text, testing::TempDir() + "sphere.yaml");
+  Simulation s(PETSC_COMM_WORLD, c);
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  int n = 0;
+  double last = 0;
+  const auto stop = [&](double t) { return t + (n++ % 3 == 0 ? 0.013 : 0.041); };
+  d.run(10, stop, [&](const StepInfo&) {
+    last = from_owner(s, [&](size_t node) { return d.kinematics().x[node].z(); });
+    return true;
+  });
+  printf("hemisphere at 10 s with changing steps: %.6f m\n", last);
+  EXPECT_NEAR(last, -0.0327708241, 4e-3);
+}
+
+// At rest: heave by a force F/C33, and pitch by its arm, F x/(C55 - m g zG) for small angles; the weight acts
+// by itself.
+TEST(Platforms, RestsUnderLoad) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "hawser_platform_load";
+  const std::string stem = (folder / "barge").string();
+  if (rank_of(PETSC_COMM_WORLD) == 0) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";
+    std::ofstream(stem + ".hst") << "3 3 200\n4 4 900\n5 5 4000\n";
+  }
+  MPI_Barrier(PETSC_COMM_WORLD);
+  const std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000}}}}
+bodies:
+  barge:
+    floating:
+      mass: 1e6
+      centre_of_mass: [0, 0, 2]
+      inertia: [1e8, 1e8, 1e8]
+      hydrodynamics: {{wamit: {}}}
+      loads: [{{force: [0, 0, -2000], at: [10, 0, 0]}}]
+)",
+                                       stem);
+  const model::Case c = io::read_case_text(text, testing::TempDir() + "barge.yaml");
+  Simulation s(PETSC_COMM_WORLD, c);
+  s.solve_statics();
+  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
+  const double heave = of([&](size_t n) { return s.state().x[n].z() - 2; });
+  const double pitch = of([&](size_t n) { return log_so3(s.state().q[n]).y(); });
+  EXPECT_NEAR(heave, -2000.0 / 2e6, 1e-8);
+  EXPECT_NEAR(pitch, 2000 * 10 / (4e7 - 1e6 * 10 * 2), 1e-8);
+}
+
+}  // namespace
+}  // namespace hawser::test::platforms
