@@ -54,7 +54,8 @@ std::string motion_text(const Case& c, const Body& b) {
   if (b.mass) {
     const BodyMass& m = *b.mass;
     s = fmt::format("moves by its mass of {:.6g} kg, {}{}", m.mass,
-                    m.in_water ? fmt::format("in water with a volume of {:g} m³", m.in_water->volume)
+                    m.hydrodynamics ? std::string("in the sea by its hydrodynamic coefficients")
+                    : m.in_water    ? fmt::format("in water with a volume of {:g} m³", m.in_water->volume)
                     : m.weight && c.environment.gravity > 0 ? "with its weight"
                                                             : "without weight",
                     m.stiffness.isZero() && m.turning_stiffness.isZero() ? "" : ", held by springs");
@@ -316,8 +317,10 @@ std::string summary(const Case& c) {
   for (const Line& l : c.lines) describe_line(c, l, s);
   if (!c.line_types.empty()) s += line_type_table(c);
   s += fmt::format("bodies: {}\n", c.bodies.size());
-  for (const Body& b : c.bodies)
+  for (const Body& b : c.bodies) {
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(c, b));
+    if (b.mass && b.mass->hydrodynamics) s += platform_text(c, b);
+  }
   describe_links(c, s);
   describe_supports(c, s);
   const auto rollers =

@@ -11,8 +11,9 @@
 
 namespace hawser::model {
 
-struct Case;
+struct Body;
 struct BodyMass;
+struct Case;
 
 // What the sea does to a large floating body by the coefficients of a diffraction program.
 struct BodyHydrodynamics {
@@ -48,6 +49,9 @@ struct Hydrostatics {
 };
 // Of a body with hydrodynamics; density of the water [kg/m³], gravity [m/s²].
 Hydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
+
+// What `hawser check` says of a body with hydrodynamics, in lines.
+std::string platform_text(const Case& c, const Body& b);
 
 // Bodies of the case that radiate on each other: those with the same files, the first that is their body 1
 // with the first that is their body 2, and so on. Files of one body: each by itself.
