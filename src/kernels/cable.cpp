@@ -10,6 +10,10 @@
 namespace hawser {
 namespace {
 
+// Of a step, longest damping that acts in it: with more, less than a hundredth of the strain may go in the
+// step before the damper has the spring's tension, and it would be rigid.
+constexpr double kRigid = 100;
+
 struct Local {
   Vec3 t, dv;  // unit chord, v2 - v1
   double l, strain, rate, tension;
@@ -86,15 +90,14 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   const Elastic e = elastic_mean(s, from.strain, strain);
   o.grown = std::max(strain, 0.0) - std::max(from.strain, 0.0);
   o.elastic = e.mean;
-  o.damper = s.EA * s.beta / step.h * o.grown;
-  const bool limited = o.damper > o.elastic;
-  if (limited) o.damper = o.elastic;
+  const double beta = std::min(from.beta, kRigid * step.h);
+  o.damper = s.EA * beta / step.h * o.grown;
   o.filter = step.filter * s.EA * (o.grown - e.share * from.stretch);
   o.tension = o.elastic + o.damper + o.filter;
   if (o.tension <= 0) return o.tension = o.damper = o.filter = 0, o;
   const double way = strain - from.strain;
-  o.slope = limited ? 2 * e.slope : e.slope;
-  if (strain > 0) o.slope += s.EA * ((limited ? 0 : s.beta / step.h) + step.filter);
+  o.slope = e.slope;
+  if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
   // The share changes with the end where only part of the way is taut.
   if (e.share < 1 && way != 0)
     o.slope -= step.filter * s.EA * from.stretch * ((strain > 0 ? 1 : 0) - e.share) / way;
@@ -103,13 +106,19 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
 
 }  // namespace
 
-CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch) {
+CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch, double last) {
   CableStart o;
   o.chord = x2 - x1;
   o.length = o.chord.norm();
   o.strain = (o.length - s.length) / s.length - s.free_strain;
   o.stretch = stretch;
   o.rest = s.length;
+  if (o.strain > 0) {
+    // EA beta |e'| <= T(e)
+    const double damper = last > 0 ? s.EA * s.beta * std::abs(stretch) / last : 0,
+                 spring = s.axial(o.strain).force;
+    o.beta = damper > spring ? s.beta * spring / damper : s.beta;
+  }
   return o;
 }
 
@@ -149,7 +158,7 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
   // Where it would push, the spring has worked against what holds it back alone.
   if (m.tension == 0) {
     const double spent = -m.elastic * way;
-    return s.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
+    return from.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
   }
   return {m.damper * way, m.filter * way, m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0, fed};
 }

@@ -277,7 +277,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
   last_step_ = committed.step;
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, committed);
-    c.start = cable_start(c.section, e.x1, e.x2, c.start.stretch);
+    c.start = cable_start(c.section, e.x1, e.x2, c.start.stretch, last_step_);
   }
 }
 

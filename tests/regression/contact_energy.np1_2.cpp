@@ -1,4 +1,4 @@
-// Work of friction on a turning drum.
+// Work of friction on a turning drum, and damping of cables that come taut.
 #include <algorithm>
 #include <numbers>
 
@@ -54,6 +54,39 @@ output: {every: 1, histories: [{line: rope, at: end_a, name: a}]}
   EXPECT_NEAR(ratio, std::exp(0.3 * std::numbers::pi), 0.01 * ratio);
   EXPECT_NEAR(taken, power, 0.01 * power);
   EXPECT_NEAR(given, power, 0.01 * power);
+}
+
+// A wire hangs a little slack with 100 kg at its end and comes taut. Damping changes neither the steps much
+// nor the tension that comes to rest.
+TEST(ContactEnergy, AWireThatComesTautMayBeDamped) {
+  const std::string path = folder("comes_taut"), file = path + "/case.yaml", out = path + "/case.h5";
+  size_t undamped = 0;
+  for (const std::string damping : {"0", "1e-4", "1e-3", "1e-2", "0.1", "1"}) {
+    write_case(file, R"(
+hawser: 1
+line_types:
+  wire: {outer_diameter: 0.02, mass_per_length: 2.5, EA: 5.0e7, bending: false, stiffness_damping: DAMPING}
+lines:
+  wire:
+    sections: [{type: wire, length: 3.8, element_length: 0.05}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: free
+    start: {points: [[0, 0, 0], [0.03, 0, -1.9], [0, 0, -3.7987]]}
+    masses: [{at: end_b, mass: 100}]
+contact: {between_lines: false}
+statics: false
+dynamics: {duration: 0.5}
+output: {every: 0.5, histories: [{line: wire, at: end_a, name: top}]}
+)",
+               {{"DAMPING", damping}});
+    run_on_all({file, out});
+    if (rank_of(MPI_COMM_WORLD) != 0) continue;
+    const Results r = read(out);
+    if (damping == "0") undamped = r.step_times.size();
+    printf("  stiffness_damping %s: %zu steps, largest tension at the top %.0f N\n", damping.c_str(),
+           r.step_times.size(), largest(r.column("top", kTension)));
+    EXPECT_LT(r.step_times.size(), 3 * undamped / 2) << damping;
+  }
 }
 
 }  // namespace

@@ -76,10 +76,28 @@ TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
   cable_pull(s, {e.x1, e.x2, e.v1, e.v2}, 0, o);
   EXPECT_NEAR(o.k(0, 0), 600, 1e-9);
   EXPECT_EQ(o.c.norm(), 0);
-  const CableStart slack = cable_start(s, Vec3::Zero(), Vec3(0.99, 0, 0), 0);
-  const Vec3 without = cable_mean({1.0, 300, 0}, slack, {1e-4, 0}, e.x1, e.x2);
-  EXPECT_GT(without.x(), 0.7);
-  EXPECT_LT((cable_mean(s, slack, {1e-4, 0}, e.x1, e.x2) - 2 * without).norm(), 1e-12);
+}
+
+// The damper of a step has as much damping as keeps it within the spring's tension at the rate of the step
+// before.
+TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
+  const CableSection s{1.0, 300, 0.1};
+  const auto damping = [&](double length, double stretch, double last) {
+    return cable_start(s, Vec3::Zero(), Vec3(length, 0, 0), stretch, last).beta;
+  };
+  EXPECT_EQ(damping(1.01, 0, 1e-3), 0.1);
+  EXPECT_EQ(damping(1.01, 5e-5, 1e-3), 0.1);
+  EXPECT_NEAR(damping(1.01, 0.05, 1e-3), 0.01 / 50, 1e-15);
+  EXPECT_NEAR(damping(1.01, -0.05, 1e-3), 0.01 / 50, 1e-15);
+  EXPECT_EQ(damping(0.99, 0.05, 1e-3), 0);
+  EXPECT_EQ(damping(1.01, 0.05, 0), 0.1);  // before the first step
+  const CableStart from = cable_start(s, Vec3::Zero(), Vec3(1.01, 0, 0), 0.05, 1e-3);
+  const Vec3 end(1.02, 0, 0);
+  const double elastic = 300 * 0.015, damper = 300 * from.beta * 0.01 / 1e-3;
+  EXPECT_NEAR(cable_mean(s, from, {1e-3, 0}, Vec3::Zero(), end).x(), elastic + damper, 1e-9);
+  const double rigid = 300 * 100 * 0.01;  // 0.1 s are more than a hundred steps
+  const CableStart at_rest = cable_start(s, Vec3::Zero(), Vec3(1.01, 0, 0), 0, 1e-4);
+  EXPECT_NEAR(cable_mean(s, at_rest, {1e-4, 0}, Vec3::Zero(), end).x(), elastic + rigid, 1e-9);
 }
 
 // Steps of a cable whose ends are thrown about, slack and taut, in steps of all lengths.
@@ -96,7 +114,7 @@ std::vector<Thrown> thrown(const CableSection& s, double filter) {
   for (int i = 0; i < 500; ++i) {
     const double last = h;
     h = 0.1 * std::exp(r.u(r.g));
-    Thrown t{cable_start(s, x1, x2, stretch * std::min(1.0, h / last)), {h, filter}, {}, {}};
+    Thrown t{cable_start(s, x1, x2, stretch * std::min(1.0, h / last), last), {h, filter}, {}, {}};
     t.x1 = x1 + 0.1 * r.vec();
     // Now and then hardly stretched at all.
     t.x2 =
@@ -188,7 +206,7 @@ TEST(CableMean, IsTheForceAtRest) {
   const Vec3 a(0.1, 0.2, 0.3), b(0.9, 1.0, 0.8);
   const Vec3 at_rest = cable_pull(s, {a, b, Vec3::Zero(), Vec3::Zero()});
   EXPECT_GT(at_rest.norm(), 1);
-  EXPECT_LT((cable_mean(s, cable_start(s, a, b, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
+  EXPECT_LT((cable_mean(s, cable_start(s, a, b, 0, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
 }
 
 TEST(CableMass, IsTheForceOfUnitAccelerations) {

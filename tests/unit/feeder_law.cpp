@@ -117,7 +117,7 @@ TEST(Feed, TheForceFollowsTheLength) {
     for (const double k : {0.0, 0.05}) {
       const FeedLaw law{20, k, 0, false};
       const CableSection before{1, 300, 0.02, t, 0.01};
-      const CableStart from = cable_start(before, Vec3::Zero(), Vec3(0.9, 0.5, -0.3), 0.01);
+      const CableStart from = cable_start(before, Vec3::Zero(), Vec3(0.9, 0.5, -0.3), 0.01, 0.1);
       const CableStep in{0.1, 0.06};
       const auto mean = [&](const Vec3& x, CablePull* out) {
         CableSection s = before;
@@ -149,7 +149,7 @@ TEST(Feed, WorkAndEnergyAgree) {
       s1.length *= 1 + 0.2 * u(g);
       const Vec3 d0 = s0.length * (1.05 + 0.1 * u(g)) * Vec3(u(g), u(g), u(g)).normalized(),
                  d1 = s1.length * (1.05 + 0.1 * u(g)) * Vec3(u(g), u(g), u(g)).normalized();
-      const CableStart from = cable_start(s0, Vec3::Zero(), d0, 0.02 * u(g));
+      const CableStart from = cable_start(s0, Vec3::Zero(), d0, 0.02 * u(g), 0.1);
       const CableStep step{0.1, 0.06};
       const auto energy = [](const CableSection& s, const Vec3& d) {
         return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;

@@ -45,6 +45,9 @@ struct CableStart {
   double strain = 0;          // beyond the free strain; negative: slack
   double rest = 0;            // m, unstretched; that at the end of the step differs where line is paid out
   double stretch = 0;         // by which the taut part of the strain grew in the step before, see cable_loss
+  // s, damping in this step: as much of that of the section as keeps the damper within the spring's tension
+  // at the rate of strain of the step before; none of an element that is slack at the start.
+  double beta = 0;
 };
 
 // What the integration makes of an element in a step.
@@ -70,7 +73,8 @@ CableStress cable_stress(const CableSection& s, const CableEnds& e);
 // The mean force of a step: the one whose work over the way of the ends is the change of strain energy, to
 // the last bit, plus what the dampers take (Simo & Tarnow 1992, ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6):
 // docs/theory/time-integration.md#cables. It never pushes.
-CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch);
+// stretch: of the step before, which took `last` [s]; 0: there was none.
+CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch, double last);
 Vec3 cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                 const Vec3& x2);
 // The same with its derivative by x2 - x1; c stays zero: dampers act by the change of position.
