@@ -2,6 +2,7 @@
 // pass integrates along one line and looks for the nearest points on the other; the second pass does so with
 // the lines exchanged. The law at a pair of points is in line_pair_law.cpp.
 #include <cmath>
+#include <limits>
 
 #include "hawser/math/so3.hpp"
 #include "line_pair_point.hpp"
@@ -15,15 +16,16 @@ using Column = Eigen::Matrix<double, 6, 1>;  // of force and couple
 using Six = Eigen::Matrix<double, 6, 3>;
 using Gradient = Eigen::Matrix<double, 1, kByX>;
 
-// d(turn v) by the chord of a cable, whose sections turn by the smallest rotation from f to t, its axis then
-// and now: v - (f + t)(t . v + f . v)/(1 + f . t) + 2 t (f . v).
+// d(section_turn v) by the chord of a cable.
 Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
   const Vec3 chord = cable.now.slope(0), t = chord.normalized(), f = cable.start.slope(0).normalized(),
              sum = f + t;
-  const double opening = 1 + f.dot(t), a = sum.dot(v);
-  const Mat3 by_t = -(a / opening) * Mat3::Identity() - sum * v.transpose() / opening +
-                    sum * f.transpose() * (a / (opening * opening)) + 2 * f.dot(v) * Mat3::Identity();
-  return by_t * ((Mat3::Identity() - t * t.transpose()) / chord.norm());
+  const double opening = std::max(1 + f.dot(t), kHalfRound), a = sum.dot(v),
+               by_opening = opening > kHalfRound ? a / (opening * opening) : 0;
+  const Mat3 by_t = (2 * f.dot(v) - a / opening) * Mat3::Identity() - sum * v.transpose() / opening +
+                    by_opening * sum * f.transpose();
+  const double length = std::max(chord.norm(), std::numeric_limits<double>::min());
+  return by_t * ((Mat3::Identity() - t * t.transpose()) / length);
 }
 
 // Adds column times gradient to rows of m from `row` on. Row by row, as they lie in m: a product of Eigen's

@@ -27,7 +27,7 @@ PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), end
     for (size_t i = 0; i < 2; ++i) turn[i] = now.axes(i) * start.axes(i).transpose();
   } else {
     const Vec3 was = (s.x2 - s.x1).normalized(), is = (n.x2 - n.x1).normalized();
-    turn[0] = turn[1] = minimal_rotation(was, is).toRotationMatrix();
+    turn[0] = turn[1] = section_turn(was, is);
   }
 }
 

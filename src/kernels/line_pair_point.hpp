@@ -1,9 +1,23 @@
 // A point of the slave of a pair of lines and what it brings from the start of the step.
 #pragma once
 
+#include <algorithm>
+
 #include "hawser/kernels/line_pair.hpp"
 
 namespace hawser {
+
+// 1 + cosine of the angle from which on a cable's chord counts as having turned half round: about which axis
+// is then nothing that the chord tells.
+constexpr double kHalfRound = 3e-3;
+
+// Turn of the sections of a cable whose unit chord went from f to t: the smallest rotation. Beyond the limit
+// it is no rotation any more, but as smooth as before it.
+inline Mat3 section_turn(const Vec3& f, const Vec3& t) {
+  const Vec3 sum = f + t;
+  return Mat3::Identity() - sum * sum.transpose() / std::max(1 + f.dot(t), kHalfRound) +
+         2 * t * f.transpose();
+}
 
 struct LinePairPass::Point {
   double xi = 0;

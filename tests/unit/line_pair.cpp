@@ -56,6 +56,7 @@ struct Situation {
   Vec3 a1, a2, b1, b2;       // the trial
   double before = 0;         // m, how much further apart at the start, along z
   Vec3 slip = Vec3::Zero();  // m, of a in the step
+  bool round = false;        // a cable a has turned half round in it, nearly
 };
 
 std::vector<Situation> situations() {
@@ -97,6 +98,14 @@ std::vector<Situation> situations() {
        {0.13, 0.6, 0},
        0.02,
        {3e-3, 4e-3, 0}},
+      {"crossing, half round",
+       {-0.5, 0.02, z},
+       {0.5, -0.01, z},
+       {0.1, -0.4, 0},
+       {0.13, 0.6, 0},
+       0,
+       {0, 0, 0},
+       true},
       {"oblique at an end",
        {-0.5, 0.02, z},
        {0.5, 0.3, z},
@@ -152,6 +161,8 @@ struct Rig {
     if (beam_a)
       Eigen::Map<Vec3>(u + 3, 3) = 0.02 * noise3(1, 7), Eigen::Map<Vec3>(u + 9, 3) = 0.01 * noise3(1, 8);
     a0 = moved(a, u);
+    // Not to the last bit: then there is no slip at all, which has no direction.
+    if (s.round && !beam_a) std::swap(a0.x1, a0.x2), a0.x1.y() += 0.01;
     b0 = b;
     if (beam_b) b0.q1 = b0.q1 * exp_so3(0.01 * noise3(2, 7)), b0.q2 = b0.q2 * exp_so3(0.01 * noise3(2, 8));
     if (s.before == 0) {  // a step before lays down history
@@ -271,6 +282,25 @@ TEST(LinePair, Tangents) {
     }
   });
   printf("  largest error of a tangent %.1e\n", worst);
+}
+
+// A cable that falls back on itself turns by half a turn to the last bit: about which axis nothing tells, but
+// forces and their derivatives are numbers. (A chain lowered upright onto a bed stopped with forces beyond
+// all numbers.)
+TEST(LinePair, HalfATurn) {
+  Rig rig({"half round", {-0.5, 0, 0.094}, {0.5, 0, 0.094}, {0.1, -0.4, 0}, {0.1, 0.6, 0}}, false, false,
+          0.3);
+  std::swap(rig.a0.x1, rig.a0.x2);
+  const std::vector<double> zero(static_cast<size_t>(rig.unknowns()), 0);
+  std::vector<double> f, K, C;
+  rig.forces(zero, zero, -1, f, &K, &C);
+  double largest = 0;
+  for (const double k : K) {
+    EXPECT_TRUE(std::isfinite(k));
+    largest = std::max(largest, std::abs(k));
+  }
+  EXPECT_GT(largest, 1);
+  EXPECT_LT(largest, 1e3 * kStiffness);
 }
 
 // A cable swept along another one, in steps of `way`, 0.3 m in all: what it leaves behind.
