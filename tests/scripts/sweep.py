@@ -34,6 +34,11 @@ TABLES = {
         f"f {a} {b} {c}\n" for a, b, c in ((1, 3, 4), (1, 4, 2), (5, 6, 8), (5, 8, 7), (1, 2, 6), (1, 6, 5), (3, 7, 8), (3, 8, 4),
                                            (1, 5, 7), (1, 7, 3), (2, 4, 8), (2, 8, 6))),
     "two.txt": "0 1\n10 2\n", "motion.txt": "0 0 0 0\n5 0.1 0 0\n10 0 0 0\n", "spectrum.txt": "0.05 0\n0.1 4\n0.2 1\n",
+    "barge.1": "".join(f"{p} {k} {k} {a}{b}\n" for p, b in ((0, ""), (4, " 0.2"), (8, " 0.3"), (12, " 0.1")) for k, a in
+                       ((1, 0.1), (2, 0.2), (3, 1.0), (4, 5.0), (5, 9.0), (6, 4.0))),
+    "barge.hst": "3 3 0.2\n4 4 1.5\n5 5 8\n",
+    "barge.3": "".join(f"{p} {d} {k} 0.1 0 0.1 0\n" for p in (4, 8, 12) for d in (0, 90, 180, 270) for k in range(1, 7)),
+    "barge.8": "".join(f"{p} {d} {d} {k} 0.01 0 0.01 0\n" for p in (4, 8, 12) for d in (0, 90, 180, 270) for k in (1, 2, 6)),
     "ship.rao": "".join(f"{p} {d}" + " 0.3 90" * 6 + "\n" for d in (0, 90, 180) for p in (4, 8, 12)),
 }  # fmt: skip
 
@@ -157,6 +162,12 @@ VARIANTS = (
     {"lines.mooring.target": "{declination_deg: 40, at: end_b}"},
     {"lines.mooring.target": "{touchdown: 15, at: end_b}", "lines.riser.temperature_change": "[[0, 20], [55, 10]]"},
     {"lines.mooring.target": "{laid_length: 15}"},
+    # Platforms.
+    {"bodies.barge": "{position: [200, 0, 0], floating: {mass: 5e5, inertia: [2e7, 6e7, 7e7], centre_of_mass: [0, 0, 1], "
+     "loads: [{force: [100, 0, 0], moment: [0, 0, 10], at: [1, 0, 2], axes: body}], "
+     "hydrodynamics: {wamit: barge, length_scale: 10, body: 1, origin_in_file: [0, 0, 0], displaced_volume: 500, gravity_in_stiffness: false, "
+     "place: [200, 0, 0], heading_deg: 0, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, 1], "
+     "stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], damping: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]]}}}"},
     # Feeders, events, stages.
     {"lines.mooring.masses": "null", "lines.mooring.loads": "null", "bodies.clump": "null", "contact": "null", "output.clearances": "null",
      "lines.mooring.sections": "[{type: chain, length: 100, elements: 20}]",
