@@ -7,9 +7,10 @@ from pathlib import Path
 
 try:
     from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_told, plot, report, scene
-    from .arguments import Parser, add_set, place_for, time_from
+    from .arguments import Parser, add_set, place_for, port_from, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
+    from .viewer import view
 except ModuleNotFoundError as missing:
     sys.exit(f"hawser: this needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
              "python3-scipy (scripts/install-deps does)")
@@ -117,6 +118,13 @@ def commands():
     p.add_argument("-o", "--output", help="CSV file, with a figure beside it (default: <case>-lay.csv)")
     add_set(p)
     p.set_defaults(do=lay.make)
+
+    p = sub.add_parser("view", help="the model in three dimensions in a browser of this machine: results, a run in progress, or a start shape")
+    p.add_argument("results", help="results file (.h5), or case file: its results, or before its run its start shape")
+    p.add_argument("--port", type=port_from, default=0, metavar="N", help="of this machine (default: one that is free)")
+    p.add_argument("--no-browser", action="store_true", help="only print the address")
+    add_set(p)
+    p.set_defaults(do=view.make)
     return parser
 
 

@@ -62,6 +62,13 @@ def time_from(text):
     return value
 
 
+def port_from(text):
+    """A port of --port."""
+    if not text.isascii() or not text.isdigit() or not int(text) < 65536:
+        raise argparse.ArgumentTypeError(f"'{text}' is no port from 0 to 65535")
+    return int(text)
+
+
 def add_set(parser):
     """--set KEY=VALUE, as of hawser run."""
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",

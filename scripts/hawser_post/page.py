@@ -2,10 +2,13 @@
 import base64
 import html
 import io
+import re
 
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.transforms import Bbox
+
+from .viewer import embedded, libraries
 
 STYLE = """
 body { font: 15px/1.45 system-ui, "DejaVu Sans", sans-serif; color: #1c2733; max-width: 980px; margin: 2em auto; padding: 0 1em }
@@ -44,6 +47,16 @@ def number(value):
     return f"{value:.4g}"
 
 
+def shortened(svg):
+    """A drawing whose strokes have places of a hundredth of a point, and no description: smaller, and the same to see."""
+    svg = re.sub(rb"<metadata>.*?</metadata>", b"", svg, flags=re.DOTALL)
+    svg = re.sub(rb'(?<= d=")[^"]*', lambda d: re.sub(rb"(\.\d\d)\d+", rb"\1", d[0]).replace(b"\n", b""), svg)
+    svg = re.sub(rb"(?<=DejaVu Sans')[^;\"]*(?=, sans-serif)", b"", svg)
+    svg = re.sub(rb'(?<= [xy]=")(-?\d+\.\d\d)\d+', rb"\1", svg)
+    svg = re.sub(rb' transform="rotate\(-0 [^"]*"| clip-path="[^"]*"(?=[^>]*#b0b0b0)', b"", svg)
+    return re.sub(rb"\n *", b"\n", svg)
+
+
 def whole(figure):
     """The figure with what stands out of it, as names of axes in space do; None where nothing does."""
     if not any(hasattr(axes, "zaxis") for axes in figure.axes):
@@ -55,6 +68,8 @@ def whole(figure):
 class Page:
     def __init__(self, title):
         self.title, self.parts, self.sections = title, [], []
+        self.has_model = False
+        self.drawn = not libraries.missing()  # whether a browser can draw models and graphs
 
     def section(self, name):
         key = f"s{len(self.sections)}"
@@ -85,17 +100,38 @@ class Page:
 
     def figure(self, figure, caption, form="svg"):
         """Takes the figure; `form`: svg, or png for what has very many strokes."""
+        curves = embedded.curves_of(figure) if self.drawn and form == "svg" else None
         data = io.BytesIO()
-        figure.savefig(data, format=form, dpi=130, metadata={"Date": None} if form == "svg" else None, bbox_inches=whole(figure))
+        with plt.rc_context({"svg.fonttype": "none"}):  # letters of the reader's machine: outlines are two thirds of a small drawing
+            figure.savefig(data, format=form, dpi=130, metadata={"Date": None} if form == "svg" else None, bbox_inches=whole(figure))
         plt.close(figure)
         kind = "svg+xml" if form == "svg" else form
-        text = base64.b64encode(data.getvalue()).decode()
-        self.parts.append(f'<figure><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{text}">'
-                          f"<figcaption>{html.escape(caption)}</figcaption></figure>")
+        text = base64.b64encode(shortened(data.getvalue()) if form == "svg" else data.getvalue()).decode()
+        told, script = "", ""
+        if curves:
+            told = f' data-curves="{html.escape(curves[0])}"'
+            script = f'<script type="text/plain">{curves[1]}</script>'
+        self.parts.append(f'<figure{told}><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{text}">'
+                          f"<figcaption>{html.escape(caption)}</figcaption>{script}</figure>")
+
+    def model(self, results):
+        """The model in three dimensions, or the sentence that says why it is not there."""
+        if self.drawn:
+            # Before the rest of the page, so that the model is there first.
+            self.parts += [embedded.scene(results), embedded.libraries_of_page()]
+            self.has_model = True
+        else:
+            self.text(libraries.missing(), "note")
+
+    def end(self):
+        """What draws graphs in a page without a model, and the licences of what is in the page."""
+        if not self.drawn:
+            return ""
+        return ("" if self.has_model else embedded.libraries_of_page()) + embedded.licences()
 
     def write(self, path):
         links = "".join(f'<a href="#{key}">{html.escape(name)}</a>' for key, name in self.sections)
         path.write_text(
             f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{html.escape(self.title)}</title>'
             f'<link rel="icon" href="data:,"><style>{STYLE}</style></head>\n<body><h1>{html.escape(self.title)}</h1>\n'
-            f"<nav>{links}</nav>\n" + "\n".join(self.parts) + "\n</body></html>\n", encoding="utf-8")
+            f"<nav>{links}</nav>\n" + "\n".join(self.parts) + self.end() + "\n</body></html>\n", encoding="utf-8")

@@ -35,6 +35,7 @@ def table(page, head, rows):
 
 def pictures(page, results):
     page.section("Model")
+    page.model(results)
     for view, caption in (("elevation", "From the side."), ("plan", "From above."), ("space", "In space.")):
         figure = scene.picture(results, view)
         page.figure(figure, caption, "png")

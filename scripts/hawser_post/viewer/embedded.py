@@ -1,0 +1,122 @@
+"""The viewer inside a page: everything it needs in one file."""
+import base64
+import html
+import json
+import zlib
+
+import numpy as np
+
+from . import blocks, libraries
+from .model import Model
+
+# Bytes of the blocks of a model: for each output up to so many, and no more in all than the last.
+SMALL, EACH_OUTPUT, LARGE = 1_600_000, 2_500, 13_000_000
+MOST_VALUES = 60_000_000  # that are packed at all
+MOST_POINTS = 4000  # of a curve
+
+
+def text_of(data):
+    return base64.b64encode(data).decode()
+
+
+def json_of(value):
+    """JSON that may stand in a script of a page, and that browsers read: numbers that are none are null."""
+    def finite(v):
+        if isinstance(v, dict):
+            return {key: finite(inner) for key, inner in v.items()}
+        if isinstance(v, (list, tuple)):
+            return [finite(inner) for inner in v]
+        if isinstance(v, (float, np.floating)):
+            return float(v) if np.isfinite(v) else None
+        return int(v) if isinstance(v, np.integer) else v
+    return json.dumps(finite(value), separators=(",", ":")).replace("</", "<\\/").replace("<!--", "<\\u0021--")
+
+
+def limit(results):
+    """Bytes that the model of these results may have."""
+    return min(LARGE, max(SMALL, EACH_OUTPUT * results.outputs))
+
+
+def packed_model(results):
+    """The model with as many outputs and fields as the limit allows, its header and its blocks."""
+    most = limit(results)
+    named = set(results.reported("graph", "table"))
+    fields, every = None, 1
+    values = results.outputs * len(results.file["nodes/arc_length"]) * (3 + len(results.fields))
+    if values > MOST_VALUES:
+        fields = named
+        values = results.outputs * len(results.file["nodes/arc_length"]) * (6 + len(fields))
+        every = max(1, -(-values // MOST_VALUES))
+    while True:
+        model = Model(results, every, fields=fields)
+        header = model.header()
+        found = {name: model.block(name) for name in model.names()}
+        size = sum(len(block) for block in found.values() if block) * 4 / 3
+        if size <= most or (fields is not None and every >= results.outputs):
+            break
+        if fields is None:
+            fields = named
+        else:
+            every = max(every + 1, int(np.ceil(every * size / most)))
+    if fields is not None:
+        model.missing.append("Of the fields those with a figure or a table in the report are in it.")
+    return header, {name: block for name, block in found.items() if block}
+
+
+def scene(results, name="model", **more):
+    """The HTML of the place of a viewer, and of its data."""
+    header, found = packed_model(results)
+    header.update(more)
+    parts = [f'<div class="hawser-view" id="{name}">The model in three dimensions comes here when the page has been read, '
+             "in a browser with JavaScript.</div>",
+             f'<script type="application/json" id="{name}-header">{json_of(header)}</script>']
+    parts += [f'<script type="text/plain" data-of="{name}" data-block="{html.escape(key)}">{text_of(block)}</script>'
+              for key, block in found.items()]
+    return "\n".join(parts)
+
+
+def curves_of(figure):
+    """The curves of a figure of Matplotlib as JSON and a block of steps of their ranges; None where it has none."""
+    axes = figure.axes[0] if len(figure.axes) == 1 else None
+    lines = [line for line in axes.get_lines() if len(line.get_xdata()) > 1] if axes is not None and not hasattr(axes, "zaxis") else []
+    if not lines:
+        return None
+    legend = axes.get_legend()
+    title = axes.get_title("left") or (legend.get_title().get_text() if legend else "")
+    curves, rows = [], []
+    points = min(MOST_POINTS, max(len(line.get_xdata()) for line in lines))
+    for line in lines:
+        label = line.get_label()
+        curve = {"label": axes.get_ylabel() if label.startswith("_") else label, "dashed": line.get_linestyle() == "--",
+                 "colour": colour_of(line)}
+        for what, values, parts in (("x", line.get_xdata(), 1e6), ("y", line.get_ydata(), 65000)):
+            values = np.asarray(values, float)[:points]
+            finite = values[np.isfinite(values)]
+            low, span = (float(finite.min()), float(np.ptp(finite))) if finite.size else (0.0, 0.0)
+            curve[what] = [low, span / parts]
+            k = np.rint((values - low) / span * parts) if span > 0 else np.where(np.isfinite(values), 0.0, np.nan)
+            rows.append(np.pad(k, (0, points - len(k)), constant_values=k[-1]))
+            curve["points"] = len(values)
+        curves.append(curve)
+    told = {"title": title, "x": axes.get_xlabel(), "y": axes.get_ylabel(), "curves": curves}
+    return json_of(told), text_of(blocks.steps(np.array(rows), 1.0))
+
+
+def colour_of(line):
+    from matplotlib.colors import to_hex
+    return to_hex(line.get_color())
+
+
+def libraries_of_page():
+    """The HTML of styles, libraries and viewer, for the end of a page."""
+    packed = [(name, text) for name, text in libraries.scripts()] + [("viewer", libraries.own())]
+    parts = [f"<style>{libraries.styles()}</style>"]
+    parts += [f'<script type="text/plain" data-packed="{html.escape(name)}">{text_of(zlib.compress(text.encode(), 9))}</script>'
+              for name, text in packed]
+    parts.append(f"<script>{(libraries.PAGE / 'boot.js').read_text(encoding='utf-8')}</script>")
+    return "\n".join(parts)
+
+
+def licences():
+    return ('<details class="licences on-screen"><summary>Libraries in this page and their licences</summary>'
+            f"<pre>{html.escape(libraries.notices())}</pre></details>")

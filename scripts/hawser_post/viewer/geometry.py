@@ -1,0 +1,61 @@
+"""What a model in three dimensions needs beside the results: radii of lines, the extent, heights of the bed."""
+import re
+
+import numpy as np
+
+from ..results import dictionary
+from ..sections import at_nodes, sections_of
+
+BED_PLACES = 81  # along a side of a bed that is no plane
+USUAL_RADIUS = 0.1  # m, of a line whose type is not known
+
+
+def radius_of_type(results, name):
+    """m, of a line type; None where the results do not say it."""
+    found = dictionary(dictionary(results.as_read.get("line_types")).get(name)).get("outer_diameter")
+    return found / 2 if isinstance(found, (int, float)) and found > 0 else None
+
+
+def radii(results):
+    """m, of each node, the larger side."""
+    out = np.full(len(results.file["nodes/arc_length"]), USUAL_RADIUS)
+    for line in results.lines:
+        sections = sections_of(results, line.name)
+        if sections:
+            of = np.array([radius_of_type(results, s.get("type")) or USUAL_RADIUS for s in sections])
+            out[line.nodes] = of[at_nodes(results, line)].max(axis=0)
+            continue
+        # What is beyond a cut has the type of the end of the line it was cut from.
+        sections = sections_of(results, re.sub(r" part \d+$", "", line.name))
+        if sections:
+            out[line.nodes] = radius_of_type(results, sections[-1].get("type")) or USUAL_RADIUS
+    return out
+
+
+def extent(results, rows, most=40):
+    """The least and the largest coordinates of the lines at up to `most` of these outputs, and of volumes near them."""
+    low, high = np.full(3, np.inf), np.full(3, -np.inf)
+    rows = list(rows)
+    for row in {rows[int(k)] for k in np.linspace(0, len(rows) - 1, min(most, len(rows)))}:
+        x = results.file["fields/position"][row]
+        x = x[np.isfinite(x).all(axis=-1)]
+        if len(x):
+            low, high = np.minimum(low, x.min(axis=0)), np.maximum(high, x.max(axis=0))
+    reach = 0.75 * (high - low).max() if len(results.lines) else np.inf
+    for _, x, _ in results.volumes(0):
+        if len(x):
+            low, high = np.minimum(low, np.maximum(x.min(axis=0), low - reach)), np.maximum(high, np.minimum(x.max(axis=0), high + reach))
+    if not np.all(np.isfinite(low)):
+        low, high = np.full(3, -1.0), np.full(3, 1.0)
+    return low, high
+
+
+def bed(sea, low, high):
+    """Places x and y, and heights over them; None where there is no bed that is known."""
+    if not sea.bed:
+        return None
+    beyond = 0.3 * max(*(high - low), 1e-3)
+    count = 2 if sea.grid is None else BED_PLACES
+    x, y = (np.linspace(low[k] - beyond, high[k] + beyond, count) for k in (0, 1))
+    z = sea.seabed(*np.meshgrid(x, y))
+    return (x, y, z) if np.isfinite(z).any() else None

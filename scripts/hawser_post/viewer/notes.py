@@ -1,0 +1,46 @@
+"""Where on the model the notes and warnings of a run or a check belong: names and arc lengths that they say."""
+import re
+
+import numpy as np
+
+LONGEST = 400  # letters
+
+
+def node_at(results, line, arc):
+    return line.nodes.start + int(np.abs(line.arc - arc).argmin())
+
+
+def named(names, text):
+    """The longest of the names that stands in the text as a word of its own."""
+    found = [name for name in names if re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", text)]
+    return max(found, key=len, default=None)
+
+
+def place(results, text, volumes):
+    """{'node'}, {'volume'} or {'body'}; nothing where the text names no part of the model."""
+    arc = re.search(r"arc length (-?[\d.]+(?:e[-+]?\d+)?) ?m", text)
+    name = named([line.name for line in results.lines], text)
+    if name is None and arc and len(results.lines) == 1:
+        name = results.lines[0].name
+    if name is not None:
+        line = results.line(name)
+        end = re.search(r"\bend[_ ]([abAB])\b", text)
+        at = float(arc[1]) if arc else (0.0 if end and end[1] in "aA" else line.length if end else line.length / 2)
+        return {"node": node_at(results, line, at)}
+    volume = named(volumes, text)
+    if volume is not None:
+        return {"volume": volumes.index(volume)}
+    body = named(results.bodies, text)
+    return {} if body is None else {"body": results.bodies.index(body)}
+
+
+def placed(results, texts=None):
+    """[{text, kind, and a place}]"""
+    volumes = [str(v.attrs.get("name", key).decode() if isinstance(v.attrs.get("name", key), bytes) else v.attrs.get("name", key))
+               for key, v in results.file.get("volumes", {}).items() if "vertices" in v and "triangles" in v and len(v["triangles"])]
+    found = []
+    for text in texts if texts is not None else results.messages():
+        kind = "warning" if text.startswith("warning") else "note"
+        short = text if len(text) <= LONGEST else text[: LONGEST - 3] + "..."
+        found.append({"text": short, "kind": kind, **place(results, text, volumes)})
+    return found

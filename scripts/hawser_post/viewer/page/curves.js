@@ -1,0 +1,153 @@
+// The graphs beside the picture: a field along a line at the time shown, the history of its ends, and stored histories.
+
+hawser.Curves = class {
+  // models: [{model, label, colour}], the first one that of the picture.
+  constructor(models) {
+    this.models = models;
+    this.range = new hawser.Graph();
+    this.ends = new hawser.Graph();
+    this.stored = new hawser.Graph();
+    this.kept = [];
+    this.keep = hawser.make("button", {type: "button", onclick: () => this.keepCurve()}, "Keep this curve");
+    this.drop = hawser.make("button", {type: "button", onclick: () => this.dropCurves()}, "Remove kept curves");
+    const bar = hawser.make("div", {class: "bar"}, this.keep, this.drop);
+    this.element = hawser.make("div", {class: "graphs"}, bar, this.range.element, this.ends.element, ...this.choice(), this.stored.element);
+  }
+
+  get main() {
+    return this.models[0].model;
+  }
+
+  unit(field) {
+    return field.unit && field.unit !== "1" ? `${field.label} [${field.unit}]` : field.label;
+  }
+
+  // Chosen line and field; null: none.
+  async choose(line, field) {
+    this.line = line;
+    this.field = field;
+    this.kept = [];
+    for (const graph of [this.range, this.ends]) graph.element.hidden = !line || !field;
+    this.keep.parentNode.hidden = !line || !field;
+    if (!line || !field) return;
+    this.arcs = await Promise.all(this.models.map(async ({model}) => (await model.block("arc")).values));
+    this.envelope = field.statistics ? (await this.main.block(`statistics/${field.name}`)) : null;
+    await this.showEnds();
+  }
+
+  // The same line and field in another model; null where it has them not.
+  same(model) {
+    const line = model.header.lines.find((other) => other.name === this.line.name);
+    const field = model.field(this.field.name);
+    return line && field ? {line, field} : null;
+  }
+
+  curve(k, output) {
+    const {model, label, colour} = this.models[k];
+    const found = this.same(model);
+    const values = found && model.scalars(found.field, output);
+    if (!values) return null;
+    const part = (array) => array.subarray(found.line.first, found.line.first + found.line.nodes);
+    return {label, colour, x: part(this.arcs[k]), y: Float32Array.from(part(values), (v) => v / found.field.factor), wide: 2};
+  }
+
+  // The range graph at outputs of the models.
+  at(outputs, words) {
+    if (!this.line || !this.field || !this.arcs) return;
+    const now = this.models.map((_, k) => this.curve(k, outputs[Math.min(k, outputs.length - 1)])).filter((curve) => curve);
+    now.forEach((curve) => {
+      curve.label = this.models.length > 1 ? curve.label : words;
+    });
+    this.words = words;
+    this.now = now;
+    const curves = [...now, ...this.kept];
+    if (this.envelope && this.models.length === 1) {
+      const n = this.main.header.nodes;
+      ["least of the run", "mean", "largest of the run"].forEach((label, row) => {
+        const y = this.envelope.values.subarray(row * n + this.line.first, row * n + this.line.first + this.line.nodes);
+        curves.push({label, colour: ["#6b7885", "#9aa4ad", "#6b7885"][row], dashed: row !== 1, x: now[0] ? now[0].x : [],
+                     y: Float32Array.from(y, (v) => v / this.field.factor), wide: 1});
+      });
+    }
+    this.range.show({title: `${this.line.name}, ${words}`, x: this.main.header.arcLength, y: this.unit(this.field), curves});
+  }
+
+  keepCurve() {
+    for (const curve of this.now || []) {
+      const label = this.models.length > 1 ? `${curve.label}, ${this.words}` : this.words;
+      this.kept.push({...curve, label, dashed: true, colour: CURVE_COLOURS[(this.kept.length + 1) % CURVE_COLOURS.length], wide: 1.5});
+    }
+  }
+
+  dropCurves() {
+    this.kept = [];
+    this.range.graph && this.now && this.range.show({title: `${this.line.name}, ${this.words}`, x: this.main.header.arcLength,
+                                                     y: this.unit(this.field), curves: this.now});
+  }
+
+  async showEnds() {
+    const curves = [];
+    const wanted = this.line;
+    for (const {model, label} of this.models) {
+      const found = this.same(model);
+      if (!found || model.outputs < 2) continue;
+      const ends = await model.ends(found.field, found.line);
+      ["end A", "end B"].forEach((name, row) => {
+        curves.push({label: this.models.length > 1 ? `${name}, ${label}` : name, x: model.header.times,
+                     y: Float32Array.from(ends[row], (v) => v / found.field.factor)});
+      });
+    }
+    if (wanted !== this.line) return;
+    this.ends.show({title: `Ends of ${this.line.name}`, x: this.main.header.modes ? "mode" : "time [s]", y: this.unit(this.field), curves});
+  }
+
+  // A list of the histories that the results hold.
+  choice() {
+    const {histories, storedHistories} = this.main.header;
+    if (!histories.length || !storedHistories) return [];
+    const select = hawser.make("select", {onchange: () => this.showStored(select.value)}, hawser.make("option", {value: ""}, "none"));
+    histories.forEach((history, h) => {
+      const group = hawser.make("optgroup", {label: history.name});
+      history.columns.forEach((column, c) => group.append(hawser.make("option", {value: `${h} ${c}`}, `${history.name}: ${column.replace(/_/g, " ")}`)));
+      select.append(group);
+    });
+    this.stored.element.hidden = true;
+    return [hawser.make("div", {class: "bar"}, hawser.make("label", {}, "History ", select))];
+  }
+
+  async showStored(value) {
+    if (!value) {
+      this.stored.element.hidden = true;
+      return;
+    }
+    const [h, c] = value.split(" ").map(Number);
+    const curves = [];
+    const wanted = this.main.header.histories[h];
+    for (const {model, label, colour} of this.models) {
+      const history = model.header.histories.find((other) => other.name === wanted.name);
+      const column = history ? history.columns.indexOf(wanted.columns[c]) : -1;
+      if (column < 0) continue;
+      const block = await model.block(`series/${history.key}`);
+      const row = (k) => block.values.subarray(k * block.columns, (k + 1) * block.columns);
+      curves.push({label, colour, x: row(0), y: Float32Array.from(row(column + 1), (v) => v / history.factors[column])});
+    }
+    const unit = wanted.units[c] && wanted.units[c] !== "1" ? ` [${wanted.units[c]}]` : "";
+    this.stored.show({title: wanted.name, x: "time [s]", y: wanted.columns[c].replace(/_/g, " ") + unit, curves});
+  }
+};
+
+// Values of a field at both ends of a line, at every output.
+hawser.Model.prototype.ends = async function (field, line) {
+  if (this.header.served) {
+    const block = await this.block(`ends/${field.name}/${this.header.lines.indexOf(line)}`);
+    return [block.values.subarray(0, block.columns), block.values.subarray(block.columns)];
+  }
+  const found = [new Float32Array(this.outputs), new Float32Array(this.outputs)];
+  for (let output = 0; output < this.outputs; output++) {
+    await this.ready([`field/${field.name}`], [output]);
+    const values = this.scalars(field, output);
+    found[0][output] = values[line.first];
+    found[1][output] = values[line.first + line.nodes - 1];
+  }
+  return found;
+};

@@ -1,0 +1,176 @@
+// All lines in one drawing. A line is a band that faces who looks and is shaded as a tube: two vertices for each node, whose
+// neighbours are read from the same buffer.
+
+const LEAST_WIDTH = 2.2;       // pixels
+const SELECTED_WIDTH = 6;
+
+const LINE_VERTEX = `
+attribute vec3 before, after;
+attribute float side, radius, scalar, number;
+uniform float pixel, perspective, enlarged, leastWidth, selectedWidth, selected;
+varying float value, across;
+#include <clipping_planes_pars_vertex>
+void main() {
+  vec3 toEye = perspective > 0.5 ? cameraPosition - position : vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]);
+  vec3 outward = side * normalize(cross(after - before, toEye) + vec3(1e-12));
+  float depth = perspective > 0.5 ? max(-(viewMatrix * vec4(position, 1.0)).z, 0.0) : 1.0;
+  float width = abs(number - selected) < 0.5 ? selectedWidth : leastWidth;
+  vec4 mvPosition = viewMatrix * vec4(position + max(radius * enlarged, 0.5 * width * pixel * depth) * outward, 1.0);
+  gl_Position = projectionMatrix * mvPosition;
+  across = side;
+  value = scalar;
+  #include <clipping_planes_vertex>
+}`;
+
+// In its middle the colour is that of the legend; it is darker towards its sides.
+const LINE_FRAGMENT = `
+uniform sampler2D colours;
+uniform vec3 single, noNumber;
+uniform float low, high, coloured, steps;
+varying float value, across;
+#include <clipping_planes_pars_fragment>
+void main() {
+  #include <clipping_planes_fragment>
+  float share = high > low ? clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
+  vec3 colour = texture2D(colours, vec2((share * (steps - 1.0) + 0.5) / steps, 0.5)).rgb;
+  if (value > 1e37) colour = noNumber;
+  if (coloured < 0.5) colour = single;
+  float faces = sqrt(max(0.0, 1.0 - across * across));
+  gl_FragColor = vec4(colour * (0.55 + 0.45 * smoothstep(0.0, 0.75, faces)), 1.0);
+}`;
+
+const HIDDEN = 3e38;  // stands for what is no number
+
+hawser.Lines = class {
+  // `single`: a colour of all of them instead of colours of values.
+  constructor(model, radii, single) {
+    this.model = model;
+    const {lines} = model.header;
+    // Each line has one more place before its first node and behind its last.
+    this.places = lines.reduce((sum, line) => sum + line.nodes + 2, 0);
+    this.positions = new Float32Array(6 * this.places);
+    this.values = new Float32Array(2 * this.places);
+    this.radii = new Float32Array(2 * this.places);
+    this.placeOf = new Int32Array(model.header.nodes);
+    const numbers = new Float32Array(2 * this.places);
+    const sides = Float32Array.from({length: 2 * this.places}, (_, k) => (k % 2 ? 1 : -1));
+    let place = 0;
+    lines.forEach((line, number) => {
+      for (let i = 0; i < line.nodes; i++) {
+        this.placeOf[line.first + i] = place + 1 + i;
+        this.radii.fill(radii[line.first + i], 2 * (place + 1 + i), 2 * (place + 1 + i) + 2);
+      }
+      numbers.fill(number, 2 * place, 2 * (place + line.nodes + 2));
+      place += line.nodes + 2;
+    });
+    this.mesh = new THREE.Mesh(this.geometry(numbers, sides), this.material(single));
+    this.mesh.frustumCulled = false;
+    this.mesh.visible = lines.length > 0;
+  }
+
+  geometry(numbers, sides) {
+    const geometry = new THREE.BufferGeometry();
+    const last = 2 * this.places - 4;  // vertices whose neighbours are there
+    const buffer = (values, size) => {
+      const found = new THREE.InterleavedBuffer(values, size);
+      found.setUsage(THREE.DynamicDrawUsage);
+      return found;
+    };
+    // Vertex k is that of place 1 + k / 2: all are read from there on.
+    const of = (data, place) => {
+      const found = new THREE.InterleavedBufferAttribute(data, data.stride, 2 * place * data.stride);
+      Object.defineProperty(found, "count", {value: last});
+      return found;
+    };
+    this.positionBuffer = buffer(this.positions, 3);
+    this.valueBuffer = buffer(this.values, 1);
+    ["before", "position", "after"].forEach((name, k) => geometry.setAttribute(name, of(this.positionBuffer, k)));
+    geometry.setAttribute("scalar", of(this.valueBuffer, 1));
+    for (const [name, values] of [["radius", this.radii], ["number", numbers], ["side", sides]]) {
+      geometry.setAttribute(name, of(buffer(values, 1), 1));
+    }
+    this.faces = new THREE.BufferAttribute(new Uint32Array(6 * this.places), 1);
+    geometry.setIndex(this.faces);
+    return geometry;
+  }
+
+  // The stretches between nodes that have a place.
+  connect(lost) {
+    let count = 0;
+    const faces = this.faces.array;
+    for (const line of this.model.header.lines) {
+      const first = this.placeOf[line.first];
+      for (let place = first; place + 1 < first + line.nodes; place++) {
+        if (lost && (lost[place] || lost[place + 1])) continue;
+        const k = 2 * (place - 1);
+        faces.set([k, k + 1, k + 2, k + 1, k + 3, k + 2], count);
+        count += 6;
+      }
+    }
+    this.mesh.geometry.setDrawRange(0, count);
+    this.faces.needsUpdate = true;
+  }
+
+  material(single) {
+    this.uniforms = {
+      pixel: {value: 1}, perspective: {value: 1}, enlarged: {value: 1}, leastWidth: {value: LEAST_WIDTH},
+      selectedWidth: {value: SELECTED_WIDTH}, selected: {value: -1}, colours: {value: null}, steps: {value: 256},
+      low: {value: 0}, high: {value: 1}, coloured: {value: single ? 0 : 1}, single: {value: new THREE.Color(single || "#444444")},
+      noNumber: {value: new THREE.Color(...hawser.NO_NUMBER.map((c) => c / 255))},
+    };
+    return new THREE.ShaderMaterial({vertexShader: LINE_VERTEX, fragmentShader: LINE_FRAGMENT, uniforms: this.uniforms,
+                                     side: THREE.DoubleSide, clipping: true});
+  }
+
+  // Positions of all nodes (all x, all y, all z), between two outputs.
+  move(a, b, share) {
+    const n = this.model.header.nodes;
+    const {positions, placeOf} = this;
+    let broken = false;
+    for (let c = 0; c < 3; c++) {
+      for (let i = 0; i < n; i++) {
+        const x = a[c * n + i] + share * (b[c * n + i] - a[c * n + i]);
+        const k = 6 * placeOf[i] + c;
+        positions[k] = x;
+        positions[k + 3] = x;
+        if (x !== x) broken = true;
+      }
+    }
+    for (const line of this.model.header.lines) {
+      const first = 6 * placeOf[line.first];
+      const last = first + 6 * (line.nodes - 1);
+      for (let k = 0; k < 6; k++) {
+        positions[first - 6 + k] = 2 * positions[first + k] - positions[first + 6 + k];
+        positions[last + 6 + k] = 2 * positions[last + k] - positions[last - 6 + k];
+      }
+    }
+    if (broken || this.broken !== false) this.connect(broken ? this.lost() : null);
+    this.broken = broken;
+    this.positionBuffer.needsUpdate = true;
+  }
+
+  // Which places have no position; they get one that is not drawn.
+  lost() {
+    const {positions} = this;
+    const found = new Uint8Array(this.places);
+    for (let k = 0; k < positions.length; k++) {
+      if (positions[k] === positions[k]) continue;
+      positions[k] = 0;
+      found[Math.floor(k / 6)] = 1;
+    }
+    return found;
+  }
+
+  paint(a, b, share) {
+    const {values, placeOf} = this;
+    for (let i = 0; i < a.length; i++) {
+      const v = a[i] + share * (b[i] - a[i]);
+      values.fill(v === v ? v : HIDDEN, 2 * placeOf[i], 2 * placeOf[i] + 2);
+    }
+    this.valueBuffer.needsUpdate = true;
+  }
+
+  position(node, target) {
+    return target.fromArray(this.positions, 6 * this.placeOf[node]);
+  }
+};

@@ -1,0 +1,265 @@
+// The picture: everything that is drawn, at a time between two outputs.
+
+const SKY = 0xf7f9fb;
+const COARSE = 0.6;  // of the pixels along a side
+
+hawser.Scene = class {
+  // box: an element that has a size; it gets the picture and what is written over it.
+  constructor(box, model) {
+    this.model = model;
+    this.canvas = document.createElement("canvas");
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "application");
+    const over = document.createElement("canvas");
+    over.className = "over";
+    over.setAttribute("aria-hidden", "true");
+    box.append(this.canvas, over);
+    this.box = box;
+    const context = this.canvas.getContext("webgl2", {antialias: !hawser.Scene.slow(), alpha: false}) || this.canvas.getContext("webgl");
+    if (!context) throw new Error("this browser has no WebGL, which the picture in three dimensions needs");
+    this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, context});
+    this.renderer.setClearColor(SKY);
+    this.space = new THREE.Scene();
+    this.space.add(new THREE.HemisphereLight(0xffffff, 0x9aa4ad, 0.85));
+    this.light = new THREE.DirectionalLight(0xffffff, 0.35);
+    this.space.add(this.light);
+    this.overlay = new hawser.Overlay(over);
+    this.camera = new hawser.Camera(this.canvas, model.header, () => this.redraw());
+    this.cuts = new hawser.Cuts(this.renderer, this.camera);
+    this.colours = new hawser.Colours(model.header.maps);
+    this.shown = {names: true, volumes: true, sea: true, bed: true, touchdowns: true, forces: true, notes: true};
+    this.selected = -1;
+    this.drawn = 0;
+    this.output = 0;
+    this.share = 0;
+    new ResizeObserver(() => this.resize()).observe(box);
+  }
+
+  // Whether pictures are computed by the processor.
+  static slow() {
+    if (hawser.Scene.isSlow === undefined) hawser.Scene.isSlow = hawser.Scene.software();
+    return hawser.Scene.isSlow;
+  }
+
+  static software() {
+    const trial = document.createElement("canvas").getContext("webgl");
+    const told = trial && trial.getExtension("WEBGL_debug_renderer_info");
+    const name = told ? trial.getParameter(told.UNMASKED_RENDERER_WEBGL) : "";
+    if (trial) trial.getExtension("WEBGL_lose_context")?.loseContext();
+    return /swiftshader|llvmpipe|software/i.test(name);
+  }
+
+  async load() {
+    const {model, space} = this;
+    this.lines = new hawser.Lines(model, (await model.block("radius")).values);
+    this.bodies = new hawser.Bodies(model);
+    this.sea = new hawser.Sea(model);
+    this.marks = new hawser.Marks(model);
+    await Promise.all([this.bodies.load(this.camera.size), this.sea.load()]);
+    space.add(this.lines.mesh, this.bodies.root, this.sea.root, this.marks.root);
+    this.paintWith(this.colours.chosen.name);
+  }
+
+  // Lines of another model in a colour of their own.
+  async addLines(model, colour) {
+    const lines = new hawser.Lines(model, (await model.block("radius")).values, colour);
+    this.space.add(lines.mesh);
+    return lines;
+  }
+
+  paintWith(map) {
+    this.colours.choose(map);
+    this.lines.uniforms.colours.value = this.colours.texture();
+    this.lines.uniforms.steps.value = this.colours.chosen.steps;
+    this.redraw();
+  }
+
+  // Blocks that a picture of the chosen field needs.
+  needs() {
+    const {header} = this.model;
+    const names = header.lines.length ? ["position"] : [];
+    if (this.field) names.push(`field/${this.field.name}`);
+    if (header.bodies.length) names.push("pose");
+    if (header.touchdowns.length) names.push("touchdown");
+    if (this.shown.forces) names.push(...this.marks.forces.map((field) => `field/${field.name}`));
+    return [...new Set(names)];
+  }
+
+  // Shows what is between this output and the next, all of which is here.
+  set(output, share) {
+    const {model} = this;
+    const next = Math.min(output + 1, model.outputs - 1);
+    const pair = (what) => [model.at(what, output), model.at(what, next) || model.at(what, output)];
+    const [a, b] = pair("position");
+    if (a) this.lines.move(a, b, share);
+    if (this.field) {
+      const values = model.scalars(this.field, output);
+      if (values) this.lines.paint(values, share > 0 ? model.scalars(this.field, next) || values : values, share);
+    }
+    const poses = pair("pose");
+    if (poses[0]) this.bodies.move(...poses, share);
+    if (output !== this.output || !this.marks.found || this.forget) {
+      this.marks.touch(model.at("touchdown", output));
+      this.marks.push(output);
+      this.forget = false;
+    }
+    this.time = model.header.times[output] + share * (model.header.times[next] - model.header.times[output]);
+    this.sea.move(this.time);
+    this.output = output;
+    this.share = share;
+    this.redraw();
+  }
+
+  resize() {
+    const [width, height] = [this.box.clientWidth, this.box.clientHeight];
+    if (!width || !height) return;
+    this.refine();
+    this.overlay.resize(width, height, Math.min(2, window.devicePixelRatio || 1));
+    this.camera.resize();
+    this.redraw();
+  }
+
+  // Pixels of the picture: fewer while it plays where the processor draws them.
+  refine(playing = false) {
+    const ratio = Math.min(2, window.devicePixelRatio || 1) * (playing && hawser.Scene.slow() ? COARSE : 1);
+    if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(this.box.clientWidth, this.box.clientHeight, false);
+  }
+
+  redraw() {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.draw();
+    });
+  }
+
+  draw() {
+    if (this.time === undefined || !this.overlay.width) return;
+    const {camera} = this.camera;
+    for (const lines of [this.lines, ...(this.others || [])]) {
+      lines.uniforms.pixel.value = this.camera.pixel();
+      lines.uniforms.perspective.value = camera.isPerspectiveCamera ? 1 : 0;
+      lines.uniforms.selected.value = this.selected;
+    }
+    Object.assign(this.lines.uniforms.low, {value: this.colours.low});
+    Object.assign(this.lines.uniforms.high, {value: this.colours.high});
+    this.lines.uniforms.coloured.value = this.field ? 1 : 0;
+    this.bodies.show(this.shown.volumes);
+    if (this.sea.surface) this.sea.surface.visible = this.shown.sea;
+    if (this.sea.bed) this.sea.bed.visible = this.shown.bed;
+    this.marks.touchdowns.visible = this.shown.touchdowns && this.marks.shown > 0;
+    for (const arrows of this.marks.arrows) arrows.visible = this.shown.forces;
+    if (this.shown.forces) this.marks.place(this.lines, this.camera.pixelAtTarget());
+    this.light.position.copy(camera.position);
+    this.renderer.render(this.space, camera);
+    this.write();
+    if (this.drawn === 0) this.firstAt = performance.now();
+    this.drawn += 1;
+  }
+
+  // The box of what is there at the time shown: lines, and middles of volumes that are not far from them.
+  boxNow() {
+    const box = new THREE.Box3();
+    const at = new THREE.Vector3();
+    for (let i = 0; i < this.model.header.nodes; i++) box.expandByPoint(this.lines.position(i, at));
+    if (box.isEmpty()) for (const volume of this.bodies.volumes) box.expandByObject(volume.mesh);
+    return box;
+  }
+
+  // A place on the screen, in pixels of the page; null behind the camera.
+  pixelOf(place) {
+    const p = place.clone().project(this.camera.camera);
+    return p.z < 1 ? {x: (p.x + 1) / 2 * this.overlay.width, y: (1 - p.y) / 2 * this.overlay.height} : null;
+  }
+
+  write() {
+    const {overlay} = this;
+    overlay.clear();
+    if (this.shown.names) overlay.names(this.names());
+    if (this.shown.notes) overlay.badges(this.badges());
+    overlay.legend(this.colours, this.field);
+    overlay.scale(this.camera.pixelAtTarget());
+    overlay.axes(this.camera.camera);
+    const when = this.model.header.modes ? `mode ${this.output}` : `t = ${this.time.toFixed(2)} s`;
+    overlay.text(when, overlay.width - 14, 22, {align: "right", bold: true, size: 14});
+    if (this.shown.forces && this.marks.found?.length) {
+      overlay.text(`longest arrow: ${hawser.number(this.marks.largest / 1e3)} kN`, overlay.width - 14, 40, {align: "right"});
+    }
+  }
+
+  names() {
+    const [found, at] = [[], new THREE.Vector3()];
+    const add = (words, place) => {
+      const pixel = this.pixelOf(place);
+      if (pixel) found.push({words, ...pixel});
+    };
+    this.model.header.bodies.forEach((name, k) => add(name, this.bodies.groups[k].getWorldPosition(at)));
+    this.model.header.lines.slice(0, MOST_NAMES).forEach((line) => add(line.name, this.lines.position(line.first + (line.nodes >> 1), at)));
+    if (!this.shown.volumes) return found;
+    for (const volume of this.bodies.volumes.slice(0, MOST_NAMES)) {
+      if (volume.name !== this.model.header.bodies[volume.body]) add(volume.name, this.bodies.middle(volume, at));
+    }
+    return found;
+  }
+
+  // Where a note belongs; null where it names no part of the model.
+  placeOfNote(note, at) {
+    if (note.node !== undefined) return this.lines.position(note.node, at);
+    if (note.volume !== undefined && this.bodies.volumes[note.volume]) return this.bodies.middle(this.bodies.volumes[note.volume], at);
+    return note.body === undefined ? null : this.bodies.groups[note.body].getWorldPosition(at);
+  }
+
+  badges() {
+    const [found, at] = [[], new THREE.Vector3()];
+    this.model.header.notes.forEach((note, k) => {
+      const place = this.placeOfNote(note, at);
+      const pixel = place && this.pixelOf(place);
+      if (!pixel) return;
+      const beside = found.filter((b) => Math.abs(b.x - pixel.x) < 4 && Math.abs(b.y - pixel.y) < 40).length;
+      found.push({number: k + 1, warning: note.kind === "warning", x: pixel.x, y: pixel.y - 20 * beside});
+    });
+    return found;
+  }
+
+  // The node nearest to a pixel, up to some pixels away; -1 where there is none.
+  nodeAt(x, y, reach = 12) {
+    let [best, found] = [reach * reach, -1];
+    const at = new THREE.Vector3();
+    const matrix = new THREE.Matrix4().multiplyMatrices(this.camera.camera.projectionMatrix, this.camera.camera.matrixWorldInverse);
+    const [w, h] = [this.overlay.width / 2, this.overlay.height / 2];
+    let previous = null;
+    for (const line of this.model.header.lines) {
+      previous = null;
+      for (let i = line.first; i < line.first + line.nodes; i++) {
+        this.lines.position(i, at).applyMatrix4(matrix);
+        const p = at.z < 1 ? [(at.x + 1) * w, (1 - at.y) * h] : null;
+        const near = hawser.nearest(p, previous, x, y);
+        if (near.distance < best) [best, found] = [near.distance, near.first ? i : i - 1];
+        previous = p;
+      }
+    }
+    return found;
+  }
+
+  // The picture with what is written over it, as PNG.
+  async still() {
+    this.draw();
+    const whole = document.createElement("canvas");
+    [whole.width, whole.height] = [this.canvas.width, this.canvas.height];
+    const pen = whole.getContext("2d");
+    pen.drawImage(this.canvas, 0, 0);
+    pen.drawImage(this.overlay.canvas, 0, 0, whole.width, whole.height);
+    return new Promise((done) => whole.toBlob(done, "image/png"));
+  }
+};
+
+// The squared distance of a pixel from the stretch between two, and whether the first of them is nearer.
+hawser.nearest = function (p, q, x, y) {
+  if (!p) return {distance: Infinity, first: true};
+  if (!q) return {distance: (p[0] - x) ** 2 + (p[1] - y) ** 2, first: true};
+  const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
+  const share = Math.min(1, Math.max(0, ((x - p[0]) * dx + (y - p[1]) * dy) / (dx * dx + dy * dy || 1)));
+  return {distance: (p[0] + share * dx - x) ** 2 + (p[1] + share * dy - y) ** 2, first: share < 0.5};
+};

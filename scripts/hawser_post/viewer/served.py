@@ -1,0 +1,149 @@
+"""What the server shows: results, which may grow while it does, or the start shape of a case until it has been run."""
+import hashlib
+import os
+import tempfile
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+
+from ..arguments import read_case
+from ..results import Refusal, Results
+from . import blocks, notes, start_shape
+from .model import Model
+
+BLOCK_VALUES = 1_000_000  # positions of a part
+MOST_OUTPUTS = 512  # of a part
+SAMPLE = 40  # outputs by which the range of a field is told
+OFTEN = 0.7  # s between two looks at the files
+
+
+class ServedModel(Model):
+    """As a page asks for it: by parts, its ranges by what the program says of every step and a sample of the outputs."""
+
+    def __init__(self, results, fields=None):
+        nodes = max(1, len(results.file["nodes/arc_length"]))
+        super().__init__(results, per_block=int(np.clip(BLOCK_VALUES // (3 * nodes), 1, MOST_OUTPUTS)), fields=fields)
+
+    def range_of(self, name):
+        low, high = np.inf, -np.inf
+        for k in np.unique(np.linspace(0, len(self.rows) - 1, SAMPLE).astype(int)):
+            x = self.sizes(name, [self.rows[k]])
+            low, high = (float(f(x, where=np.isfinite(x), initial=i)) for f, i in ((np.min, low), (np.max, high)))
+        if self.with_statistics(name):
+            x = self.file[f"statistics/{name}"][:]
+            low = float(np.min(x[:, 0], where=np.isfinite(x[:, 0]), initial=low))
+            high = float(np.max(x[:, 2], where=np.isfinite(x[:, 2]), initial=high))
+        return (low, high) if low <= high else None
+
+    def block(self, name):
+        what, _, rest = name.partition("/")
+        if what != "ends":
+            return super().block(name)
+        field, _, line = rest.rpartition("/")
+        if field not in self.shown or not line.isascii() or not line.isdigit() or int(line) >= len(self.results.lines):
+            return None
+        nodes = self.results.lines[int(line)].nodes
+        rows = slice(self.rows[0], self.rows[-1] + 1)
+        found = [self.file["fields"][field][rows, node] for node in (nodes.start, nodes.stop - 1)]
+        return blocks.plain([np.linalg.norm(x, axis=-1) if x.ndim == 2 else x for x in found], "float32")
+
+
+class Shown:
+    """Thread-safe: one request at a time reads files."""
+
+    def __init__(self, given, changes=()):
+        self.lock, self.model, self.words, self.looked, self.seen = threading.Lock(), None, "", 0.0, None
+        self.changes, self.folder = changes, None
+        path = Path(given)
+        self.case = path if path.suffix in (".yaml", ".yml") else None
+        self.path = path
+        if self.case:
+            case = read_case(path, changes)
+            self.path = Path(case["results"] if path.is_absolute() else os.path.relpath(case["results"]))
+            self.inputs = [Path(file) for file in case["inputs"]]
+        self.look()
+
+    # What is on the disk.
+
+    def stamp_of(self, path):
+        try:
+            found = path.stat()
+            return found.st_ino, found.st_mtime_ns, found.st_size
+        except OSError:
+            return None
+
+    def newest_input(self):
+        return max((file.stat().st_mtime for file in self.inputs if file.exists()), default=0.0)
+
+    def run_is_current(self):
+        return self.path.is_file() and (not self.case or self.path.stat().st_mtime >= self.newest_input())
+
+    def look(self):
+        """Opens what there is to be shown, anew if it has changed."""
+        if time.monotonic() - self.looked < OFTEN and self.model:
+            return
+        current = self.run_is_current() or not self.case
+        now = self.stamp_of(self.path) if current else ("start", *(self.stamp_of(file) for file in self.inputs))
+        if now == self.seen and self.model:
+            self.looked = time.monotonic()
+            return
+        try:
+            self.show(ServedModel(Results(self.path)) if current else self.start(), "run" if current else "start")
+            self.seen = now
+        except (Refusal, OSError, KeyError, ValueError, RuntimeError) as error:
+            # Before the first output of a run there is the start shape; a damaged file leaves what was shown.
+            if current and self.case and (self.model is None):
+                self.show(self.start(), "start")
+            elif self.model is None:
+                raise
+            self.words = str(error).splitlines()[0]
+        self.looked = time.monotonic()
+
+    def show(self, model, kind):
+        if self.model is not None:
+            self.model.results.file.close()
+        self.model, self.kind, self.words = model, kind, ""
+        if kind == "run":
+            key = f"{self.path} {self.path.stat().st_ino} {model.results.attribute('date')}"
+        else:
+            key = f"start {time.time_ns()}"
+        self.stamp = hashlib.sha256(key.encode()).hexdigest()[:16]
+
+    def start(self):
+        told = start_shape.notes_of(self.case, self.changes)
+        if self.folder is None:
+            self.folder = tempfile.TemporaryDirectory(prefix="hawser-view-")
+        folder = tempfile.mkdtemp(dir=self.folder.name)
+        results = start_shape.start_of(self.case, self.changes, folder)
+        model = ServedModel(results, fields=())  # before statics no force is one
+        model.told = told
+        return model
+
+    # What is asked.
+
+    def header(self):
+        with self.lock:
+            self.look()
+            found = self.model.header()
+            told = getattr(self.model, "told", None)
+            if told is not None:
+                found["notes"] = notes.placed(self.model.results, told)
+                found["missing"].append("This is the start shape, before statics; the results are shown when the case is run.")
+            return {**found, "served": True, "stamp": self.stamp, "storedHistories": self.kind == "run"}
+
+    def status(self):
+        with self.lock:
+            self.look()
+            results = self.model.results
+            return {"stamp": self.stamp, "kind": self.kind, "outputs": len(self.model.rows), "time": float(results.time[-1]),
+                    "duration": results.duration, "ended": results.ended, "words": self.words}
+
+    def block(self, name):
+        with self.lock:
+            return self.model.block(name)
+
+    def close(self):
+        if self.folder:
+            self.folder.cleanup()

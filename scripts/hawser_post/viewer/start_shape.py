@@ -1,0 +1,51 @@
+"""A case before its run: the start shape, as `hawser check` sees it, and the notes of the check."""
+import os
+import re
+import subprocess
+from pathlib import Path
+
+from ..arguments import words_of
+from ..results import Refusal, Results
+
+MOMENT = 0.001  # s, of the run that writes the start shape
+PATIENCE = 300  # s
+# What is tried one after another: the start shape as it is, or at rest where the case needs that.
+TRIALS = (("statics=false", f"dynamics.duration={MOMENT}", f"dynamics.step={MOMENT}"), (f"dynamics.duration={MOMENT}",), ())
+
+
+def program(command, path, changes, *more):
+    try:
+        return subprocess.run(words_of(command, path, changes, *more), capture_output=True, text=True, errors="replace", timeout=PATIENCE,
+                              env={**os.environ, "COLUMNS": "10000"})
+    except subprocess.TimeoutExpired:
+        raise Refusal(f"{path}: hawser {command} has taken more than {PATIENCE} s") from None
+
+
+def notes_of(path, changes=()):
+    """Notes and warnings of the check; where the case is refused, its sentence is the Refusal."""
+    done = program("check", path, changes, "--quick")
+    if done.returncode != 0:
+        raise Refusal(said(done))
+    return [line.strip() for line in done.stdout.splitlines() if re.match(r"\s*(note|warning): ", line)]
+
+
+def said(done):
+    """The sentence of a program that has failed."""
+    lines = [line for line in done.stderr.splitlines() if line.strip()]
+    return lines[-1].removeprefix("hawser: ") if lines else f"the program has ended with code {done.returncode}"
+
+
+def start_of(path, changes, folder):
+    """Results whose only output is the start shape, in a file of `folder`."""
+    target, why = Path(folder) / "start.h5", ""
+    for sets in TRIALS:
+        more = ["-o", str(target), "-q", *(["--stop-at", str(MOMENT)] if any("duration" in s for s in sets) else [])]
+        done = program("run", path, [*changes, *sets], *more)
+        if target.is_file():
+            try:
+                return Results(target, 0)
+            except Refusal as refusal:
+                why = str(refusal)
+        why = why or said(done)
+        target.unlink(missing_ok=True)
+    raise Refusal(f"{path}: its start shape cannot be shown: {why}")

@@ -1,0 +1,28 @@
+"""hawser view: the model of a case or of results in one's browser."""
+import webbrowser
+
+from ..results import Refusal
+from . import libraries
+from .served import Shown
+from .server import Server
+
+
+def make(options):
+    if libraries.missing():
+        raise Refusal(libraries.missing().rstrip("."))
+    shown = Shown(options.results, options.changes)
+    try:
+        server = Server(shown, options.port)
+    except OSError as error:
+        raise Refusal(f"port {options.port} of this machine cannot be used ({error.strerror})") from error
+    what = {"run": f"{shown.path}", "start": f"the start shape of {shown.case}"}[shown.kind]
+    print(f"view: {what}\n{server.address}\nCtrl-C ends it", flush=True)
+    if not options.no_browser:
+        webbrowser.open(server.address)
+    try:
+        server.serve_forever()
+    except KeyboardInterrupt:
+        print("\nview: ended")
+    finally:
+        server.server_close()
+        shown.close()
