@@ -50,6 +50,8 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "openmpi-bin, python3, python3-h5py, python3-matplotlib, python3-numpy, python3-scipy")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview")
+# These draw models in a browser; without them reports are made without that.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libjs-three, libjs-dygraphs")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview, chromium | firefox-esr")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)

@@ -1,4 +1,4 @@
-"""The commands that look at results: hawser report, plot, export, extremes, fatigue, pipe and lay."""
+"""The commands written in Python: hawser report, plot, export, extremes, fatigue, pipe, lay, compare, view and new."""
 import os
 import sys
 import traceback
@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 
 try:
-    from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_told, plot, report, scene
+    from . import compare, export, extremes_told, fatigue, fatigue_told, lay, new, pipe_told, plot, report, scene
     from .arguments import Parser, add_set, place_for, port_from, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
@@ -118,6 +118,17 @@ def commands():
     p.add_argument("-o", "--output", help="CSV file, with a figure beside it (default: <case>-lay.csv)")
     add_set(p)
     p.set_defaults(do=lay.make)
+
+    p = sub.add_parser("compare", help="one HTML file with two results over each other: model, tables of differences, graphs")
+    p.add_argument("a", metavar="A", help=of)
+    p.add_argument("b", metavar="B", help="likewise")
+    p.add_argument("-o", "--output", help="HTML file (default: <A>-<B>.html in this folder)")
+    add_set(p)
+    p.set_defaults(do=compare.make)
+
+    p = sub.add_parser("new", help="a short dialogue that writes a case file with one line, and shows it")
+    p.add_argument("file", nargs="?", help="case file that is written (.yaml)")
+    p.set_defaults(do=new.make)
 
     p = sub.add_parser("view", help="the model in three dimensions in a browser of this machine: results, a run in progress, or a start shape")
     p.add_argument("results", help="results file (.h5), or case file: its results, or before its run its start shape")

@@ -114,11 +114,12 @@ class Page:
         self.parts.append(f'<figure{told}><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{text}">'
                           f"<figcaption>{html.escape(caption)}</figcaption>{script}</figure>")
 
-    def model(self, results):
-        """The model in three dimensions, or the sentence that says why it is not there."""
+    def model(self, results, other=None):
+        """The model in three dimensions, with another in it, or the sentence that says why it is not there."""
         if self.drawn:
             # Before the rest of the page, so that the model is there first.
-            self.parts += [embedded.scene(results), embedded.libraries_of_page()]
+            scenes = [embedded.scene(results)] if other is None else embedded.two_scenes(results, other)
+            self.parts += [*scenes, embedded.libraries_of_page()]
             self.has_model = True
         else:
             self.text(libraries.missing(), "note")

@@ -37,9 +37,9 @@ def limit(results):
     return min(LARGE, max(SMALL, EACH_OUTPUT * results.outputs))
 
 
-def packed_model(results):
+def packed_model(results, most=None):
     """The model with as many outputs and fields as the limit allows, its header and its blocks."""
-    most = limit(results)
+    most = most or limit(results)
     named = set(results.reported("graph", "table"))
     fields, every = None, 1
     values = results.outputs * len(results.file["nodes/arc_length"]) * (3 + len(results.fields))
@@ -63,16 +63,30 @@ def packed_model(results):
     return header, {name: block for name, block in found.items() if block}
 
 
-def scene(results, name="model", **more):
-    """The HTML of the place of a viewer, and of its data."""
-    header, found = packed_model(results)
+def data(results, name, most=None, **more):
+    """The HTML of the data of a model."""
+    header, found = packed_model(results, most)
     header.update(more)
-    parts = [f'<div class="hawser-view" id="{name}">The model in three dimensions comes here when the page has been read, '
-             "in a browser with JavaScript.</div>",
-             f'<script type="application/json" id="{name}-header">{json_of(header)}</script>']
+    parts = [f'<script type="application/json" id="{name}-header">{json_of(header)}</script>']
     parts += [f'<script type="text/plain" data-of="{name}" data-block="{html.escape(key)}">{text_of(block)}</script>'
               for key, block in found.items()]
     return "\n".join(parts)
+
+
+def place(name, others=""):
+    """The HTML of the place of a viewer."""
+    more = f' data-others="{others}"' if others else ""
+    return (f'<div class="hawser-view" id="{name}"{more}>The model in three dimensions comes here when the page has been read, '
+            "in a browser with JavaScript.</div>")
+
+
+def scene(results):
+    return f"{place('model')}\n{data(results, 'model')}"
+
+
+def two_scenes(a, b):
+    """One viewer of two models, B over A."""
+    return [place("model", "other"), data(a, "model", label="A"), data(b, "other", label="B")]
 
 
 def curves_of(figure):

@@ -4,6 +4,7 @@ from functools import cached_property
 import numpy as np
 
 from .. import charts
+from ..layout import text_of
 from ..results import dictionary
 from ..sea import Sea
 from . import blocks, colours, geometry, notes
@@ -94,14 +95,13 @@ class Model:
         """Numbers of those that are kept as a mesh stand for their places in the file."""
         for key, volume in self.file.get("volumes", {}).items():
             if "vertices" in volume and "triangles" in volume and len(volume["triangles"]):
-                name = volume.attrs.get("name", key)
-                yield {"key": key, "name": name.decode() if isinstance(name, bytes) else str(name), "body": int(volume.attrs.get("body", -1))}
+                yield {"key": key, "name": text_of(volume.attrs.get("name", key)), "body": int(volume.attrs.get("body", -1))}
 
     def touchdowns(self):
         """(line, place in the file of its history of touchdown points)."""
         names = {self.results.series_name(key): key for key in self.results.series_names}
         found = [(line, names.get(f"{line.name} touchdown")) for line in self.results.lines]
-        return [(line, key) for line, key in found if key and b"end_a_position_x" in list(self.file["series"][key].attrs["columns"])]
+        return [(line, key) for line, key in found if key and "end_a_position_x" in self.columns(key)["columns"]]
 
     def header(self):
         results = self.results
@@ -127,8 +127,8 @@ class Model:
 
     def columns(self, key):
         series = self.results.file["series"][key].attrs
-        shown = [charts.shown(u.decode()) for u in series["units"]]
-        return {"columns": [c.decode() for c in series["columns"]], "units": [u for u, _ in shown], "factors": [f for _, f in shown]}
+        shown = [charts.shown(text_of(u)) for u in series["units"]]
+        return {"columns": [text_of(c) for c in series["columns"]], "units": [u for u, _ in shown], "factors": [f for _, f in shown]}
 
     def unknown_bed(self):
         return "seabed" in dictionary(self.results.keys.get("environment")) and self.bed is None

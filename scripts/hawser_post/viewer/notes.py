@@ -3,6 +3,8 @@ import re
 
 import numpy as np
 
+from ..layout import text_of
+
 LONGEST = 400  # letters
 
 
@@ -36,8 +38,8 @@ def place(results, text, volumes):
 
 def placed(results, texts=None):
     """[{text, kind, and a place}]"""
-    volumes = [str(v.attrs.get("name", key).decode() if isinstance(v.attrs.get("name", key), bytes) else v.attrs.get("name", key))
-               for key, v in results.file.get("volumes", {}).items() if "vertices" in v and "triangles" in v and len(v["triangles"])]
+    volumes = [text_of(v.attrs.get("name", key)) for key, v in results.file.get("volumes", {}).items()
+               if "vertices" in v and "triangles" in v and len(v["triangles"])]
     found = []
     for text in texts if texts is not None else results.messages():
         kind = "warning" if text.startswith("warning") else "note"

@@ -89,21 +89,21 @@ class Shown:
         if now == self.seen and self.model:
             self.looked = time.monotonic()
             return
+        if self.model is not None:  # HDF5 would hand out what it knows of the file as it was
+            self.model.results.file.close()
         try:
             self.show(ServedModel(Results(self.path)) if current else self.start(), "run" if current else "start")
             self.seen = now
         except (Refusal, OSError, KeyError, ValueError, RuntimeError) as error:
-            # Before the first output of a run there is the start shape; a damaged file leaves what was shown.
-            if current and self.case and (self.model is None):
+            # Before the first output of a run there is the start shape; otherwise the next look may find a file that can be read.
+            if current and self.case and (self.model is None or self.kind == "start"):
                 self.show(self.start(), "start")
             elif self.model is None:
                 raise
-            self.words = str(error).splitlines()[0]
+            self.words, self.seen = str(error).splitlines()[0], None
         self.looked = time.monotonic()
 
     def show(self, model, kind):
-        if self.model is not None:
-            self.model.results.file.close()
         self.model, self.kind, self.words = model, kind, ""
         if kind == "run":
             key = f"{self.path} {self.path.stat().st_ino} {model.results.attribute('date')}"

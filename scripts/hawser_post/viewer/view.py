@@ -8,16 +8,21 @@ from .server import Server
 
 
 def make(options):
+    show(options.results, options.changes, options.port, not options.no_browser)
+
+
+def show(path, changes=(), port=0, browser=True):
+    """Serves until Ctrl-C."""
     if libraries.missing():
         raise Refusal(libraries.missing().rstrip("."))
-    shown = Shown(options.results, options.changes)
+    shown = Shown(path, changes)
     try:
-        server = Server(shown, options.port)
+        server = Server(shown, port)
     except OSError as error:
-        raise Refusal(f"port {options.port} of this machine cannot be used ({error.strerror})") from error
+        raise Refusal(f"port {port} of this machine cannot be used ({error.strerror})") from error
     what = {"run": f"{shown.path}", "start": f"the start shape of {shown.case}"}[shown.kind]
     print(f"view: {what}\n{server.address}\nCtrl-C ends it", flush=True)
-    if not options.no_browser:
+    if browser:
         webbrowser.open(server.address)
     try:
         server.serve_forever()

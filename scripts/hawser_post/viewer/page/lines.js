@@ -11,11 +11,12 @@ uniform float pixel, perspective, enlarged, leastWidth, selectedWidth, selected;
 varying float value, across;
 #include <clipping_planes_pars_vertex>
 void main() {
-  vec3 toEye = perspective > 0.5 ? cameraPosition - position : vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]);
+  vec3 at = position + modelMatrix[3].xyz;
+  vec3 toEye = perspective > 0.5 ? cameraPosition - at : vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]);
   vec3 outward = side * normalize(cross(after - before, toEye) + vec3(1e-12));
-  float depth = perspective > 0.5 ? max(-(viewMatrix * vec4(position, 1.0)).z, 0.0) : 1.0;
+  float depth = perspective > 0.5 ? max(-(viewMatrix * vec4(at, 1.0)).z, 0.0) : 1.0;
   float width = abs(number - selected) < 0.5 ? selectedWidth : leastWidth;
-  vec4 mvPosition = viewMatrix * vec4(position + max(radius * enlarged, 0.5 * width * pixel * depth) * outward, 1.0);
+  vec4 mvPosition = viewMatrix * vec4(at + max(radius * enlarged, 0.5 * width * pixel * depth) * outward, 1.0);
   gl_Position = projectionMatrix * mvPosition;
   across = side;
   value = scalar;

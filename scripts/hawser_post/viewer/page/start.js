@@ -29,6 +29,8 @@ hawser.View = class {
     this.scene.others = [];
     for (const other of this.others) {
       other.lines = await this.scene.addLines(other.model, other.colour);
+      // Each model is counted from a centre of its own.
+      other.lines.mesh.position.fromArray([0, 1, 2].map((c) => other.model.header.centre[c] - this.model.header.centre[c]));
       this.scene.others.push(other.lines);
     }
     this.limit(true);

@@ -1,0 +1,82 @@
+"""The text of a case file made of a few answers: one line from an anchor on the bed to a vessel or a fixed point."""
+import math
+from dataclasses import dataclass
+
+KINDS = {  # what a line can be made of: the words of the list, and its library type or "" for a pipe
+    "chain": ("studless chain", "chain-studless"), "studlink": ("studlink chain", "chain-studlink"),
+    "wire": ("wire rope with a wire core", "wire-six-strand"), "polyester": ("polyester rope", "polyester"),
+    "pipe": ("steel pipe", "")}
+USUAL_DIAMETER = {"chain": 0.084, "studlink": 0.084, "wire": 0.09, "polyester": 0.16, "pipe": 0.273}  # m
+GRADES = ("R3", "R3S", "R4", "R4S", "R5")
+WALL = 0.02  # of the usual pipe, m
+
+
+@dataclass
+class Answers:
+    title: str
+    depth: float  # m
+    kind: str
+    diameter: float  # m
+    grade: str = ""  # of chain
+    wall: float = 0.0  # of a pipe, m
+    top: float = 10.0  # of the upper end below the surface, m
+    distance: float = 0.0  # of the anchor, m, horizontally
+    length: float = 0.0  # m
+    moves: bool = False  # the upper end with a vessel
+    height: float = 0.0  # of the wave, m; 0: still water
+    period: float = 0.0  # s
+    direction: float = 180.0  # deg, in which it runs
+
+
+def rise(depth, top):
+    return depth - top
+
+
+def usual_distance(kind, depth, top):
+    """m, of the anchor from the upper end."""
+    return float(f"{rise(depth, top) * {'pipe': 1.6, 'polyester': 1.5}.get(kind, 5.0):.2g}")
+
+
+def usual_length(kind, depth, top, distance):
+    """m, of a line that lies on the bed at its anchor; of a rope that is taut."""
+    straight = math.hypot(rise(depth, top), distance)
+    return float(f"{straight * {'pipe': 1.13, 'polyester': 0.995}.get(kind, 1.025):.4g}")
+
+
+def line_type(a):
+    if a.kind == "pipe":
+        return (f"  line:\n    pipe: {{outer_diameter: {a.diameter:g}, wall_thickness: {a.wall:g}}}   # m, of steel\n"
+                "    stiffness_damping: 0.02   # s")
+    grade = f", grade: {a.grade}" if a.grade else ""
+    return f"  line: {{library: {KINDS[a.kind][1]}, diameter: {a.diameter:g}{grade}}}   # m; `hawser library` prints what the library has"
+
+
+def text(a):
+    """The case file, each part with what it is."""
+    beam = a.kind == "pipe"
+    element = max(0.5, float(f"{a.length / (160 if beam else 100):.2g}"))
+    upper = f"{{body: vessel, at: [0, 0, {-a.top:g}]}}" if a.moves else f"{{anchor: [0, 0, {-a.top:g}]}}"
+    parts = [f"# Written by hawser new. Units are SI where none is written, angles in degrees; z is up, from still water.\nhawser: 1\ntitle: {quoted(a.title)}"]
+    waves = f"\n  waves: {{regular: {{height: {a.height:g}, period: {a.period:g}, direction_deg: {a.direction:g}}}}}   # running towards" if a.height else ""
+    parts.append(f"environment:\n  water: {{depth: {a.depth:g}}}\n  seabed: {{depth: {a.depth:g}, friction: 0.5}}{waves}")
+    parts.append(f"# What the line is made of.\nline_types:\n{line_type(a)}")
+    if a.moves:
+        period = a.period or 10.0
+        amplitude = a.height / 4 or 1.0
+        parts.append("# The vessel moves up and down and to and fro by half of the wave's amplitude; take response amplitude operators of its own\n"
+                     "# instead (docs/how-to/vessel.md).\nbodies:\n  vessel:\n"
+                     f"    motion: {{harmonic: {{amplitude: [{amplitude:g}, 0, {amplitude:g}], period: {period:g}}}, ramp: {period:g}}}")
+    parts.append("# From the upper end, A, to the anchor, B.\nlines:\n  line:\n"
+                 f"    sections: [{{type: line, length: {a.length:g}, element_length: {element:g}}}]\n"
+                 f"    end_a: {upper}\n    end_b: {{anchor: [{a.distance:g}, 0, {-a.depth:g}]}}")
+    if a.moves or a.height:
+        period = a.period or 10.0
+        parts.append(f"# Statics comes first. `step: auto` would choose the steps.\ndynamics: {{duration: {6 * period:g}, step: {period / 100:g}}}")
+        parts.append(f"output:\n  every: {period / 20:g}   # s, what pictures and range graphs are made of\n"
+                     "  histories: [{line: line, at: end_a, name: upper end}]")
+    return "\n\n".join(parts) + "\n"
+
+
+def quoted(title):
+    """A title that is one text in YAML."""
+    return '"' + title.replace("\\", "\\\\").replace('"', '\\"') + '"'

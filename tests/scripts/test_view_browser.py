@@ -1,0 +1,272 @@
+"""What a headless Chromium draws of results: places, colours and orientations are those of the file; controls have names and can be
+used by keys; unusual results are shown."""
+import contextlib
+import io
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import browser
+from support import ROOT
+from synthetic import results_file
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from hawser_post import __main__ as post  # noqa: E402
+from hawser_post.page import Page  # noqa: E402
+from hawser_post.results import Results  # noqa: E402
+from hawser_post.viewer import libraries  # noqa: E402
+
+FULL = bool(os.environ.get("HAWSER_FULL"))
+CASE = """\
+hawser: 1
+title: A hose on a drum
+environment: {water: {depth: 30}, seabed: {depth: 30}}
+line_types: {hose: {outer_diameter: 0.4}}
+lines: {hose: {sections: [{type: hose, length: 60}]}, rope: {sections: [{type: hose, length: 60}]}}
+"""
+PIXELS = """
+window.pixels = (nodes) => {
+  const view = window.hawserView, {scene} = view, gl = scene.renderer.getContext();
+  scene.draw();
+  const ratio = scene.renderer.getPixelRatio();
+  return nodes.map((node) => {
+    const at = scene.pixelOf(scene.lines.position(node, new THREE.Vector3()));
+    const bytes = new Uint8Array(4);
+    gl.readPixels(Math.round(at.x * ratio - 0.5), scene.canvas.height - 1 - Math.round(at.y * ratio - 0.5), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
+    return Array.from(bytes.slice(0, 3));
+  });
+};
+window.legend = (shares) => {  // colours of the bar at shares of its height
+  const {overlay} = window.hawserView.scene;
+  const high = Math.min(220, overlay.height - 110);
+  const data = overlay.canvas.getContext("2d").getImageData(20, 34, 1, high).data;
+  return shares.map((share) => Array.from(data.slice(4 * Math.round((1 - share) * (high - 1))).slice(0, 3)));
+};0
+"""
+
+
+def quaternion(axis, angle):
+    axis = np.asarray(axis) / np.linalg.norm(axis)
+    return np.concatenate([[np.cos(angle / 2)], np.sin(angle / 2) * axis])
+
+
+def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, lines=("hose", "rope"), start=0.0):
+    """Two lines that swing beside a turning drum, with a field, contact forces and a history."""
+    t = start + np.arange(outputs) * 0.5
+    s = np.linspace(0, 60, nodes)
+    x = np.zeros((outputs, nodes * len(lines), 3))
+    for k in range(len(lines)):
+        part = slice(k * nodes, (k + 1) * nodes)
+        x[:, part, 0] = s + 400000.0
+        x[:, part, 1] = 8.0 * k
+        x[:, part, 2] = -5 - 0.2 * s + np.sin(t[:, None] + 0.1 * s)
+    tension = 1e4 + 500 * np.tile(s, len(lines)) + 1e3 * t[:, None]
+    if hole:
+        tension[:, 20:40] = np.nan
+        x[:, 50] = x[:, 49]
+    force = np.zeros_like(x)
+    force[:, 10:14] = [0, 1e3, 2e3]
+    fields = {"position": ("m", x), "effective_tension": ("N", tension), "contact_force": ("N", force)}
+    path = results_file(Path(folder) / name, t, {line: s for line in lines}, fields, case=case)
+    with h5py.File(path, "r+") as file:
+        file["bodies/name"] = [b"drum"]
+        file["bodies/position"] = np.tile([400030.0, 4, -12], (outputs, 1, 1)) + t[:, None, None] * 0.1
+        file["bodies/rotation"] = np.array([[quaternion([1, 2, 3], 0.3 + 0.21 * k)] for k in range(outputs)])
+        corners = np.array([[x, y, z] for x in (-2, 2) for y in (-1, 1) for z in (-1, 1)], float)
+        file["volumes/drum/vertices"] = corners
+        file["volumes/drum/triangles"] = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6]]
+        file["volumes/drum"].attrs.update({"name": b"drum", "body": 0})
+        file["messages"] = [b"warning: line rope turns sharply at arc length 30 m", b"note: the drum turns"]
+    return path
+
+
+@unittest.skipIf(libraries.missing(), libraries.missing())
+@unittest.skipUnless(browser.CHROMIUM, browser.ABSENT)
+class Drawn(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.browser = browser.Browser()
+        cls.addClassCleanup(cls.browser.close)
+
+    def show(self, path, name="page"):
+        """Opens a page with the model alone."""
+        page = Page(name)
+        results = Results(path)
+        page.model(results)
+        file = Path(self.folder.name) / f"{name}.html"
+        page.write(file)
+        self.browser.open(file)
+        self.browser.wait("window.hawserView || window.hawserFailed", 120)
+        self.assertIsNone(self.browser.value("window.hawserFailed"))
+        return results
+
+    def no_complaints(self):
+        self.assertEqual(self.browser.complaints, [])
+        self.assertEqual([url for url in self.browser.requests if not url.startswith(("file:", "data:", "blob:"))], [])
+
+    def test_places_orientations_and_colours_are_those_of_the_file(self):
+        results = self.show(model(self.folder.name))
+        value = self.browser.value
+        for output in (0, 5, 11):
+            value(f"hawserView.player.show({output})")
+            drawn = np.array(value("""(() => {const {scene, model} = hawserView, at = new THREE.Vector3(), c = model.header.centre;
+                return Array.from({length: model.header.nodes}, (_, i) => scene.lines.position(i, at).toArray().map((v, k) => v + c[k]))})()"""))
+            self.assertLessEqual(np.abs(drawn - results.file["fields/position"][output]).max(), 1e-3)
+            pose = value("(() => {const g = hawserView.scene.bodies.groups[0]; return [g.quaternion.w, g.quaternion.x, g.quaternion.y, "
+                         "g.quaternion.z, ...g.position.toArray().map((v, k) => v + hawserView.model.header.centre[k])]})()")
+            np.testing.assert_allclose(pose[:4], results.file["bodies/rotation"][output, 0], atol=1e-12)
+            np.testing.assert_allclose(pose[4:], results.file["bodies/position"][output, 0], atol=1e-6)
+            # A corner of the drum where the matrices of the picture put it.
+            corner = value("hawserView.scene.bodies.volumes[0].mesh.localToWorld(new THREE.Vector3(2, 1, 1)).toArray()"
+                           ".map((v, k) => v + hawserView.model.header.centre[k])")
+            exact = results.rotation(0, output) @ [2, 1, 1] + results.file["bodies/position"][output, 0]
+            np.testing.assert_allclose(corner, exact, atol=1e-4)
+        value(PIXELS)
+        value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = false; hawserView.scene.lines.uniforms.enlarged.value = 3;0")
+        value("hawserView.look('y')")
+        nodes = list(range(3, 59, 6))
+        tension = results.file["fields/effective_tension"][11][nodes]
+        low, high = (f(results.file["fields/effective_tension"][:]) for f in (np.min, np.max))
+        shares = list((tension - low) / (high - low))
+        np.testing.assert_allclose(value(f"window.pixels({nodes})"), value(f"window.legend({shares})"), atol=6)
+        self.no_complaints()
+
+    def test_controls_have_names_and_can_be_used_by_keys(self):
+        self.show(model(self.folder.name))
+        tree = self.browser.send("Accessibility.getFullAXTree")["nodes"]
+        found = [(node["role"]["value"], node.get("name", {}).get("value", "")) for node in tree if not node.get("ignored")]
+        controls = [(role, name) for role, name in found if role in ("button", "slider", "checkbox", "combobox", "spinbutton", "application")]
+        self.assertGreater(len(controls), 20)
+        self.assertEqual([role for role, name in controls if not name.strip()], [])
+        for wanted in (("button", "Play"), ("slider", "Time"), ("combobox", "Colour by"), ("combobox", "Line"), ("checkbox", "Contact forces")):
+            self.assertIn(wanted, controls)
+        value, key = self.browser.value, self.browser.key
+        # The Tab key comes to every control.
+        reached = set()
+        value("document.body.focus(), document.activeElement.blur()")
+        for _ in range(60):
+            key("Tab")
+            reached.add(value("(() => {const e = document.activeElement; e.n ||= (window.n = (window.n || 0) + 1); return e.n + e.tagName})()"))
+        shown = value("[...document.querySelectorAll('.hawser-view button, .hawser-view select, .hawser-view input, .hawser-view canvas[tabindex]')]"
+                      ".filter((e) => !e.disabled && e.offsetParent).every((e) => e.n)")
+        self.assertTrue(shown, reached)
+        value("hawserView.scene.canvas.focus()")
+        before = value("hawserView.scene.camera.camera.position.toArray()")
+        key("ArrowLeft")
+        self.assertNotEqual(value("hawserView.scene.camera.camera.position.toArray()"), before)
+        key(" ")
+        self.browser.wait("hawserView.player.playing")
+        key(" ")
+        self.browser.wait("!hawserView.player.playing")
+        value("hawserView.controls.slider.focus()")
+        value("hawserView.player.show(0)")
+        key("ArrowRight")
+        self.browser.wait("hawserView.scene.output === 1")
+        self.assertEqual(value("hawserView.controls.slider.getAttribute('aria-valuetext')"), "t = 0.50 s")
+        self.no_complaints()
+
+    def test_contrast_is_that_of_wcag_aa(self):
+        self.show(model(self.folder.name))
+        low = self.browser.value("""(() => {
+          const light = (c) => c.map((v) => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
+            .reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);
+          const of = (text) => text.match(/[\\d.]+/g).map(Number);
+          const ground = (e) => { for (; e; e = e.parentElement) { const c = of(getComputedStyle(e).backgroundColor);
+            if (c.length < 4 || c[3] > 0) return c.slice(0, 3); } return [255, 255, 255]; };
+          return [...document.querySelectorAll('.hawser-view *')].filter((e) => [...e.childNodes].some((n) => n.nodeType === 3 && n.data.trim()))
+            .filter((e) => e.offsetParent && !e.disabled)
+            .map((e) => { const [a, b] = [light(of(getComputedStyle(e).color).slice(0, 3)), light(ground(e))];
+              return [(Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05), e.textContent.slice(0, 30)]; })
+            .filter(([ratio]) => ratio < 4.5); })()""")
+        self.assertEqual(low, [])
+
+    def test_a_click_chooses_a_line_and_its_graphs(self):
+        self.show(model(self.folder.name))
+        value = self.browser.value
+        value("hawserView.scene.shown.volumes = false; hawserView.look('plan')")
+        value("document.querySelector('.picture').scrollIntoView()")
+        at = value("(() => {const s = hawserView.scene, b = s.canvas.getBoundingClientRect(), p = s.pixelOf(s.lines.position(61 + 15, new THREE.Vector3())); "
+                   "return [b.left + p.x, b.top + p.y]})()")
+        self.browser.click(*at)
+        self.browser.wait("hawserView.chosen === 1")
+        self.browser.wait("hawserView.curves.ends.graph && hawserView.curves.range.graph")
+        self.assertEqual(value("hawserView.curves.range.title.textContent"), "rope, t = 0.00 s")
+        ends = value("[0, 5].map((k) => [hawserView.curves.ends.graph.getValue(k, 1), hawserView.curves.ends.graph.getValue(k, 2)])")
+        np.testing.assert_allclose(ends, [[10, 40], [12.5, 42.5]], atol=1e-3)
+        np.testing.assert_allclose(value("[hawserView.curves.range.graph.getValue(30, 0), hawserView.curves.range.graph.getValue(30, 1)]"), [30, 25], atol=1e-3)
+        self.no_complaints()
+
+    def test_cuts_stills_and_notes(self):
+        self.show(model(self.folder.name))
+        value = self.browser.value
+        value("hawserView.cut('plan', 0.5)")
+        self.assertIn("cut at z =", value("hawserView.controls.told.textContent"))
+        self.assertEqual(value("hawserView.scene.renderer.clippingPlanes.length"), 1)
+        value("hawserView.cut('none', 0.5)")
+        size = value("hawserView.scene.still().then((png) => createImageBitmap(png)).then((b) => [b.width, b.height])")
+        self.assertEqual(size, value("[hawserView.scene.canvas.width, hawserView.scene.canvas.height]"))
+        self.assertEqual(value("hawserView.model.header.notes.map((n) => [n.node, n.body, n.volume])"), [[91, None, None], [None, None, 0]])
+        self.assertEqual(value("document.querySelectorAll('ol.notes button').length"), 2)
+        self.no_complaints()
+
+    def test_unusual_results_are_shown(self):
+        plain = "hawser: 1\n"
+        meshless = results_file(Path(self.folder.name) / "plain.h5", [0.0], {"line": np.linspace(0, 10, 3)}, case=plain)
+        many = results_file(Path(self.folder.name) / "many.h5", [0.0, 1.0], {f"line {k}": np.linspace(0, 9, 50 if FULL else 5) + k for k in range(2000)},
+                            case=plain)
+        cases = [("nan", model(self.folder.name, name="nan.h5", hole=True)), ("one", model(self.folder.name, 1, name="one.h5")),
+                 ("plain", meshless), ("many", many), ("late", model(self.folder.name, name="late.h5", start=7.0))]
+        for name, path in cases:
+            with self.subTest(name=name):
+                results = self.show(path, name)
+                self.browser.wait("hawserView.scene.drawn > 0")
+                self.assertEqual(self.browser.value("hawserView.model.header.lines.length"), len(results.lines))
+                self.no_complaints()
+        self.show(cases[0][1], "nan")
+        self.browser.value(PIXELS)
+        self.browser.value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = hawserView.scene.shown.sea = false;"
+                           "hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
+        np.testing.assert_allclose(self.browser.value("window.pixels([30])[0]"), [150, 150, 150], atol=6)
+
+    def test_without_webgl_there_is_a_sentence(self):
+        page = Page("none")
+        page.model(Results(model(self.folder.name)))
+        file = Path(self.folder.name) / "none.html"
+        page.write(file)
+        file.write_text(file.read_text(encoding="utf-8").replace("<body>", "<body><script>HTMLCanvasElement.prototype.getContext = () => null</script>"),
+                        encoding="utf-8")
+        self.browser.open(file)
+        self.browser.wait("window.hawserFailed")
+        self.assertIn("no WebGL", self.browser.value("document.querySelector('.hawser-view').textContent"))
+
+    def test_figures_of_a_report_can_be_read_off_and_print_as_pictures(self):
+        t = np.linspace(0, 20, 400)
+        series = (t, {"fairlead": (["effective_tension"], ["N"], 1e4 * np.sin(t)[:, None])})
+        path = results_file(Path(self.folder.name) / "figures.h5", np.linspace(0, 20, 5), series=series, case="hawser: 1\n")
+        with contextlib.redirect_stdout(io.StringIO()):
+            post.main(["report", str(path)])
+        self.browser.open(path.with_suffix(".html"))
+        self.browser.wait("window.hawserView")
+        value = self.browser.value
+        value("document.querySelector('figure[data-curves]').scrollIntoView()")
+        self.browser.wait("document.querySelector('figure[data-curves]').querySelector('.graph canvas')")
+        shown = value("(() => {const f = document.querySelector('figure[data-curves]'); return [getComputedStyle(f.querySelector('img')).display, "
+                      "f.querySelector('.graph').offsetHeight > 100]})()")
+        self.assertEqual(shown, ["none", True])
+        self.browser.send("Emulation.setEmulatedMedia", media="print")
+        printed = value("(() => {const f = document.querySelector('figure[data-curves]'); return [getComputedStyle(f.querySelector('img')).display, "
+                        "getComputedStyle(f.querySelector('.graph')).display, getComputedStyle(document.querySelector('.hawser-view')).display]})()")
+        self.browser.send("Emulation.setEmulatedMedia", media="")
+        self.assertEqual(printed, ["block", "none", "none"])
+        self.no_complaints()
+
+
+if __name__ == "__main__":
+    unittest.main()
