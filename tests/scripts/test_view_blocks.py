@@ -123,7 +123,7 @@ class Models(unittest.TestCase):
         header, found = embedded.packed_model(results, 60_000)
         self.assertLessEqual(sum(map(len, found.values())) * 4 / 3, 60_000)
         self.assertEqual(header["times"][-1], results.time[-1])
-        self.assertTrue(any(words.startswith("Every ") for words in header["missing"]), header["missing"])
+        self.assertTrue(any(words.startswith("One in ") for words in header["missing"]), header["missing"])
 
     def test_what_stands_in_a_page_cannot_end_its_script(self):
         told = embedded.json_of({"title": "</script><!-- x", "low": float("nan"), "n": np.int64(3)})

@@ -149,11 +149,19 @@ class Served(unittest.TestCase):
     def test_another_file_in_its_place_has_another_stamp(self):
         stamp = json.loads(self.ask("status")[1])["stamp"]
         other = self.folder / "other.h5"
-        run_of(other, 3)
+        run_of(other, 3, nodes=20)
         other.rename(self.file)
         status = json.loads(self.ask("status")[1])
         self.assertEqual(status["outputs"], 3)
         self.assertNotEqual(status["stamp"], stamp)
+
+    def test_a_run_that_is_written_anew_at_its_end_keeps_its_stamp(self):
+        stamp = json.loads(self.ask("status")[1])["stamp"]
+        other = self.folder / "other.h5"
+        run_of(other, 30)
+        other.rename(self.file)
+        status = json.loads(self.ask("status")[1])
+        self.assertEqual((status["outputs"], status["stamp"]), (30, stamp))
 
     def test_a_file_that_shrinks_or_goes_is_survived(self):
         whole = self.file.read_bytes()

@@ -26,7 +26,7 @@ class Model:
         if self.rows[-1] != results.rows[-1]:
             self.rows.append(results.rows[-1])
         self.per_block = per_block or len(self.rows)
-        self.missing = [] if every == 1 else [f"Every {every}th output is shown in three dimensions, of {results.outputs}."]
+        self.missing = [] if every == 1 else [f"One in {every} of the {results.outputs} outputs is shown in three dimensions, and the last."]
         self.shown = [name for name in results.ordered(results.fields) if name not in NOT_SHOWN and (fields is None or name in fields)]
         self.sea = Sea(results)
 

@@ -105,8 +105,9 @@ class Shown:
 
     def show(self, model, kind):
         self.model, self.kind, self.words = model, kind, ""
-        if kind == "run":
-            key = f"{self.path} {self.path.stat().st_ino} {model.results.attribute('date')}"
+        if kind == "run":  # the same one while it goes on, though its file may be written anew at its end
+            results = model.results
+            key = f"{results.attribute('date')} {results.changes} {[(line.name, line.nodes) for line in results.lines]} {results.case}"
         else:
             key = f"start {time.time_ns()}"
         self.stamp = hashlib.sha256(key.encode()).hexdigest()[:16]

@@ -34,7 +34,8 @@ hawser.View = class {
       this.scene.others.push(other.lines);
     }
     this.limit(true);
-    await this.player.show(0);
+    const {header} = this.model;
+    await this.player.show(header.served && !header.ended ? this.model.outputs - 1 : 0);  // of a run in progress the newest
     await this.choose(this.chosen);
     const {times} = this.model.header;
     // A run of minutes is played in a quarter of a minute or so.
@@ -100,7 +101,7 @@ hawser.View = class {
       const range = `${hawser.number(low, high - low)} to ${hawser.number(high, high - low)}${unit}`;
       parts.push(`lines coloured by ${field.label}, ${range}; grey where there is no number`);
     }
-    if (line) parts.push(`line ${line.name} chosen`);
+    if (line) parts.push(`chosen: ${line.name}`);
     if (scene.cuts.kind !== "none") parts.push(scene.cuts.told(model.header.centre));
     if (!this.player.playing) this.controls.told.textContent = `${parts.join("; ")}.`;
   }
