@@ -51,7 +51,7 @@ hawser.number = function (value, scale = 0) {
   if (!Number.isFinite(value)) return "no number";
   if (Math.abs(value) <= 1e-6 * scale) return "0";
   const size = Math.abs(value);
-  if (size >= 1e5 || size < 1e-3) return value.toExponential(2);
+  if (size >= 1e5 || size < 1e-3) return value.toExponential(2).replace(/\.?0+e/, "e");
   return String(Number(value.toPrecision(4)));
 };
 

@@ -119,7 +119,7 @@ hawser.Controls = class {
 
   // The limits of the colours, in the unit that is shown.
   limits(low, high) {
-    const short = (value) => (Math.abs(value) <= 1e-6 * (high - low) ? 0 : Number(value.toPrecision(5)));
+    const short = (value) => (Math.abs(value) <= 1e-4 * (high - low) ? 0 : Number(value.toPrecision(5)));
     [this.low.value, this.high.value] = [short(low), short(high)];
   }
 

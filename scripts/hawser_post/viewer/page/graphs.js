@@ -56,7 +56,7 @@ hawser.Graph = class {
     const options = {
       file: hawser.rowsOf(curves), labels: this.names, series, xlabel: what.x, ylabel: what.y, labelsDiv: this.legend, legend: "always",
       connectSeparatedPoints: true, axisLabelFontSize: 12, gridLineColor: "#dfe5ea", axisLineColor: "#54616d", highlightCircleSize: 3,
-      yRangePad: 6, xRangePad: 2, yAxisLabelWidth: 58, width: null, height: null,
+      yRangePad: 6, xRangePad: 2, yAxisLabelWidth: 62, width: null, height: null,
       axes: {x: {valueFormatter: number, axisLabelFormatter: number}, y: {valueFormatter: number, axisLabelFormatter: number}},
     };
     if (this.graph) {

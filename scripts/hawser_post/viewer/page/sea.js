@@ -33,6 +33,21 @@ hawser.Sea = class {
     return geometry;
   }
 
+  // The border of a surface, which is all that is seen of it from the side.
+  border(geometry, nx, ny, colour) {
+    const around = [];
+    for (let i = 0; i < nx; i++) around.push(i);
+    for (let j = 1; j < ny; j++) around.push(j * nx + nx - 1);
+    for (let i = nx - 2; i >= 0; i--) around.push((ny - 1) * nx + i);
+    for (let j = ny - 2; j > 0; j--) around.push(j * nx);
+    const edge = new THREE.BufferGeometry();
+    edge.setAttribute("position", geometry.getAttribute("position"));
+    edge.setIndex(around);
+    const line = new THREE.LineLoop(edge, new THREE.LineBasicMaterial({color: colour}));
+    line.frustumCulled = false;
+    return line;
+  }
+
   addBed(values) {
     const [nx, ny] = [values[0], values[1]];
     const x = values.subarray(2, 2 + nx);
@@ -49,6 +64,7 @@ hawser.Sea = class {
     geometry.computeVertexNormals();
     this.bed = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: 0xcdb891, side: THREE.DoubleSide, polygonOffset: true,
                                                                       polygonOffsetFactor: 2, polygonOffsetUnits: 2}));
+    if (known.every((k) => k)) this.bed.add(this.border(geometry, nx, ny, 0x8a6d3b));
     this.root.add(this.bed);
   }
 
@@ -82,6 +98,8 @@ hawser.Sea = class {
     }
     // The standard deviation of the surface, or what stands for it.
     this.height = Math.sqrt(this.components.reduce((sum, one) => sum + one.amplitude ** 2 / 2, 0)) || 1;
+    this.surface.frustumCulled = false;
+    this.surface.add(this.border(this.geometry, count, count, 0x2f78ad));
     this.root.add(this.surface);
     this.move(this.model.header.times[0]);
   }

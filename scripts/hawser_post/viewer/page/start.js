@@ -98,7 +98,7 @@ hawser.View = class {
     if (field) {
       const unit = field.unit && field.unit !== "1" ? ` ${field.unit}` : "";
       const [low, high] = [scene.colours.low / field.factor, scene.colours.high / field.factor];
-      const range = `${hawser.number(low, high - low)} to ${hawser.number(high, high - low)}${unit}`;
+      const range = `${hawser.number(low, 100 * (high - low))} to ${hawser.number(high, 100 * (high - low))}${unit}`;
       parts.push(`lines coloured by ${field.label}, ${range}; grey where there is no number`);
     }
     if (line) parts.push(`chosen: ${line.name}`);
@@ -119,6 +119,7 @@ hawser.View = class {
 
   async paint(name) {
     this.field = this.model.field(name) || null;
+    this.controls.fieldList.value = this.field ? name : "";
     this.scene.field = this.field;
     this.limit(true);
     await this.player.show(this.player.output);
@@ -161,6 +162,7 @@ hawser.View = class {
   }
 
   look(name) {
+    this.controls.lookList.value = name;
     const across = {x: [1, 0], y: [0, 1], lines: this.model.header.across}[name];
     this.scene.camera.look(across ? "elevation" : name, across);
     this.cut(this.scene.cuts.kind, Number(this.controls.cutAt.value));
