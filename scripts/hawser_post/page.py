@@ -22,6 +22,7 @@ pre { background: #f5f7f9; padding: 1em; overflow-x: auto; font-size: 0.8em }
 .warning { background: #fdecea; border-left: 4px solid #c0392b; padding: 0.4em 0.8em; margin: 0.4em 0 }
 .note { background: #eef4fa; border-left: 4px solid #1f5a92; padding: 0.4em 0.8em; margin: 0.4em 0 }
 figure { margin: 0; break-inside: avoid } figcaption { color: #54616d; font-size: 0.85em }
+@media screen { figure, .wide, pre { content-visibility: auto; contain-intrinsic-size: auto 18em } }
 @page { size: A4; margin: 15mm 14mm }
 @media print {
   body { max-width: none; margin: 0; padding: 0; font-size: 10.5pt } nav { display: none }

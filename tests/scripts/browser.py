@@ -12,8 +12,11 @@ from pathlib import Path
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 ABSENT = "no model is drawn in a browser: chromium is not installed (scripts/install-deps --browser)"
 OPTIONS = ("--headless=new", "--no-sandbox", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync",
-           "--disable-extensions", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
-           "--force-device-scale-factor=1", "--disable-dev-shm-usage", "--remote-debugging-pipe")
+           "--disable-extensions", "--disable-gpu", "--enable-unsafe-swiftshader", "--force-device-scale-factor=1", "--disable-dev-shm-usage", "--remote-debugging-pipe")
+
+
+# What a browser without a graphics card says of itself.
+ITS_OWN = ("GL Driver Message", "software WebGL")
 
 
 class Browser:
@@ -59,6 +62,8 @@ class Browser:
     def noted(self, message):
         """Keeps complaints of the console and what is fetched."""
         method, params = message.get("method"), message.get("params", {})
+        if any(words in json.dumps(params) for words in ITS_OWN):
+            return
         if method == "Runtime.consoleAPICalled" and params["type"] in ("error", "warning", "assert"):
             self.complaints.append(" ".join(str(a.get("value", a.get("description"))) for a in params["args"]))
         elif method == "Runtime.exceptionThrown":
