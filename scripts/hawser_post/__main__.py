@@ -6,11 +6,10 @@ import warnings
 from pathlib import Path
 
 try:
-    from . import compare, export, extremes_told, fatigue, fatigue_told, lay, new, pipe_told, plot, report, scene
+    from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_told, plot, report, scene
     from .arguments import Parser, add_set, place_for, port_from, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
-    from .viewer import view
 except ModuleNotFoundError as missing:
     sys.exit(f"hawser: this needs the Python module '{missing.name}': install python3-h5py python3-matplotlib "
              "python3-scipy (scripts/install-deps does)")
@@ -31,6 +30,21 @@ def make_export(options):
     refuse_since(results, options.since)
     for path in export.everything(results, folder, options.since or 0.0):
         print(path)
+
+
+def make_view(options):
+    from .viewer import view  # with a server, which the other commands do not need
+    view.make(options)
+
+
+def make_new(options):
+    from . import new
+    new.make(options)
+
+
+def make_compare(options):
+    from . import compare
+    compare.make(options)
 
 
 def commands():
@@ -124,18 +138,18 @@ def commands():
     p.add_argument("b", metavar="B", help="likewise")
     p.add_argument("-o", "--output", help="HTML file (default: <A>-<B>.html in this folder)")
     add_set(p)
-    p.set_defaults(do=compare.make)
+    p.set_defaults(do=make_compare)
 
     p = sub.add_parser("new", help="a short dialogue that writes a case file with one line, and shows it")
     p.add_argument("file", nargs="?", help="case file that is written (.yaml)")
-    p.set_defaults(do=new.make)
+    p.set_defaults(do=make_new)
 
     p = sub.add_parser("view", help="the model in three dimensions in a browser of this machine: results, a run in progress, or a start shape")
     p.add_argument("results", help="results file (.h5), or case file: its results, or before its run its start shape")
     p.add_argument("--port", type=port_from, default=0, metavar="N", help="of this machine (default: one that is free)")
     p.add_argument("--no-browser", action="store_true", help="only print the address")
     add_set(p)
-    p.set_defaults(do=view.make)
+    p.set_defaults(do=make_view)
     return parser
 
 

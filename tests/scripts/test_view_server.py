@@ -236,7 +236,9 @@ class Cases(unittest.TestCase):
         env = {**os.environ, "PYTHONPATH": str(ROOT / "scripts"), "PYTHONUNBUFFERED": "1"}
         run_of(self.folder / "run.h5", 3)
         with subprocess.Popen([sys.executable, "-B", "-m", "hawser_post", "view", str(self.folder / "run.h5"), "--no-browser"], text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=env) as process:
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=env,
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as process:  # ignored in the background
+            self.addCleanup(process.kill)
             process.stdout.readline()
             address = urlsplit(process.stdout.readline().strip())
             self.assertEqual(address.hostname, "127.0.0.1")
