@@ -140,11 +140,12 @@ class Served(unittest.TestCase):
     def test_a_run_is_followed(self):
         # By another process, as the program would.
         subprocess.run([sys.executable, "-c", "import h5py, sys; file = h5py.File(sys.argv[1], 'r+', locking=False); "
-                        "file['written'][0] = (25, 0)", str(self.file)], check=True)
+                        "file['written'][0] = (25, 0); file['messages'] = [b'note: of the line']", str(self.file)], check=True)
         os.utime(self.file, (time.time() + 5, time.time() + 5))
         status = json.loads(self.ask("status")[1])
         self.assertEqual((status["outputs"], status["time"], status["duration"], status["ended"]), (25, 24.0, 100.0, False))
         self.assertEqual(blocks.unpacked(self.ask("block/position/0")[1]).shape[0], 25)
+        self.assertEqual(len(json.loads(self.ask("header")[1])["notes"]), 1)
 
     def test_another_file_in_its_place_has_another_stamp(self):
         stamp = json.loads(self.ask("status")[1])["stamp"]
@@ -183,6 +184,10 @@ class Served(unittest.TestCase):
         self.assertEqual(header["perBlock"], 166)
         self.assertEqual(blocks.unpacked(shown.block("position/1")).shape, (134, 6000))
         shown.close()
+
+    def test_changes_are_of_cases(self):
+        with self.assertRaisesRegex(Refusal, "--set changes a case file"):
+            served.Shown(self.file, ["a=1"])
 
     def test_the_results_themselves_stay_as_they_are(self):
         before = self.file.read_bytes()

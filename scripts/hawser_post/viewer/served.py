@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..arguments import read_case
+from ..arguments import read_case, refuse_changes
 from ..results import Refusal, Results
 from . import blocks, notes, start_shape
 from .model import Model
@@ -59,7 +59,9 @@ class Shown:
         path = Path(given)
         self.case = path if path.suffix in (".yaml", ".yml") else None
         self.path = path
-        if self.case:
+        if not self.case:
+            refuse_changes(path, changes)
+        else:
             case = read_case(path, changes)
             self.path = Path(case["results"] if path.is_absolute() else os.path.relpath(case["results"]))
             self.inputs = [Path(file) for file in case["inputs"]]

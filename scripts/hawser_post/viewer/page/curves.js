@@ -104,6 +104,7 @@ hawser.Curves = class {
   // A list of the histories that the results hold.
   choice() {
     const {histories, storedHistories} = this.main.header;
+    this.stored.element.hidden = true;
     if (!histories.length || !storedHistories) return [];
     const select = hawser.make("select", {onchange: () => this.showStored(select.value)}, hawser.make("option", {value: ""}, "none"));
     histories.forEach((history, h) => {
@@ -111,7 +112,6 @@ hawser.Curves = class {
       history.columns.forEach((column, c) => group.append(hawser.make("option", {value: `${h} ${c}`}, `${history.name}: ${column.replace(/_/g, " ")}`)));
       select.append(group);
     });
-    this.stored.element.hidden = true;
     return [hawser.make("div", {class: "bar"}, hawser.make("label", {}, "History ", select))];
   }
 
