@@ -77,7 +77,7 @@ class Model:
         return (low, high) if low <= high else None
 
     def field_headers(self):
-        for name in self.shown:
+        for name in self.shown if self.results.lines else ():
             found = self.range_of(name)
             if found is None:
                 self.missing.append(f"The field '{self.results.label(name)}' holds no number and is not shown.")

@@ -55,7 +55,7 @@ hawser.Scene = class {
     this.bodies = new hawser.Bodies(model);
     this.sea = new hawser.Sea(model);
     this.marks = new hawser.Marks(model);
-    await Promise.all([this.bodies.load(this.camera.size), this.sea.load()]);
+    await this.sea.load();
     space.add(this.lines.mesh, this.bodies.root, this.sea.root, this.marks.root);
     this.paintWith(this.colours.chosen.name);
   }

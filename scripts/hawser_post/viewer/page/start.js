@@ -36,6 +36,10 @@ hawser.View = class {
     this.limit(true);
     const {header} = this.model;
     await this.player.show(header.served && !header.ended ? this.model.outputs - 1 : 0);  // of a run in progress the newest
+    // Volumes may be many: the first picture does not wait for them.
+    await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
+    await this.scene.bodies.load(this.scene.camera.size);
+    await this.player.show(this.player.output);
     await this.choose(this.chosen);
     const {times} = this.model.header;
     // A run of minutes is played in a quarter of a minute or so.
