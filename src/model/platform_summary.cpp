@@ -63,8 +63,9 @@ std::string platform_text(const Case& c, const Body& b) {
   const double about_y = inertia(1, 1) + m.mass * (x.x() * x.x() + x.z() * x.z());
   const double periods[] = {period(data, first + 2, m.mass, still.stiffness(2, 2)),
                             period(data, first + 3, about_x, roll), period(data, first + 4, about_y, pitch)};
-  s += fmt::format("    periods without lines and coupling: heave {:.4g}, roll {:.4g}, pitch {:.4g} s\n",
-                   periods[0], periods[1], periods[2]);
+  const auto text = [](double T) { return T > 0 ? fmt::format("{:.4g} s", T) : std::string("none"); };
+  s += fmt::format("    periods without lines and coupling: heave {}, roll {}, pitch {}\n", text(periods[0]),
+                   text(periods[1]), text(periods[2]));
   s += fmt::format("    coefficients of {} frequencies, {:.4g} to {:.4g} s{}\n", data.omega.size(),
                    2 * M_PI / data.omega.back(), 2 * M_PI / data.omega.front(),
                    data.excitation.empty() ? ", no wave forces"

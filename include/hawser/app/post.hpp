@@ -17,7 +17,8 @@ inline constexpr PostCommand kPostCommands[] = {
     {"fatigue", "Tell the damage along a line, by rainflow cycles and a published curve."},
     {"pipe", "Tell strain, stress and the code checks of a pipe on its supports and in its sagbend."},
     {"lay", "Tell the smallest tension with which a pipe is laid in each of a list of depths."},
-    {"compare", "Make one HTML file of two runs: both models, tables of differences, graphs over each other."},
+    {"compare",
+     "Make one HTML file of two runs: both models, tables of differences, graphs over each other."},
     {"view", "Show the model in three dimensions in a browser: results, a run in progress, a start shape."},
     {"new", "Write a case file with one line by a short dialogue, and show it."}};
 
