@@ -9,8 +9,9 @@
 namespace hawser {
 namespace {
 
-// The memory ends where all that is left of K is below this share of the largest K of its column and row.
-constexpr double kNegligible = 2e-3;
+// The memory ends where K is below this share of K(0), and its integral below this share of its largest
+// value.
+constexpr double kNegligible = 1e-3;
 // Points of the table in a period of the highest frequency.
 constexpr double kPointsPerPeriod = 12;
 constexpr double kLongest = 400;  // s
@@ -64,6 +65,7 @@ void RadiationMemory::tabulate() {
   const Eigen::RowVectorXd scale = retardation(0).cwiseAbs();
   const double largest = scale.size() > 0 ? scale.maxCoeff() : 0;
   Eigen::RowVectorXd G = Eigen::RowVectorXd::Zero(n), rate = G;
+  Eigen::RowVectorXd largest_rate = rate;
   size_t needed = 1;
   const auto keep = [&](const Eigen::RowVectorXd& K) {
     for (const Eigen::RowVectorXd* row : {&std::as_const(G), &std::as_const(rate), &K})
@@ -80,8 +82,11 @@ void RadiationMemory::tabulate() {
       G += (kWeight[q] * spacing_ * (1 - kAt[q]) * spacing_) * K;
     }
     const Eigen::RowVectorXd K = retardation(static_cast<double>(p) * spacing_);
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (std::abs(K[i]) > kNegligible * scale[i]) needed = p + 1;
+    largest_rate = largest_rate.cwiseMax(rate.cwiseAbs());
+    const auto small = [](const auto& x, const auto& scales) {
+      return (x.cwiseAbs().array() <= kNegligible * scales.array()).all();
+    };
+    if (!small(K, scale) || !small(rate, largest_rate)) needed = p + 1;
     keep(K);
   }
   needed = std::min(needed, table_.size() / static_cast<size_t>(3 * std::max<Eigen::Index>(n, 1)) - 1);

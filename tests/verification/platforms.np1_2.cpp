@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "../regression/runs.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
 #include "verification/dynamics_rig.hpp"
@@ -153,8 +154,8 @@ dynamics: {{duration: 20, step: 0.02, rho_infinity: 1}}
     if (rank_of(PETSC_COMM_WORLD) == 0)
       printf("two bodies at %2zu s: %.6f %.6f m, by trapezoids %.6f %.6f m\n", 2 * i, found[i][0].z(),
              found[i][1].z(), exact[i][0], exact[i][1]);
-    EXPECT_NEAR(found[i][0].z(), exact[i][0], 1e-4) << i;
-    EXPECT_NEAR(found[i][1].z(), exact[i][1], 1e-4) << i;
+    EXPECT_NEAR(found[i][0].z(), exact[i][0], 2e-4) << i;
+    EXPECT_NEAR(found[i][1].z(), exact[i][1], 2e-4) << i;
   }
 }
 
@@ -215,9 +216,9 @@ bodies:
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
   const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
-  const double heave = of([&](size_t n) { return s.state().x[n].z() - 2; });
+  const double middle = of([&](size_t n) { return s.state().x[n].z(); });
   const double pitch = of([&](size_t n) { return log_so3(s.state().q[n]).y(); });
-  EXPECT_NEAR(heave, -2000.0 / 2e6, 1e-8);
+  EXPECT_NEAR(middle - 2 * std::cos(pitch), -2000.0 / 2e6, 1e-8);
   EXPECT_NEAR(pitch, 2000 * 10 / (4e7 - 1e6 * 10 * 2), 1e-8);
 }
 
