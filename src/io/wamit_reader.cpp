@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -250,10 +251,9 @@ void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) 
   Eigen::MatrixXd damping(rows, n * n);
   for (Eigen::Index k = 0; k < rows; ++k) damping.row(k) = data.damping[static_cast<size_t>(k)].reshaped();
   const RadiationMemory memory(data.omega, damping);
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(n * n);
-  for (size_t k = 0; k < data.omega.size(); ++k)
-    sum += data.added_mass[k].reshaped().transpose() + memory.added_mass_below_infinite(data.omega[k]);
-  data.infinite = (sum / static_cast<double>(rows)).reshaped(n, n);
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(n, n);
+  for (const Eigen::MatrixXd& A : data.added_mass) mean += A / static_cast<double>(rows);
+  data.infinite = mean + memory.added_mass_below_infinite(data.omega).reshaped(n, n);
   data.infinite_estimated = true;
   notes.push_back(
       data.name +
@@ -262,6 +262,45 @@ void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) 
 }
 
 void make_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
+
+// Waves that a body makes only take energy: B without its negative eigenvalues, in the metric of the added
+// mass, so that translations and rotations compare. The irregular frequencies of panel methods and the noise
+// of small entries have some. Refused where that is much of it.
+void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
+  constexpr double kMuch = 0.3, kSome = 0.02;
+  const Eigen::Index n = data.infinite.rows();
+  Eigen::VectorXd scale(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    double most = std::abs(data.infinite(i, i));
+    for (const Eigen::MatrixXd& A : data.added_mass) most = std::max(most, std::abs(A(i, i)));
+    scale[i] = most > 0 ? std::sqrt(most) : 1;
+  }
+  double taken = 0, all = 0, worst = 0, period = 0, before = 0;
+  for (size_t k = 0; k < data.omega.size(); ++k) {
+    Eigen::MatrixXd& B = data.damping[k];
+    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * B * scale.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
+    const Eigen::VectorXd positive = modes.eigenvalues().cwiseMax(0);
+    const double negative = (positive - modes.eigenvalues()).sum(), width = data.omega[k] - before;
+    before = data.omega[k];
+    taken += width * negative;
+    all += width * positive.sum();
+    if (negative > worst) {
+      worst = negative;
+      period = 2 * M_PI / data.omega[k];
+    }
+    if (!(negative > 0)) continue;
+    const Eigen::MatrixXd root = scale.asDiagonal() * modes.eigenvectors();
+    B = root * positive.asDiagonal() * root.transpose();
+  }
+  const std::string found = fmt::format(
+      "{}.1: radiation damping of {:.2g} % of its sum over the frequencies is "
+      "negative, most at {:.4g} s",
+      data.name, 100 * taken / std::max(all, 1e-300), period);
+  if (taken > kMuch * all)
+    throw std::runtime_error(found + ": waves that a body makes cannot drive it; is the sign that of WAMIT?");
+  if (taken > kSome * all) notes.push_back(found + "; it is left out");
+}
 
 // Of a matrix over its largest diagonal entries.
 double asymmetry(const Eigen::MatrixXd& m) {
@@ -310,6 +349,7 @@ HydrodynamicData read_wamit(const std::string& stem, const WamitUnits& units, Se
     make_symmetric(data.infinite);
   else
     estimate_infinite(data, notes);
+  make_passive(data, notes);
   return data;
 }
 

@@ -120,14 +120,16 @@ void RadiationMemory::integrals(double t, double* G, double* rate) const {
                          dcurve1 * K1[i];
 }
 
-// By parts from the table: each interval by the rule of Gauss and Legendre.
-Eigen::RowVectorXd RadiationMemory::added_mass_below_infinite(double omega) const {
+// Each interval of the table by the rule of Gauss and Legendre.
+Eigen::RowVectorXd RadiationMemory::added_mass_below_infinite(const std::vector<double>& omega) const {
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(entries());
   const auto intervals = static_cast<size_t>(std::lround(length_ / spacing_));
   for (size_t p = 0; p < intervals; ++p)
     for (int q = 0; q < 4; ++q) {
       const double t = (static_cast<double>(p) + kAt[q]) * spacing_;
-      sum += (kWeight[q] * spacing_ * std::sin(omega * t) / omega) * retardation(t);
+      double weight = 0;
+      for (const double w : omega) weight += std::sin(w * t) / w;
+      sum += (kWeight[q] * spacing_ * weight / static_cast<double>(omega.size())) * retardation(t);
     }
   return sum;
 }

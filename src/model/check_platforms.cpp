@@ -1,5 +1,4 @@
-// What coefficients of platforms cannot be: other conventions, other units, negative damping, bodies that are
-// missing.
+// What coefficients of platforms cannot be: other conventions, other units, bodies that are missing.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -48,49 +47,6 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
           2 * M_PI / omega, h.data->name, heave, h.length);
 }
 
-// The damping of one freedom, negative and positive values summed over the frequencies.
-struct DampingSums {
-  double positive = 0, negative = 0, worst_period = 0;
-};
-
-DampingSums damping_sums(const HydrodynamicData& data, int mode) {
-  DampingSums out;
-  double least = 0, before = 0;
-  for (size_t w = 0; w < data.omega.size(); ++w) {
-    const double B = data.damping[w](mode, mode), width = data.omega[w] - before;
-    before = data.omega[w];
-    (B < 0 ? out.negative : out.positive) += std::abs(B) * width;
-    if (!(B < least)) continue;
-    least = B;
-    out.worst_period = 2 * M_PI / data.omega[w];
-  }
-  return out;
-}
-
-// Waves that a body makes take energy only. Irregular frequencies of a panel method are narrow, and the yaw
-// of a round body is noise: what is negative may be this share of what is positive, and is compared with the
-// other translations, or rotations.
-void check_damping(const BodyHydrodynamics& h, const Issues& issue) {
-  constexpr double kSmall = 0.05, kNoise = 1e-3;
-  static constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
-  const int first = 6 * (h.body - 1);
-  for (const int kind : {0, 3}) {
-    double largest = 0;
-    for (int k = kind; k < kind + 3; ++k)
-      largest = std::max(largest, damping_sums(*h.data, first + k).positive);
-    for (int k = kind; k < kind + 3; ++k) {
-      const DampingSums sums = damping_sums(*h.data, first + k);
-      if (sums.negative <= kSmall * sums.positive || sums.negative < kNoise * largest) continue;
-      issue("wamit",
-            "the radiation damping of {} in {}.1 is negative over {:.3g} % of its sum over the frequencies, "
-            "most at "
-            "{:.4g} s: waves that a body makes cannot drive it",
-            kNames[k], h.data->name, 100 * sums.negative / (sums.positive + sums.negative),
-            sums.worst_period);
-    }
-  }
-}
-
 void check_platform(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
@@ -105,7 +61,6 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
           "without them",
           h.data->name);
   check_long_waves(c, b, issue);
-  check_damping(h, issue);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(RadiationMemory, GivesTheAddedMassByOgilvie) {
     double sum = 0;
     const double h = 1e-3;
     for (double t = 0.5 * h; t < 200; t += h) sum += h * retardation(t) * std::sin(omega * t) / omega;
-    EXPECT_NEAR(m.added_mass_below_infinite(omega)[0], sum, 2e-2) << omega;
+    EXPECT_NEAR(m.added_mass_below_infinite({omega})[0], sum, 2e-2) << omega;
   }
 }
 

@@ -116,6 +116,25 @@ TEST_F(WamitReader, RefusesWithFileAndLine) {
   EXPECT_NE(refusal().find("body.1: there is no such file"), std::string::npos) << refusal();
 }
 
+// Damping (1, 2; 2, 1) has the eigenvalues 3 and -1, of which the second is left out: (1.5, 1.5; 1.5, 1.5).
+TEST_F(WamitReader, LeavesOutNegativeDamping) {
+  std::string text = "0 1 1 0.5\n0 2 2 0.5\n";
+  for (const char* period : {"6.283185307179586", "3.141592653589793", "2.0943951023931953"})
+    for (const char* entry : {" 1 1 0.5 1", " 2 2 0.5 1", " 1 2 0 0", " 2 1 0 0"})
+      text += std::string(period) + entry + "\n";
+  text.replace(text.rfind(" 1 2 0 0"), 8, " 1 2 0 2");
+  text.replace(text.rfind(" 2 1 0 0"), 8, " 2 1 0 2");
+  write(".1", text);
+  const model::HydrodynamicData d = read();
+  EXPECT_NEAR(d.damping[2](0, 0), 1.5 * 3 * 8000, 1e-6);
+  EXPECT_NEAR(d.damping[2](0, 1), 1.5 * 3 * 8000, 1e-6);
+  EXPECT_NEAR(d.damping[0](0, 0), 8000, 1e-6);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("is left out"), std::string::npos);
+  write(".1", "0 1 1 0.5\n6 1 1 0.5 -0.1\n3 1 1 0.5 -0.1\n");
+  EXPECT_NE(refusal().find("cannot drive it"), std::string::npos) << refusal();
+}
+
 TEST_F(WamitReader, RefusesDriftThatIsNotThere) {
   EXPECT_NE(refusal(SecondOrder::newman).find("'second_order' needs"), std::string::npos);
 }

@@ -30,8 +30,9 @@ class RadiationMemory {
   // By entry: G(t) and, where `rate` is not null, G'(t), t >= 0, from a table, to about 1e-8 of
   // K(0)/omega_last².
   void integrals(double t, double* G, double* rate) const;
-  // int_0^length K(t) sin(omega t) dt / omega by entry: A(inf) - A(omega) (Ogilvie 1964).
-  Eigen::RowVectorXd added_mass_below_infinite(double omega) const;
+  // int_0^length K(t) sin(omega t) dt/omega by entry, the mean over these frequencies: A(omega) - A(inf) with
+  // the other sign (Ogilvie 1964).
+  Eigen::RowVectorXd added_mass_below_infinite(const std::vector<double>& omega) const;
 
  private:
   void tabulate();
