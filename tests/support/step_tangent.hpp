@@ -21,8 +21,7 @@ class StepTangent {
         h_(h),
         u_(std::move(u)),
         J_(system.create_matrix()) {
-    residual_at(0, std::vector<double>(u_.size(), 0));
-    system_.tangent(to_.s.view(h_), alpha_weights(kAlpha, h_), u_, false, J_.get());
+    linearise();
   }
 
   // From the simulation's shape with velocities and increments by chance; these are of a size of `place` [m]
@@ -58,7 +57,10 @@ class StepTangent {
     return to_.s;
   }
   void commit() { system_.commit(trial().view(h_)); }
-  void prepare() { system_.prepare(from_.s.view(h_), h_); }
+  void prepare() {
+    system_.prepare(from_.s.view(h_), h_);
+    linearise();  // what was committed may have changed the step
+  }
 
   // Largest difference of J d and fourth-order differences of the residual, over the largest part of J d, on
   // all ranks; e: of d, how far they go.
@@ -84,6 +86,11 @@ class StepTangent {
 
  private:
   inline static const AlphaCoefficients kAlpha{0.8};
+
+  void linearise() {
+    residual_at(0, std::vector<double>(u_.size(), 0));
+    system_.tangent(to_.s.view(h_), alpha_weights(kAlpha, h_), u_, false, J_.get());
+  }
 
   std::vector<double> residual_at(double step, const std::vector<double>& d) {
     std::vector<double> moved = u_;
