@@ -94,19 +94,21 @@ double crossing_stiffness(double force, double radii) {
 }
 
 double bending_radius(const model::Volume& v, double line_radius) {
-  if (!v.shape) return kMost;
+  if (!v.shape) return 0;
   const double radius = std::visit(
       [](const auto& s) {
         using Shape = std::decay_t<decltype(s)>;
-        if constexpr (std::is_same_v<Shape, PlaneShape> || std::is_same_v<Shape, BoxShape>)
+        if constexpr (std::is_same_v<Shape, PlaneShape>)
           return kMost;
+        else if constexpr (std::is_same_v<Shape, BoxShape>)
+          return 0.0;
         else if constexpr (std::is_same_v<Shape, TorusShape>)
           return s.tube_radius;
         else
           return s.radius;
       },
       *v.shape);
-  return std::min(radius + line_radius, kMost);
+  return radius > 0 ? std::min(radius + line_radius, kMost) : 0;
 }
 
 double contact_period(double stiffness, double mass_per_length) {

@@ -111,14 +111,14 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
     const Nearest before = nearest_at_start(p),
                   after = nearest(p, closest_points_of_segments(a.x1, a.x2, b.x1, b.x2), a, b);
     const double speed = std::max(std::abs(before.speed), std::abs(after.speed));
-    const bool strikes = speed * slow > 2 * ramp;
-    if (!(speed * slow > (after.gap > before.gap ? kParting : 1) * 2 * ramp)) continue;
+    if (!(speed * slow > 2 * ramp)) continue;
     const double m = mass(p), k = m / (slow * slow),
                  depth = std::max(ramp - std::min(before.gap, after.gap), 0.0),
                  path = std::abs(after.gap - before.gap);
-    const double error = strikes && trial.step > kUnresolved * 2 * M_PI * slow
-                             ? 0.5 * m * speed * speed
-                             : crossing_error(slow, 0, k * depth, 0.5 * k * depth * depth, path, speed);
+    const double error =
+        trial.step > kUnresolved * 2 * M_PI * slow
+            ? 0.5 * m * speed * speed
+            : crossing_error(slow, 2 * ramp, k * depth, 0.5 * k * depth * depth, path, speed);
     if (error > 0) to.list.push_back({element(p.key.first).line, element(p.key.second).line, error});
   }
 }

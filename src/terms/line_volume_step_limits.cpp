@@ -148,13 +148,9 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     if (follows(spring(pair, 0).slowness, trial.step) && follows(spring(pair, 1).slowness, trial.step))
       continue;
 
-    // What is made counts however light the touch: what bounces would leap ever higher. What is lost does
-    // not: what is laid down comes to rest.
-    const auto add = [&](double xi, double share, bool leaves, double force, double potential, double path,
-                         double speed) {
+    const auto add = [&](double xi, double share, double force, double potential, double path, double speed) {
       const ContactSpring s = spring(pair, xi);
-      const double error = share * crossing_error(s.slowness, leaves ? kParting * s.seen : s.seen, force,
-                                                  potential, path, speed);
+      const double error = share * crossing_error(s.slowness, s.seen, force, potential, path, speed);
       if (error > 0) to.list.push_back({element(pair).line, -1, error});
     };
     const auto moved = [&](double xi) -> Vec3 {
@@ -169,7 +165,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
             std::none_of(found.filled.begin(), found.filled.end(), holds))
           continue;
         const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
-        add(p.xi, p.weight, true, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
+        add(p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
             (pose.rotation * p.normal).dot(leaves));
       }
     for (const QuadraturePoint& p : found.quadrature) {
@@ -182,7 +178,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       const double came = -p.at.normal.dot(way);
       if (!(came > pair.contact_distance - p.at.distance)) continue;
       const NormalForce f = normal_force(pair.law(p.xi).normal, p.at.distance - pair.radius, 0);
-      add(p.xi, p.weight, false, f.elastic, f.potential, came, came / trial.step);
+      add(p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
     }
   }
 }

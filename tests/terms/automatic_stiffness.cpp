@@ -26,9 +26,7 @@ TEST(ContactStiffness, Automatic) {
   drum.shape = PlaneShape{};
   EXPECT_EQ(bending_radius(drum, d.radius), 10);
   drum.shape = BoxShape{};
-  EXPECT_EQ(bending_radius(drum, d.radius), 10);
-  drum.shape.reset();
-  EXPECT_EQ(bending_radius(drum, d.radius), 10);
+  EXPECT_EQ(bending_radius(drum, d.radius), 0);
   // 273.4 kg on 1e6 N/m.
   EXPECT_NEAR(contact_period(1e6, 273.4), 0.10389, 1e-5);
 }

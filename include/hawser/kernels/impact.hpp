@@ -73,10 +73,6 @@ struct UnresolvedImpacts {
   std::vector<UnresolvedImpact> list;
   bool too_deep = false;  // something went deeper in it than a step is trusted with
 };
-// Of the depth from which an impact matters: what parts may make energy from that part on, as what bounces
-// lightly would leap ever higher. What such touches lose where they begin lets what is laid down come to
-// rest.
-constexpr double kParting = 0.1;
 // J, the error of the trapezoidal rule in the work of a contact that began or ended within a step: the rule
 // takes the force for one that rises or falls over the whole path. path: m, along the normal; force: N, and
 // potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times slowness
