@@ -237,7 +237,7 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
       bodies_in_water_ = add<BodiesInWater>(case_, local());
     if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
                     [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; }))
-      add<PlatformWater>(case_, local());
+      add<PlatformWater>(system_->comm(), case_, local());
   }
   if (model::body_pairs(case_).empty() || skeletons.size() != case_.volumes.size()) return;
   std::vector<BodyVolume> touching;

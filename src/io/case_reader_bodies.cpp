@@ -1,14 +1,45 @@
 // What is more than copying in an entry of `bodies`: motion from files and rows, and what goes by the sea.
-#include <filesystem>
+#include <fmt/format.h>
+
+#include <cmath>
 
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/wamit_reader.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
 
 using model::Value;
 
 namespace {
+
+// Refuses a sea of which more than the share `most` goes where the table has no directions.
+void check_coverage(const Value& v, const std::vector<WaveForceTable>& tables, int body, const char* what,
+                    double most, const std::vector<WaveComponent>& sea, double heading,
+                    const std::string& key, std::vector<std::string>& notes) {
+  if (tables.empty() || sea.empty()) return;
+  constexpr double kDegree = M_PI / 180, kSmall = 0.01;
+  const WaveForceTable& table = tables[static_cast<size_t>(body) - 1];
+  const model::Coverage share = model::coverage(table, sea, heading);
+  const std::string where = fmt::format(
+      "the {} of the files have {} direction{}, {:.4g} to {:.4g} deg, none near {:.4g} deg as seen from "
+      "the bow, where {:.3g} % of the sea's energy goes",
+      what, table.directions().size(), table.directions().size() == 1 ? "" : "s",
+      table.directions().front() / kDegree, table.directions().back() / kDegree, share.direction / kDegree,
+      100 * share.astray);
+  if (share.astray > most) model::refuse(v["wamit"], where + ": give files with directions there");
+  if (share.astray > kSmall) notes.push_back(key + ": " + where);
+  const auto beyond = [&](double energy, const char* which, double omega) {
+    if (energy > kSmall)
+      notes.push_back(
+          fmt::format("{}: {:.3g} % of the sea's energy has {} periods than the {} of the files, which "
+                      "end at {:.4g} s and are used there as they are at that",
+                      key, 100 * energy, which, what, 2 * M_PI / omega));
+  };
+  beyond(share.shorter, "shorter", table.highest());
+  beyond(share.longer, "longer", table.lowest());
+}
 
 // The files of a body's coefficients; those of a body before are not read again.
 void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
@@ -39,6 +70,13 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   }
   if (h.body > h.data->bodies)
     model::refuse(v["body"], "the files have {} bod{}", h.data->bodies, h.data->bodies == 1 ? "y" : "ies");
+  if (!h.excitation) return;
+  const Vec3 bow = exp_so3(b.rotation) * Vec3::UnitX();
+  const double heading = h.heading ? *h.heading : std::atan2(bow.y(), bow.x());
+  const auto sea = model::wave_field(c.environment).components();
+  const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
+  check_coverage(v, h.data->excitation, h.body, "wave forces (.3)", 0.05, sea, heading, key, c.notes);
+  check_coverage(v, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
 }
 
 }  // namespace

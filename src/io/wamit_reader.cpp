@@ -326,8 +326,8 @@ HydrodynamicData read_wamit(const std::string& stem, const WamitUnits& units, Se
   if (order != SecondOrder::none) {
     const bool found = (data.bodies == 1 && read_difference(stem, units, read, data, notes)) ||
                        (order != SecondOrder::full && (read_drift(stem, ".8", units, read, data) ||
-                                                       read_drift(stem, ".9", units, read, data) ||
-                                                       read_drift(stem, ".7", units, read, data)));
+                                                       read_drift(stem, ".7", units, read, data) ||
+                                                       read_drift(stem, ".9", units, read, data)));
     if (!found)
       throw std::runtime_error(
           fmt::format("{}: 'second_order' needs {}, and there is none", stem,

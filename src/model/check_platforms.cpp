@@ -47,6 +47,27 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
           2 * M_PI / omega, h.data->name, heave, h.length);
 }
 
+// The stiffness has a potential, and the damping takes energy.
+void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
+  constexpr double kRounded = 1e-6;
+  const auto matrix = [](const std::vector<std::vector<double>>& rows) {
+    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(6, 6);
+    for (size_t i = 0; i < rows.size(); ++i)
+      for (size_t j = 0; j < 6; ++j) m(static_cast<int>(i), static_cast<int>(j)) = rows[i][j];
+    return m;
+  };
+  const Eigen::MatrixXd K = matrix(h.stiffness), B = matrix(h.damping);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < i; ++j)
+      if (std::abs(K(i, j) - K(j, i)) > kRounded * K.cwiseAbs().maxCoeff())
+        issue("stiffness", "is not symmetric: row {} has {:g} in column {}, and row {} has {:g} in column {}",
+              i + 1, K(i, j), j + 1, j + 1, K(j, i), i + 1);
+  for (int i = 0; i < 6; ++i)
+    if (B(i, i) < 0)
+      issue("damping", "row {} has {:g} on the diagonal: damping takes energy, so that it is not negative",
+            i + 1, B(i, i));
+}
+
 void check_platform(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
@@ -61,6 +82,7 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
           "without them",
           h.data->name);
   check_long_waves(c, b, issue);
+  check_matrices(h, issue);
 }
 
 }  // namespace

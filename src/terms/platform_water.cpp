@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/kernels/motion.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
@@ -154,32 +155,28 @@ void PlatformWater::prepare(const Kinematics& committed, double h) {
 
 // On the unknowns of each body: G^T (A a + D + memory - waves) and the pull of hydrostatics.
 void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool moving = trial.step > 0;
   for (const Group& g : groups_) {
     if (!g.here) continue;
     const size_t n = g.platforms.size();
     std::vector<PlatformMotion> motion(n);
     Eigen::VectorXd rate(6 * n), acceleration(6 * n), F = Eigen::VectorXd::Zero(6 * static_cast<int>(n));
-    Eigen::MatrixXd by_rate;
-    if (moving) {
-      for (size_t i = 0; i < n; ++i) {
-        const Platform& p = g.platforms[i];
-        motion[i] = platform_motion(p.potential.axes, p.arm, floating_state(trial, p.local));
-        rate.segment<6>(6 * i) = motion[i].rate;
-        acceleration.segment<6>(6 * i) = motion[i].acceleration;
-      }
+    Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(F.size(), F.size());
+    for (size_t i = 0; i < n; ++i) {
+      const Platform& p = g.platforms[i];
+      motion[i] = platform_motion(p.potential.axes, p.arm, floating_state(trial, p.local));
+      rate.segment<6>(6 * i) = motion[i].rate;
+      acceleration.segment<6>(6 * i) = motion[i].acceleration;
+    }
+    if (trial.step > 0) {
       const AtTime& now = at_time(g, trial.time);
       damping(g, now, rate, F, assembler.wants_tangent() ? &by_rate : nullptr);
-      F += g.added_mass * acceleration - now.waves;
+      F -= now.waves;
     }
+    F += g.added_mass * acceleration;
     for (size_t i = 0; i < n; ++i) {
       const Platform& p = g.platforms[i];
       const int blocks[2] = {p.block, p.block + 1};
       PlatformPull pull = platform_pull(p.potential, p.arm, floating_state(trial, p.local));
-      if (!moving) {
-        assembler.add(blocks, pull.f.data(), pull.K.data(), nullptr, nullptr);
-        continue;
-      }
       const Vec6 own = F.segment<6>(6 * static_cast<Eigen::Index>(i));
       const Vec6 f = motion[i].G.transpose() * own;
       assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
@@ -334,9 +331,11 @@ std::vector<HistoryRecord> PlatformWater::records(NodeRange of) const {
 void PlatformWater::restore(const std::vector<HistoryRecord>& records) {
   for (Group& g : groups_) {
     const auto n = static_cast<Eigen::Index>(g.platforms.size());
-    std::vector<std::pair<double, Eigen::VectorXd>> past;
+    std::vector<double> past;  // of each state its time and the velocities, n times six
+    const size_t row = static_cast<size_t>(1 + 6 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
       Platform& p = g.platforms[static_cast<size_t>(i)];
+      if (!p.owned) continue;
       for (const HistoryRecord& r : records) {
         if (r.node != p.node) continue;
         if (r.kind == 1) {
@@ -347,16 +346,24 @@ void PlatformWater::restore(const std::vector<HistoryRecord>& records) {
           continue;
         }
         const std::vector<KeptRate> kept = entries<KeptRate>(r);
-        past.resize(kept.size(), {0, Eigen::VectorXd::Zero(6 * n)});
+        past.resize(row * kept.size(), 0);
         for (size_t k = 0; k < kept.size(); ++k) {
-          past[k].first = kept[k].time;
-          past[k].second.segment<6>(6 * i) << kept[k].velocity, kept[k].turning;
+          double* state = &past[row * k];
+          if (i == 0) state[0] = kept[k].time;
+          Eigen::Map<Vec6>(state + 1 + 6 * i) << kept[k].velocity, kept[k].turning;
         }
       }
     }
+    unsigned long size = past.size();
+    MPI_Allreduce(MPI_IN_PLACE, &size, 1, MPI_UNSIGNED_LONG, MPI_MAX, comm_);
+    past.resize(size, 0);
+    if (size > 0) all_reduce(comm_, MPI_SUM, past);
     g.past.clear();
     g.known = false;
-    for (auto& [time, rate] : past) add_past(g, time, std::move(rate));
+    for (size_t k = 0; k < size; k += row) {
+      Eigen::VectorXd rate = Eigen::Map<const Eigen::VectorXd>(&past[k + 1], 6 * n);
+      add_past(g, past[k], std::move(rate));
+    }
   }
 }
 

@@ -26,7 +26,8 @@ double yaw(const Vec3& rotation) {
 
 }  // namespace
 
-PlatformWater::PlatformWater(const model::Case& c, const LocalMesh& mesh) : mesh_(mesh), sea_(sea_of(c)) {
+PlatformWater::PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh)
+    : comm_(comm), mesh_(mesh), sea_(sea_of(c)) {
   for (const std::vector<int>& bodies : model::radiating_groups(c)) add_group(c, bodies);
   update_ghosts();
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/math/so3.hpp"
+
 namespace hawser {
 
 RigidBodyData RigidBodies::data(const Floating& f) const {
@@ -47,7 +49,7 @@ namespace {
 
 // rad/s, of the spring that keeps a body at rest from drifting where nothing else resists: its force is zero
 // where Newton's iteration starts from, so that only the way to the equilibrium knows it.
-constexpr double kDrift = 0.1;
+constexpr double kDrift = 0.01;
 
 bool in_lines_or_links(const model::Case& c, int body) {
   const std::string& name = c.bodies[body].name;
@@ -74,7 +76,7 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
 
 bool finds_rest(const model::Case& c, int body) {
   const model::BodyMass& m = *c.bodies[body].mass;
-  return m.hydrodynamics || in_lines_or_links(c, body) || floats_at_rest(c, m);
+  return m.hydrodynamics || !m.loads.empty() || in_lines_or_links(c, body) || floats_at_rest(c, m);
 }
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
@@ -173,7 +175,12 @@ Energy RigidBodies::energy(const Kinematics& at) const {
     const RigidBodyData d = data(f);
     e.strain += rigid_body_strain(d, s, rest(f, at.time));
     e.potential -= d.weight.dot(s.x);
-    for (const RigidBodyLoad& l : f.loads) e.potential += load_potential(l, s);
+    for (const RigidBodyLoad& l : f.loads) {
+      e.potential += load_potential(l, s);
+      // Moments have none; in statics, whose search needs one, that of small rotations, and in motion they do
+      // work.
+      if (!(at.step > 0) && !l.follows) e.potential -= l.moment.dot(log_so3(s.q));
+    }
     e.damping += f.damping;
     e.work += f.work;
   }

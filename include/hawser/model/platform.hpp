@@ -50,6 +50,14 @@ struct Hydrostatics {
 // Of a body with hydrodynamics; density of the water [kg/m³], gravity [m/s²].
 Hydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
 
+// Shares of a sea's energy that a table does not cover: at directions (seen from the bow) that it has no rows
+// near, and at periods shorter and longer than its own. heading: rad, of the body.
+struct Coverage {
+  double astray = 0, shorter = 0, longer = 0;
+  double direction = 0;  // rad, the first of those astray
+};
+Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading);
+
 // What `hawser check` says of a body with hydrodynamics, in lines.
 std::string platform_text(const Case& c, const Body& b);
 

@@ -2,6 +2,8 @@
 // forces of first and second order, added linear and quadratic damping. See docs/theory/platforms.md.
 #pragma once
 
+#include <mpi.h>
+
 #include <deque>
 #include <memory>
 #include <vector>
@@ -19,7 +21,7 @@ namespace hawser {
 // owns one of a group computes all of it; the owner of a body counts its energy.
 class PlatformWater final : public ForceTerm, public CouplesNodes, public ScalesResiduals {
  public:
-  PlatformWater(const model::Case& c, const LocalMesh& mesh);
+  PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
   std::string_view name() const override { return "platforms in the sea"; }
   bool recouple(const Kinematics& committed, double h) override;
@@ -33,6 +35,7 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
   double round_off(const Kinematics& at, double h) const override;
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;
+  // Collective: a rank has the records of its own bodies, and needs the velocities of all of a group.
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:
@@ -85,6 +88,7 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
                Eigen::MatrixXd* slope) const;
   std::vector<Power> powers(const Group& g, const Kinematics& at) const;
 
+  MPI_Comm comm_;
   const LocalMesh& mesh_;
   Sea sea_;
   std::vector<Group> groups_;

@@ -1,0 +1,50 @@
+// Whether tables of wave forces cover the directions and periods of a sea.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/platform.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+// Straight lines between directions that are further apart hide a side of the body; one direction stands for
+// those that are as near as this.
+constexpr double kWideGap = 60 * kDegree, kNear = 15 * kDegree;
+
+bool covered(const std::vector<double>& directions, double direction) {
+  if (directions.size() == 1)
+    return std::abs(std::remainder(direction - directions.front(), 2 * M_PI)) < kNear;
+  const double turned = directions.front() +
+                        std::fmod(std::fmod(direction - directions.front(), 2 * M_PI) + 2 * M_PI, 2 * M_PI);
+  const auto next = std::upper_bound(directions.begin(), directions.end(), turned);
+  const double above = next == directions.end() ? directions.front() + 2 * M_PI : *next;
+  const double below = *(next - 1);
+  return above - below <= kWideGap * (1 + 1e-9) || std::min(turned - below, above - turned) < kDegree;
+}
+
+}  // namespace
+
+Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading) {
+  Coverage out;
+  double all = 0;
+  for (const WaveComponent& w : sea) {
+    const double energy = w.amplitude * w.amplitude, direction = std::atan2(w.y, w.x) - heading;
+    all += energy;
+    if (!covered(table.directions(), direction)) {
+      if (out.astray == 0) out.direction = std::remainder(direction, 2 * M_PI);
+      out.astray += energy;
+    }
+    if (w.omega > table.highest() * (1 + 1e-4)) out.shorter += energy;
+    if (w.omega < table.lowest() * (1 - 1e-4)) out.longer += energy;
+  }
+  if (!(all > 0)) return out;
+  out.astray /= all;
+  out.shorter /= all;
+  out.longer /= all;
+  return out;
+}
+
+}  // namespace hawser::model
