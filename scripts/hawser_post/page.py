@@ -108,11 +108,11 @@ class Page:
         plt.close(figure)
         kind = "svg+xml" if form == "svg" else form
         text = base64.b64encode(shortened(data.getvalue()) if form == "svg" else data.getvalue()).decode()
-        told, script = "", ""
+        attribute, script = "", ""
         if curves:
-            told = f' data-curves="{html.escape(curves[0])}"'
+            attribute = f' data-curves="{html.escape(curves[0])}"'
             script = f'<script type="text/plain">{curves[1]}</script>'
-        self.parts.append(f'<figure{told}><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{text}">'
+        self.parts.append(f'<figure{attribute}><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{text}">'
                           f"<figcaption>{html.escape(caption)}</figcaption>{script}</figure>")
 
     def model(self, results, other=None):

@@ -1,11 +1,9 @@
 // What is more than copying in an entry of `bodies`: motion from files and rows, and what goes by the sea.
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/wamit_reader.hpp"
-#include "hawser/math/so3.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
@@ -71,8 +69,7 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   if (h.body > h.data->bodies)
     model::refuse(v["body"], "the files have {} bod{}", h.data->bodies, h.data->bodies == 1 ? "y" : "ies");
   if (!h.excitation) return;
-  const Vec3 bow = exp_so3(b.rotation) * Vec3::UnitX();
-  const double heading = h.heading ? *h.heading : std::atan2(bow.y(), bow.x());
+  const double heading = model::hydrodynamic_heading(b);
   const auto sea = model::wave_field(c.environment).components();
   const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
   check_coverage(v, h.data->excitation, h.body, "wave forces (.3)", 0.05, sea, heading, key, c.notes);

@@ -73,11 +73,11 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
 void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                 std::vector<std::string>& notes) {
   size_t astray = 0;
-  RaoTable::Between gap;
+  DirectionGap gap;
   double direction = 0;
   for (const WaveComponent& w : waves.components()) {
     const double to = std::atan2(w.y, w.x) - bow;
-    const RaoTable::Between b = table.neighbours(to);
+    const DirectionGap b = table.neighbours(to);
     if (b.to - b.from <= kWideGap * kDegree * (1 + 1e-9)) continue;
     if (astray++ == 0) gap = b, direction = to;
   }
@@ -102,7 +102,7 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
   double all = 0, fast = 0, slow = 0, highest = 0, lowest = HUGE_VAL;  // of the elevation's variance; rad/s
   for (const WaveComponent& w : waves.components()) {
     const double to = std::atan2(w.y, w.x) - bow;
-    const RaoTable::Between b = table.neighbours(to);
+    const DirectionGap b = table.neighbours(to);
     if (const double off = std::abs(std::remainder(to - b.from, 2 * M_PI)) / kDegree;
         b.from == b.to && off > std::max(furthest, kOneDirection))
       furthest = off, only = b.from / kDegree;
@@ -166,11 +166,10 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
   const RaoTable table = read_table(rao, sea.gravity, source, notes);
   const WaveField waves = model::wave_field(sea);
   if (waves.none()) refuse(rao, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
-  const Vec3 bow = exp_so3(body.rotation) * Vec3::UnitX();
   const model::Drift none;
   const DriftLaw drift = model::drift_law(body.drift ? *body.drift : none);
   const double yaw = body.drift ? body.drift->rotation.z() : 0;
-  const double heading = std::atan2(bow.y(), bow.x());
+  const double heading = model::heading(body);
   check_gaps(table, waves, heading + yaw, rao.where, notes);
   if (model::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, rao.where, notes);
   check_phases(table, waves, heading + yaw, rao.where, notes);

@@ -4,12 +4,9 @@
 #include <algorithm>
 
 #include "hawser/kernels/line_pair.hpp"
+#include "hawser/kernels/line_pair_closing.hpp"
 
 namespace hawser {
-
-// 1 + cosine of the angle from which on a cable's chord counts as having turned half round: about which axis
-// is then nothing that the chord tells.
-constexpr double kHalfRound = 3e-3;
 
 // Turn of the sections of a cable whose unit chord went from f to t: the smallest rotation. Beyond the limit
 // it is no rotation any more, but as smooth as before it.

@@ -15,7 +15,7 @@ PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyStat
   PlatformMotion m;
   const Mat3 Ht = H.transpose(), Q = Ht * s.q.toRotationMatrix();
   const Vec3 turning = s.w.cross(r), lift = s.alpha.cross(r) + s.w.cross(turning);
-  m.rate << Ht * s.v + Q * turning, Q * s.w;
+  m.rate = platform_rate(H, r, s);
   m.acceleration << Ht * s.a + Q * lift, Q * s.alpha;
   const Mat3 Qr = Q * hat(r);
   m.G << Ht, -Qr, Mat3::Zero(), Q;
@@ -38,9 +38,10 @@ PlatformPull platform_pull(const PlatformPotential& V, const Vec3& r, const Rigi
   PlatformPull out;
   const Mat3 Ht = V.axes.transpose(), Q = Ht * s.q.toRotationMatrix();
   const Vec3 theta = log_so3(Quat(V.axes).conjugate() * s.q);
-  out.displacement << Ht * (s.x + s.q * r - V.place), theta;
-  const Vec6 pull = V.stiffness * out.displacement, F = pull + V.constant;
-  out.potential = out.displacement.dot(0.5 * pull + V.constant);
+  Vec6 displacement;
+  displacement << Ht * (s.x + s.q * r - V.place), theta;
+  const Vec6 pull = V.stiffness * displacement, F = pull + V.constant;
+  out.potential = displacement.dot(0.5 * pull + V.constant);
   const Mat3 T = inverse_right_jacobian(theta);
   Mat6 P;
   P << Ht, -Q * hat(r), Mat3::Zero(), T;

@@ -6,30 +6,19 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/kernels/table_places.hpp"
+
 namespace hawser {
 namespace {
 
-// Where x is among growing values: an index and the share of the next.
-struct Between {
-  size_t low = 0, high = 0;
-  double share = 0;
-};
-
-Between between(const std::vector<double>& values, double x) {
-  if (x <= values.front()) return {0, 0, 0};
-  if (x >= values.back()) return {values.size() - 1, values.size() - 1, 0};
-  const auto next = static_cast<size_t>(std::upper_bound(values.begin(), values.end(), x) - values.begin());
-  return {next - 1, next, (x - values[next - 1]) / (values[next] - values[next - 1])};
-}
-
-// Directions all round.
-Between around(const std::vector<double>& directions, double x) {
-  if (directions.size() == 1) return {0, 0, 0};
-  const double turn = 2 * M_PI, first = directions.front();
-  x = first + std::fmod(std::fmod(x - first, turn) + turn, turn);
-  if (x < directions.back()) return between(directions, x);
-  const double gap = first + turn - directions.back();
-  return {directions.size() - 1, 0, gap > 0 ? (x - directions.back()) / gap : 0};
+// Between rows and columns of a table of so many columns.
+ComplexVec6 bilinear(const std::vector<ComplexVec6>& values, size_t columns, const TablePlace& row,
+                     const TablePlace& column) {
+  const auto along = [&](size_t r) -> ComplexVec6 {
+    const ComplexVec6* first = &values[r * columns];
+    return (1 - column.share) * first[column.low] + column.share * first[column.high];
+  };
+  return (1 - row.share) * along(row.low) + row.share * along(row.high);
 }
 
 }  // namespace
@@ -45,12 +34,8 @@ WaveForceTable::WaveForceTable(std::vector<double> omega, std::vector<double> di
 }
 
 ComplexVec6 WaveForceTable::at(double omega, double direction) const {
-  const Between w = between(omega_, omega), d = around(directions_, direction);
-  const auto along = [&](size_t k) -> ComplexVec6 {
-    const ComplexVec6* row = &values_[k * omega_.size()];
-    return (1 - w.share) * row[w.low] + w.share * row[w.high];
-  };
-  return (1 - d.share) * along(d.low) + d.share * along(d.high);
+  return bilinear(values_, omega_.size(), direction_place(directions_, direction),
+                  frequency_place(omega_, omega));
 }
 
 DifferenceForceTable::DifferenceForceTable(std::vector<double> omega, std::vector<ComplexVec6> values)
@@ -60,12 +45,7 @@ DifferenceForceTable::DifferenceForceTable(std::vector<double> omega, std::vecto
 }
 
 ComplexVec6 DifferenceForceTable::at(double first, double second) const {
-  const Between a = between(omega_, first), b = between(omega_, second);
-  const auto along = [&](size_t row) -> ComplexVec6 {
-    const ComplexVec6* values = &values_[row * omega_.size()];
-    return (1 - b.share) * values[b.low] + b.share * values[b.high];
-  };
-  return (1 - a.share) * along(a.low) + a.share * along(a.high);
+  return bilinear(values_, omega_.size(), frequency_place(omega_, first), frequency_place(omega_, second));
 }
 
 PlatformWaves::PlatformWaves(const std::vector<WaveComponent>& sea, double heading,

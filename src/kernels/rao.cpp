@@ -11,12 +11,6 @@ namespace {
 
 constexpr double kSame = 1e-9;  // rad and rad/s: one direction or frequency
 
-double all_round(double direction) {
-  const double d = std::fmod(direction, 2 * M_PI);
-  const double r = d < 0 ? d + 2 * M_PI : d;
-  return r < 2 * M_PI ? r : 0;
-}
-
 }  // namespace
 
 RaoTable::RaoTable(std::vector<Row> rows) {
@@ -49,12 +43,8 @@ RaoTable::RaoTable(std::vector<Row> rows) {
 }
 
 Response RaoTable::at(double omega, double direction) const {
-  const auto [i, next] = frequencies_beside(omega);
-  const double z = next > i ? (omega - omega_[i]) / (omega_[next] - omega_[i]) : 0;
-
-  const auto [a, b] = either_side(direction);
-  const double gap = a != b ? all_round(direction_[b] - direction_[a]) : 1;
-  const double y = a != b ? all_round(direction - direction_[a]) / gap : 0;
+  const auto [i, next, z] = frequency_place(omega_, omega);
+  const auto [a, b, y] = direction_place(direction_, direction);
   Response r;
   for (size_t k = 0; k < 6; ++k)
     r[k] = (1 - y) * ((1 - z) * row(a, i)[k] + z * row(a, next)[k]) +
@@ -62,20 +52,12 @@ Response RaoTable::at(double omega, double direction) const {
   return r;
 }
 
-std::pair<size_t, size_t> RaoTable::frequencies_beside(double omega) const {
-  if (!(omega > omega_.front())) return {0, 0};
-  if (!(omega < omega_.back())) return {omega_.size() - 1, omega_.size() - 1};
-  const auto above = std::upper_bound(omega_.begin(), omega_.end(), omega);
-  const size_t next = above - omega_.begin();
-  return {next - 1, next};
-}
-
 std::vector<RaoTable::Turn> RaoTable::turns(double omega, double direction) const {
   constexpr double kSmall = 0.1;  // of the largest amplitude in the table
   std::vector<Turn> out;
-  const auto [i, next] = frequencies_beside(omega);
+  const auto [i, next, z] = frequency_place(omega_, omega);
   if (omega - omega_[i] < kSame || omega_[next] - omega < kSame) return out;
-  const auto [a, b] = either_side(direction);
+  const auto [a, b, y] = direction_place(direction_, direction);
   for (size_t d : {a, b}) {
     const size_t other = d == a ? b : a;
     if (a != b && std::abs(std::remainder(direction - direction_[other], 2 * M_PI)) < kSame) continue;
@@ -90,23 +72,6 @@ std::vector<RaoTable::Turn> RaoTable::turns(double omega, double direction) cons
     if (a == b) break;
   }
   return out;
-}
-
-RaoTable::Between RaoTable::neighbours(double direction) const {
-  const auto [a, b] = either_side(direction);
-  for (const size_t i : {a, b})
-    if (a == b || std::abs(std::remainder(direction - direction_[i], 2 * M_PI)) < kSame)
-      return {direction_[i], direction_[i]};
-  const double turn = a > b ? 2 * M_PI : 0;  // the circle closes between them
-  if (all_round(direction) < direction_[a]) return {direction_[a] - turn, direction_[b]};
-  return {direction_[a], direction_[b] + turn};
-}
-
-std::pair<size_t, size_t> RaoTable::either_side(double direction) const {
-  const size_t n = direction_.size();
-  const auto above = std::upper_bound(direction_.begin(), direction_.end(), all_round(direction));
-  const size_t after = above - direction_.begin();
-  return {(after + n - 1) % n, after % n};
 }
 
 std::vector<RaoTable::Row> with_other_side(const std::vector<RaoTable::Row>& rows) {

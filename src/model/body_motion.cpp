@@ -3,7 +3,10 @@
 #include "hawser/model/body_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
+
+#include "hawser/math/so3.hpp"
 
 namespace hawser::model {
 namespace {
@@ -20,6 +23,16 @@ struct ToLaw {
 };
 
 }  // namespace
+
+double heading(const Body& body) {
+  const Vec3 bow = exp_so3(body.rotation) * Vec3::UnitX();
+  return std::atan2(bow.y(), bow.x());
+}
+
+double hydrodynamic_heading(const Body& body) {
+  const auto& given = body.mass->hydrodynamics->heading;
+  return given ? *given : heading(body);
+}
 
 TableLaw table_law(const TableMotion& m) {
   TableLaw law;

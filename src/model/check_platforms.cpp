@@ -50,13 +50,7 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
 // The stiffness has a potential, and the damping takes energy.
 void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
   constexpr double kRounded = 1e-6;
-  const auto matrix = [](const std::vector<std::vector<double>>& rows) {
-    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(6, 6);
-    for (size_t i = 0; i < rows.size(); ++i)
-      for (size_t j = 0; j < 6; ++j) m(static_cast<int>(i), static_cast<int>(j)) = rows[i][j];
-    return m;
-  };
-  const Eigen::MatrixXd K = matrix(h.stiffness), B = matrix(h.damping);
+  const Mat6 &K = h.stiffness, &B = h.damping;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < i; ++j)
       if (std::abs(K(i, j) - K(j, i)) > kRounded * K.cwiseAbs().maxCoeff())

@@ -18,17 +18,20 @@ constexpr double kMeshNoise = 1e-3;
 Hydrostatics hydrostatics(const BodyMass& m, double density, double gravity) {
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const int first = 6 * (h.body - 1);
-  Eigen::Matrix<double, 6, 6> C = h.data->hydrostatic.block<6, 6>(first, first);
+  Mat6 C = h.data->hydrostatic.block<6, 6>(first, first);
   if (h.gravity_in_stiffness) {
     const Vec3 moment = m.mass * gravity * m.centre;
-    C(3, 3) += moment.z(), C(4, 4) += moment.z();
-    C(3, 5) -= moment.x(), C(4, 5) -= moment.y();
+    C(3, 3) += moment.z();
+    C(4, 4) += moment.z();
+    C(3, 5) -= moment.x();
+    C(4, 5) -= moment.y();
   }
   Hydrostatics out;
   out.buoyancy = h.volume > 0 ? density * gravity * h.volume : m.mass * gravity;
   const double noise = kMeshNoise * std::cbrt(out.buoyancy / (density * gravity));
   const auto arm = [&](double x) { return std::abs(x) < noise ? 0 : x; };
-  out.arm_x = arm(-C(3, 5) / out.buoyancy), out.arm_y = arm(-C(4, 5) / out.buoyancy);
+  out.arm_x = arm(-C(3, 5) / out.buoyancy);
+  out.arm_y = arm(-C(4, 5) / out.buoyancy);
   const Mat3 upright = C.block<3, 3>(2, 2);
   out.stiffness.block<3, 3>(2, 2) = 0.5 * (upright + upright.transpose());
   return out;

@@ -1,9 +1,8 @@
 // Whether tables of wave forces cover the directions and periods of a sea.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/kernels/table_places.hpp"
 #include "hawser/model/platform.hpp"
 
 namespace hawser::model {
@@ -15,14 +14,13 @@ constexpr double kDegree = M_PI / 180;
 constexpr double kWideGap = 60 * kDegree, kNear = 15 * kDegree;
 
 bool covered(const std::vector<double>& directions, double direction) {
-  if (directions.size() == 1)
-    return std::abs(std::remainder(direction - directions.front(), 2 * M_PI)) < kNear;
-  const double turned = directions.front() +
-                        std::fmod(std::fmod(direction - directions.front(), 2 * M_PI) + 2 * M_PI, 2 * M_PI);
-  const auto next = std::upper_bound(directions.begin(), directions.end(), turned);
-  const double above = next == directions.end() ? directions.front() + 2 * M_PI : *next;
-  const double below = *(next - 1);
-  return above - below <= kWideGap * (1 + 1e-9) || std::min(turned - below, above - turned) < kDegree;
+  const DirectionGap gap = direction_gap(directions, direction);
+  const auto off = [direction](double other) {
+    return std::abs(std::remainder(direction - other, 2 * M_PI));
+  };
+  const double nearest = std::min(off(gap.from), off(gap.to));
+  if (directions.size() == 1) return nearest < kNear;
+  return gap.to - gap.from <= kWideGap * (1 + 1e-9) || nearest < kDegree;
 }
 
 }  // namespace

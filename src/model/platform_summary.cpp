@@ -1,9 +1,9 @@
 // What `hawser check` says of a platform: its weight and buoyancy, stability, added mass and periods.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "hawser/kernels/table_places.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/platform.hpp"
 
@@ -12,12 +12,8 @@ namespace {
 
 // Between the rows; beyond them as there.
 double added_mass(const HydrodynamicData& data, int mode, double omega) {
-  const auto next = std::upper_bound(data.omega.begin(), data.omega.end(), omega);
-  const auto high = static_cast<size_t>(next - data.omega.begin());
-  if (high == 0) return data.added_mass.front()(mode, mode);
-  if (high == data.omega.size()) return data.added_mass.back()(mode, mode);
-  const double share = (omega - data.omega[high - 1]) / (data.omega[high] - data.omega[high - 1]);
-  return (1 - share) * data.added_mass[high - 1](mode, mode) + share * data.added_mass[high](mode, mode);
+  const auto [low, high, share] = frequency_place(data.omega, omega);
+  return (1 - share) * data.added_mass[low](mode, mode) + share * data.added_mass[high](mode, mode);
 }
 
 // s, of one freedom by itself: T = 2 pi sqrt((M + A(2 pi/T))/C); 0: nothing pulls it back.

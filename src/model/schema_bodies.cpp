@@ -123,8 +123,14 @@ Key body_in_water() {
       at_most_one({"Ca", "added_mass"}));
 }
 
-Key six_by_six(const Field& field, const char* name, std::string about) {
-  return list({name, field}, list("", number("", none), items(6, 6)), std::move(about), items(6, 6));
+// A 6x6 matrix of the hydrodynamics of a body, by rows.
+Key six_by_six(const char* name, Mat6 BodyHydrodynamics::*matrix, std::string about) {
+  const auto fill = [matrix](BodyHydrodynamics& h, const Value& v) {
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) (h.*matrix)(i, j) = v.items[i].items[j].number;
+  };
+  return list({name, by<BodyHydrodynamics>(fill)}, list("", number("", none), items(6, 6)), std::move(about),
+              items(6, 6));
 }
 
 Key body_hydrodynamics() {
@@ -161,9 +167,9 @@ Key body_hydrodynamics() {
             "`.9` "
             "or `.7`); by all difference-frequency forces (`.12d`)",
             or_else("none")),
-       six_by_six(&H::stiffness, "stiffness",
+       six_by_six("stiffness", &H::stiffness,
                   "added to it, about the body's origin: six rows of six, N/m, N and N m/rad"),
-       six_by_six(&H::damping, "damping", "linear damping added: six rows of six, N s/m, N s and N m s"),
+       six_by_six("damping", &H::damping, "linear damping added: six rows of six, N s/m, N s and N m s"),
        list(
            {"quadratic_damping", &H::quadratic_damping}, number("", none, at_least(0)),
            "for each of the six velocities v of its origin the force is this times |v| v: N s²/m² and N m s²",

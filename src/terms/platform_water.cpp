@@ -84,7 +84,8 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   if (g.known && now.time == time) return now;
   const Eigen::Index n = 6 * static_cast<Eigen::Index>(g.platforms.size());
   now.time = time;
-  now.past = Eigen::VectorXd::Zero(n), now.waves = Eigen::VectorXd::Zero(n);
+  now.past = Eigen::VectorXd::Zero(n);
+  now.waves = Eigen::VectorXd::Zero(n);
   now.damping = Eigen::MatrixXd::Zero(n, n);
   g.known = true;
   const size_t entries = g.entries.size();
@@ -146,9 +147,10 @@ void PlatformWater::prepare(const Kinematics& committed, double h) {
     g.known = false;
     if (!g.here) continue;
     if (committed.step > 0 || !(h > 0) || g.past.size() > 1) continue;
+    const Eigen::VectorXd rate = rates(g, committed);
     g.past.clear();
-    add_past(g, committed.time, rates(g, committed));
-    const std::vector<Power> start = powers(g, committed);
+    add_past(g, committed.time, rate);
+    const std::vector<Power> start = powers(g, committed.time, rate);
     for (size_t i = 0; i < start.size(); ++i) g.platforms[i].power = start[i];
   }
 }
@@ -202,25 +204,26 @@ void PlatformWater::commit(const Kinematics& accepted) {
       g.past.clear();
       continue;
     }
-    const std::vector<Power> end = powers(g, accepted);
+    Eigen::VectorXd rate = rates(g, accepted);
+    const std::vector<Power> end = powers(g, accepted.time, rate);
     for (size_t i = 0; i < end.size(); ++i) {
       Platform& p = g.platforms[i];
       p.damping_work += 0.5 * accepted.step * (p.power.damping + end[i].damping);
       p.wave_work += 0.5 * accepted.step * (p.power.waves + end[i].waves);
       p.power = end[i];
     }
-    add_past(g, accepted.time, rates(g, accepted));
-    // What is over has no force but as the velocity that the rest began with, which G' forgets.
+    add_past(g, accepted.time, std::move(rate));
+    // Velocities from before the length of the memory have no force any more.
     const auto over = [&](const Past& p) { return p.time < accepted.time - g.memory.length(); };
     while (g.past.size() > 2 && over(g.past[1])) g.past.pop_front();
     g.known = false;
   }
 }
 
-std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, const Kinematics& at) const {
-  const Eigen::VectorXd rate = rates(g, at);
+std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, double time,
+                                                        const Eigen::VectorXd& rate) const {
   Eigen::VectorXd force;
-  const AtTime& now = at_time(g, at.time);
+  const AtTime& now = at_time(g, time);
   damping(g, now, rate, force, nullptr);
   std::vector<Power> out;
   for (size_t i = 0; i < g.platforms.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hawser/math/so3.hpp"
+#include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/terms/platform_water.hpp"
 
@@ -11,18 +12,6 @@ namespace {
 
 // Entries of the damping matrix below this share of those on the diagonal are none.
 constexpr double kNoEntry = 1e-6;
-
-Mat6 matrix(const std::vector<std::vector<double>>& rows) {
-  Mat6 out = Mat6::Zero();
-  for (size_t i = 0; i < rows.size(); ++i)
-    for (size_t j = 0; j < 6; ++j) out(static_cast<int>(i), static_cast<int>(j)) = rows[i][j];
-  return out;
-}
-
-double yaw(const Vec3& rotation) {
-  const Vec3 bow = exp_so3(rotation) * Vec3::UnitX();
-  return std::atan2(bow.y(), bow.x());
-}
 
 }  // namespace
 
@@ -36,7 +25,7 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   const model::Body& b = c.bodies[body];
   const model::BodyMass& m = *b.mass;
   const model::BodyHydrodynamics& h = *m.hydrodynamics;
-  const double heading = h.heading ? *h.heading : yaw(b.rotation);
+  const double heading = model::hydrodynamic_heading(b);
   Platform p;
   p.node = mesh_.mesh->body_node(body);
   p.arm = -m.centre;
@@ -45,11 +34,11 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
   const model::Hydrostatics still = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.buoyancy = still.buoyancy;
-  p.potential.stiffness = still.stiffness + matrix(h.stiffness);
+  p.potential.stiffness = still.stiffness + h.stiffness;
   p.potential.constant << 0, 0, -1, -still.arm_y, still.arm_x, 0;
   p.potential.constant *= still.buoyancy;
-  p.damping = matrix(h.damping);
-  if (!h.quadratic_damping.empty()) p.quadratic = Eigen::Map<const Vec6>(h.quadratic_damping.data());
+  p.damping = h.damping;
+  p.quadratic = h.quadratic_damping;
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
     return tables.empty() ? WaveForceTable() : tables[static_cast<size_t>(h.body) - 1];
   };

@@ -207,7 +207,7 @@ class Drawn(unittest.TestCase):
         self.show(model(self.folder.name))
         value = self.browser.value
         value("hawserView.cut('plan', 0.5)")
-        self.assertIn("cut at z =", value("hawserView.controls.told.textContent"))
+        self.assertIn("cut at z =", value("hawserView.controls.status.textContent"))
         self.assertEqual(value("hawserView.scene.renderer.clippingPlanes.length"), 1)
         value("hawserView.cut('none', 0.5)")
         size = value("hawserView.scene.still().then((png) => createImageBitmap(png)).then((b) => [b.width, b.height])")

@@ -100,7 +100,7 @@ TEST(Rao, KnowsTheDirectionsBesideOne) {
   const RaoTable t(
       {{0.5, 0, heave_of(1, 0)}, {0.5, 90 * deg, heave_of(1, 0)}, {0.5, 180 * deg, heave_of(1, 0)}});
   const auto expect = [&](double direction, double from, double to) {
-    const RaoTable::Between b = t.neighbours(direction * deg);
+    const DirectionGap b = t.neighbours(direction * deg);
     EXPECT_NEAR(b.from / deg, from, 1e-9) << direction;
     EXPECT_NEAR(b.to / deg, to, 1e-9) << direction;
   };

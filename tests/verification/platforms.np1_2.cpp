@@ -40,12 +40,8 @@ std::vector<std::vector<Vec3>> run(const model::Case& c, double until, double ev
   return out;
 }
 
-// 1 m of heave of a hemisphere of 5 m: inverse Laplace transform of the exact transform of K, from added mass
-// and damping by the multipole method of Hulme (1982). Table of the IEA OES sphere with 261.8 t in 1000
-// kg/m³.
-TEST(Platforms, HemisphereDecays) {
-  constexpr double kTime = 2.5;
-  const double exact[] = {1, -0.798213175, 0.43444015, -0.144894465, -0.0327708241};
+// A hemisphere of 5 m and 261.8 t in 1000 kg/m³ that starts 1 m above its rest, for 10 s.
+model::Case hemisphere(double step) {
   const std::string text = fmt::format(R"(hawser: 1
 environment: {{gravity: 9.81, water: {{density: 1000}}}}
 bodies:
@@ -56,10 +52,20 @@ bodies:
       inertia: [2.6e6, 2.6e6, 2.6e6]
       hydrodynamics: {{wamit: {}/tests/data/hemisphere, length_scale: 5}}
 statics: false
-dynamics: {{duration: 10, step: 0.02, rho_infinity: 1}}
+dynamics: {{duration: 10, step: {}, rho_infinity: 1}}
 )",
-                                       HAWSER_SOURCE_DIR);
-  const auto found = run(io::read_case_text(text, testing::TempDir() + "sphere.yaml"), 10, kTime);
+                                       HAWSER_SOURCE_DIR, step);
+  return io::read_case_text(text, testing::TempDir() + "sphere.yaml");
+}
+
+// 1 m of heave of a hemisphere of 5 m: inverse Laplace transform of the exact transform of K, from added mass
+// and damping by the multipole method of Hulme (1982). Table of the IEA OES sphere with 261.8 t in 1000
+// kg/m³.
+TEST(Platforms, HemisphereDecays) {
+  constexpr double kTime = 2.5;
+  const double exact[] = {1, -0.798213175, 0.43444015, -0.144894465, -0.0327708241};
+
+  const auto found = run(hemisphere(0.02), 10, kTime);
   ASSERT_EQ(found.size(), 5u);
   for (size_t i = 0; i < found.size(); ++i) {
     printf("hemisphere at %4.1f s: %.6f m, exact %.6f m\n", kTime * static_cast<double>(i), found[i][0].z(),
@@ -161,21 +167,7 @@ dynamics: {{duration: 20, step: 0.02, rho_infinity: 1}}
 
 // Steps of 0.05 to 0.2 s by turns: the memory knows no grid of times.
 TEST(Platforms, StepsMayChange) {
-  const std::string text = fmt::format(R"(hawser: 1
-environment: {{gravity: 9.81, water: {{density: 1000}}}}
-bodies:
-  sphere:
-    position: [0, 0, 1]
-    floating:
-      mass: 261800
-      inertia: [2.6e6, 2.6e6, 2.6e6]
-      hydrodynamics: {{wamit: {}/tests/data/hemisphere, length_scale: 5}}
-statics: false
-dynamics: {{duration: 10, step: 0.05, rho_infinity: 1}}
-)",
-                                       HAWSER_SOURCE_DIR);
-  const model::Case c = io::read_case_text(text, testing::TempDir() + "sphere.yaml");
-  Simulation s(PETSC_COMM_WORLD, c);
+  Simulation s(PETSC_COMM_WORLD, hemisphere(0.05));
   Dynamics& d = s.dynamics();
   d.start(s.state());
   int n = 0;

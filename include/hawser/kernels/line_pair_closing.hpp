@@ -9,6 +9,10 @@
 
 namespace hawser {
 
+// 1 + cosine of the turn of a line in a step from which on it counts as half a turn: its directions before
+// and after do not say about which axis.
+inline constexpr double kHalfRound = 3e-3;
+
 // Of two material points, x of one line and y of the other, which touch at the end of a step.
 template <class S>
 struct LinePairWay {
@@ -37,12 +41,11 @@ S line_pair_closing(const LinePairWay<S>& way) {
                    b = unit(way.along);
   const S c = a.dot(b), wa = w.dot(a), wb = w.dot(b);
   const S both = over(S(0.5 * (wa + wb)), S(1 + c)), apart = over(S(0.5 * (wa - wb)), S(1 - c));
-  static constexpr double kRound = 3e-3;  // 1 + cos of a turn that counts as half a turn
   const auto brings = [&n](const S& by, const Vector3<S>& was, const Vector3<S>& now) -> S {
     const Vector3<S> mean = was + now;
     // A line whose direction reverses within the step, as one that folds onto itself, does not slide along
     // it.
-    if (!(now.dot(mean) > kRound)) return S(0);
+    if (!(now.dot(mean) > kHalfRound)) return S(0);
     return -by * n.dot(mean) / S(now.dot(mean));
   };
   return -n.dot(w) - brings(S(both + apart), unit(way.slope_before), a) -

@@ -17,7 +17,7 @@ struct PlatformMotion {
   Mat6 rate_by_place, acceleration_by_place, acceleration_by_rate;
 };
 PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s);
-// G alone times nothing else: the rate.
+// The rate without its derivatives.
 Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s);
 
 // d (G^T F) by increments of position and rotation at fixed F.
@@ -34,8 +34,7 @@ struct PlatformPotential {
   Vec6 constant = Vec6::Zero();
 };
 struct PlatformPull {
-  double potential = 0;  // J
-  Vec6 displacement = Vec6::Zero();
+  double potential = 0;   // J
   Vec6 f = Vec6::Zero();  // the gradient, on the unknowns
   Mat6 K = Mat6::Zero();
 };

@@ -21,7 +21,7 @@ using ComplexVec6 = Eigen::Matrix<Complex, 6, 1>;
 class WaveForceTable {
  public:
   WaveForceTable() = default;
-  // omega [rad/s] growing, directions [rad] growing within a turn (where the wave goes to, seen from the
+  // omega [rad/s] growing, directions [rad] growing in [0, 2 pi) (where the wave goes to, seen from the
   // bow); values by direction, then frequency. std::invalid_argument where they do not fit.
   WaveForceTable(std::vector<double> omega, std::vector<double> directions, std::vector<ComplexVec6> values);
   bool none() const { return values_.empty(); }
@@ -44,7 +44,6 @@ class DifferenceForceTable {
   DifferenceForceTable(std::vector<double> omega, std::vector<ComplexVec6> values);
   bool none() const { return values_.empty(); }
   ComplexVec6 at(double first, double second) const;
-  const std::vector<double>& frequencies() const { return omega_; }
 
  private:
   std::vector<double> omega_;

@@ -21,8 +21,8 @@ class RadiationMemory {
   RadiationMemory(const std::vector<double>& omega, const Eigen::MatrixXd& damping);
 
   Eigen::Index entries() const { return damping_.cols(); }
-  // s, after which the memory is over: K is small from there on, and G is taken as constant, so that a body
-  // that moves steadily for long is not damped by a memory that was cut.
+  // s, after which the memory ends: K is small from there on, and G is taken as constant. Steady motion is
+  // then not damped, as without an end of the memory, since the integral of K over all times is zero.
   double length() const { return length_; }
 
   // By entry: K(t) by its closed form, t >= 0.
@@ -30,8 +30,8 @@ class RadiationMemory {
   // By entry: G(t) and, where `rate` is not null, G'(t), t >= 0, from a table, to about 1e-8 of
   // K(0)/omega_last².
   void integrals(double t, double* G, double* rate) const;
-  // int_0^length K(t) sin(omega t) dt/omega by entry, the mean over these frequencies: A(omega) - A(inf) with
-  // the other sign (Ogilvie 1964).
+  // By entry, kg and so on: A(inf) - A(omega) = int_0^length K(t) sin(omega t) dt/omega (Ogilvie 1964), as
+  // the mean over these frequencies.
   Eigen::RowVectorXd added_mass_below_infinite(const std::vector<double>& omega) const;
 
  private:

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/kernels/table_places.hpp"
 #include "hawser/kernels/waves.hpp"
 
 namespace hawser {
@@ -30,12 +31,7 @@ class RaoTable {
   // first and last frequency as there.
   Response at(double omega, double direction) const;
 
-  // The directions of the table on either side of this one, rad, the first not above it and the second not
-  // below; twice the same where it is in the table or the table has no other.
-  struct Between {
-    double from = 0, to = 0;
-  };
-  Between neighbours(double direction) const;
+  DirectionGap neighbours(double direction) const { return direction_gap(direction_, direction); }
 
   // Two neighbouring frequencies of the table at one of its directions between which the phase of a response
   // turns by more than 90 degrees, though neither amplitude is small: the straight line between them passes
@@ -56,10 +52,6 @@ class RaoTable {
   double highest() const { return omega_.back(); }
 
  private:
-  // Places in the table of the frequencies on either side; twice the same beyond its ends.
-  std::pair<size_t, size_t> frequencies_beside(double omega) const;
-  // Places in the table, all round, of the directions on either side; the first may be this one.
-  std::pair<size_t, size_t> either_side(double direction) const;
   const Response& row(size_t direction, size_t omega) const {
     return rows_[direction * omega_.size() + omega];
   }

@@ -12,6 +12,9 @@ namespace hawser::model {
 RigidMotion rigid_motion(const Body& body);
 DriftLaw drift_law(const Drift& drift);
 TableLaw table_law(const TableMotion& table);
+// rad from +x, of its bow at t = 0; and of its bow where the files of its hydrodynamics hold.
+double heading(const Body& body);
+double hydrodynamic_heading(const Body& body);
 
 // When a body's velocity jumps: times of the rows of tables with straight lines between them, s, increasing.
 std::vector<double> velocity_jumps(const std::vector<Body>& bodies);

@@ -27,9 +27,8 @@ struct BodyHydrodynamics {
   double volume = 0;                  // m³ that it displaces where `place` has it; 0: that of its mass
   std::optional<Vec3> place;          // m, of its origin where motion is counted from
   std::optional<double> heading;      // rad, there
-  std::vector<std::vector<double>> stiffness,
-      damping;                            // added, 6x6 about its origin: N/m ... N m s; or empty
-  std::vector<double> quadratic_damping;  // by freedom: N/(m/s)², N m/(rad/s)²; or empty
+  Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // added, about its origin: N/m ... N m s
+  Vec6 quadratic_damping = Vec6::Zero();                  // by freedom: N/(m/s)², N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;
 };
 
@@ -43,9 +42,9 @@ struct BodyLoad {
 // Hydrostatics of the pressure alone, about the body's origin: weight acts by itself. Files with gravity have
 // -m g zG in C44 and C55, m g xG in C46 and m g yG in C56 (WAMIT manual 7, section 4.2).
 struct Hydrostatics {
-  Eigen::Matrix<double, 6, 6> stiffness = Eigen::Matrix<double, 6, 6>::Zero();  // symmetric
-  double buoyancy = 0;                                                          // N
-  double arm_x = 0, arm_y = 0;  // m, of the centre of buoyancy from the body's origin
+  Mat6 stiffness = Mat6::Zero();  // symmetric
+  double buoyancy = 0;            // N
+  double arm_x = 0, arm_y = 0;    // m, of the centre of buoyancy from the body's origin
 };
 // Of a body with hydrodynamics; density of the water [kg/m³], gravity [m/s²].
 Hydrostatics hydrostatics(const BodyMass& body, double density, double gravity);

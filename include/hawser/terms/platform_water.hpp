@@ -62,8 +62,8 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
     Eigen::VectorXd rate, slope;
   };
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
-  // What a step does not change: the memory's force but for the share of the step in hand,
-  // F = past + damping (rate - rate at its start), and the forces of the waves.
+  // Forces at a time that do not depend on the trial state: of the waves, and of the memory of accepted
+  // steps. The memory of the current step adds damping (rate - rate at its start).
   struct AtTime {
     double time = 0;
     Eigen::VectorXd past, waves;
@@ -86,7 +86,7 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
   // The force of damping and memory on a group, and its derivative by the rates.
   void damping(const Group& g, const AtTime& now, const Eigen::VectorXd& rate, Eigen::VectorXd& force,
                Eigen::MatrixXd* slope) const;
-  std::vector<Power> powers(const Group& g, const Kinematics& at) const;
+  std::vector<Power> powers(const Group& g, double time, const Eigen::VectorXd& rate) const;
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;

@@ -112,8 +112,8 @@ def curves_of(figure):
             rows.append(np.pad(k, (0, points - len(k)), constant_values=k[-1]))
             curve["points"] = len(values)
         curves.append(curve)
-    told = {"title": title, "x": axes.get_xlabel(), "y": axes.get_ylabel(), "curves": curves}
-    return json_of(told), text_of(blocks.steps(np.array(rows), 1.0))
+    graph = {"title": title, "x": axes.get_xlabel(), "y": axes.get_ylabel(), "curves": curves}
+    return json_of(graph), text_of(blocks.steps(np.array(rows), 1.0))
 
 
 def colour_of(line):

@@ -15,7 +15,7 @@ from .model import Model
 
 BLOCK_VALUES = 1_000_000  # positions of a part
 MOST_OUTPUTS = 512  # of a part
-SAMPLE = 40  # outputs by which the range of a field is told
+SAMPLE = 40  # outputs from which the range of a field is taken
 OFTEN = 0.7  # s between two looks at the files
 
 
@@ -115,13 +115,13 @@ class Shown:
         self.stamp = hashlib.sha256(key.encode()).hexdigest()[:16]
 
     def start(self):
-        told = start_shape.notes_of(self.case, self.changes)
+        said = start_shape.notes_of(self.case, self.changes)
         if self.folder is None:
             self.folder = tempfile.TemporaryDirectory(prefix="hawser-view-")
         folder = tempfile.mkdtemp(dir=self.folder.name)
         results = start_shape.start_of(self.case, self.changes, folder)
         model = ServedModel(results, fields=())  # before statics no force is one
-        model.told = told
+        model.check_notes = said
         return model
 
     # What is asked.
@@ -130,9 +130,9 @@ class Shown:
         with self.lock:
             self.look()
             found = self.model.header()
-            told = getattr(self.model, "told", None)
-            if told is not None:
-                found["notes"] = notes.placed(self.model.results, told)
+            said = getattr(self.model, "check_notes", None)
+            if said is not None:
+                found["notes"] = notes.placed(self.model.results, said)
                 found["missing"].append("This is the start shape, before statics; the results are shown when the case is run.")
             return {**found, "served": True, "stamp": self.stamp, "storedHistories": self.kind == "run"}
 

@@ -74,8 +74,8 @@ class Handler(BaseHTTPRequestHandler):
         if name in self.server.files:
             return 200, *self.server.files[name]
         if name in ("header", "status"):
-            told = getattr(self.server.shown, name)()
-            return 200, "application/json", embedded.json_of(told).encode()
+            answer = getattr(self.server.shown, name)()
+            return 200, "application/json", embedded.json_of(answer).encode()
         block = self.server.shown.block(name[len("block/"):]) if name.startswith("block/") else None
         return (404, plain, b"there is nothing of that name") if block is None else (200, "application/octet-stream", block)
 

@@ -19,8 +19,8 @@ hawser.Controls = class {
     this.view = view;
     const {scene, model} = view;
     this.time = this.timeBar();
-    this.told = hawser.make("p", {class: "told", role: "status"});
-    this.element = hawser.make("div", {class: "controls"}, this.time, this.lookBar(), this.viewBar(), this.showBar(), this.told);
+    this.status = hawser.make("p", {class: "status", role: "status"});
+    this.element = hawser.make("div", {class: "controls"}, this.time, this.lookBar(), this.viewBar(), this.showBar(), this.status);
     const keys = "Arrow keys turn it, with Shift they move it, plus and minus zoom, Home shows all of it, space plays, a click chooses a line";
     scene.canvas.setAttribute("aria-label", `Model in three dimensions of ${model.header.title}. ${keys}`);
     scene.canvas.title = keys;

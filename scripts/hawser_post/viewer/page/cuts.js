@@ -31,7 +31,7 @@ hawser.Cuts = class {
   }
 
   // In words.
-  told(centre) {
+  describe(centre) {
     if (this.kind === "plan") return `cut at z = ${hawser.number(this.at + centre[2])} m`;
     if (this.kind === "elevation") {
       const {across} = this.camera;

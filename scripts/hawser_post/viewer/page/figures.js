@@ -1,4 +1,4 @@
-// Figures of a report: a graph takes the place of the picture of a curve while it is looked at; paper has the picture.
+// Figures of a report: a graph takes the place of the picture of a curve on the screen; in print the picture stays.
 
 hawser.figures = function () {
   const watch = new IntersectionObserver((entries) => {

@@ -1,11 +1,11 @@
 // Which time is shown, and how it goes on.
 
 hawser.Player = class {
-  // told(output): called when another output is shown.
-  constructor(scene, told) {
+  // onOutput(output): called when another output is shown.
+  constructor(scene, onOutput) {
     this.scene = scene;
     this.model = scene.model;
-    this.told = told;
+    this.onOutput = onOutput;
     this.output = 0;
     this.time = this.model.header.times[0];
     this.speed = 1;
@@ -21,7 +21,7 @@ hawser.Player = class {
     await model.ready(scene.needs(), [wanted]);
     if (wanted !== this.output || this.playing) return;
     scene.set(wanted, 0);
-    this.told(wanted);
+    this.onOutput(wanted);
   }
 
   play(on) {
@@ -64,14 +64,14 @@ hawser.Player = class {
     else scene.set(output, share);
     const passed = this.output;
     this.output = scene.output;
-    if (passed !== this.output || this.time >= last) this.told(this.output);
+    if (passed !== this.output || this.time >= last) this.onOutput(this.output);
     this.ahead(output + 2);
     requestAnimationFrame((next) => {
       if (!this.playing) return;
       this.time = Math.min(last, this.time + this.speed * Math.min(0.25, (next - now) / 1000));
       if (share >= 1 && this.time >= last) {
         this.playing = false;
-        this.told(this.output);
+        this.onOutput(this.output);
         this.ended();
         return;
       }

@@ -43,8 +43,8 @@ hawser.Scene = class {
 
   static software() {
     const trial = document.createElement("canvas").getContext("webgl");
-    const told = trial && trial.getExtension("WEBGL_debug_renderer_info");
-    const name = told ? trial.getParameter(told.UNMASKED_RENDERER_WEBGL) : "";
+    const info = trial && trial.getExtension("WEBGL_debug_renderer_info");
+    const name = info ? trial.getParameter(info.UNMASKED_RENDERER_WEBGL) : "";
     if (trial) trial.getExtension("WEBGL_lose_context")?.loseContext();
     return /swiftshader|llvmpipe|software/i.test(name);
   }

@@ -106,12 +106,12 @@ hawser.View = class {
       parts.push(`lines coloured by ${field.label}, ${range}; grey where there is no number`);
     }
     if (line) parts.push(`chosen: ${line.name}`);
-    if (scene.cuts.kind !== "none") parts.push(scene.cuts.told(model.header.centre));
-    if (!this.player.playing) this.controls.told.textContent = `${parts.join("; ")}.`;
+    if (scene.cuts.kind !== "none") parts.push(scene.cuts.describe(model.header.centre));
+    if (!this.player.playing) this.controls.status.textContent = `${parts.join("; ")}.`;
   }
 
   fail(error) {
-    this.controls.told.textContent = `Not shown: ${error.message || error}.`;
+    this.controls.status.textContent = `Not shown: ${error.message || error}.`;
   }
 
   play(on) {
@@ -175,7 +175,7 @@ hawser.View = class {
   cut(kind, share) {
     this.scene.cuts.set(kind, share);
     this.controls.cutAt.disabled = kind === "none";
-    this.controls.cutAt.setAttribute("aria-valuetext", this.scene.cuts.told(this.model.header.centre));
+    this.controls.cutAt.setAttribute("aria-valuetext", this.scene.cuts.describe(this.model.header.centre));
     this.scene.redraw();
     this.describe();
   }

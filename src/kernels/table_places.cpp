@@ -1,0 +1,51 @@
+// The search of frequencies and directions in tables, all round between directions.
+#include "hawser/kernels/table_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser {
+namespace {
+
+constexpr double kSame = 1e-9;  // rad: one direction
+
+}  // namespace
+
+double all_round(double direction) {
+  const double d = std::fmod(direction, 2 * M_PI);
+  const double r = d < 0 ? d + 2 * M_PI : d;
+  return r < 2 * M_PI ? r : 0;
+}
+
+TablePlace frequency_place(const std::vector<double>& omega, double x) {
+  const std::size_t last = omega.size() - 1;
+  if (!(x > omega.front())) return {0, 0, 0};
+  if (!(x < omega.back())) return {last, last, 0};
+  const auto above = std::upper_bound(omega.begin(), omega.end(), x);
+  const std::size_t next = above - omega.begin();
+  return {next - 1, next, (x - omega[next - 1]) / (omega[next] - omega[next - 1])};
+}
+
+TablePlace direction_place(const std::vector<double>& directions, double x) {
+  const std::size_t n = directions.size();
+  const double within = all_round(x);
+  const auto above = std::upper_bound(directions.begin(), directions.end(), within);
+  const std::size_t after = above - directions.begin(), a = (after + n - 1) % n, b = after % n;
+  if (a == b) return {a, b, 0};
+  // From the one below; of x - directions[a] rounding could make a whole turn.
+  const double way = within - directions[a];
+  return {a, b, (way < 0 ? way + 2 * M_PI : way) / all_round(directions[b] - directions[a])};
+}
+
+DirectionGap direction_gap(const std::vector<double>& directions, double x) {
+  const TablePlace place = direction_place(directions, x);
+  const std::size_t a = place.low, b = place.high;
+  for (const std::size_t i : {a, b})
+    if (a == b || std::abs(std::remainder(x - directions[i], 2 * M_PI)) < kSame)
+      return {directions[i], directions[i]};
+  const double turn = a > b ? 2 * M_PI : 0;  // the circle closes between them
+  if (all_round(x) < directions[a]) return {directions[a] - turn, directions[b]};
+  return {directions[a], directions[b] + turn};
+}
+
+}  // namespace hawser
