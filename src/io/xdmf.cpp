@@ -1,6 +1,6 @@
 // The class XdmfWriter: the XML grids of lines and volumes at each output, which refer to rows of the HDF5
 // file, and the names that both files share. Which mesh is drawn of a volume: volume_meshes in
-// app/volumes.cpp.
+// run/volumes.cpp.
 #include "hawser/io/xdmf.hpp"
 
 #include <algorithm>

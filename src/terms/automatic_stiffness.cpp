@@ -1,6 +1,6 @@
 // Formulas for automatic contact stiffness, of a line on a volume and of lines that cross, and the sentences
 // that tell the user which stiffness was chosen, raised or too low. Chosen for volumes at the start in
-// app/simulation.cpp (choose_stiffness), for pairs of lines in app/line_pairs.cpp; raised during a run:
+// run/simulation.cpp (choose_stiffness), for pairs of lines in run/line_pairs.cpp; raised during a run:
 // line_volume_automatic_stiffness.cpp asks, contact_volumes_automatic_stiffness.cpp raises.
 #include "hawser/terms/automatic_stiffness.hpp"
 

@@ -1,9 +1,9 @@
 // What the clash report costs a step: touches of all pairs put together, and taken into the open clashes.
-#include "hawser/app/clash_log.hpp"
+#include "hawser/record/clash_log.hpp"
 
 #include <benchmark/benchmark.h>
 
-namespace hawser::app {
+namespace hawser::record {
 namespace {
 
 // Lines that lie on a volume at ten places each, panels of half a metre, three to a place; half of the places
@@ -42,6 +42,6 @@ void BM_ClashStep(benchmark::State& state) {
 BENCHMARK(BM_ClashStep)->RangeMultiplier(10)->Range(100, 100000)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
-}  // namespace hawser::app
+}  // namespace hawser::record
 
 BENCHMARK_MAIN();

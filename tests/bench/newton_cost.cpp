@@ -6,11 +6,11 @@
 
 #include <algorithm>
 
-#include "hawser/app/simulation.hpp"
+#include "hawser/run/simulation.hpp"
 #include "support/cpu_time.hpp"
 
 using namespace hawser;
-using app::Simulation;
+using run::Simulation;
 
 namespace {
 

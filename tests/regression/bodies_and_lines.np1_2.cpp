@@ -2,8 +2,8 @@
 // of energy, what touches, and that other ranks find the same.
 #include <gtest/gtest.h>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -19,8 +19,8 @@ struct Outcome {
 Outcome outcome(MPI_Comm comm, const char* file, double duration) {
   model::Case c = io::read_case(std::string(HAWSER_SOURCE_DIR) + file);
   c.dynamics.duration = duration;
-  const auto volumes = app::load_volumes(c);
-  Simulation s(comm, c, app::surfaces(volumes), app::skeletons(c, volumes));
+  const auto volumes = run::load_volumes(c);
+  Simulation s(comm, c, run::surfaces(volumes), run::skeletons(c, volumes));
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());

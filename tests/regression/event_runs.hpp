@@ -23,10 +23,10 @@ inline double mean_of(const Results& r, const std::string& field, size_t output,
 }
 
 inline std::string error_of(const std::string& input, const std::string& file) {
-  app::RunOptions o;
+  run::RunOptions o;
   o.case_path = input, o.output = file, o.quiet = true;
   try {
-    app::run(MPI_COMM_WORLD, o);
+    run::run(MPI_COMM_WORLD, o);
   } catch (const std::exception& e) {
     return e.what();
   }

@@ -318,11 +318,11 @@ TEST(FedPipes, RefuseWhatTheyCannotDo) {
   };
   for (const auto& [edits, text] : bad) {
     write_case(input, kCantilever, edits);
-    app::RunOptions o;
+    run::RunOptions o;
     o.case_path = input, o.output = path + "/bad.h5", o.quiet = true;
     std::string told;
     try {
-      app::run(MPI_COMM_WORLD, o);
+      run::run(MPI_COMM_WORLD, o);
     } catch (const std::exception& e) {
       told = e.what();
     }

@@ -5,12 +5,12 @@
 #include <array>
 #include <cmath>
 
-#include "hawser/app/end_forces.hpp"
-#include "hawser/app/feeder_nodes.hpp"
-#include "hawser/app/run_parts.hpp"
-#include "hawser/app/simulation.hpp"
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/record/end_forces.hpp"
+#include "hawser/run/feeder_nodes.hpp"
+#include "hawser/run/run_parts.hpp"
+#include "hawser/run/simulation.hpp"
+#include "hawser/run/volumes.hpp"
 #include "regression/runs.hpp"
 
 namespace hawser::runs::fed_release {
@@ -55,12 +55,12 @@ struct Release {
 
 std::vector<Release> releases(const std::string& input) {
   model::Case c = io::read_case(input, {}, MPI_COMM_WORLD, {});
-  const std::vector<app::LoadedVolume> volumes = app::load_volumes(c, MPI_COMM_WORLD);
-  app::Progress progress(false);
-  c = app::with_targets_met(MPI_COMM_WORLD, std::move(c), volumes, progress);
-  app::Simulation sim(MPI_COMM_WORLD, c, app::surfaces(volumes), app::skeletons(c, volumes));
+  const std::vector<run::LoadedVolume> volumes = run::load_volumes(c, MPI_COMM_WORLD);
+  run::Progress progress(false);
+  c = run::with_targets_met(MPI_COMM_WORLD, std::move(c), volumes, progress);
+  run::Simulation sim(MPI_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes));
   sim.solve_statics();
-  app::FeederNodes feeder_nodes(sim);
+  run::FeederNodes feeder_nodes(sim);
   Dynamics& d = sim.dynamics();
   d.start(sim.state());
   const auto energy = [&] {
@@ -70,7 +70,7 @@ std::vector<Release> releases(const std::string& input) {
     return sum;
   };
   const auto felt = [&] {
-    app::EndForces ends(sim.system(), sim.feeders());
+    record::EndForces ends(sim.system(), sim.feeders());
     ends.evaluate(d.kinematics(), std::vector<Vec3>(static_cast<size_t>(sim.local().nodes()), Vec3::Zero()));
     return ends.at_feeders().front();
   };

@@ -336,10 +336,10 @@ TEST(Feeders, AreTheSameOnAllRanks) {
 }
 
 std::string refusal(const std::string& input, const std::string& output) {
-  app::RunOptions o;
+  run::RunOptions o;
   o.case_path = input, o.output = output, o.quiet = true;
   try {
-    app::run(MPI_COMM_WORLD, o);
+    run::run(MPI_COMM_WORLD, o);
   } catch (const std::exception& e) {
     return e.what();
   }

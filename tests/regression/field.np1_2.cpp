@@ -2,10 +2,10 @@
 // statistics over every step and at stations, in the table of extremes; and tools can read what is said.
 #include <memory>
 
-#include "hawser/app/recorder.hpp"
-#include "hawser/app/simulation.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/record/recorder.hpp"
+#include "hawser/run/simulation.hpp"
 #include "regression/runs.hpp"
 
 namespace hawser::runs::field {
@@ -72,10 +72,10 @@ TEST(Field, IsShownWhereItsDeclarationSays) {
   model::Case c = io::read_case(input);
   c.output.file = output;
   {
-    app::Simulation sim(MPI_COMM_WORLD, c);
+    run::Simulation sim(MPI_COMM_WORLD, c);
     sim.system().add(std::make_unique<Height>(sim.local()));
     sim.solve_statics();
-    app::Recorder recorder(MPI_COMM_WORLD, sim, {}, {}, {});
+    record::Recorder recorder(sim.subject(), {}, {});
     sim.dynamics().start(sim.state());
     recorder.start(sim.dynamics().kinematics(), sim.state().view(0));
     sim.dynamics().run(

@@ -5,20 +5,20 @@
 #include <fstream>
 #include <sstream>
 
-#include "hawser/app/driver.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/kernels/catenary.hpp"
+#include "hawser/run/driver.hpp"
 
 namespace hawser::hanging_line_test {
 
 TEST(HangingLine, TensionsOfTheElasticCatenary) {
   const std::string out = ::testing::TempDir() + "hanging-line.h5";
-  app::RunOptions options;
+  run::RunOptions options;
   options.case_path = HAWSER_SOURCE_DIR "/cases/hanging-line/hanging-line.yaml";
   options.output = out;
   options.quiet = true;
-  ASSERT_EQ(app::run(MPI_COMM_WORLD, options), 0);
+  ASSERT_EQ(run::run(MPI_COMM_WORLD, options), 0);
 
   const io::h5::Id file = io::h5::open_read(out);
   const auto tension = io::h5::read_array(file, "fields/effective_tension").values;
@@ -59,12 +59,12 @@ TEST(HangingLine, NonsenseIsRefused) {
     ASSERT_NE(at, std::string::npos);
     changed.replace(at, std::string(w.from).size(), w.to);
     std::ofstream(file + ".yaml") << changed;
-    app::RunOptions options;
+    run::RunOptions options;
     options.case_path = file + ".yaml", options.output = file + ".h5";
     options.quiet = true;
     std::string said;
     try {
-      EXPECT_EQ(app::run(MPI_COMM_WORLD, options), 0);
+      EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0);
     } catch (const std::exception& e) {
       said = e.what();
     }

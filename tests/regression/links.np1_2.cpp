@@ -111,9 +111,9 @@ TEST_F(Links, OtherLinksAreRefused) {
         {"  sag: {", "  droop: {", "link 'droop' is not there"}}) {
     write_case(other, kCase, {{from, to}});
     try {
-      app::RunOptions o;
+      run::RunOptions o;
       o.case_path = other, o.output = path + "/rest.h5", o.restart = path + "/half.h5", o.quiet = true;
-      app::run(MPI_COMM_WORLD, o);
+      run::run(MPI_COMM_WORLD, o);
       ADD_FAILURE() << told;
     } catch (const InputError& e) {
       EXPECT_NE(std::string(e.what()).find(told), std::string::npos) << e.what();

@@ -1,8 +1,8 @@
 // The offloading hose of cases/offloading-hose: with contact it stays outside the hull and lies along it, on
 // one rank and on two the same, since it may touch itself and is not cut; without contact it goes through.
 // Whole, or (quick) with longer elements and until it has met stern and side.
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "regression/runs.hpp"
 #include "support/cpu_time.hpp"
 #include "support/hulls.hpp"
@@ -35,7 +35,7 @@ struct Inside {
 };
 Inside inside(const std::string& path, const Results& r) {
   const model::Case c = io::read_case(path);
-  const TriangleMesh mesh = app::load_volumes(c)[0].facets->copy();
+  const TriangleMesh mesh = run::load_volumes(c)[0].facets->copy();
   const auto boundary = test::boundary_of(mesh);
   const auto& x = r.fields.at("position");
   const size_t nodes = x.size() / 3 / r.output_times.size(), first = 3 * nodes * (r.output_times.size() - 1);
@@ -64,7 +64,7 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
   const double deepest = all.summary.at(3 * 4);
   const Inside in = inside(here, all);
   // Nodes whose hose touches the hull, or is as good as there, along the port side and round the quarter.
-  const auto hull = app::load_volumes(io::read_case(here))[0].surface;
+  const auto hull = run::load_volumes(io::read_case(here))[0].surface;
   const auto& x = all.fields.at("position");
   const size_t nodes = x.size() / 3 / all.output_times.size(),
                first = 3 * nodes * (all.output_times.size() - 1);

@@ -46,9 +46,9 @@ TEST(PetscOptions, AnotherJudgeOfStepsIsRefused) {
                                    {"-dynamics_snes_type", "ksponly"}}) {
     const Option option(key, value);
     try {
-      app::RunOptions run;
+      run::RunOptions run;
       run.case_path = input, run.output = path + "/out.h5", run.quiet = true;
-      app::run(MPI_COMM_WORLD, run);
+      run::run(MPI_COMM_WORLD, run);
       FAIL() << key;
     } catch (const InputError& e) {
       EXPECT_NE(std::string(e.what()).find(key), std::string::npos) << e.what();

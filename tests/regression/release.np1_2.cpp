@@ -73,10 +73,10 @@ TEST(Release, ARestartWithoutTheEventIsRefused) {
   write_case(input, kFalling);
   write_case(other, kFalling, {{"events:\n  - {release: {line: chain, end: end_b}, time: 0.5}\n", ""}});
   run_on_all({input, path + "/half.h5", "", 0.75});
-  app::RunOptions o;
+  run::RunOptions o;
   o.case_path = other, o.output = path + "/rest.h5", o.restart = path + "/half.h5", o.quiet = true;
   try {
-    app::run(MPI_COMM_WORLD, o);
+    run::run(MPI_COMM_WORLD, o);
     FAIL() << "it goes on";
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("'end B of line chain released' happened at t = 0.5 s"),

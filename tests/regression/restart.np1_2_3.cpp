@@ -1,12 +1,12 @@
 // A run that was stopped and goes on from its checkpoint is the run that was not: bit for bit on the same
 // number of ranks, to rounding on another.
-#include "hawser/app/restart.hpp"
+#include "hawser/run/restart.hpp"
 
 #include <set>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "regression/runs.hpp"
 
 namespace hawser::runs::restart {
@@ -128,14 +128,14 @@ TEST_P(Restart, FrictionHistoryMatters) {
 
 TEST_P(Restart, OtherQuantitiesAreRefused) {
   const model::Case c = io::read_case(input);
-  const auto volumes = app::load_volumes(c, PETSC_COMM_WORLD);
-  app::Simulation s(PETSC_COMM_WORLD, c, app::surfaces(volumes), app::skeletons(c, volumes));
-  io::Checkpoint k = app::read_restart(path + "/half.h5", s);
+  const auto volumes = run::load_volumes(c, PETSC_COMM_WORLD);
+  run::Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes));
+  io::Checkpoint k = run::read_restart(path + "/half.h5", s);
   const std::string name = "line contact";
-  app::check_history(k, s.system(), "half.h5");
+  run::check_history(k, s.system(), "half.h5");
   k.history.at(name).kinds.at(0).quantities.at(0).unit = "mm";
   try {
-    app::check_history(k, s.system(), "half.h5");
+    run::check_history(k, s.system(), "half.h5");
     FAIL();
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("kept other quantities of " + name + "; begin with"),

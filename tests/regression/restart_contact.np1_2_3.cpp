@@ -1,9 +1,9 @@
 // Runs whose lines touch each other, a run in a slit that moves, runs with every model of contact at the
 // nodes and one in which a step is taken again because a wave ended a contact in it, stopped and gone on
 // with: the same bit for bit on the same number of ranks, to rounding on another.
-#include "hawser/app/simulation.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/simulation.hpp"
 #include "regression/runs.hpp"
 #include "support/shapes.hpp"
 
@@ -193,7 +193,7 @@ TEST(RestartContact, Gap) { compare("gap", kModels, {{"KIND", "method: gap"}}, 0
 // Stopped while it stands: when it leaves is found anew from what the checkpoint tells.
 TEST(RestartContact, Parting) {
   compare("parting", kStanding, {}, 0.1, "contact_force", 1e-7);
-  app::Simulation s(MPI_COMM_WORLD, io::read_case(folder("restart_parting") + "/case.yaml"),
+  run::Simulation s(MPI_COMM_WORLD, io::read_case(folder("restart_parting") + "/case.yaml"),
                     {std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ())});
   Dynamics& d = s.dynamics();
   d.start(s.state());

@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include "hawser/app/driver.hpp"
 #include "hawser/io/clash_rows.hpp"
 #include "hawser/io/hdf5.hpp"
+#include "hawser/run/driver.hpp"
 
 namespace hawser::runs {
 
@@ -71,12 +71,12 @@ struct Run {
 };
 
 inline void run(MPI_Comm comm, const Run& r) {
-  app::RunOptions o;
+  run::RunOptions o;
   o.case_path = r.case_path, o.output = r.output, o.restart = r.restart, o.stop_at = r.stop_at;
   o.quiet = true;
   // Not let through: other ranks may be waiting.
   try {
-    EXPECT_EQ(app::run(comm, o), 0);
+    EXPECT_EQ(run::run(comm, o), 0);
   } catch (const std::exception& e) {
     ADD_FAILURE() << e.what();
   }

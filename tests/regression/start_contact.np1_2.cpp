@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "hawser/app/simulation.hpp"
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/simulation.hpp"
+#include "hawser/run/volumes.hpp"
 #include "regression/runs.hpp"
 
 namespace hawser::runs::start_contact {
@@ -31,14 +31,14 @@ output: {every: 0.1}
 
 struct Ready {
   model::Case c;
-  std::vector<app::LoadedVolume> volumes;
-  std::unique_ptr<app::Simulation> sim;
+  std::vector<run::LoadedVolume> volumes;
+  std::unique_ptr<run::Simulation> sim;
 };
 Ready ready(const std::string& path) {
   Ready r;
   r.c = io::read_case(path);
-  r.volumes = app::load_volumes(r.c, MPI_COMM_WORLD);
-  r.sim = std::make_unique<app::Simulation>(MPI_COMM_WORLD, r.c, app::surfaces(r.volumes));
+  r.volumes = run::load_volumes(r.c, MPI_COMM_WORLD);
+  r.sim = std::make_unique<run::Simulation>(MPI_COMM_WORLD, r.c, run::surfaces(r.volumes));
   return r;
 }
 std::string join(const std::vector<std::string>& lines) {
@@ -184,11 +184,11 @@ TEST(StartContact, WhatStaticsBringsOutIsGood) {
 
 TEST(StartContact, WithoutStaticsItIsRefused) {
   const std::string path = bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}");
-  app::RunOptions o;
+  run::RunOptions o;
   o.case_path = path, o.quiet = true;
   std::string what;
   try {
-    app::run(MPI_COMM_WORLD, o);
+    run::run(MPI_COMM_WORLD, o);
   } catch (const InputError& e) {
     what = e.what();
   }
@@ -200,7 +200,7 @@ TEST(StartContact, CheckTells) {
   if (size_of(MPI_COMM_WORLD) > 1) GTEST_SKIP() << "check runs on one rank";
   const auto check = [](const std::string& path) {
     testing::internal::CaptureStdout();
-    EXPECT_EQ(app::check_case(MPI_COMM_WORLD, path, 1, false), 0);
+    EXPECT_EQ(run::check_case(MPI_COMM_WORLD, path, 1, false), 0);
     std::fflush(stdout);
     return testing::internal::GetCapturedStdout();
   };
@@ -214,7 +214,7 @@ TEST(StartContact, CheckTells) {
   const std::string fairlead = check(path);
   EXPECT_HAS(fairlead, "note: lines.mooring.end_b: starts up to ");
   EXPECT_HAS(fairlead, "the case is valid\n");
-  EXPECT_THROW(app::check_case(MPI_COMM_WORLD,
+  EXPECT_THROW(run::check_case(MPI_COMM_WORLD,
                                bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}"), 1, false),
                InputError);
 }

@@ -9,8 +9,8 @@ SOUND = {
     "include/hawser/math/types.hpp": "#include <Eigen/Dense>\n#include <cmath>\n",
     "include/hawser/geometry/box.hpp": '#include "hawser/math/types.hpp"\n',
     "include/hawser/model/case.hpp": '#include "hawser/math/types.hpp"\n#include <vector>\n',
-    "src/app/driver.cpp": '#include "hawser/base/error.hpp"\n#include "hawser/model/case.hpp"\n#include "local.hpp"\n',
-    "src/app/local.hpp": "#include <mpi.h>\n",
+    "src/run/driver.cpp": '#include "hawser/base/error.hpp"\n#include "hawser/model/case.hpp"\n#include "local.hpp"\n',
+    "src/run/local.hpp": "#include <mpi.h>\n",
     "src/CMakeLists.txt": "hawser_room(math dep_eigen)\nhawser_room(geometry math dep_eigen)\n",
 }
 # What is planted, and a piece of the complaint that must follow.

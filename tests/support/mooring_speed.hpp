@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-#include "hawser/app/simulation.hpp"
+#include "hawser/run/simulation.hpp"
 #include "support/cpu_time.hpp"
 
 namespace hawser::test::speed {
@@ -123,7 +123,7 @@ struct Cost {
 // All of the 100 s, from the line at rest.
 inline Cost measure(const model::Case& c, int batches) {
   const std::size_t segments = static_cast<std::size_t>(c.lines[0].sections[0].elements);
-  app::Simulation sim(PETSC_COMM_SELF, c);
+  run::Simulation sim(PETSC_COMM_SELF, c);
   sim.solve_statics();
   Cost cost;
   cost.one = factorisation(sim.system(), sim.state(), batches);

@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include "hawser/app/simulation.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/run/simulation.hpp"
 
 namespace hawser::test {
 
-using app::Simulation;
+using run::Simulation;
 
 // A beam type without weight worth speaking of; set what the case needs.
 inline model::LineType beam_type(double EA, double EI, double GJ, double mass = 1) {

@@ -2,8 +2,8 @@
 // (faces, edges, vertices, round things), open, in the ramp and beyond, with one body floating or both.
 #include "hawser/terms/body_contact.hpp"
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/mesh/partition.hpp"
+#include "hawser/run/volumes.hpp"
 #include "support/taylor.hpp"
 
 namespace hawser::test::body_contact_test {
@@ -98,7 +98,7 @@ std::vector<TouchCase> touch_cases() {
 
 struct BodyModel {
   model::Case c;
-  std::vector<app::LoadedVolume> volumes;
+  std::vector<run::LoadedVolume> volumes;
   Mesh mesh;
   std::shared_ptr<const Bodies> bodies;
   std::unique_ptr<System> system;
@@ -123,7 +123,7 @@ struct BodyModel {
       other.mass = c.bodies[0].mass;
       other.mass->mass = 70, other.mass->centre = {-0.1, 0.02, 0.05};
     }
-    volumes = app::load_volumes(c);
+    volumes = run::load_volumes(c);
     mesh = build_mesh(c);
     bodies = std::make_shared<const Bodies>(std::vector<RigidMotion>{
         {},
@@ -132,8 +132,8 @@ struct BodyModel {
     system = std::make_unique<System>(PETSC_COMM_SELF,
                                       local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1));
     std::vector<BodyVolume> touching;
-    auto skeletons = app::skeletons(c, volumes);
-    const auto faces = app::surfaces(volumes);
+    auto skeletons = run::skeletons(c, volumes);
+    const auto faces = run::surfaces(volumes);
     for (size_t v = 0; v < 2; ++v) touching.push_back({faces[v], skeletons[v]});
     auto term = std::make_unique<BodyContactTerm>(PETSC_COMM_SELF, c, system->mesh(), bodies, touching);
     contact = term.get();

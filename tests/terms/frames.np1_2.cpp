@@ -1,7 +1,7 @@
 // What hangs on bodies that move by their own equations, and what lies against them: the tangent of a step.
 #include <gtest/gtest.h>
 
-#include "hawser/app/volumes.hpp"
+#include "hawser/run/volumes.hpp"
 #include "support/step_tangent.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -95,8 +95,8 @@ model::Case carried(model::ContactMethod method) {
 
 void expect_step_tangent(model::ContactMethod method) {
   const model::Case c = carried(method);
-  const auto volumes = app::load_volumes(c);
-  Simulation sim(PETSC_COMM_WORLD, c, app::surfaces(volumes));
+  const auto volumes = run::load_volumes(c);
+  Simulation sim(PETSC_COMM_WORLD, c, run::surfaces(volumes));
   StepTangent step = StepTangent::by_chance(sim.system(), sim.state(), 0.02, 0.01, 0.05);
   // What there is of contact is what is looked at.
   step.commit();

@@ -2,8 +2,8 @@
 // them too, at rest and in motion.
 #include <algorithm>
 
-#include "hawser/app/share_nodes.hpp"
 #include "hawser/mesh/partition.hpp"
+#include "hawser/run/share_nodes.hpp"
 #include "support/tangle.hpp"
 #include "support/taylor.hpp"
 
@@ -31,7 +31,7 @@ struct Model {
                          springs->list.segments()[static_cast<size_t>(p.b)].global);
     return out;
   }
-  app::Simulation sim;
+  run::Simulation sim;
   SharedPlaces shared;
   MiddleSprings* springs = nullptr;
 };
@@ -209,9 +209,9 @@ TEST(LineCandidates, BundlesStayOnOneRank) {
     const double y = i % 2 * 50 + i / 2 * 0.12;
     l.end_a.at.y() = l.end_b.at.y() = y;
   }
-  const app::Simulation one(PETSC_COMM_SELF, c);
+  const run::Simulation one(PETSC_COMM_SELF, c);
   const Mesh& mesh = one.mesh();
-  const auto near = app::near_elements(c, mesh, one.bodies());
+  const auto near = run::near_elements(c, mesh, one.bodies());
   EXPECT_GT(near.size(), 80u);
   const std::vector<int> owner = partition(mesh, 2, near);
   EXPECT_EQ(cut_elements(mesh, owner), 0);

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hawser/app/simulation.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/simulation.hpp"
 
 namespace hawser::test::stability {
 namespace {
@@ -36,7 +36,7 @@ struct Tangent {
     sim.system().residual(at, r.get());
     sim.system().tangent(at, {}, zero, false, J.get());
   }
-  app::Simulation sim;
+  run::Simulation sim;
   MatHandle J;
 };
 

@@ -1,5 +1,5 @@
 // The energy audit of a run says what the steps have made, and when.
-#include "hawser/app/audit.hpp"
+#include "hawser/record/audit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ Energy moving(double kinetic, double work = 0) {
 
 // Every step brings in as much as the last took out: what was worked grows, where the sum stays.
 TEST(Audit, IsSilentOfWhatIsBroughtIn) {
-  app::Audit a;
+  record::Audit a;
   a.update(moving(0), moving(0), 0, 0);
   a.update(moving(0), moving(500, 500), 0.1, 0.1);
   a.update(moving(0), moving(995, 1000), 0.2, 0.1);
@@ -27,10 +27,10 @@ TEST(Audit, IsSilentOfWhatIsBroughtIn) {
 }
 
 TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
-  app::Audit a;
+  record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   EXPECT_TRUE(a.update(moving(100), moving(103), 0.3, 0.1));
-  a.worst.with = app::Audit::Step::ContactWith::volume;
+  a.worst.with = record::Audit::Step::ContactWith::volume;
   EXPECT_FALSE(a.update(moving(100), moving(102), 0.35, 0.05));
   EXPECT_NEAR(a.size(), 100, 1e-5);  // without what was made
   EXPECT_EQ(
@@ -39,7 +39,7 @@ TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
       "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: it touches a volume there; give "
       "dynamics.step: 0.025 s");
   EXPECT_FALSE(a.wrong());
-  a.worst.with = app::Audit::Step::ContactWith::nothing;
+  a.worst.with = record::Audit::Step::ContactWith::nothing;
   const std::string w = a.warning(false, "here");
   EXPECT_NE(w.find("its motion changes faster than the time steps resolve; give dynamics.max_step: 0.025 s"),
             std::string::npos)
@@ -48,7 +48,7 @@ TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
 
 // A blow at the start is none the shorter for shorter steps.
 TEST(Audit, TellsOfABlowAtTheStart) {
-  app::Audit a;
+  record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(103), 0.3, 0.1);
   EXPECT_EQ(
@@ -64,7 +64,7 @@ TEST(Audit, TellsOfABlowAtTheStart) {
 
 // Made first and lost later: at the end the sum is right, and the run wrong all the same.
 TEST(Audit, RemembersWhatWasAmissOnTheWay) {
-  app::Audit a;
+  record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(130), 1, 0.1);
   a.update(moving(100), moving(100), 2, 0.1);
@@ -77,7 +77,7 @@ TEST(Audit, RemembersWhatWasAmissOnTheWay) {
 
 // Lost first and created later: a gain that feeds on an earlier loss is created energy as well.
 TEST(Audit, AGainAfterALossCounts) {
-  app::Audit a;
+  record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(85), 1, 0.1);
   EXPECT_FALSE(a.wrong());
@@ -90,7 +90,7 @@ TEST(Audit, AGainAfterALossCounts) {
 // A loss of a thousandth of what every wave brings in, over a thousand waves: no alarm, though it is ten
 // times what is there at any time.
 TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
-  app::Audit a;
+  record::Audit a;
   double in = 0;
   const Energy start = moving(1000);
   a.update(start, start, 0, 0);
@@ -104,7 +104,7 @@ TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
 
 // However much the waves of hours have brought in and taken out: a fifth of what was there at a time.
 TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
-  app::Audit a;
+  record::Audit a;
   a.update(moving(0), moving(0), 0, 0);
   double in = 0;
   for (int wave = 1; wave <= 10000; ++wave) {
@@ -123,7 +123,7 @@ TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
 // Without drag it stays.
 TEST(Audit, WhatDissipationTakesAlongIsNoAlarm) {
   for (const double drag : {50.0, 0.0}) {
-    app::Audit a;
+    record::Audit a;
     a.update(moving(0), moving(0), 0, 0);
     for (int wave = 1; wave <= 1000; ++wave) {
       const double made_before = wave - 1, through = drag * wave;
@@ -142,7 +142,7 @@ TEST(Audit, WhatDissipationTakesAlongIsNoAlarm) {
 
 // Rounding of a line that hangs still is nothing, and neither is what nothing brings in yet.
 TEST(Audit, RestIsNoAlarm) {
-  app::Audit a;
+  record::Audit a;
   Energy e;
   e.strain = 434;
   const Energy start = e;
@@ -156,7 +156,7 @@ TEST(Audit, RestIsNoAlarm) {
 }
 
 TEST(Audit, NoNumberIsWrong) {
-  app::Audit a;
+  record::Audit a;
   a.update(moving(0), moving(0), 0, 0);
   a.update(moving(0), moving(NAN), 0.1, 0.1);
   EXPECT_TRUE(a.wrong());
@@ -164,7 +164,7 @@ TEST(Audit, NoNumberIsWrong) {
 }
 
 TEST(Audit, WhatStepsDoNotResolveIsANote) {
-  app::Audit a;
+  record::Audit a;
   Energy e = moving(90, 0);
   e.unresolved = 10;
   a.update(moving(100), moving(100), 0, 0);

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 
 namespace hawser::case_bad_files_test {
 namespace {
@@ -29,7 +29,7 @@ std::vector<std::string> bad_files() {
 
 std::string message_of(const std::string& path) {
   try {
-    app::load_volumes(io::read_case(path));
+    run::load_volumes(io::read_case(path));
   } catch (const InputError& e) {
     return e.what();
   }

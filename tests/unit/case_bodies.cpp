@@ -5,9 +5,9 @@
 #include <fstream>
 #include <string>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "support/shapes.hpp"
 
 namespace hawser::case_bodies_test {
@@ -32,7 +32,7 @@ std::string wrong(const std::string& a, const std::string& b) {
   write("ball.obj", test::sphere_mesh(4));
   write("box.obj", test::box_mesh({-1, -1, -1}, {1, 1, 1}));
   try {
-    app::load_volumes(
+    run::load_volumes(
         io::read_case_text("hawser: 1\nbodies:\n"
                            "  A: {floating: {mass: 1000, inertia: [500, 600, 400]}}\n"
                            "  B: {position: [3, 0, 0], floating: {mass: 2000, inertia: [500, 600, 400]}}\n"

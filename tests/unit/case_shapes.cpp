@@ -6,10 +6,10 @@
 #include <numbers>
 #include <string>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/summary.hpp"
+#include "hawser/run/volumes.hpp"
 
 namespace hawser::case_shapes_test {
 namespace {
@@ -49,8 +49,8 @@ TEST(CaseShapes, OfEveryKind) {
   EXPECT_EQ(std::get<TorusShape>(*c.volumes[5].shape).axis, Vec3::UnitY());
 
   // At a point above (0.1, 0, 0): what contact is told of each.
-  const auto volumes = app::load_volumes(c);
-  const auto surfaces = app::surfaces(volumes);
+  const auto volumes = run::load_volumes(c);
+  const auto surfaces = run::surfaces(volumes);
   const auto distance = [&](size_t i, const Vec3& y) { return surfaces[i]->query(y, 1e9)->distance; };
   EXPECT_NEAR(distance(0, {5, 5, -50}), 10, 1e-14);
   EXPECT_NEAR(distance(1, {2.5, 2, 3}), 0.5, 1e-14);  // turned: 2 m along x, 0.4 m along y
@@ -76,8 +76,8 @@ TEST(CaseShapes, TrianglesForPictures) {
       "  y: {body: barge, shape: {cylinder: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.25}}}\n"
       "  p: {body: barge, shape: {plane: {point: [0, 0, -70], normal: [0, 0, 1]}}}\n"
       "  m: {mesh: box.obj}\n");
-  const auto volumes = app::load_volumes(c);
-  const auto meshes = app::volume_meshes(c, volumes);
+  const auto volumes = run::load_volumes(c);
+  const auto meshes = run::volume_meshes(c, volumes);
   ASSERT_EQ(meshes.size(), 3U);
   EXPECT_EQ(meshes[0].body, 0);
   EXPECT_EQ(meshes[0].triangles.size(), meshes[0].active.size());

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "hawser/app/support_log.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/kernels/support_path.hpp"
+#include "hawser/record/support_log.hpp"
 
 namespace hawser::case_supports_test {
 namespace {
@@ -204,9 +204,9 @@ TEST(CaseSupports, WhatIsWrongIsToldWithItsRemedy) {
 TEST(CaseSupports, WhatWasBentBeyondYieldIsWarnedOf) {
   const model::Case c = read("{at: 5, type: flat" + kRoller + "}");
   io::SummaryRow row{"max curvature", "pipe", 0.041, "1/m", 2, 12};
-  EXPECT_NE(app::overbent(c, row).find("0.51 % of strain"), std::string::npos) << app::overbent(c, row);
+  EXPECT_NE(record::overbent(c, row).find("0.51 % of strain"), std::string::npos) << record::overbent(c, row);
   row.value = 0.039;
-  EXPECT_EQ(app::overbent(c, row), "");
+  EXPECT_EQ(record::overbent(c, row), "");
 }
 
 TEST(CaseSupports, SharpBendsAndLongElementsAreDoubted) {

@@ -1,9 +1,9 @@
 // Touches of steps put together to clashes.
-#include "hawser/app/clash_log.hpp"
+#include "hawser/record/clash_log.hpp"
 
 #include <gtest/gtest.h>
 
-namespace hawser::app::clash_log_test {
+namespace hawser::record::clash_log_test {
 namespace {
 
 ActiveContact touch(int line, int volume, double from, double to, double force = 1, double depth = 0) {
@@ -162,4 +162,4 @@ TEST(ClashLog, TheLargestAreKept) {
 }
 
 }  // namespace
-}  // namespace hawser::app::clash_log_test
+}  // namespace hawser::record::clash_log_test

@@ -1,6 +1,6 @@
 // Warnings about elements that are too long: over edges, for the sag between nodes, for moments that fall
 // off.
-#include "hawser/app/element_errors.hpp"
+#include "hawser/record/element_errors.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "hawser/app/simulation.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/simulation.hpp"
 
-namespace hawser::app::element_errors_test {
+namespace hawser::record::element_errors_test {
 namespace {
 
 // Two elements that meet at a right angle, and at 20 degrees; pressed there or not.
@@ -28,7 +28,7 @@ lines:
     end_b: {anchor: [3.9, 0, 0]}
 )",
                                            "/nowhere/case.yaml");
-  const Simulation sim(MPI_COMM_SELF, c);
+  const run::Simulation sim(MPI_COMM_SELF, c);
   const auto said = [&](double degrees, double pressed, double largest) {
     ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
     State s;
@@ -65,7 +65,7 @@ lines:
 )",
                                                        10 * elements, elements, more),
                                            "/nowhere/case.yaml");
-  const Simulation sim(MPI_COMM_SELF, c);
+  const run::Simulation sim(MPI_COMM_SELF, c);
   ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
   State s;
   const size_t nodes = static_cast<size_t>(elements) + 1;
@@ -113,7 +113,7 @@ lines:
 )",
                                                        elements),
                                            "/nowhere/case.yaml");
-  Simulation sim(MPI_COMM_SELF, c);
+  run::Simulation sim(MPI_COMM_SELF, c);
   sim.solve_statics();
   const Kinematics at = sim.state().view(0);
   std::vector<double> tension(static_cast<size_t>(elements) + 1);
@@ -157,7 +157,7 @@ lines:
 )",
                                                          elements),
                                              "/nowhere/case.yaml");
-    Simulation sim(MPI_COMM_SELF, c);
+    run::Simulation sim(MPI_COMM_SELF, c);
     sim.solve_statics();
     const Kinematics at = sim.state().view(0);
     std::vector<double> tension(static_cast<size_t>(elements) + 1);
@@ -200,7 +200,7 @@ lines:
 )",
                                                          1e4 * decay * decay, more),
                                              "/nowhere/case.yaml");
-    const Simulation sim(MPI_COMM_SELF, c);
+    const run::Simulation sim(MPI_COMM_SELF, c);
     ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
     State s;
     s.resize(9);
@@ -223,4 +223,4 @@ lines:
 }
 
 }  // namespace
-}  // namespace hawser::app::element_errors_test
+}  // namespace hawser::record::element_errors_test

@@ -1,11 +1,11 @@
 // Statistics over steps of any length: those of the curve that is straight between the steps.
-#include "hawser/app/node_statistics.hpp"
+#include "hawser/record/node_statistics.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace hawser::app {
+namespace hawser::record {
 namespace {
 
 const std::vector<io::ResultField> kFields = {{"position", "m", 3},
@@ -131,4 +131,4 @@ TEST(NodeStatistics, GoOnFromACheckpoint) {
 }
 
 }  // namespace
-}  // namespace hawser::app
+}  // namespace hawser::record

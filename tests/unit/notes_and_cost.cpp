@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "hawser/app/cost.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/notes.hpp"
+#include "hawser/run/cost.hpp"
 
-namespace hawser::app::notes_and_cost_test {
+namespace hawser::run::notes_and_cost_test {
 namespace {
 
 TEST(Notes, OfVolumesAreGrouped) {
@@ -169,4 +169,4 @@ TEST(Details, TellTheStiffnessOfALineWithItself) {
 }
 
 }  // namespace
-}  // namespace hawser::app::notes_and_cost_test
+}  // namespace hawser::run::notes_and_cost_test

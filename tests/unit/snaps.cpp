@@ -1,5 +1,5 @@
 // Peaks of tension that steps or elements do not resolve.
-#include "hawser/app/snaps.hpp"
+#include "hawser/record/snaps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "hawser/app/simulation.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/simulation.hpp"
 
-namespace hawser::app::snaps_test {
+namespace hawser::record::snaps_test {
 namespace {
 
 // Two elements of 2 m: a wave passes one in 2 sqrt(5/1e8) = 0.447 ms, and runs along the line and back in
@@ -28,7 +28,7 @@ lines:
 // Half a wave of so many seconds and 1 kN in equal steps, one of them at its top.
 std::string told(double half, int steps, double rest = 0, bool damped = false) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
-  const Simulation sim(MPI_COMM_SELF, c);
+  const run::Simulation sim(MPI_COMM_SELF, c);
   Snaps snaps(c, sim.local());
   const double h = half / steps;
   for (int k = 0; k <= steps; ++k) {
@@ -72,7 +72,7 @@ TEST(Snaps, OfDampedWaves) {
 // What falls when something lets go was no blow.
 TEST(Snaps, NotOfWhatFalls) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
-  const Simulation sim(MPI_COMM_SELF, c);
+  const run::Simulation sim(MPI_COMM_SELF, c);
   Snaps snaps(c, sim.local());
   const std::vector<double> held(3, 1000), loose(3, 100);
   snaps.look(0, 0, held, held), snaps.look(0.1, 0.1, held, held), snaps.look(0.2, 0.1, loose, loose);
@@ -80,4 +80,4 @@ TEST(Snaps, NotOfWhatFalls) {
 }
 
 }  // namespace
-}  // namespace hawser::app::snaps_test
+}  // namespace hawser::record::snaps_test

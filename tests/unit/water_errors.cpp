@@ -1,5 +1,5 @@
 // Warnings about elements that are too long for a current or for waves, by hand.
-#include "hawser/app/water_errors.hpp"
+#include "hawser/record/water_errors.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "hawser/app/simulation.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/simulation.hpp"
 
-namespace hawser::app::water_errors_test {
+namespace hawser::record::water_errors_test {
 namespace {
 
 // What is told of a cable, `more` besides, where it starts; a step that ends at `time` led there, 0: none
@@ -29,8 +29,8 @@ lines: {}
 )",
                                                        sea, line),
                                            "/nowhere/case.yaml");
-  Simulation sim(MPI_COMM_SELF, c);
-  WaterErrors errors(MPI_COMM_SELF, sim);
+  run::Simulation sim(MPI_COMM_SELF, c);
+  WaterErrors errors(c, sim.system());
   State& s = sim.state();
   s.time = time;
   errors.look(s.view(time > 0 ? 0.1 : 0));
@@ -135,4 +135,4 @@ TEST(WaterErrors, WavesBetweenTheNodes) {
 }
 
 }  // namespace
-}  // namespace hawser::app::water_errors_test
+}  // namespace hawser::record::water_errors_test

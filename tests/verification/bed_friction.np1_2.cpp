@@ -6,8 +6,8 @@
 #include <random>
 
 #include "../regression/runs.hpp"
-#include "hawser/app/simulation.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/simulation.hpp"
 #include "support/leg_on_bed.hpp"
 
 namespace hawser::test::bed_friction {
@@ -24,11 +24,11 @@ std::string base_of(const std::string& name) { return runs::folder("bed_friction
 Shown run(const std::string& name, const std::string& text) {
   const std::string base = base_of(name);
   runs::write_case(base + ".yaml", text);
-  app::RunOptions options;
+  run::RunOptions options;
   options.case_path = base + ".yaml", options.quiet = true;
   Shown s;
   try {
-    s.exit = app::run(MPI_COMM_WORLD, options);
+    s.exit = run::run(MPI_COMM_WORLD, options);
   } catch (const std::exception& e) {
     if (runs::rank_of(MPI_COMM_WORLD) == 0) printf("  %s: %s\n", name.c_str(), e.what());
     return s;
@@ -378,7 +378,7 @@ lines:
 TEST(BedFriction, SlackLegsComeToRestSoon) {
   for (const int seed : {0, 41, 58, 81, 121, 174, 292}) {
     const model::Case c = io::read_case_text(random_leg(seed).text, "leg.yaml", {}, MPI_COMM_WORLD);
-    app::Simulation sim(MPI_COMM_WORLD, c);
+    run::Simulation sim(MPI_COMM_WORLD, c);
     const StaticsReport report = sim.solve_statics();
     EXPECT_LT(report.iterations, 220) << "seed " << seed;
     EXPECT_EQ(report.relaxation_steps, 0) << "seed " << seed;

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/run/volumes.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -28,13 +28,13 @@ model::Volume volume(const char* name, const char* body, Primitive shape, model:
 
 struct Collision {
   explicit Collision(const model::Case& c)
-      : volumes(app::load_volumes(c)),
-        sim(PETSC_COMM_SELF, c, app::surfaces(volumes), app::skeletons(c, volumes)) {
+      : volumes(run::load_volumes(c)),
+        sim(PETSC_COMM_SELF, c, run::surfaces(volumes), run::skeletons(c, volumes)) {
     sim.dynamics().start(sim.state());
   }
   size_t node(int body) { return static_cast<size_t>(sim.local().find(sim.mesh().body_node(body))); }
-  std::vector<app::LoadedVolume> volumes;
-  app::Simulation sim;
+  std::vector<run::LoadedVolume> volumes;
+  run::Simulation sim;
 };
 
 // Two floaters head on: m1 = 1e7 kg at 0.5 m/s, m2 = 2.5e7 kg at -0.1 m/s, fender 5e6 N/m. Closed form of the

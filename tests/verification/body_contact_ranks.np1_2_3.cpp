@@ -1,15 +1,15 @@
 // Floating bodies on several ranks are where they are on one.
 #include <gtest/gtest.h>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "verification/dynamics_rig.hpp"
 
 namespace hawser::test::body_contact_ranks {
 namespace {
 
-std::vector<double> poses(MPI_Comm comm, const model::Case& c, const std::vector<app::LoadedVolume>& v) {
-  app::Simulation s(comm, c, app::surfaces(v), app::skeletons(c, v));
+std::vector<double> poses(MPI_Comm comm, const model::Case& c, const std::vector<run::LoadedVolume>& v) {
+  run::Simulation s(comm, c, run::surfaces(v), run::skeletons(c, v));
   Dynamics& d = s.dynamics();
   d.start(s.state());
   std::vector<double> out;
@@ -28,7 +28,7 @@ std::vector<double> poses(MPI_Comm comm, const model::Case& c, const std::vector
 
 TEST(BodyContact, RanksAgree) {
   const model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/fenders/fenders.yaml");
-  const auto volumes = app::load_volumes(c);
+  const auto volumes = run::load_volumes(c);
   const auto one = poses(PETSC_COMM_SELF, c, volumes), all = poses(PETSC_COMM_WORLD, c, volumes);
   ASSERT_EQ(one.size(), 75U);
   ASSERT_EQ(one.size(), all.size());

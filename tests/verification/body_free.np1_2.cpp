@@ -1,7 +1,7 @@
 // A floating body that nothing holds, on its own: it falls, and tumbles.
 #include <gtest/gtest.h>
 
-#include "hawser/app/simulation.hpp"
+#include "hawser/run/simulation.hpp"
 #include "verification/dynamics_rig.hpp"
 
 namespace hawser::test::body_free {
@@ -21,7 +21,7 @@ model::Case box(double mass) {
 // What of a body is there at the end, on all ranks alike.
 template <class What>
 double at_end(const model::Case& c, const What& what) {
-  app::Simulation s(PETSC_COMM_WORLD, c);
+  run::Simulation s(PETSC_COMM_WORLD, c);
   Dynamics& d = s.dynamics();
   d.start(s.state());
   integrate(d, 1, 1, [](const StepInfo&) {});

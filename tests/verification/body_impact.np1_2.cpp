@@ -2,8 +2,8 @@
 // whatever it is that touches, and on every number of ranks alike.
 #include <gtest/gtest.h>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/run/volumes.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -52,14 +52,14 @@ struct Outcome {
 };
 
 Outcome impact_event(MPI_Comm comm, const model::Case& c) {
-  const auto volumes = app::load_volumes(c);
-  std::vector<BodySkeleton> skeletons = app::skeletons(c, volumes);
+  const auto volumes = run::load_volumes(c);
+  std::vector<BodySkeleton> skeletons = run::skeletons(c, volumes);
   // Of faces pieces of 10 cm, which are 800 each, in place of 2 cm.
   for (size_t v = 0; v < skeletons.size(); ++v)
     if (c.volumes[v].basis == StiffnessBasis::per_area)
       skeletons[v].features =
           body_skeleton(c.volumes[v], *volumes[v].facets, volumes[v].active, 0.1).features;
-  app::Simulation s(comm, c, app::surfaces(volumes), skeletons);
+  run::Simulation s(comm, c, run::surfaces(volumes), skeletons);
   Dynamics& d = s.dynamics();
   d.start(s.state());
   const auto sum = [&](auto what) {
@@ -166,8 +166,8 @@ TEST(BodyImpact, WhatNothingSeesEndsStatics) {
     model::Case c = two(box, box, StiffnessBasis::per_length, {apart, 0, 0});
     c.statics.enabled = true;
     for (model::Body& b : c.bodies) b.mass->stiffness = Vec3(1e3, 1e3, 1e3), b.mass->velocity.setZero();
-    const auto volumes = app::load_volumes(c);
-    app::Simulation s(PETSC_COMM_WORLD, c, app::surfaces(volumes), app::skeletons(c, volumes));
+    const auto volumes = run::load_volumes(c);
+    run::Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes));
     std::string what;
     try {
       s.solve_statics();

@@ -32,7 +32,7 @@ End solve(const Suspended& s, int elements, bool bends, model::Start start) {
   model::Case c = one_line(t, s.L, elements, anchor(Vec3::Zero()), anchor(Vec3(s.X, 0, s.Z)));
   c.environment.gravity = kGravity;
   c.lines[0].start = start;
-  app::Simulation sim(PETSC_COMM_WORLD, c);
+  run::Simulation sim(PETSC_COMM_WORLD, c);
   End e;
   e.report = sim.solve_statics();
   const size_t b = 3 * static_cast<size_t>(sim.local().block[static_cast<size_t>(elements)]);
@@ -115,7 +115,7 @@ TEST(Catenary, FalseBalanceIsLeft) {
     c.environment.gravity = kGravity;
     c.lines[0].start = i == 0 ? model::Start::straight : model::Start::points;
     if (i == 1) c.lines[0].points = {{0, 0, 0}, {2, 0, -14}, {4, 0, -14}, {0, 0, Z}};
-    app::Simulation s(PETSC_COMM_WORLD, c);
+    run::Simulation s(PETSC_COMM_WORLD, c);
     report[i] = s.solve_statics();
     const double* top = s.system().reactions().data() + 3 * s.local().block[80];
     V[i] = top[2], H[i] = std::hypot(top[0], top[1]);

@@ -4,16 +4,16 @@
 // is too soft.
 #include <fmt/format.h>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "regression/runs.hpp"
 #include "verification/contact_rig.hpp"
 
 namespace hawser::runs::contact_automatic {
 namespace {
 
-using app::Simulation;
+using run::Simulation;
 using test::NodeField;
 
 constexpr double kBar = 0.2, kLine = 0.02, kRho = kBar + kLine, kLeg = 0.6, kWeight = 2.5 * 9.81;  // m, N/m
@@ -102,7 +102,7 @@ std::unique_ptr<Simulation> simulation(const std::string& name, const std::strin
   const std::string path = folder("contact_automatic") + "/" + name + ".yaml";
   write_case(path, text);
   const model::Case c = io::read_case(path);
-  return std::make_unique<Simulation>(MPI_COMM_WORLD, c, app::surfaces(app::load_volumes(c, MPI_COMM_WORLD)));
+  return std::make_unique<Simulation>(MPI_COMM_WORLD, c, run::surfaces(run::load_volumes(c, MPI_COMM_WORLD)));
 }
 
 Held still(const std::string& name, const std::string& text) {

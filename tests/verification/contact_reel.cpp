@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::contact_reel_test {
@@ -42,8 +42,8 @@ Reeled run(ContactMethod method, int elements, double duration,
   c.contact.method = method;
   if (flat) c.volumes[0].smooth = false;
   c.lines[0].sections[0].elements = elements;
-  const std::vector<app::LoadedVolume> volumes = app::load_volumes(c);
-  std::vector<std::shared_ptr<const Surface>> surfaces = app::surfaces(volumes);
+  const std::vector<run::LoadedVolume> volumes = run::load_volumes(c);
+  std::vector<std::shared_ptr<const Surface>> surfaces = run::surfaces(volumes);
   if (instead) surfaces = {instead};
   Simulation s(PETSC_COMM_WORLD, c, surfaces);
   s.solve_statics();

@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "support/hulls.hpp"
 #include "verification/contact_rig.hpp"
 
@@ -102,7 +102,7 @@ Outcome drag(const Drag& d) {
   const std::string path = folder + "/" + d.name + ".yaml";
   std::ofstream(path) << case_of(d, hull);
   const model::Case c = io::read_case(path);
-  const std::vector<app::LoadedVolume> volumes = app::load_volumes(c);
+  const std::vector<run::LoadedVolume> volumes = run::load_volumes(c);
   const auto counted = std::make_shared<CountedSurface>(volumes[0].surface);
   Simulation s(PETSC_COMM_WORLD, c, {counted});
   s.solve_statics();

@@ -2,8 +2,8 @@
 // the slit bear it: as parts of one volume and as volumes of their own.
 #include <fstream>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "support/hulls.hpp"
 #include "verification/contact_rig.hpp"
 
@@ -45,7 +45,7 @@ void drag(const std::string& folder, const std::string& volumes, Drag& r) {
   std::ofstream(path) << text;
   const model::Case c = io::read_case(path);
   std::vector<std::shared_ptr<const Surface>> surfaces;
-  for (const app::LoadedVolume& v : app::load_volumes(c)) surfaces.push_back(v.surface);
+  for (const run::LoadedVolume& v : run::load_volumes(c)) surfaces.push_back(v.surface);
   Simulation s(PETSC_COMM_WORLD, c, surfaces);
   s.solve_statics();
   Dynamics& d = s.dynamics();

@@ -1,7 +1,7 @@
 // A heavy tensioned pipe of 40 m lies on a roller of radius 0.25 m that is moved along under it: the reaction
 // is a smooth function of the roller's place, whatever the elements. With contact at the nodes it is not.
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "verification/contact_rig.hpp"
 #include "verification/statics_newton.hpp"
 
@@ -140,7 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Elements, Roller, ::testing::Values(4.0, 2.0, 1.0, 0.5)
 TEST(LineRoller, EnergyCloses) {
   model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/roller/roller.yaml");
   c.dynamics.max_step = 0.06;  // by default a quarter of a second, with 0.03 % not accounted for
-  Simulation s(PETSC_COMM_WORLD, c, app::surfaces(app::load_volumes(c)));
+  Simulation s(PETSC_COMM_WORLD, c, run::surfaces(run::load_volumes(c)));
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/volumes.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::lines_that_cross {
@@ -68,7 +68,7 @@ TEST(LinesThatCross, ChainOverAVolumeOnTheBed) {
       "-10]}, "
       "end_b: {anchor: [480, 0, -100]}}\n",
       "over.yaml");
-  Simulation sim(PETSC_COMM_SELF, c, app::surfaces(app::load_volumes(c)));
+  Simulation sim(PETSC_COMM_SELF, c, run::surfaces(run::load_volumes(c)));
   EXPECT_TRUE(sim.warnings().empty());
   sim.solve_statics();
   EXPECT_NEAR(height(sim), -99.695 + 0.305 + 0.5 * sim.model().line_types.front().contact_diameter, 0.05);

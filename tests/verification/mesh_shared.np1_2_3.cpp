@@ -10,12 +10,12 @@
 #include <fstream>
 #include <random>
 
-#include "hawser/app/driver.hpp"
-#include "hawser/app/volumes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/host.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/driver.hpp"
+#include "hawser/run/volumes.hpp"
 #include "support/shapes.hpp"
 
 namespace hawser::test::mesh_shared {
@@ -170,11 +170,11 @@ lines:
 )";
   }
   MPI_Barrier(MPI_COMM_WORLD);
-  app::RunOptions options;
+  run::RunOptions options;
   options.case_path = path, options.output = folder + "/case.h5", options.quiet = true;
   for (const char* mesh : {"/post.stl", "/bed.stl"}) {
-    const auto run = [&] { EXPECT_EQ(app::run(MPI_COMM_WORLD, options), 0); };
-    const auto check = [&] { EXPECT_EQ(app::check_case(MPI_COMM_WORLD, path, 0), 0); };
+    const auto run = [&] { EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0); };
+    const auto check = [&] { EXPECT_EQ(run::check_case(MPI_COMM_WORLD, path, 0), 0); };
     EXPECT_EQ(openings(folder + mesh, run), 1) << mesh;
     EXPECT_EQ(openings(folder + mesh, check), 1) << mesh;
   }
@@ -183,7 +183,7 @@ lines:
 // What load_volumes() says, told to all.
 std::string wrong(const model::Case& c) {
   try {
-    app::load_volumes(c, MPI_COMM_WORLD);
+    run::load_volumes(c, MPI_COMM_WORLD);
   } catch (const InputError& e) {
     return e.what();
   }
@@ -192,7 +192,7 @@ std::string wrong(const model::Case& c) {
 
 TEST(MeshShared, VolumesOfACase) {
   const model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/reel/reel.yaml");
-  const auto own = app::load_volumes(c), shared = app::load_volumes(c, MPI_COMM_WORLD);
+  const auto own = run::load_volumes(c), shared = run::load_volumes(c, MPI_COMM_WORLD);
   ASSERT_EQ(own.size(), shared.size());
   for (std::size_t i = 0; i < own.size(); ++i) {
     EXPECT_EQ(own[i].name, shared[i].name);

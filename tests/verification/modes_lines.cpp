@@ -26,7 +26,7 @@ double frequency_error(const std::vector<double>& omega, const std::vector<doubl
   return worst;
 }
 
-std::vector<double> frequencies(app::Simulation& s) {
+std::vector<double> frequencies(run::Simulation& s) {
   const ModalMatrices m = modal_matrices(s.system(), s.state().view(0));
   return natural_frequencies(m.K, m.M);
 }
@@ -57,7 +57,7 @@ TEST(Modes, TensionedBeam) {
       model::End a = anchor(Vec3::Zero()), b = anchor(Vec3(L, 0, 0));
       if (r.clamped) a = clamp(a.at, Vec3::UnitX()), b = clamp(b.at, Vec3::UnitX());
       model::Case c = one_line(t, unstretched(L, T, 0, EA), 10 << i, a, b);
-      app::Simulation s(PETSC_COMM_WORLD, c);
+      run::Simulation s(PETSC_COMM_WORLD, c);
       s.solve_statics();
       std::vector<double> omega;
       for (double f : r.f) omega.push_back(2 * M_PI * f);
@@ -77,7 +77,7 @@ TEST(Modes, HangingChain) {
   for (int i = 0; i < 2; ++i) {
     model::Case c = one_line(cable_type(1e8, 1), 10, 20 << i, anchor(Vec3::Zero()), {});
     c.environment.gravity = 9.81;
-    app::Simulation s(PETSC_COMM_WORLD, c);
+    run::Simulation s(PETSC_COMM_WORLD, c);
     s.solve_statics();
     error[i] = frequency_error(frequencies(s), exact, 3, 2);
   }
@@ -96,7 +96,7 @@ TEST(Modes, VerticalCableAndRiser) {
     model::Case c =
         one_line(t, unstretched(L, T, w, EA), bends ? 20 : 40, anchor(Vec3::Zero()), anchor(Vec3(0, 0, L)));
     c.environment.gravity = w / m;
-    app::Simulation s(PETSC_COMM_WORLD, c);
+    run::Simulation s(PETSC_COMM_WORLD, c);
     s.solve_statics();
     const double error = frequency_error(frequencies(s), bends ? riser : cable, 3, 2);
     std::printf("vertical %s: first 3 frequencies within %.2e\n",
@@ -130,7 +130,7 @@ TEST(Modes, SaggedCable) {
     }
     model::Case c = one_line(cable_type(EA, m), low, n, anchor(Vec3::Zero()), anchor(Vec3(l, 0, 0)));
     c.environment.gravity = 9.81;
-    app::Simulation s(PETSC_COMM_WORLD, c);
+    run::Simulation s(PETSC_COMM_WORLD, c);
     s.solve_statics();
     const ModalMatrices a = modal_matrices(s.system(), s.state().view(0));
     // Both halves move alike: x opposite, z equal.

@@ -22,7 +22,7 @@ namespace {
 // so  K_eff = K + C G1 + M G2,  C_eff = C + M G3,  M_eff = M  with, by nodes,
 //   G1 = [Om],  G2 = [Om]²,  G3 = 2 [Om]  on positions;  G1 = [W],  G2 = 0,  G3 = [W]  on rotations.
 struct SteadyRotation {
-  app::Simulation& s;
+  run::Simulation& s;
   Vec3 Omega;
 
   void move() {
@@ -99,7 +99,7 @@ Blade blade(double eta, int elements) {
   t.rotary_inertia = Vec3(1e-5, 1e-9, 1e-9);
   model::Case c = one_line(t, 1, elements, clamp(Vec3::Zero(), Vec3::UnitX()), {});
   c.lines[0].start = model::Start::straight;
-  app::Simulation s(PETSC_COMM_WORLD, c);
+  run::Simulation s(PETSC_COMM_WORLD, c);
   SteadyRotation turning{s, Vec3(0, 0, eta)};
   turning.settle();
   const ModalMatrices m = turning.matrices();

@@ -14,7 +14,7 @@
 namespace hawser::test::platforms {
 namespace {
 
-using app::Simulation;
+using run::Simulation;
 
 // Places of the bodies' nodes (the centre of mass) at the ends of steps.
 std::vector<std::vector<Vec3>> run(const model::Case& c, double until, double every) {

@@ -147,8 +147,8 @@ TEST(SLay, OverRollers) {
 // are about those of an endless one.
 TEST(SLay, TheCase) {
   const model::Case c = io::read_case(HAWSER_SOURCE_DIR "/cases/s-lay/simple.yaml");
-  const auto volumes = app::load_volumes(c);
-  app::Simulation sim(PETSC_COMM_SELF, c, app::surfaces(volumes));
+  const auto volumes = run::load_volumes(c);
+  run::Simulation sim(PETSC_COMM_SELF, c, run::surfaces(volumes));
   const StaticsReport report = sim.solve_statics();
   EXPECT_LE(report.iterations, 60);
   EXPECT_LT(report.norms.relative(), 1e-8);

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "hawser/app/contact_peaks.hpp"
-#include "hawser/app/targets.hpp"
-#include "hawser/app/touchdown.hpp"
-#include "hawser/app/volumes.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/record/contact_peaks.hpp"
+#include "hawser/record/touchdown.hpp"
+#include "hawser/run/targets.hpp"
+#include "hawser/run/volumes.hpp"
 #include "verification/contact_rig.hpp"
 
 namespace hawser::s_lay_test {
@@ -91,9 +91,9 @@ inline std::string case_text(const Setting& s) {
 // Statics with the length that gives T0. Serial.
 inline Laid laid(const Setting& s) {
   const model::Case given = io::read_case_text(case_text(s), "s-lay.yaml");
-  const auto volumes = app::load_volumes(given, PETSC_COMM_SELF);
-  const app::MetTargets met = app::meet_targets(PETSC_COMM_SELF, given, volumes);
-  app::Simulation sim(PETSC_COMM_SELF, met.model, app::surfaces(volumes));
+  const auto volumes = run::load_volumes(given, PETSC_COMM_SELF);
+  const run::MetTargets met = run::meet_targets(PETSC_COMM_SELF, given, volumes);
+  run::Simulation sim(PETSC_COMM_SELF, met.model, run::surfaces(volumes));
   Laid out;
   out.iterations = sim.solve_statics().iterations;
   const Kinematics at = sim.state().view(0);
@@ -103,7 +103,7 @@ inline Laid laid(const Setting& s) {
   for (const char* name : {"bending_moment", "bending_moment_2", "bending_moment_3", "curvature"})
     bent.push_back(field(name)), fields.emplace_back().name = name;
   if (s.peaks) {
-    app::ContactPeaks peaks(sim);
+    record::ContactPeaks peaks(sim.model(), sim.system());
     peaks.find(fields);
     peaks.fill(at, bent);
   }
@@ -111,7 +111,7 @@ inline Laid laid(const Setting& s) {
         pressed = field("contact_normal_force"), shear = field("shear_force");
   const size_t nodes = static_cast<size_t>(sim.local().owned);
   out.T0 = T.front(), out.H = T.back(), out.M0 = kEI * kappa.front();
-  out.x_td = app::Touchdowns(PETSC_COMM_SELF, met.model, sim.local()).find(at).at(0).from_a->position.x();
+  out.x_td = record::Touchdowns(PETSC_COMM_SELF, met.model, sim.local()).find(at).at(0).from_a->position.x();
   const auto angle = [&](size_t n) {
     return std::atan2(at.x[n].x(), at.x[n].z() - kTop + kRadius) * 180 / M_PI;
   };

@@ -99,11 +99,11 @@ TEST(SLayRanks, BeneathARoller) {
   runs::write_case(
       path, beam(kV, ", start: {points: [[-20, 0, 0.3586], [-10, 0, -1.2], [10, 0, -1.2], [20, 0, 0.3586]]}",
                  0.3586));
-  app::RunOptions o;
+  run::RunOptions o;
   o.case_path = path, o.output = folder + "/beneath.h5", o.quiet = true;
   std::string why;
   try {
-    app::run(MPI_COMM_WORLD, o);
+    run::run(MPI_COMM_WORLD, o);
   } catch (const InputError& e) {
     why = e.what();
   }

@@ -44,9 +44,9 @@ struct Shown {
 Shown run(const std::string& name, const std::string& text) {
   const std::string base = runs::folder("seabed_laid") + "/" + name;
   runs::write_case(base + ".yaml", text);
-  app::RunOptions options;
+  run::RunOptions options;
   options.case_path = base + ".yaml", options.quiet = true;
-  EXPECT_EQ(app::run(MPI_COMM_WORLD, options), 0) << name;
+  EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0) << name;
   MPI_Barrier(MPI_COMM_WORLD);
   const io::h5::Id file = io::h5::open_read(base + ".h5");
   return {io::h5::read_array(file, "fields/position").values,

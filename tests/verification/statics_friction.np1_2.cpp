@@ -86,12 +86,12 @@ statics: {{contact_friction: true, relaxation_steps: 600}}
   EXPECT_NEAR(s.position[30], 4.941386218009966, 2.5e-3);  // the mobilisation length, and sinking in
   const std::string base = runs::folder("statics_friction") + "/slides";
   runs::write_case(base + ".yaml", slope(0.174));
-  app::RunOptions o;
+  run::RunOptions o;
   o.case_path = base + ".yaml", o.quiet = true;
   EXPECT_THROW(
       {
         try {
-          app::run(MPI_COMM_WORLD, o);
+          run::run(MPI_COMM_WORLD, o);
         } catch (const std::exception& e) {
           EXPECT_NE(std::string(e.what()).find("no rest after"), std::string::npos) << e.what();
           throw;

@@ -64,7 +64,7 @@ inline void print_residuals(const std::vector<double>& r) {
 
 // Raises loads with a ramp of 1 s from time 0 to 1 in `steps`, halved where Newton fails, and follows the
 // equilibrium.
-inline void follow(app::Simulation& s, int steps) {
+inline void follow(run::Simulation& s, int steps) {
   const double whole = 1.0 / steps;
   State reached = s.state();
   reached.time = 0;
@@ -82,7 +82,7 @@ inline void follow(app::Simulation& s, int steps) {
 }
 
 // The force and moment (node axes) the support exerts on a node of the last residual, rank 0.
-inline Vec3 reaction(app::Simulation& s, int node, int which = 0) {
+inline Vec3 reaction(run::Simulation& s, int node, int which = 0) {
   const size_t b = 3 * static_cast<size_t>(s.local().block[static_cast<size_t>(node)] + which);
   return Eigen::Map<const Vec3>(s.system().reactions().data() + b);
 }

@@ -18,7 +18,7 @@ struct Tip {
   double angle = 0;  // rad, of the rotation about z, modulo 2 pi
 };
 
-Tip tip(app::Simulation& s) {
+Tip tip(run::Simulation& s) {
   const Vec3 t = s.state().q.back() * Vec3::UnitX();
   return {s.state().x.back(), std::atan2(t.y(), t.x())};
 }
@@ -29,7 +29,7 @@ double roll_up_error(double lam, int elements) {
   const double L = 10, EI = 1000, angle = 2 * M_PI * lam, R = L / angle;
   model::LineType t = beam_type(1e7, EI, EI);
   const model::Case c = cantilever(t, L, elements, Vec3::Zero(), Vec3(0, 0, EI / R));
-  app::Simulation s(PETSC_COMM_WORLD, c);
+  run::Simulation s(PETSC_COMM_WORLD, c);
   follow(s, 4 + static_cast<int>(24 * lam));
   EXPECT_NEAR(std::remainder(tip(s).angle - angle, 2 * M_PI), 0, 1e-9);
   double worst = 0;
@@ -45,7 +45,7 @@ double roll_up_error(double lam, int elements) {
 Tip elastica(double alpha, int elements) {
   model::LineType t = beam_type(1e9, 1, 1);
   const model::Case c = cantilever(t, 1, elements, Vec3(0, alpha, 0));
-  app::Simulation s(PETSC_COMM_WORLD, c);
+  run::Simulation s(PETSC_COMM_WORLD, c);
   follow(s, 6 + static_cast<int>(2 * alpha));
   return tip(s);
 }
@@ -113,7 +113,7 @@ TEST(Statics, CompressedStraightBeamBuckles) {
   t.EI2 = 2;  // else it may buckle in any plane, and one eigenvalue is zero
   model::Case c = one_line(t, 1, 40, anchor(Vec3::Zero()), anchor(Vec3(span, 0, 0)));
   c.lines[0].start = model::Start::straight;
-  app::Simulation s(PETSC_COMM_WORLD, c);
+  run::Simulation s(PETSC_COMM_WORLD, c);
   VecHandle r = s.system().create_vector();
   s.system().prepare(s.state().view(0), 0);
   s.system().residual(s.state().view(0), r.get());
@@ -143,7 +143,7 @@ TEST(Statics, AStiffPileStandsStill) {
       c.environment.gravity = 9.80665;
       c.lines[0].start = model::Start::points;
       c.lines[0].points = {foot, foot + Vec3(0, 0, 50)};
-      app::Simulation s(PETSC_COMM_WORLD, c);
+      run::Simulation s(PETSC_COMM_WORLD, c);
       ASSERT_NO_THROW(s.solve_statics()) << elements;
       EXPECT_LT((s.state().x.back() - foot - Vec3(0, 0, 50 - 805 * 9.80665 * 50 * 50 / 2e12)).norm(), 1e-7);
     }

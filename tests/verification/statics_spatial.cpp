@@ -19,7 +19,7 @@ constexpr double kRadius = 100, kArc = M_PI / 4;
 // at the origin with its tangent along y, bending towards +x; all of it turned by `turn`.
 struct Bend {
   model::Case c;
-  std::unique_ptr<app::Simulation> s;
+  std::unique_ptr<run::Simulation> s;
 
   Bend(const model::LineType& type, int elements, const Vec3& tip_force,
        const Quat& turn = Quat::Identity()) {
@@ -30,7 +30,7 @@ struct Bend {
       c.lines[0].points.push_back(turn * (kRadius * Vec3(1 - std::cos(a), std::sin(a), 0)));
     }
     c.lines[0].point_loads.push_back({kRadius * kArc, turn * tip_force, Vec3::Zero(), 1, 0});
-    s = std::make_unique<app::Simulation>(PETSC_COMM_WORLD, c);
+    s = std::make_unique<run::Simulation>(PETSC_COMM_WORLD, c);
     for (int i = 0; i <= elements; ++i) {
       const double a = kArc * i / elements;
       Mat3 axes;  // along the arc, towards its centre, z
@@ -260,7 +260,7 @@ TEST(Statics, PrincetonBeam) {
     for (int i = 0; i < 3; ++i) {
       if (i != 1 && r.theta != 45) continue;
       const model::Case c = cantilever(type, L, 10 << i, r.P * Vec3(0, -std::cos(a), std::sin(a)));
-      app::Simulation s(PETSC_COMM_WORLD, c);
+      run::Simulation s(PETSC_COMM_WORLD, c);
       follow(s, 8);
       e[i] = (s.state().x.back() - Vec3(L, 0, 0) - r.u).norm() / L;
       if (i != 1) continue;
@@ -295,11 +295,11 @@ model::LineType unequal_type() {
 // The tip after the loads `first` and then, on top of them, `second` have risen.
 Vec3 loaded_tip(const Vec3& first, const Vec3& second, int elements, Vec3* root_moment = nullptr) {
   const model::Case a = cantilever(unequal_type(), 10, elements, first);
-  app::Simulation sa(PETSC_COMM_WORLD, a);
+  run::Simulation sa(PETSC_COMM_WORLD, a);
   follow(sa, 20);
   model::Case b = cantilever(unequal_type(), 10, elements, second);
   b.lines[0].point_loads.push_back({10, first, Vec3::Zero(), 0, 0});
-  app::Simulation sb(PETSC_COMM_WORLD, b);
+  run::Simulation sb(PETSC_COMM_WORLD, b);
   sb.state() = sa.state();
   follow(sb, 20);
   if (root_moment) *root_moment = reaction(sb, 0, 1);

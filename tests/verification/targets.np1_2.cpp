@@ -1,13 +1,13 @@
 // Lengths that meet a target, against closed forms of the catenary; targets that cannot be met; several at
 // once; what goes on from a run with one. On 1 and 2 ranks.
-#include "hawser/app/targets.hpp"
+#include "hawser/run/targets.hpp"
 
 #include "../regression/runs.hpp"
-#include "hawser/app/simulation.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/kernels/catenary_on_bed.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/run/simulation.hpp"
 
 namespace hawser::targets_test {
 namespace {
@@ -41,9 +41,9 @@ model::Case lying(const std::string& target, const std::string& more = "") {
       target + "\n" + more);
 }
 
-app::MetTargets met(const model::Case& c) { return app::meet_targets(PETSC_COMM_WORLD, c, {}); }
+run::MetTargets met(const model::Case& c) { return run::meet_targets(PETSC_COMM_WORLD, c, {}); }
 
-double length_of(const app::MetTargets& m, size_t line = 0) {
+double length_of(const run::MetTargets& m, size_t line = 0) {
   return model::length_of(m.model.lines.at(line));
 }
 
@@ -91,7 +91,7 @@ contact: {between_lines: false}
 )",
                                            "soil.yaml", {}, PETSC_COMM_WORLD);
   int relaxed = 0;
-  const app::MetTargets m = app::meet_targets(PETSC_COMM_WORLD, c, {}, [&](const StaticsReport& now) {
+  const run::MetTargets m = run::meet_targets(PETSC_COMM_WORLD, c, {}, [&](const StaticsReport& now) {
     relaxed = std::max(relaxed, now.relaxation_steps);
   });
   printf("  %d steps of relaxation at the most: %s\n", relaxed, m.found.at(0).c_str());
@@ -101,7 +101,7 @@ contact: {between_lines: false}
 // Each trial says what it has found.
 TEST(Targets, TrialsAreReported) {
   std::vector<std::string> trials;
-  const app::MetTargets m = app::meet_targets(PETSC_COMM_WORLD, hanging("{tension: 120 kN}", 110, 40), {}, {},
+  const run::MetTargets m = run::meet_targets(PETSC_COMM_WORLD, hanging("{tension: 120 kN}", 110, 40), {}, {},
                                               [&](const std::string& trial) { trials.push_back(trial); });
   const std::string found = "(found in " + std::to_string(trials.size()) + " statics)";
   EXPECT_TRUE(m.found.at(0).ends_with(found)) << m.found.at(0) << ", " << trials.size() << " reported";
@@ -113,7 +113,7 @@ TEST(Targets, TrialsAreReported) {
 
 TEST(Targets, TensionOfACatenary) {
   const double expected = solved(103, 140, 120e3, [](double x) { return closed(x).tension_b().norm(); });
-  const app::MetTargets m = met(hanging("{tension: 120 kN}"));
+  const run::MetTargets m = met(hanging("{tension: 120 kN}"));
   printf("  %.8f m, closed form %.8f m: %s\n", length_of(m), expected, m.found.at(0).c_str());
   EXPECT_NEAR(length_of(m), expected, 1e-6 * expected);
   // From either side, and at the other end.
@@ -136,7 +136,7 @@ TEST(Targets, OnTheSeabed) {
   };
   const double length = solved(385, 420, 150, [&](double x) { return on_bed(x).grounded(); });
   for (const char* target : {"{touchdown: 150}", "{laid_length: 150}", "{touchdown: 150, at: end_a}"}) {
-    const app::MetTargets m = met(lying(target));
+    const run::MetTargets m = met(lying(target));
     printf("  %s: %.4f m, closed form %.4f m\n", target, length_of(m), length);
     EXPECT_NEAR(length_of(m), length, 0.05);
   }
@@ -171,7 +171,7 @@ TEST(Targets, OfLinesThatPullAtEachOther) {
               "{anchor: [-30, 52, 0]}, target: {tension: 95 kN, at: end_a}}\n  b" + line +
               "{anchor: [60, 0, 0]}, target: {tension: 100 kN, at: end_a}}\n  c" + line +
               "{anchor: [-30, -52, 0]}}\n");
-  const app::MetTargets m = met(c);
+  const run::MetTargets m = met(c);
   for (const std::string& s : m.found) printf("  %s\n", s.c_str());
   ASSERT_EQ(m.found.size(), 2u);
   EXPECT_NE(m.found[0].find("tension at end A is 95000 N"), std::string::npos) << m.found[0];

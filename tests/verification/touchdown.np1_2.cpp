@@ -1,6 +1,6 @@
 // Touchdown points and laid lengths of lines at rest against closed forms, on rigid and on soft ground,
 // wherever between its nodes the line touches down; on 1 and 2 ranks.
-#include "hawser/app/touchdown.hpp"
+#include "hawser/record/touchdown.hpp"
 
 #include "hawser/kernels/catenary_on_bed.hpp"
 #include "support/rig.hpp"
@@ -26,7 +26,7 @@ model::Case line_on_bed(double length, int elements, double stiffness, double aw
 }
 
 struct Rest {
-  app::Touchdown touchdown;
+  record::Touchdown touchdown;
   double pull = 0;  // N, horizontal
 };
 
@@ -34,7 +34,7 @@ Rest at_rest(const model::Case& c) {
   Simulation sim(PETSC_COMM_WORLD, c);
   sim.solve_statics();
   Rest out;
-  out.touchdown = app::Touchdowns(PETSC_COMM_WORLD, c, sim.local()).find(sim.state().view(0)).at(0);
+  out.touchdown = record::Touchdowns(PETSC_COMM_WORLD, c, sim.local()).find(sim.state().view(0)).at(0);
   return out;
 }
 

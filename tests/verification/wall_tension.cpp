@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "hawser/app/driver.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/io/hdf5.hpp"
+#include "hawser/run/driver.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test::wall_tension_test {
@@ -30,9 +30,9 @@ struct Shown {
 Shown shown(const std::string& text) {
   const std::string base = ::testing::TempDir() + "wall-tension";
   std::ofstream(base + ".yaml") << text;
-  app::RunOptions options;
+  run::RunOptions options;
   options.case_path = base + ".yaml", options.output = base + ".h5", options.quiet = true;
-  EXPECT_EQ(app::run(MPI_COMM_WORLD, options), 0);
+  EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0);
   Shown s;
   {
     const io::h5::Id file = io::h5::open_read(base + ".h5");

@@ -1,5 +1,5 @@
 // Exit codes of the program, which scripts can test, and the exceptions behind two of them. Results that
-// cannot be written: io/write_error.hpp. Energy that does not add up: app/audit.hpp.
+// cannot be written: io/write_error.hpp. Energy that does not add up: record/audit.hpp.
 #pragma once
 
 #include <fmt/core.h>

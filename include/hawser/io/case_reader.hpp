@@ -27,7 +27,7 @@ std::string reading_text(const std::string& path);
 using CaseChanges = std::vector<std::string>;
 
 // Read and check a case file: form, units, references, sense, and the other files it names but the meshes of
-// volumes, which app::load_volumes() reads. Collective over comm, of whose ranks one a host reads the mesh of
+// volumes, which run::load_volumes() reads. Collective over comm, of whose ranks one a host reads the mesh of
 // a seabed, for all of them.
 // Throws InputError; what() is one sentence "file:line: dotted.key: what is wrong", of a changed case with
 // its changes.

@@ -1,7 +1,7 @@
 // The node fields of a result file: what is known of each, and how its values are made. A new field is one
 // call of add() in the fields() of the force term that knows its values, as in terms/structure.cpp; of
 // contact by terms/contact_fields.cpp. Those made of other fields (utilisation) are added in
-// app/utilisation.cpp.
+// record/utilisation.cpp.
 #pragma once
 
 #include <functional>

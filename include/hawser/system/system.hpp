@@ -46,6 +46,13 @@ class System {
   const LocalMesh& mesh() const { return mesh_; }
   const TiedNodes& tied_nodes() const { return tied_nodes_; }
   const std::vector<std::unique_ptr<ForceTerm>>& terms() const { return terms_; }
+  // The first term that is of that class or has that role; null: none is.
+  template <class T>
+  T* find() const {
+    for (const auto& term : terms_)
+      if (T* found = dynamic_cast<T*>(term.get())) return found;
+    return nullptr;
+  }
   // Of an element of a line, all terms that act on it: see ActsOnElements.
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const {
     for (const ActsOnElements* t : on_elements_) t->element_force(at, e, f);

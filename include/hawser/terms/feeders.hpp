@@ -1,7 +1,7 @@
 // Winches, tensioners and reels: what pays a line out at one of its ends and hauls it in. The line's elements
 // from that end on are a stock that is held at the feeder and idle; the one that leaves it, at the mouth, has
 // an unstretched length of its own. How much a tensioner lets out: kernels/feeder_law.cpp; nodes that leave
-// and are caught: app/feeder_nodes.cpp. See docs/theory/feeders.md.
+// and are caught: run/feeder_nodes.cpp. See docs/theory/feeders.md.
 #pragma once
 
 #include <array>

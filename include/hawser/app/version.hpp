@@ -1,6 +1,0 @@
-// The version of the program.
-#pragma once
-
-namespace hawser::app {
-inline constexpr const char* kVersion = "0.1.0";
-}

@@ -1,0 +1,72 @@
+// Smallest distances of lines to other lines and to volumes, at every accepted step.
+#pragma once
+
+#include <mpi.h>
+
+#include <memory>
+#include <vector>
+
+#include "hawser/geometry/box_tree.hpp"
+#include "hawser/geometry/surface.hpp"
+#include "hawser/io/results.hpp"
+#include "hawser/kernels/axis_clearance.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/state/kinematics.hpp"
+
+namespace hawser::record {
+
+class Clearances {
+ public:
+  // surfaces: one for each volume of the case.
+  Clearances(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+             std::vector<std::shared_ptr<const Surface>> surfaces);
+
+  // One for each of the case's: to a line `clearance`, `arc_length`, `other_arc_length`; to a volume
+  // `clearance`, `arc_length` and the nearest `point` of its surface, space axes.
+  std::vector<io::ResultSeries> series() const;
+  // Their rows at a state, on rank 0 (elsewhere empty). poses: of the bodies of the case. Collective.
+  std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<io::BodyPose>& poses);
+
+ private:
+  struct Best {
+    double clearance = 0;
+    double arc = 0;             // m
+    Vec3 there = Vec3::Zero();  // m; of a line: its arc length first
+  };
+  struct Shaped {
+    int element = 0;  // of the mesh
+    double radius = 0;
+    BezierAxis axis;
+  };
+  // Elements of a part of a line and the boxes of their axes.
+  struct Tree {
+    std::vector<Shaped> elements;  // by number
+    BoxTree boxes;
+    double radius = 0;  // m, the largest
+    Tree() = default;
+    explicit Tree(std::vector<Shaped> of);
+  };
+  // Cache of an element against a volume: no nearer than `least` [m] to it while its axis is where it was in
+  // the body's frame. It changes the time, never the answer.
+  struct Seen {
+    BezierAxis axis;
+    double least = 0;
+    bool known = false;
+  };
+
+  std::vector<Shaped> own(int line, const Kinematics& at) const;
+  Tree of_all_ranks(const Tree& own) const;
+  Best to_line(const Tree& a, const Tree& b) const;
+  Best to_volume(const std::vector<Shaped>& elements, const Surface& surface, const io::BodyPose& pose,
+                 std::vector<Seen>& seen) const;
+  double arc(int element, double xi) const;
+
+  MPI_Comm comm_;
+  const model::Case& case_;
+  const LocalMesh& mesh_;
+  std::vector<std::shared_ptr<const Surface>> surfaces_;
+  std::vector<std::vector<Seen>> seen_;  // by clearance, of own()
+};
+
+}  // namespace hawser::record

@@ -1,0 +1,73 @@
+// Where the elements of a line are too long for what is asked of its results (docs/theory/element-length.md).
+#pragma once
+
+#include <mpi.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/state/kinematics.hpp"
+#include "hawser/terms/feeders.hpp"
+
+namespace hawser::record {
+
+class ElementErrors {
+ public:
+  // feeders: null where no line is fed. Collective.
+  ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Feeders* feeders);
+
+  // Of a state, by owned node of the lines; empty: there is none of it.
+  struct Values {
+    std::span<const double> tension;  // N, effective
+    std::span<const double> moment;   // N m, of beams
+    std::span<const double> pressed;  // N, normal force of volumes
+    std::vector<bool> carried;        // something touches the line there
+  };
+  // Collective.
+  void look(const Kinematics& at, const Values& values);
+
+  // What may be wrong by more than a line bears, a sentence each: the largest tension [N] and moment [N m] of
+  // the run against which errors are judged.
+  std::vector<std::string> warnings(int line, double largest_tension, double largest_moment) const;
+
+ private:
+  // The worst so far of a line: the error in N or N m, and what was there.
+  struct Worst {
+    double error = 0, arc = 0, time = 0;
+    double turn = 0;    // rad, from one element to the next
+    double length = 0;  // m, of the element
+    double decay = 0;   // m, within which a moment falls off
+    double good = 0;    // m, of an element that shows it
+    double weight = 0;  // N/m, in water
+  };
+  struct OfLine {
+    Worst edge, sag, bend, lift;
+  };
+  struct At {  // a node in a state
+    Vec3 x = Vec3::Zero();
+    double tension = 0, moment = 0, pressed = 0;
+    bool carried = false;
+  };
+  std::vector<At> gathered(const Kinematics& at, const Values& values) const;
+  void look_at_edges(const LineSpan& line, std::span<const At> nodes, double time, Worst& worst) const;
+  void look_at_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
+                   Worst& worst) const;
+  void look_at_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
+                     Worst& worst) const;
+  void look_at_bends(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
+                     Worst& worst) const;
+  const model::LineType& type(const Element& e) const;
+
+  const model::Case& case_;
+  const LocalMesh& mesh_;
+  const Feeders* feeders_;
+  GatherPlan plan_;
+  std::vector<int> place_;  // node of the mesh, of each that is gathered
+  std::vector<OfLine> lines_;
+};
+
+}  // namespace hawser::record

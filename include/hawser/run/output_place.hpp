@@ -1,0 +1,39 @@
+// Where the results of a run go: whether they can be written there, before anything is computed, and that
+// nobody else writes there meanwhile.
+#pragma once
+
+#include <mpi.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hawser/io/run_lock.hpp"
+
+namespace hawser::run {
+
+class OutputPlace {
+ public:
+  // A file at `path` is replaced only if it is a results file; a link is followed. `restart`: the file the
+  // run goes on from, or empty; `inputs`: what the case reads, none of which is replaced. Throws InputError
+  // unless results can be made there. Collective.
+  OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,
+              const std::vector<std::string>& inputs);
+
+  const std::string& path() const { return path_; }  // where links lead
+  bool appends() const { return appends_; }          // goes on in the file itself
+  // What is to be told of the place, on rank 0.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  void check() const;
+  void check_inputs(const std::vector<std::string>& inputs) const;
+  void check_old();
+
+  std::string path_;
+  bool appends_ = false;
+  std::vector<std::string> notes_;
+  std::unique_ptr<io::RunLock> lock_;  // of rank 0
+};
+
+}  // namespace hawser::run

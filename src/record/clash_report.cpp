@@ -1,0 +1,163 @@
+// The class ClashReport: gathering the touches of the three contact terms from all ranks onto rank 0, its
+// records in a checkpoint, and the table printed at the end of a run.
+#include "hawser/record/clash_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/line_pairs.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
+
+namespace hawser::record {
+namespace {
+
+constexpr int kMostSteps = 256;  // kept by each rank
+constexpr double kMergeDiameters = 4;
+constexpr size_t kTouch = 11;
+
+ClashSettings settings_of(const model::Case& c) {
+  const model::ClashOutput& o = c.output.clashes;
+  ClashSettings s;
+  s.merge_gap = o.merge_gap;
+  for (const model::Line& line : c.lines)
+    s.merge_length.push_back(o.merge_length > 0 ? o.merge_length
+                                                : kMergeDiameters * model::contact_diameter_of(c, line));
+  return s;
+}
+
+void put(std::vector<double>& to, const ActiveContact& t) {
+  for (const int i : {t.line, t.other_line, t.volume, t.other_volume}) to.push_back(i);
+  to.insert(to.end(), {t.from, t.to, t.other_from, t.other_to, t.force, t.energy, t.depth});
+}
+
+ActiveContact touch_at(const double* v) {
+  ActiveContact t;
+  int* which[] = {&t.line, &t.other_line, &t.volume, &t.other_volume};
+  for (int* i : which) *i = static_cast<int>(*v++);
+  for (double* x : {&t.from, &t.to, &t.other_from, &t.other_to, &t.force, &t.energy, &t.depth}) *x = *v++;
+  return t;
+}
+
+}  // namespace
+
+bool ClashReport::wanted(const Subject& s) {
+  return s.model.output.clashes.enabled &&
+         (s.term<LineVolumeContact>() || s.term<LinePairs>() || s.term<BodyContactTerm>());
+}
+
+ClashReport::ClashReport(MPI_Comm comm, const Subject& subject)
+    : comm_(comm),
+      subject_(subject),
+      contact_(subject.term<LineVolumeContact>()),
+      line_pairs_(subject.term<LinePairs>()),
+      body_contact_(subject.term<BodyContactTerm>()),
+      rank_(rank_of(comm)),
+      settings_(settings_of(subject.model)),
+      log_(settings_) {
+  const auto& volumes = subject_.model.volumes;
+  for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
+    const auto at = std::find_if(volumes.begin(), volumes.end(),
+                                 [&](const model::Volume& o) { return o.name == contact_->volume_name(v); });
+    volumes_.push_back(static_cast<int>(at - volumes.begin()));
+  }
+}
+
+void ClashReport::step(double time) {
+  ActiveContacts touches;
+  if (contact_) contact_->active_contacts(touches);
+  for (ActiveContact& t : touches) t.volume = volumes_[t.volume];
+  if (line_pairs_) line_pairs_->active_contacts(touches);
+  if (body_contact_) body_contact_->active_contacts(touches);
+  touches = put_together(std::move(touches), settings_.merge_length);
+  steps_.insert(steps_.end(), {time, static_cast<double>(touches.size())});
+  for (const ActiveContact& t : touches) put(steps_, t);
+  if (++waiting_ >= kMostSteps) collect();
+}
+
+void ClashReport::collect() {
+  const GatherPlan plan(comm_, static_cast<int>(steps_.size()));
+  std::vector<double> all;
+  plan.gather_on_first(steps_.data(), all);
+  steps_.clear();
+  const int steps = std::exchange(waiting_, 0);
+  if (rank_ > 0) return;
+  std::vector<size_t> at(plan.starts().begin(), plan.starts().end() - 1);
+  for (int k = 0; k < steps; ++k) {
+    ActiveContacts touches;
+    double time = 0;
+    for (size_t& a : at) {
+      time = all[a];
+      const size_t touching = static_cast<size_t>(all[a + 1]);
+      a += 2;
+      for (size_t i = 0; i < touching; ++i, a += kTouch) touches.push_back(touch_at(all.data() + a));
+    }
+    log_.step(time, put_together(std::move(touches), settings_.merge_length));
+  }
+}
+
+io::ClashTables ClashReport::take() {
+  collect();
+  return log_.take();
+}
+
+// What the one rank that has some brings, to every rank.
+std::vector<double> ClashReport::of_all(const std::vector<double>& mine) const {
+  std::vector<double> all;
+  GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
+  return all;
+}
+
+// A record belongs to a node of the rank that gives it; rank 0 need not own any.
+std::vector<HistoryRecord> ClashReport::save() {
+  collect();
+  std::vector<double> values = of_all(rank_ == 0 ? log_.save() : std::vector<double>{});
+  if (!subject_.local().owns(subject_.local().find(0))) return {};
+  return {{0, 0, std::move(values)}};
+}
+
+void ClashReport::restore(const std::vector<HistoryRecord>& records) {
+  const std::vector<double> values = of_all(records.empty() ? std::vector<double>{} : records.front().values);
+  if (rank_ == 0 && !values.empty()) log_.restore(values);
+}
+
+std::string ClashReport::table() const {
+  const model::Case& c = subject_.model;
+  const auto rows = log_.largest(static_cast<size_t>(c.output.clashes.rows));
+  if (log_.count() == 0) return "";
+  const auto open = log_.open();
+  std::string text = fmt::format("clashes: {}, of which {} still touch{}", log_.count(), open.size(),
+                                 static_cast<long long>(rows.size()) < log_.count()
+                                     ? fmt::format("; the {} with the largest forces:\n", rows.size())
+                                     : ":\n");
+  if (rows.empty()) return text;
+  const auto name = [&](const io::ClashRow& r) {
+    const auto line = [&](int l) { return c.lines[l].name; };
+    const auto volume = [&](int v) { return c.volumes[v].name; };
+    if (r.line < 0) return volume(r.volume) + " / " + volume(r.other_volume);
+    if (r.other_line < 0) return line(r.line) + " / " + volume(r.volume);
+    return line(r.line) + " / " + (r.other_line == r.line ? "itself" : line(r.other_line));
+  };
+  const auto arcs = [](bool there, double from, double to) {
+    return there ? fmt::format("{:.2f}-{:.2f}", from, to) : "";
+  };
+  text += fmt::format("{:<28} {:>9} {:>9} {:>16} {:>16} {:>11} {:>13} {:>11} {:>11}\n", "pair", "start [s]",
+                      "end [s]", "arc [m]", "other's [m]", "peak [N]", "impulse [N s]", "energy [J]",
+                      "depth [m]");
+  for (const io::ClashRow& r : rows) {
+    const bool still = std::any_of(open.begin(), open.end(), [&](const io::ClashRow& o) {
+      return o.line == r.line && o.other_line == r.other_line && o.volume == r.volume &&
+             o.other_volume == r.other_volume && o.start == r.start && o.from == r.from;
+    });
+    text += fmt::format("{:<28} {:>9.3f} {:>9} {:>16} {:>16} {:>11.4g} {:>13.4g} {:>11.3g} {:>11.3g}\n",
+                        name(r), r.start, still ? "touches" : fmt::format("{:.3f}", r.end),
+                        arcs(r.line >= 0, r.from, r.to), arcs(r.other_line >= 0, r.other_from, r.other_to),
+                        r.peak_force, r.impulse, r.peak_energy, r.penetration);
+  }
+  return text;
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,222 @@
+// The class Clearances: smallest distance of two lines by trees of bounding boxes, and of a line from a
+// surface, nearest elements first; then the smallest of all ranks.
+#include "hawser/record/clearances.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/kernels/contact_intervals.hpp"
+#include "hawser/mesh/arc.hpp"
+
+namespace hawser::record {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kResolution = 1e-3;  // of the radii: places on bent lines nearer in distance are one
+constexpr size_t kAxis = 13;          // doubles of an element on its way to other ranks
+
+}  // namespace
+
+Clearances::Clearances(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                       std::vector<std::shared_ptr<const Surface>> surfaces)
+    : comm_(comm), case_(c), mesh_(mesh), surfaces_(std::move(surfaces)), seen_(c.output.clearances.size()) {}
+
+std::vector<io::ResultSeries> Clearances::series() const {
+  std::vector<io::ResultSeries> out;
+  for (const model::Clearance& k : case_.output.clearances) {
+    io::ResultSeries s{k.name, {{"clearance", "m", 1}, {"arc_length", "m", 1}}};
+    if (k.volume.empty())
+      s.columns.push_back({"other_arc_length", "m", 1});
+    else
+      s.columns.push_back({"point", "m", 3});
+    out.push_back(std::move(s));
+  }
+  return out;
+}
+
+double Clearances::arc(int element, double xi) const {
+  return arc_at(*mesh_.mesh, mesh_.mesh->elements[element], xi);
+}
+
+// What this rank counts of a line.
+std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) const {
+  std::vector<Shaped> out;
+  for (const LocalElement& local : mesh_.elements) {
+    const Element& e = mesh_.element(local);
+    if (e.line != line || !local.counted) continue;
+    const size_t i = local.first, j = local.second;
+    const double radius = 0.5 * case_.line_types[e.type].contact_diameter;
+    out.push_back({local.global, radius,
+                   e.beam ? BezierAxis::beam(at.x[i], at.q[i] * Vec3::UnitX(), at.x[j],
+                                             at.q[j] * Vec3::UnitX(), e.length)
+                          : BezierAxis::straight(at.x[i], at.x[j])});
+  }
+  std::sort(out.begin(), out.end(), [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
+  return out;
+}
+
+Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
+  std::vector<Box> each;
+  for (const Shaped& e : elements) each.push_back(e.axis.box()), radius = std::max(radius, e.radius);
+  boxes = BoxTree(each, {}, 1);
+}
+
+// Of all ranks: a step of a line costs far more than to send where it is.
+Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
+  const int size = ranks_of(comm_);
+  if (size == 1) return own;
+  std::vector<double> mine;
+  for (const Shaped& s : own.elements) {
+    mine.push_back(s.element);
+    for (const Vec3& p : s.axis.b) mine.insert(mine.end(), p.begin(), p.end());
+  }
+  std::vector<double> all;
+  GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
+  std::vector<Shaped> elements;
+  for (size_t i = 0; i < all.size(); i += kAxis) {
+    Shaped s;
+    s.element = static_cast<int>(all[i]);
+    const Element& e = mesh_.mesh->elements[s.element];
+    s.radius = 0.5 * case_.line_types[e.type].contact_diameter;
+    for (size_t k = 0; k < 4; ++k) s.axis.b[k] = Eigen::Map<const Vec3>(all.data() + i + 1 + 3 * k);
+    elements.push_back(s);
+  }
+  std::sort(elements.begin(), elements.end(),
+            [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
+  return Tree(std::move(elements));
+}
+
+Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
+  Best best;
+  best.clearance = kFar;
+  if (a.boxes.empty() || b.boxes.empty()) return best;
+  const auto p = a.boxes.nodes(), q = b.boxes.nodes();
+  struct Pair {
+    size_t a, b;
+    double least;
+  };
+  const auto make = [&](size_t i, size_t j) {
+    return Pair{i, j, distance(p[i].box, q[j].box) - a.radius - b.radius};
+  };
+  const auto second = [](std::span<const BoxTree::Node> nodes, size_t parent) {
+    return static_cast<size_t>(nodes[parent + 1].next);
+  };
+  std::vector<Pair> stack{make(0, 0)};
+  while (!stack.empty()) {
+    const auto [i, j, least] = stack.back();
+    stack.pop_back();
+    if (!(least < best.clearance)) continue;
+    if (p[i].count == 1 && q[j].count == 1) {
+      const Shaped &x = a.elements[a.boxes.below(p[i]).front()], &y = b.elements[b.boxes.below(q[j]).front()];
+      const double radii = x.radius + y.radius;
+      const auto near = nearest_of(x.axis, y.axis, best.clearance + radii, kResolution * radii);
+      if (!near) continue;
+      best.clearance = near->distance - radii;
+      best.arc = arc(x.element, near->xi);
+      best.there = Vec3(arc(y.element, near->eta), 0, 0);
+      continue;
+    }
+    std::array<Pair, 2> next = p[i].count >= q[j].count
+                                   ? std::array<Pair, 2>{make(i + 1, j), make(second(p, i), j)}
+                                   : std::array<Pair, 2>{make(i, j + 1), make(i, second(q, j))};
+    if (next[0].least < next[1].least) std::swap(next[0], next[1]);  // the nearer one is looked at first
+    for (const Pair& n : next)
+      if (n.least < best.clearance) stack.push_back(n);
+  }
+  return best;
+}
+
+Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, const Surface& surface,
+                                       const io::BodyPose& pose, std::vector<Seen>& seen) const {
+  Best best;
+  best.clearance = kFar;
+  seen.resize(elements.size());
+  const Box box = surface.bounds();
+  const Quat back = pose.rotation.conjugate();
+  std::vector<BezierAxis> axes;
+  std::vector<std::pair<double, size_t>> order;  // least clearance, element
+  for (size_t i = 0; i < elements.size(); ++i) {
+    BezierAxis& axis = axes.emplace_back(elements[i].axis);
+    double moved = 0;
+    for (size_t k = 0; k < 4; ++k) {
+      axis.b[k] = back * (axis.b[k] - pose.position);
+      if (seen[i].known) moved = std::max(moved, (axis.b[k] - seen[i].axis.b[k]).norm());
+    }
+    double least = seen[i].known ? seen[i].least - moved : -kFar;
+    if (const double outside = distance(box, axis.box()); outside > 0) least = std::max(least, outside);
+    order.emplace_back(least - elements[i].radius, i);
+  }
+  std::sort(order.begin(), order.end());
+  int hint = -1;
+  for (const auto& [least, i] : order) {
+    if (!(least < best.clearance)) break;
+    const Shaped& e = elements[i];
+    const DistanceField field = [&](const Vec3& y, double within, Vec3& normal) -> std::optional<double> {
+      const auto p = surface.query(y, within, hint);
+      if (!p) return std::nullopt;
+      hint = p->triangle, normal = p->normal;
+      return p->distance;
+    };
+    const double length = mesh_.mesh->elements[e.element].length;
+    const double within = best.clearance + e.radius;
+    const auto near = nearest_to(field, axes[i], within, contact_levels(length, e.radius));
+    // A piece more is not excluded between the places looked at.
+    const double piece = axes[i].slope_bound() / (1 << contact_levels(length, e.radius));
+    const double nothing_below = near ? near->distance : within;
+    seen[i] = {axes[i], nothing_below - piece, std::isfinite(nothing_below)};
+    if (!near) continue;
+    best.clearance = near->distance - e.radius;
+    best.arc = arc(e.element, near->xi);
+    const auto p = surface.query(axes[i].point(near->xi), near->distance + e.radius, hint);
+    if (p) best.there = pose.position + pose.rotation * p->point;
+  }
+  return best;
+}
+
+std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
+                                                  const std::vector<io::BodyPose>& poses) {
+  const auto& wanted = case_.output.clearances;
+  std::vector<double> values, numbers;
+  const auto add = [&](const Best& b) {
+    values.push_back(b.clearance);
+    numbers.insert(numbers.end(), {b.arc, b.there.x(), b.there.y(), b.there.z()});
+  };
+  std::map<int, Tree> here, everywhere;  // of lines, of this rank and of all; each is made once
+  const auto tree_of = [&](int line) -> const Tree& {
+    const auto [t, fresh] = here.try_emplace(line);
+    if (fresh) t->second = Tree(own(line, at));
+    return t->second;
+  };
+  for (size_t k = 0; k < wanted.size(); ++k) {
+    const model::Clearance& w = wanted[k];
+    const int line = case_.line_index(w.line);
+    if (w.volume.empty()) {
+      const int other = case_.line_index(w.other_line);
+      if (!everywhere.count(other)) everywhere[other] = of_all_ranks(tree_of(other));
+      add(to_line(tree_of(line), everywhere[other]));
+      continue;
+    }
+    size_t v = 0;
+    while (case_.volumes[v].name != w.volume) ++v;
+    const int body = case_.body_index(case_.volumes[v].body);
+    add(to_volume(tree_of(line).elements, *surfaces_[v], body < 0 ? io::BodyPose{} : poses[body], seen_[k]));
+  }
+  smallest_of_ranks(comm_, values, numbers);
+  const int rank = rank_of(comm_);
+  std::vector<std::vector<double>> out(values.size());
+  for (size_t k = 0; k < out.size() && rank == 0; ++k) {
+    const double* n = numbers.data() + 4 * k;
+    out[k] = {values[k], n[0], n[1]};
+    if (!wanted[k].volume.empty()) out[k].insert(out[k].end(), {n[2], n[3]});
+    // Nothing of the volume looks that way.
+    if (!std::isfinite(values[k])) std::fill(out[k].begin(), out[k].end(), std::nan(""));
+  }
+  return out;
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,87 @@
+// The class ContactPeaks: the section moment at every place of an element that touches, from the balance of
+// the part of it before that place.
+#include "hawser/record/contact_peaks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/terms/line_sections.hpp"
+
+namespace hawser::record {
+
+ContactPeaks::ContactPeaks(const model::Case& c, const System& system)
+    : system_(system), contact_(system.find<LineVolumeContact>()) {
+  const LocalMesh& mesh = system.mesh();
+  EI_.reserve(mesh.elements.size());
+  for (const LocalElement& e : mesh.elements) {
+    auto& EI = EI_.emplace_back();
+    const Element& g = mesh.element(e);
+    if (!g.beam) continue;
+    const BeamSection s = beam_section(*mesh.mesh, c, g);
+    if (!s.bends_by_law()) EI = {s.EI2, s.EI3};
+  }
+}
+
+void ContactPeaks::find(const std::vector<Field>& fields) {
+  moment_ = find_field(fields, "bending_moment"), moment_2_ = find_field(fields, "bending_moment_2");
+  moment_3_ = find_field(fields, "bending_moment_3"), curvature_ = find_field(fields, "curvature");
+}
+
+ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& e, const AxisShape& shape,
+                                      std::span<const LineVolumeContact::Load> loads, double from,
+                                      double to) const {
+  double f[12] = {};
+  system_.element_force(at, e, f);
+  const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
+  const Quat &q1 = at.q[e.first], &q2 = at.q[e.second];
+  const Vec3 x1 = shape.point(0);
+  // Of what comes after the first node on what is before it, and what else than contact acts along the
+  // element.
+  Vec3 force = -part(0), moment = -(q1 * part(1)), rest = part(0) + part(2);
+  for (const auto& load : loads) {
+    const AxisShape::Weights H = shape.functions(load.xi);
+    force += H[0] * load.force, moment += H[1] * shape.slope(0).cross(load.force);
+  }
+  Peak best;
+  double most = -1;
+  for (const auto& place : loads) {
+    if (place.xi < from || place.xi >= to) continue;
+    const Vec3 arm = x1 - shape.point(place.xi);
+    Vec3 m = moment + arm.cross(force + 0.5 * place.xi * rest);
+    for (const auto& before : loads)
+      if (before.xi < place.xi) m -= (shape.point(before.xi) - shape.point(place.xi)).cross(before.force);
+    const Quat q = q1.slerp(place.xi, q2);
+    const double about2 = m.dot(q * Vec3::UnitY()), about3 = m.dot(q * Vec3::UnitZ());
+    if (const double size = std::hypot(about2, about3); size > most)
+      most = size, best = {place.xi, about2, about3};
+  }
+  return best;
+}
+
+void ContactPeaks::fill(const Kinematics& at, std::vector<std::vector<double>>& values) const {
+  if (!contact_ || moment_ < 0) return;
+  const LocalMesh& mesh = system_.mesh();
+  const std::vector<LineVolumeContact::Load> loads = contact_->loads(at);
+  for (auto first = loads.begin(); first != loads.end();) {
+    const auto last =
+        std::find_if(first, loads.end(), [&](const auto& l) { return l.element != first->element; });
+    const std::span<const LineVolumeContact::Load> own(first, last);
+    const size_t i = first->element;
+    first = last;
+    if (EI_[i][0] <= 0 || EI_[i][1] <= 0) continue;
+    const LocalElement& e = mesh.elements[i];
+    const AxisShape shape = contact_->axis(at, static_cast<int>(i));
+    for (const bool second : {false, true}) {
+      const int node = second ? e.second : e.first;
+      if (node >= mesh.owned) continue;
+      const Peak p = peak(at, e, shape, own, second ? 0.5 : 0, second ? HUGE_VAL : 0.5);
+      const auto value = [&](int field) -> double& { return values[field][node]; };
+      const double size = std::hypot(p.about2, p.about3);
+      if (size <= value(moment_)) continue;
+      value(moment_) = size, value(moment_2_) = p.about2, value(moment_3_) = p.about3;
+      value(curvature_) = std::max(value(curvature_), std::hypot(p.about2 / EI_[i][0], p.about3 / EI_[i][1]));
+    }
+  }
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,253 @@
+// The class ElementErrors: four estimates of what long elements cost a line, by the formulas of
+// docs/theory/element-length.md, and the sentences about them.
+#include "hawser/record/element_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hawser/model/doubts.hpp"
+
+namespace hawser::record {
+namespace {
+
+constexpr int kNumbers = 7;           // gathered of a node
+constexpr double kEdgeWarned = 0.02;  // of the largest tension
+constexpr double kGoodTurn = 0.2;     // rad: 1 - cos of it is about that share
+constexpr double kEvenly = 0.2;       // of T (1 - cos) counts where a line turns evenly, as on a drum
+constexpr double kWarned = 0.02;      // of the largest tension or moment, of sag and bends
+constexpr double kGood = 0.01;        // the share that elements of the recommended length leave
+
+double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
+
+// By which share of what it shows a cubic of length x decay is wrong at its end, where a moment falls off
+// like exp(-s/decay); and of which length that is kGood.
+double wrong_inside(double x) { return x * x / (12 + 4.2 * x); }
+constexpr double kGoodInside = 0.37;
+// The same where the forces on the node say what the moment is: at ends and under what is attached.
+double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
+constexpr double kGoodAtEnd = 2.1;
+
+// Of what is off by a share of the largest: the estimates are of small errors, and beyond that only say so.
+std::string off_by(double share) {
+  return share < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * share)
+                     : "by half of the largest and more";
+}
+
+int owned_line_nodes(const LocalMesh& mesh) {
+  int n = 0;
+  while (n < mesh.owned && mesh.mesh->nodes[mesh.global[n]].body < 0) ++n;
+  return n;
+}
+
+}  // namespace
+
+ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                             const Feeders* feeders)
+    : case_(c),
+      mesh_(mesh),
+      feeders_(feeders),
+      plan_(comm, owned_line_nodes(mesh)),
+      lines_(mesh.mesh->lines.size()) {
+  plan_.gather(mesh.global.data(), place_);
+}
+
+const model::LineType& ElementErrors::type(const Element& e) const { return case_.line_types[e.type]; }
+
+std::vector<ElementErrors::At> ElementErrors::gathered(const Kinematics& at, const Values& values) const {
+  const size_t owned = owned_line_nodes(mesh_);
+  std::vector<double> mine(owned), all;
+  std::vector<At> out(place_.size());
+  const auto bring = [&](const auto& of, const auto& put) {
+    for (size_t n = 0; n < owned; ++n) mine[n] = of(n);
+    plan_.gather(mine.data(), all);
+    for (size_t k = 0; k < all.size(); ++k) put(out[place_[k]], all[k]);
+  };
+  const auto value = [](std::span<const double> of) {
+    return [of](size_t n) { return of.empty() ? 0 : of[n]; };
+  };
+  for (int k = 0; k < 3; ++k)
+    bring([&](size_t n) { return at.x[n][k]; }, [k](At& a, double v) { a.x[k] = v; });
+  bring(value(values.tension), [](At& a, double v) { a.tension = v; });
+  bring(value(values.moment), [](At& a, double v) { a.moment = std::isnan(v) ? 0 : std::abs(v); });
+  bring(value(values.pressed), [](At& a, double v) { a.pressed = v; });
+  bring([&](size_t n) { return values.carried[n] ? 1.0 : 0.0; }, [](At& a, double v) { a.carried = v > 0; });
+  return out;
+}
+
+void ElementErrors::look(const Kinematics& at, const Values& values) {
+  const std::vector<At> all = gathered(at, values);
+  const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>(lines_.size());
+  for (size_t l = 0; l < lines_.size(); ++l) {
+    const LineSpan& line = mesh_.mesh->lines[l];
+    const std::span<const At> nodes(all.data() + line.first_node, static_cast<size_t>(line.nodes));
+    const int first = inside[l][0], last = line.elements - inside[l][1];  // elements outside of feeders
+    if (!values.pressed.empty()) look_at_edges(line, nodes, at.time, lines_[l].edge);
+    look_at_sag(line, nodes, first, last, at.time, lines_[l].sag);
+    if (!(at.step > 0)) look_at_lifts(line, nodes, first, last, at.time, lines_[l].lift);
+    if (!values.moment.empty()) look_at_bends(line, nodes, first, last, at.time, lines_[l].bend);
+  }
+}
+
+// A straight element that lies across an edge is pressed perpendicular to itself. At its node, where the line
+// turns by alpha, the tensions T of the two elements are then in equilibrium although they differ by up to
+// T (1 - cos alpha); without friction they should be equal. Where it turns as much at the nodes beside that
+// one, the line follows a bend, and errors of both sides cancel for the most part.
+void ElementErrors::look_at_edges(const LineSpan& line, std::span<const At> nodes, double time,
+                                  Worst& worst) const {
+  const auto turn_at = [&](size_t n) {
+    return n > 0 && n + 1 < nodes.size() ? angle(nodes[n].x - nodes[n - 1].x, nodes[n + 1].x - nodes[n].x)
+                                         : 0;
+  };
+  for (size_t n = 1; n + 1 < nodes.size(); ++n) {
+    if (!(nodes[n].pressed > 0)) continue;
+    const bool beam = mesh_.mesh->elements[line.first_element + static_cast<int>(n)].beam;
+    const double turn = turn_at(n);
+    const double sharp = beam ? 0 : std::max(turn - 0.5 * (turn_at(n - 1) + turn_at(n + 1)), 0.0);
+    const double error = nodes[n].tension * std::max(1 - std::cos(sharp), kEvenly * (1 - std::cos(turn)));
+    if (error > worst.error) worst = {error, mesh_.mesh->nodes[line.first_node + n].arc, time, turn};
+  }
+}
+
+// A straight element is longer than the bent line between its ends by theta²/24 of its length, theta the
+// angle by which that turns. The line has so much more slack; what slack does to tension follows from the
+// shape.
+void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes, int first, int last,
+                                double time, Worst& worst) const {
+  const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
+  const auto element = [&](int i) -> const Element& { return mesh_.mesh->elements[line.first_element + i]; };
+  // The turn at a node that nothing but the line's own loads make; -1: others do.
+  const auto turn = [&](int n) {
+    const bool plain =
+        n > first && n < last && !nodes[n].carried && !mesh_.mesh->nodes[line.first_node + n].two_sided;
+    return plain ? angle(chord(n - 1), chord(n)) : -1;
+  };
+  double longer = 0, gives = 0, most = 0, tension = HUGE_VAL;
+  Worst here;
+  for (int i = first; i < last;) {
+    int end = i;  // of what hangs from here on
+    Vec3 way = Vec3::Zero();
+    const auto hangs = [&](int e) { return !nodes[e].carried || !nodes[e + 1].carried; };
+    for (; end < last && hangs(end); ++end) way += element(end).length * chord(end);
+    double length = 0;
+    for (int k = i; k < end; ++k) length += element(k).length;
+    for (int k = i; k < std::max(end, i + 1); ++k) {
+      const Element& e = element(k);
+      const double pull = 0.5 * (nodes[k].tension + nodes[k + 1].tension);
+      gives += e.length * std::max(pull, 0.0) / type(e).EA;
+      if (end == i) continue;  // it lies
+      tension = std::min(tension, std::max(pull, 0.0));
+      gives += e.length * (chord(k) - way / length).squaredNorm();
+      const double a = turn(k), b = turn(k + 1), theta = std::min(a < 0 ? b : a, b < 0 ? a : b);
+      if (e.beam || theta < 0) continue;  // cubics follow the sag
+      const double more = e.length * theta * theta / 24;
+      longer += more;
+      if (more <= most) continue;
+      most = more;
+      here = {0, mesh_.mesh->nodes[e.first].arc + 0.5 * e.length, time, theta, e.length};
+    }
+    i = std::max(end, i + 1);
+  }
+  if (!(longer > 0)) return;
+  here.error = longer / gives * tension;
+  if (here.error > worst.error) worst = here;
+}
+
+// From where a cable leaves the bed its tension at rest grows by its weight in water times the height. An
+// element of which one end lies and the other hangs gives its weight to both by halves, wherever between them
+// the line leaves the bed, and two elements on the tension has the whole error.
+void ElementErrors::look_at_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last,
+                                  double time, Worst& worst) const {
+  if (!case_.lines[&line - mesh_.mesh->lines.data()].loads.empty()) return;
+  for (int n = first; n <= last; ++n) {
+    if (!nodes[n].carried || nodes[n].pressed > 0) continue;  // a volume's friction takes tension
+    for (const int side : {-1, 1}) {
+      if (n + 2 * side < first || n + 2 * side > last) continue;
+      if (nodes[n + side].carried || nodes[n + 2 * side].carried) continue;
+      const int i = line.first_element + (side > 0 ? n : n - 1);
+      const Element &next = mesh_.mesh->elements[i], &after = mesh_.mesh->elements[i + side];
+      if (next.beam || after.beam || next.type != after.type) continue;
+      if (mesh_.mesh->nodes[line.first_node + n + side].two_sided) continue;
+      const double weight =
+          case_.environment.gravity * model::mass_in_water(case_, type(next), nodes[n].x.z());
+      // The tension at a node is the mean of its elements'. From the node above, whose elements both hang,
+      // follow those of the elements below it and so that of the one that lies.
+      const At &lies = nodes[n], &low = nodes[n + side], &high = nodes[n + 2 * side];
+      const double hanging = high.tension - 0.5 * weight * (high.x.z() - low.x.z());
+      const double leaving = 2 * low.tension - hanging, lying = std::max(2 * lies.tension - leaving, 0.0);
+      const double error = std::abs(high.tension - lying - weight * (high.x.z() - lies.x.z()));
+      if (error > worst.error)
+        worst = {.error = error,
+                 .arc = mesh_.mesh->nodes[line.first_node + n].arc,
+                 .time = time,
+                 .length = next.length,
+                 .weight = weight};
+    }
+  }
+}
+
+// On a support, at a clamp or where something is attached the moment of a beam under tension has a peak, from
+// which it falls off like exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend it has none.
+void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> nodes, int first, int last,
+                                  double time, Worst& worst) const {
+  for (int n = first; n <= last; ++n) {
+    const At& here = nodes[n];
+    if (here.moment <= worst.error || !(here.tension > 0)) continue;
+    const Node& node = mesh_.mesh->nodes[line.first_node + n];
+    const bool at_end = n == first || n == last || node.two_sided;
+    Worst least{.error = HUGE_VAL};  // of both sides
+    for (const int side : {-1, 1}) {
+      const int i = side < 0 ? n - 1 : n;
+      if (i < first || i >= last) continue;
+      const Element& e = mesh_.mesh->elements[line.first_element + i];
+      const double decay = std::sqrt(std::max(type(e).EI2, type(e).EI3) / here.tension), x = e.length / decay;
+      const bool falls = e.beam && nodes[n + side].moment < here.moment * std::exp(-0.5 * std::min(x, 1.0));
+      const double error = falls ? here.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
+      if (error < least.error)
+        least = {error, node.arc, time, 0, e.length, decay, decay * (at_end ? kGoodAtEnd : kGoodInside)};
+    }
+    if (least.error > worst.error && least.error < HUGE_VAL) worst = least;
+  }
+}
+
+std::vector<std::string> ElementErrors::warnings(int line, double largest_tension,
+                                                 double largest_moment) const {
+  const std::string& name = mesh_.mesh->lines[line].name;
+  const auto& [edge, sag, bend, lift] = lines_[line];
+  std::vector<std::string> out;
+  if (edge.error > kEdgeWarned * largest_tension)
+    out.push_back(fmt::format(
+        "line {} turns by {:.0f} degrees from one element to the next where it lies on a volume "
+        "(arc length {:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to "
+        "{:.2g} N, {:.0f} % of the largest: give it elements so short that it turns by no more "
+        "than {:.0f} degrees; over a sharp edge that is less than half its radius, or 'EI' makes it a beam, "
+        "which bends within its elements",
+        name, edge.turn * 180 / M_PI, edge.arc, edge.time, edge.error, 100 * edge.error / largest_tension,
+        kGoodTurn * 180 / M_PI));
+  if (sag.error > kWarned * largest_tension)
+    out.push_back(fmt::format(
+        "line {} sags between the nodes of its elements of {:.3g} m: it turns by {:.2g} degrees from one to "
+        "the next (arc length {:.4g} m, t = {:.4g} s), so that its tension is off {}: "
+        "give it elements of {:.2g} m there",
+        name, sag.length, sag.turn * 180 / M_PI, sag.arc, sag.time, off_by(sag.error / largest_tension),
+        sag.length * std::sqrt(kGood * largest_tension / sag.error)));
+  // Half an element's weight is the most that may be wrong.
+  if (lift.error > kWarned * largest_tension)
+    out.push_back(fmt::format(
+        "line {} leaves the bed steeply within an element of {:.3g} m (arc length {:.4g} m), of which either "
+        "half may hang, so that its tension is off by about {:.2g} % of the largest: give it elements of "
+        "{:.2g} m there",
+        name, lift.length, lift.arc, 100 * lift.error / largest_tension,
+        2 * kGood * largest_tension / lift.weight));
+  if (bend.error > kWarned * largest_moment)
+    out.push_back(fmt::format(
+        "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), "
+        "which elements of {:.3g} m miss {}: give it elements of {:.2g} m "
+        "there",
+        name, bend.decay, bend.arc, bend.time, bend.length, off_by(bend.error / largest_moment), bend.good));
+  return out;
+}
+
+}  // namespace hawser::record

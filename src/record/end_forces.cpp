@@ -1,0 +1,112 @@
+// The class EndForces: at which nodes the forces on either side are wanted, and the force and moment of a
+// section from the nodal forces of the element beside it.
+#include "hawser/record/end_forces.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/gather.hpp"
+
+namespace hawser::record {
+
+double SectionForce::tension() const {
+  const double along = force.dot(direction);
+  return beam ? along : std::max(along, 0.0);
+}
+
+EndForces::EndForces(const System& system, const Feeders* feeders) : system_(system), feeders_(feeders) {
+  const LocalMesh& local = system.mesh();
+  const Mesh& mesh = *local.mesh;
+  std::vector<int> at(static_cast<size_t>(local.owned), -1);
+  for (size_t i = 0; i < local.elements.size(); ++i) {
+    const LocalElement& e = local.elements[i];
+    for (const bool second : {false, true}) {
+      const int node = second ? e.second : e.first;
+      if (node >= local.owned) continue;
+      const int global = local.global[node];
+      const Node& g = mesh.nodes[global];
+      const LineSpan& span = mesh.lines[g.line];
+      int end = -1;
+      if (global == span.first_node) end = 2 * g.line;
+      if (global == span.first_node + span.nodes - 1) end = 2 * g.line + 1;
+      if (end < 0 && !g.two_sided) continue;
+      if (at[node] < 0)
+        at[node] = static_cast<int>(places_.size()), places_.push_back({node, end, -1, -1, {}});
+      Place& p = places_[at[node]];
+      (second ? p.before : p.after) = static_cast<int>(i);
+    }
+  }
+  std::sort(places_.begin(), places_.end(), [](const Place& a, const Place& b) { return a.node < b.node; });
+}
+
+int EndForces::end_at(int node) const {
+  int ends = 0;
+  for (const Place& p : places_) {
+    if (p.node == node) return p.end < 0 ? -1 : ends;
+    ends += p.end >= 0;
+  }
+  return -1;
+}
+
+void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
+  for (Place& p : places_) {
+    if (p.before >= 0) p.sides[0] = section(at, p.before, true, carried);
+    if (p.after >= 0) p.sides[1] = section(at, p.after, false, carried);
+    if (p.before < 0) p.sides[0] = p.sides[1];
+    if (p.after < 0) p.sides[1] = p.sides[0];
+  }
+  if (feeders_) evaluate_mouths(at, carried);
+}
+
+// The ends of what is inside feeders have what is at the mouth.
+void EndForces::evaluate_mouths(const Kinematics& at, std::span<const Vec3> carried) {
+  const auto& elements = system_.mesh().elements;
+  mouths_.assign(feeders_->list().size(), {});
+  felt_.assign(mouths_.size(), 0);
+  for (size_t k = 0; k < mouths_.size(); ++k) {
+    const Feeder& f = feeders_->list()[k];
+    SectionForce& m = mouths_[k];
+    double felt = -HUGE_VAL;
+    m.force = m.moment = m.direction = Vec3::Constant(-HUGE_VAL);
+    if (const LocalElement* e = feeders_->at_mouth(f); e && e->counted) {
+      m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
+      felt = m.tension();
+      if (f.beam && !f.bar.plastic) {
+        const Vec3 own = at.q[f.at_b ? e->second : e->first].conjugate() * m.moment;
+        felt += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
+      }
+    }
+    for (Vec3* v : {&m.force, &m.moment, &m.direction}) all_reduce(system_.comm(), MPI_MAX, *v);
+    all_reduce(system_.comm(), MPI_MAX, felt);
+    m.beam = f.beam, felt_[k] = felt;
+    for (Place& p : places_)
+      if (p.end == 2 * f.line + f.at_b) p.sides = {mouths_[k], mouths_[k]};
+  }
+}
+
+SectionForce EndForces::section(const Kinematics& at, int element, bool second,
+                                std::span<const Vec3> carried) const {
+  const LocalMesh& local = system_.mesh();
+  const LocalElement& e = local.elements[element];
+  double f[12] = {};
+  system_.element_force(at, e, f);
+  const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
+  const size_t i = e.first, j = e.second, n = second ? j : i;
+  SectionForce s;
+  s.beam = local.element(e).beam;
+  s.force = second ? part(2) : Vec3(-part(0));
+  if (s.beam) {
+    s.moment = at.q[n] * (second ? part(3) : Vec3(-part(1)));
+    s.direction = at.q[n] * Vec3::UnitX();
+    return s;
+  }
+  // A cable that hangs freely and is taut points where it pulls; its chord is that of the element's middle.
+  const Vec3 chord = (at.x[j] - at.x[i]).normalized();
+  const double middle = 0.5 * (part(2) - part(0)).norm();
+  const bool hangs = carried[i].isZero(0) && carried[j].isZero(0);
+  const bool taut = s.force.dot(chord) > 0.5 * std::max(middle, s.force.norm());
+  s.direction = hangs && taut ? s.force.normalized() : chord;
+  return s;
+}
+
+}  // namespace hawser::record

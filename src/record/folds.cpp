@@ -1,0 +1,64 @@
+// The class Folds: which elements have folded, for how long that counts, and the sentence about it.
+#include "hawser/record/folds.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "hawser/base/gather.hpp"
+
+namespace hawser::record {
+namespace {
+
+// Chord of a quarter of a circle over its arc: what is bent more than that within an element is folded.
+const double kFolded = 2 * std::sqrt(2.0) / M_PI;
+constexpr double kSame = 1 - 1e-9;  // of a tension that is written twice
+
+}  // namespace
+
+Folds::Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders)
+    : mesh_(mesh), folds_(mesh.elements.size()), worst_(mesh.mesh->lines.size()) {
+  const auto inside = feeders ? feeders->inside() : std::vector<std::array<int, 2>>(worst_.size());
+  for (size_t i = 0; i < folds_.size(); ++i) {
+    const Element& e = mesh.element(mesh.elements[i]);
+    const model::LineType& t = c.line_types[e.type];
+    const auto line = static_cast<size_t>(e.line);
+    const bool fed = inside[line][0] + inside[line][1] > 0;
+    if (!e.beam && !fed)
+      folds_[i].echo = 2 * mesh.mesh->lines[line].length * std::sqrt(t.mass_per_length / t.EA);
+  }
+}
+
+void Folds::look(const Kinematics& at, std::span<const double> before, std::span<const double> after) {
+  for (size_t i = 0; i < folds_.size(); ++i) {
+    Fold& f = folds_[i];
+    if (f.echo == 0) continue;
+    const LocalElement& l = mesh_.elements[i];
+    const Element& e = mesh_.element(l);
+    const auto a = static_cast<size_t>(l.first), b = static_cast<size_t>(l.second);
+    const double share = (at.x[b] - at.x[a]).norm() / (e.length * (1 + e.free_strain));
+    if (share < kFolded) f.share = std::min(f.share, share), f.until = HUGE_VAL;
+    if (f.until <= at.time) f.share = 1, f.until = 0;
+    if (f.until == 0 || share <= 1) continue;
+    if (f.until == HUGE_VAL) f.until = at.time + f.echo;
+    const bool first = l.first < mesh_.owned;
+    const double tension = first ? after[a] : before[b];
+    const size_t n = first ? a : b;
+    Worst& w = worst_[e.line];
+    if (tension > w.tension) w = {tension, at.time, mesh_.node(n).arc, f.share};
+  }
+}
+
+std::string Folds::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension) const {
+  Worst w = worst_[line];
+  if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
+  return fmt::format(
+      "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that with which an "
+      "element snaps taut that was folded to {:.0f} % of its length: how sharply the line bends there, and "
+      "this tension, depend on the length of its elements. Where it matters, give the line type its EI, "
+      "which keeps it from folding, and compare with half as long elements",
+      name, w.tension / 1000, w.arc, w.time, 100 * w.share);
+}
+
+}  // namespace hawser::record

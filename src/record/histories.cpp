@@ -1,0 +1,229 @@
+// The class Histories: which nodes a point lies between, and the rows of points and bodies.
+#include "hawser/record/histories.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/math/declination.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser::record {
+namespace {
+
+const std::vector<io::ResultField> kBody = {{"position", "m", 3},   {"rotation_vector", "rad", 3},
+                                            {"velocity", "m/s", 3}, {"angular_velocity", "rad/s", 3},
+                                            {"force", "N", 3},      {"moment", "N m", 3}};
+
+const std::vector<io::ResultField> kVolume = {{"force", "N", 3}, {"moment", "N m", 3}};
+
+// Two points are one when they are nearer to each other than this share of the line.
+constexpr double kSamePlace = 1e-9;
+
+}  // namespace
+
+Histories::Histories(MPI_Comm comm, const Subject& subject, const EndForces& ends,
+                     std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields)
+    : comm_(comm), subject_(subject), ends_(ends) {
+  const auto find = [&](const char* name) { return find_field(fields, name); };
+  for (size_t f = 0; f < fields.size(); ++f) {
+    if (fields[f].history == Field::History::yes) shown_.push_back(f);
+    if (fields[f].history == Field::History::behind_ends) shown_last_.push_back(f);
+  }
+  tension_ = find("effective_tension"), wall_ = find("wall_tension");
+  before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
+
+  shear_ = find("shear_force"), torsion_ = find("torsion_moment"), moment_ = find("bending_moment");
+  moment_2_ = find("bending_moment_2"), moment_3_ = find("bending_moment_3");
+
+  const auto add = [&fields](io::ResultSeries& to, const std::vector<size_t>& which) {
+    for (const size_t f : which) to.columns.push_back(fields[f]);
+  };
+  const model::Case& c = subject_.model;
+  for (const auto& h : c.output.histories) {
+    io::ResultSeries series{h.name, kBody};
+    Point p;
+    if (!h.body.empty()) {
+      p.body = c.body_index(h.body);
+    } else if (!h.volume.empty()) {
+      p.volume = h.volume, series.columns = kVolume;
+    } else {
+      const int line = c.line_index(h.line);
+      const LineSpan& span = subject_.mesh().lines[line];
+      p = point_of(line, h.at);
+      const double arc = std::clamp(h.at, 0.0, span.length);
+      const bool at_end = std::min(arc, span.length - arc) <= kSamePlace * span.length;
+      if (at_end && p.nodes[0] >= 0) p.end = ends.end_at(p.nodes[0]);
+      series.columns = {{"position", "m", 3}, {"velocity", "m/s", 3}};
+      add(series, shown_);
+      if (at_end)
+        for (const io::ResultField& f : end_fields)
+          series.columns.push_back({"end_" + f.name, f.unit, f.components});
+      add(series, shown_last_);
+      series.columns.push_back({"acceleration", "m/s2", 3});
+      if (at_end)
+        for (const char* angle : {"end_declination", "end_azimuth"})
+          series.columns.push_back({angle, "deg", 1});
+    }
+    points_.push_back(p);
+    series_.push_back(std::move(series));
+  }
+  std::vector<int> ranks;
+  for (const Point& p : points_) ranks.push_back(p.nodes[0] >= 0 || p.nodes[1] >= 0);
+  all_reduce(comm_, MPI_SUM, ranks);
+  for (size_t i = 0; i < points_.size(); ++i) points_[i].shared = ranks[i] > 1 || !points_[i].volume.empty();
+}
+
+Histories::Point Histories::point_of(int line, double arc) const {
+  const Mesh& mesh = subject_.mesh();
+  const LineSpan& span = mesh.lines[line];
+  const auto first = mesh.nodes.begin() + span.first_node, last = first + span.nodes - 1;
+  const double same = kSamePlace * span.length;
+  // The last node that is not behind the point.
+  auto node =
+      std::upper_bound(first, last + 1, arc + same, [](double s, const Node& n) { return s < n.arc; });
+  node -= node != first;
+  Point p;
+  if (node != last && arc > node->arc + same) {
+    const double w = (arc - node->arc) / ((node + 1)->arc - node->arc);
+    p.weights = {1 - w, w};
+  }
+  const LocalMesh& local = subject_.local();
+  for (size_t k = 0; k < 2; ++k) {
+    if (p.weights[k] == 0) continue;
+    const int n = local.find(static_cast<int>(node - mesh.nodes.begin()) + static_cast<int>(k));
+    if (!local.owns(n)) continue;
+    p.nodes[k] = n;
+    const auto& places = ends_.places();
+    for (size_t i = 0; i < places.size(); ++i)
+      if (places[i].node == n) p.places[k] = static_cast<int>(i);
+  }
+  return p;
+}
+
+double Histories::facing(int field, const SectionForce& s, const Quat& q, double otherwise) const {
+  if (field < 0 || !s.beam) return otherwise;
+  if (field == shear_) return s.shear();
+  if (field == torsion_) return s.moment.dot(q * Vec3::UnitX());
+  if (field == moment_) return s.moment.cross(q * Vec3::UnitX()).norm();
+  if (field == moment_2_) return s.moment.dot(q * Vec3::UnitY());
+  if (field == moment_3_) return s.moment.dot(q * Vec3::UnitZ());
+  return otherwise;
+}
+
+// What node `side` of a point contributes. Where section forces jump at a node the point lies on one side of
+// it.
+std::vector<double> Histories::node_row(const Point& p, size_t side, const Kinematics& at,
+                                        const std::vector<std::vector<double>>& values,
+                                        const std::vector<std::vector<double>>& ends) const {
+  const size_t n = p.nodes[side];
+  const bool between = p.weights[1] > 0;
+  const EndForces::Place* place = p.places[side] >= 0 ? &ends_.places()[p.places[side]] : nullptr;
+  const auto of = [&](int field) { return values[field][n]; };
+  std::vector<double> row;
+  const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
+  const auto show = [&](const std::vector<size_t>& fields) {
+    for (const size_t field : fields) {
+      const int f = static_cast<int>(field);
+      const int near = side == 0 ? after_ : before_;
+      if (between && (f == tension_ || f == before_ || f == after_))
+        row.push_back(of(near));
+      else if (between && f == wall_)
+        row.push_back(of(wall_) + of(near) - of(tension_));
+      else if (between && place)
+        row.push_back(facing(f, place->sides[side == 0 ? 1 : 0], at.q[n], of(f)));
+      else
+        row.push_back(of(f));
+    }
+  };
+  vector(at.x[n]), vector(at.v[n]);
+  show(shown_);
+  if (p.end >= 0)
+    for (const auto& e : ends) vector(std::span(e).subspan(3 * static_cast<size_t>(p.end), 3));
+  show(shown_last_);
+  vector(at.a[n]);
+  if (p.end >= 0) {
+    const Vec3 along(ends[1].data() + 3 * p.end);
+    row.push_back(degrees(declination(along)));
+    row.push_back(degrees(std::atan2(along.y(), along.x())));
+  }
+  for (double& v : row) v *= p.weights[side];
+  return row;
+}
+
+// Empty on ranks that own none of its nodes.
+std::vector<double> Histories::line_row(const Point& p, const Kinematics& at,
+                                        const std::vector<std::vector<double>>& values,
+                                        const std::vector<std::vector<double>>& ends) const {
+  std::vector<double> row;
+  for (size_t k = 0; k < 2; ++k) {
+    if (p.nodes[k] < 0) continue;
+    const std::vector<double> part = node_row(p, k, at, values, ends);
+    row.resize(part.size());
+    for (size_t i = 0; i < part.size(); ++i) row[i] += part[i];
+  }
+  return row;
+}
+
+// Empty on ranks that do not own the body.
+std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
+  const auto p = body_pose(subject_.bodies, subject_.local(), body, at);
+  const int rank = rank_of(comm_);
+  if (!p || (!subject_.bodies.floats(body) && rank != 0)) return {};
+  std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
+  if (const auto* floating = subject_.term<RigidBodies>(); floating && subject_.model.floats(body))
+    force = floating->force_on(body, at);
+  std::vector<double> row;
+  for (const Vec3& x :
+       {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, force[0], force[1]})
+    row.insert(row.end(), x.begin(), x.end());
+  return row;
+}
+
+// This rank's part.
+std::vector<double> Histories::volume_row(const std::string& volume, const Kinematics& at) const {
+  std::array<Vec3, 2> sum{Vec3::Zero(), Vec3::Zero()};
+  const LineVolumeContact* contact = subject_.term<LineVolumeContact>();
+  for (int v = 0; contact && v < contact->volumes(); ++v)
+    if (contact->volume_name(v) == volume) sum = contact->reaction(v, at);
+  std::vector<double> row;
+  for (const Vec3& x : sum) row.insert(row.end(), x.begin(), x.end());
+  return row;
+}
+
+std::vector<std::vector<double>> Histories::rows(const Kinematics& at,
+                                                 const std::vector<std::vector<double>>& values,
+                                                 const std::vector<std::vector<double>>& ends) const {
+  std::vector<std::vector<double>> rows;
+  for (const Point& p : points_)
+    rows.push_back(p.body >= 0        ? body_row(p.body, at)
+                   : p.volume.empty() ? line_row(p, at, values, ends)
+                                      : volume_row(p.volume, at));
+
+  // Ranks each have a part of what they share; the first rank writes the sum.
+  std::vector<double> parts;
+  for (size_t i = 0; i < points_.size(); ++i) {
+    if (!points_[i].shared) continue;
+    size_t columns = 0;
+    for (const io::ResultField& f : series_[i].columns) columns += static_cast<size_t>(f.components);
+    rows[i].resize(columns);
+    parts.insert(parts.end(), rows[i].begin(), rows[i].end());
+  }
+  if (parts.empty()) return rows;
+  const int rank = rank_of(comm_);
+  MPI_Reduce(rank == 0 ? MPI_IN_PLACE : parts.data(), parts.data(), static_cast<int>(parts.size()),
+             MPI_DOUBLE, MPI_SUM, 0, comm_);
+  auto part = parts.begin();
+  for (size_t i = 0; i < points_.size(); ++i) {
+    if (!points_[i].shared) continue;
+    std::copy_n(part, rows[i].size(), rows[i].begin());
+    part += static_cast<std::ptrdiff_t>(rows[i].size());
+    if (rank != 0) rows[i].clear();
+  }
+  return rows;
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,104 @@
+// The class LineExtremes: which quantities are in the table, the comparison at every step, and the table.
+#include "hawser/record/line_extremes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/terms/feeders.hpp"
+
+namespace hawser::record {
+namespace {
+
+// Of its size, by which a value must be beyond that of an earlier step: what rests is at its extreme from the
+// start on, whatever rounding makes of it later.
+constexpr double kBeyond = 1e-9;
+
+// Of a table that people read: in the order that fields ask for.
+std::vector<size_t> shown(const std::vector<io::ResultField>& fields) {
+  std::vector<size_t> out;
+  for (size_t f = 0; f < fields.size(); ++f)
+    if (!fields[f].extreme.empty()) out.push_back(f);
+  std::stable_sort(out.begin(), out.end(),
+                   [&](size_t a, size_t b) { return fields[a].order < fields[b].order; });
+  return out;
+}
+
+}  // namespace
+
+std::string when_text(const model::Case& c, double time) {
+  return c.statics.enabled && time == 0 ? "at rest" : fmt::format("t = {:.6g} s", time);
+}
+
+LineExtremes::LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
+                           const Feeders* feeders, const std::vector<io::ResultField>& fields)
+    : comm_(comm), local_(local), feeders_(feeders) {
+  for (const model::Line& line : c.lines) names_.push_back(line.name);
+  for (const size_t f : shown(fields))
+    for (const bool largest : {true, false}) {
+      if (!largest && !fields[f].smallest) continue;
+      const std::string name = (largest ? "max " : "min ") + fields[f].extreme;
+      auto q = std::find_if(quantities_.begin(), quantities_.end(),
+                            [&](const Quantity& other) { return other.name == name; });
+      if (q == quantities_.end())
+        q = quantities_.insert(q, {name, fields[f].unit, {}, largest, std::vector<Extreme>(names_.size())});
+      q->fields.push_back(f);
+    }
+}
+
+void LineExtremes::add(double time, const std::vector<std::vector<double>>& values,
+                       const Utilisation& utilisation) {
+  const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>{};
+  const auto is_inside = [&](const Node& node, size_t n) {
+    const size_t line = node.line;
+    const LineSpan& span = local_.mesh->lines[line];
+    const int i = local_.global[n] - span.first_node;
+    return i < inside[line][0] || i >= span.nodes - inside[line][1];
+  };
+  for (Quantity& q : quantities_)
+    for (const size_t f : q.fields)
+      for (size_t n = 0; n < static_cast<size_t>(local_.owned); ++n) {
+        const Node& node = local_.node(n);
+        if (node.body >= 0) break;  // bodies come after the lines
+        if (!utilisation.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
+        const double v = values[f][n];
+        if (std::isnan(v)) continue;  // no pipe
+        Extreme& x = q.lines[node.line];
+        const double slack = x.set && time > x.time ? kBeyond * std::abs(x.value) : 0;
+        if (!x.set || (q.largest ? v > x.value + slack : v < x.value - slack)) x = {v, time, node.arc, true};
+      }
+}
+
+std::vector<io::SummaryRow> LineExtremes::table() const {
+  std::vector<io::SummaryRow> rows;
+  for (size_t l = 0; l < names_.size(); ++l)
+    for (const Quantity& q : quantities_) {
+      Extreme x = q.lines[l];
+      const double largest_by = !x.set ? -HUGE_VAL : q.largest ? x.value : -x.value;
+      if (broadcast_largest(comm_, largest_by, -HUGE_VAL, x))
+        rows.push_back({q.name, names_[l], x.value, q.unit, x.time, x.arc});
+    }
+  return rows;
+}
+
+void LineExtremes::save(io::Checkpoint& to) const {
+  for (const io::SummaryRow& r : table()) {
+    const std::string key = "extreme." + r.line + "." + r.quantity;
+    to.scalars[key] = r.value, to.scalars[key + ".time"] = r.time, to.scalars[key + ".arc"] = r.arc_length;
+  }
+}
+
+void LineExtremes::restore(const io::Checkpoint& from) {
+  for (Quantity& q : quantities_)
+    for (size_t l = 0; l < names_.size(); ++l) {
+      const std::string key = "extreme." + names_[l] + "." + q.name;
+      const auto at = from.scalars.find(key);
+      if (at == from.scalars.end()) continue;
+      q.lines[l] = {at->second, from.scalars.at(key + ".time"), from.scalars.at(key + ".arc"), true};
+    }
+}
+
+}  // namespace hawser::record

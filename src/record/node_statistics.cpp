@@ -1,0 +1,104 @@
+// The class NodeStatistics: the update of statistics at a step, their table, and their place in a checkpoint.
+#include "hawser/record/node_statistics.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "hawser/record/output_times.hpp"
+
+namespace hawser::record {
+namespace {
+
+// In a checkpoint.
+const std::string kPrefix = "statistics.", kBegun = "statistics.begun", kLatest = "statistics.latest";
+// Of Sums, which hold no NaN there; then 1: there are some, 3: at the latest step too; 0: none.
+constexpr int kSaved = 9;
+
+}  // namespace
+
+NodeStatistics::NodeStatistics(const std::vector<io::ResultField>& fields, std::size_t nodes, double from)
+    : from_(from) {
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    if (!fields[f].statistics) continue;
+    fields_.push_back(fields[f]), place_.push_back(f);
+    const double none = std::nan("");
+    sums_.emplace_back(nodes * static_cast<std::size_t>(fields[f].components),
+                       Sums{none, none, none, none, none, 0, none, 0});
+  }
+}
+
+void NodeStatistics::add(double time, const std::vector<std::vector<double>>& values) {
+  if (time < from_ - time_tolerance(from_)) return;
+  const double h = begun_ ? time - latest_ : 0;
+  for (std::size_t f = 0; f < sums_.size(); ++f) {
+    const std::vector<double>& of = values[place_[f]];
+    for (std::size_t i = 0; i < sums_[f].size(); ++i) {
+      const double v = of[i];
+      Sums& s = sums_[f][i];
+      const double last = std::exchange(s.last, v);
+      if (std::isnan(v)) continue;
+      if (std::isnan(s.least)) s = {v, time, v, time, v, 0, v, 0};
+      if (v < s.least) s.least = v, s.least_time = time;
+      if (v > s.most) s.most = v, s.most_time = time;
+      if (!(h > 0) || std::isnan(last)) continue;
+      // With the interval h a linear piece of mean m and variance (v - last)²/12 joins those before (Chan,
+      // Golub and LeVeque 1983, equation 2.1, with the lengths of intervals as weights).
+      s.covered += h;
+      const double share = h / s.covered, off = 0.5 * (last + v) - s.mean, change = v - last;
+      s.squares += (1 - share) * h * off * off + h / 12 * change * change;
+      s.mean += share * off;
+    }
+  }
+  begun_ = true, latest_ = time;
+}
+
+std::vector<double> NodeStatistics::table(std::size_t field) const {
+  std::vector<double> out;
+  out.reserve(io::kStatistics * sums_[field].size());
+  for (const Sums& s : sums_[field]) {
+    const double deviation = std::isnan(s.mean) ? s.mean
+                             : s.covered > 0    ? std::sqrt(s.squares / s.covered)
+                                                : 0;
+    out.insert(out.end(), {s.least, s.least_time, s.most, s.most_time, s.mean, deviation});
+  }
+  return out;
+}
+
+void NodeStatistics::save(io::Checkpoint& to) const {
+  to.scalars[kBegun] = begun_, to.scalars[kLatest] = latest_;
+  for (std::size_t f = 0; f < sums_.size(); ++f) {
+    to.nodes[kPrefix + fields_[f].name] = {
+        kSaved * fields_[f].components, {}, [&sums = sums_[f]] {
+          std::vector<double> values;
+          values.reserve(kSaved * sums.size());
+          for (const Sums& s : sums) {
+            const bool any = !std::isnan(s.least), last = !std::isnan(s.last);
+            values.insert(values.end(),
+                          {any ? s.least : 0, any ? s.least_time : 0, any ? s.most : 0, any ? s.most_time : 0,
+                           any ? s.mean : 0, s.squares, last ? s.last : 0, s.covered, any + 2.0 * last});
+          }
+          return values;
+        }};
+  }
+}
+
+void NodeStatistics::restore(const io::Checkpoint& from) {
+  const auto scalar = [&](const std::string& name) {
+    const auto at = from.scalars.find(name);
+    return at == from.scalars.end() ? 0 : at->second;
+  };
+  for (std::size_t f = 0; f < sums_.size(); ++f) {
+    const auto at = from.nodes.find(kPrefix + fields_[f].name);
+    if (at == from.nodes.end() || at->second.values.size() != kSaved * sums_[f].size()) return;
+  }
+  begun_ = scalar(kBegun) != 0, latest_ = scalar(kLatest);
+  for (std::size_t f = 0; f < sums_.size(); ++f) {
+    const double* v = from.nodes.at(kPrefix + fields_[f].name).values.data();
+    for (Sums& s : sums_[f]) {
+      if (v[8] > 0) s = {v[0], v[1], v[2], v[3], v[4], v[5], v[8] > 2 ? v[6] : std::nan(""), v[7]};
+      v += kSaved;
+    }
+  }
+}
+
+}  // namespace hawser::record

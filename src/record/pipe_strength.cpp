@@ -1,0 +1,160 @@
+// The class PipeStrength: which types meet at a node, loads and pressures there, and the larger of both
+// sides.
+#include "hawser/record/pipe_strength.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/gather.hpp"
+
+namespace hawser::record {
+namespace {
+
+constexpr const char *kTension = "effective_tension", *kMoment2 = "bending_moment_2",
+                     *kMoment3 = "bending_moment_3", *kCurvature = "curvature";
+
+Field of_code(const char* name, const char* label, const char* code) {
+  return {.name = name,
+          .unit = "1",
+          .label = label,
+          .history = Field::History::behind_ends,
+          .statistics = true,
+          .at_stations = true,
+          .extreme = label,
+          .report = Field::Report::graph,
+          .order = 4,
+          .exceeded = fmt::format("loaded with more than {} allows", code)};
+}
+
+// In a checkpoint.
+const std::string kRest = "pipe codes: functional loads", kPulled = "pipe codes: design tension";
+
+}  // namespace
+
+PipeStrength::PipeStrength(const model::Case& c, const LocalMesh& local) : case_(c) {
+  for (const model::LineType& t : c.line_types) {
+    const bool judged = t.steel && t.kind == model::LineKind::beam;
+    of_type_.push_back(judged ? static_cast<int>(codes_.size()) : -1);
+    if (!judged) continue;
+    codes_.emplace_back(*t.steel);
+    places_ |= t.conditions.supports != t.conditions.span || t.conditions.seabed != t.conditions.span;
+  }
+  const Mesh& mesh = *local.mesh;
+  for (size_t n = 0; n < static_cast<size_t>(local.owned) && !codes_.empty(); ++n) {
+    const Node& node = mesh.nodes[local.global[n]];
+    auto& sides = sides_.emplace_back();
+    if (node.body >= 0) continue;
+    const LineSpan& line = mesh.lines[node.line];
+    for (const size_t side : {0u, 1u}) {
+      const int i = local.global[n] - line.first_node - 1 + static_cast<int>(side);
+      if (i < 0 || i >= line.elements) continue;
+      const int type = mesh.elements[line.first_element + i].type;
+      if (of_type_[type] >= 0) sides[side] = {type, node.arc, node.line};
+    }
+  }
+}
+
+void PipeStrength::add_fields(std::vector<Field>& fields) {
+  const auto find = [&](const char* name) { return find_field(fields, name); };
+  tension_ = find(kTension), moment_2_ = find(kMoment2), moment_3_ = find(kMoment3),
+  curvature_ = find(kCurvature);
+  if (codes_.empty() || std::min({tension_, moment_2_, moment_3_, curvature_}) < 0) return;
+  const auto add = [&](const char* name, const char* label, const char* code) {
+    fields.push_back(of_code(name, label, code));
+    return static_cast<int>(fields.size()) - 1;
+  };
+  if (case_.statics.enabled)
+    buckling_ = add("dnv_local_buckling", "local buckling, DNV-ST-F101", "DNV-ST-F101");
+  bending_ = add("api_bending_pressure", "bending and pressure, API RP 1111", "API RP 1111");
+  pull_ = add("api_tension_pressure", "tension and pressure, API RP 1111", "API RP 1111");
+}
+
+bool PipeStrength::wants(std::string_view field) const {
+  return !codes_.empty() &&
+         (field == kTension || field == kMoment2 || field == kMoment3 || field == kCurvature);
+}
+
+PipeLoads PipeStrength::loads(const std::vector<std::vector<double>>& values, size_t node) const {
+  const auto of = [&](int field) { return values[field][node]; };
+  return {of(moment_2_), of(moment_3_), of(tension_)};
+}
+
+void PipeStrength::rest(const std::vector<std::vector<double>>& values) {
+  rest_.clear();
+  for (size_t n = 0; n < sides_.size() && bending_ >= 0; ++n) rest_.push_back(loads(values, n));
+}
+
+double PipeStrength::condition(const Side& side, const PipePlaces& places) const {
+  const PipeConditions& of = case_.line_types[side.type].conditions;
+  const auto in = [&](const std::vector<std::array<double, 2>>& stretches) {
+    if (stretches.empty()) return false;
+    const auto& [from, to] = stretches[side.line];
+    return from <= side.arc && side.arc <= to;
+  };
+  return in(places.supports) ? of.supports : in(places.seabed) ? of.seabed : of.span;
+}
+
+void PipeStrength::fill(std::vector<std::vector<double>>& values, const PipePlaces& places) {
+  if (bending_ < 0) return;
+  const model::Water& water = case_.environment.water;
+  for (size_t n = 0; n < sides_.size(); ++n) {
+    const double depth = water.present ? water.surface - values[0][3 * n + 2] : 0;
+    const double outside = water.density * case_.environment.gravity * std::max(depth, 0.0);
+    const PipeLoads now = loads(values, n);
+    double worst[3] = {std::nan(""), std::nan(""), std::nan("")};
+    for (const Side& side : sides_[n]) {
+      if (side.type < 0) continue;
+      const model::LineType& type = case_.line_types[side.type];
+      const PipeCodes& codes = codes_[of_type_[side.type]];
+      const double inside =
+          type.contents_pressure + type.contents_density * case_.environment.gravity * depth;
+      const double strain = 0.5 * codes.outer() * values[curvature_][n];
+      if (!rest_.empty()) {
+        const double factor = condition(side, places);
+        worst[0] = std::fmax(worst[0], codes.local_buckling(rest_[n], now, factor, outside, inside));
+        pulled_ = std::max(pulled_, codes.pulled(rest_[n], now, factor));
+      }
+      worst[1] = std::fmax(worst[1], codes.bending_and_pressure(strain, outside, inside));
+      worst[2] = std::fmax(worst[2], codes.tension_and_pressure(now.tension, outside, inside));
+    }
+    for (const auto& [field, value] :
+         {std::pair{buckling_, worst[0]}, {bending_, worst[1]}, {pull_, worst[2]}})
+      if (field >= 0) values[field][n] = value;
+  }
+}
+
+std::vector<std::string> PipeStrength::warnings(MPI_Comm comm) const {
+  double most = pulled_;
+  all_reduce(comm, MPI_MAX, most);
+  if (!(most > kMostPulled)) return {};
+  return {
+      fmt::format("the design tension of a pipe is {:.2g} of that at yield: DNV-ST-F101's formulas for "
+                  "combined loads hold to {:g}",
+                  most, kMostPulled)};
+}
+
+void PipeStrength::save(io::Checkpoint& to) const {
+  if (codes_.empty()) return;
+  to.scalars[kPulled] = pulled_;
+  io::CheckpointField& f = to.nodes[kRest];
+  f.components = 3;
+  for (size_t n = 0; n < sides_.size(); ++n) {
+    const PipeLoads l = rest_.empty() ? PipeLoads{} : rest_[n];
+    f.values.insert(f.values.end(), {l.moment_2, l.moment_3, l.tension});
+  }
+}
+
+void PipeStrength::restore(const io::Checkpoint& from) {
+  const auto at = from.nodes.find(kRest);
+  if (at == from.nodes.end() || buckling_ < 0) return;
+  rest_.clear();
+  for (size_t n = 0; n < sides_.size(); ++n) {
+    const double* v = at->second.values.data() + 3 * n;
+    rest_.push_back({v[0], v[1], v[2]});
+  }
+  pulled_ = from.scalars.at(kPulled);
+}
+
+}  // namespace hawser::record

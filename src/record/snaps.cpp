@@ -1,0 +1,104 @@
+// The class Snaps: the largest tension of each line with its change in the steps beside it, and the sentence.
+#include "hawser/record/snaps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/gather.hpp"
+
+namespace hawser::record {
+namespace {
+
+const double kResolved = M_PI / 6;  // rad of the wave in a step, or while it passes an element
+constexpr double kBlow = 1.0 / 3;   // of a tension: what comes up at once, if it is one
+constexpr double kHeld = 0.02;      // of a tension: what falls by less goes on rising
+constexpr double kSame = 1 - 1e-9;  // of a tension that is written twice
+
+bool counts(const model::Case& c, const model::Line& line) {
+  const auto in_frame = [&](const model::End& e) {
+    return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
+  };
+  return !line.end_a.feed && !line.end_b.feed && !in_frame(line.end_a) && !in_frame(line.end_b);
+}
+
+}  // namespace
+
+Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
+    : mesh_(mesh),
+      passage_(static_cast<size_t>(mesh.owned), 0),
+      echo_(mesh.mesh->lines.size(), 0),
+      worst_(mesh.mesh->lines.size()) {
+  for (const Element& e : mesh.mesh->elements) {
+    const model::LineType& t = c.line_types[e.type];
+    echo_[e.line] += 2 * e.length * std::sqrt(t.mass_per_length / t.EA);
+  }
+  for (const LocalElement& l : mesh.elements) {
+    const Element& e = mesh.mesh->elements[l.global];
+    const model::LineType& t = c.line_types[e.type];
+    if (!counts(c, c.lines[e.line])) continue;
+    for (const int n : {l.first, l.second})
+      if (n < mesh.owned) {
+        double& slowest = passage_[n];
+        slowest = std::max(slowest, e.length * std::sqrt(t.mass_per_length / t.EA));
+      }
+  }
+}
+
+void Snaps::look(double time, double h, std::span<const double> on_a, std::span<const double> on_b) {
+  const bool steps = h > 0 && !before_.empty();
+  before_.resize(passage_.size());
+  for (size_t n = 0; n < passage_.size(); ++n) {
+    if (passage_[n] == 0) continue;
+    const Node& node = mesh_.mesh->nodes[mesh_.global[n]];
+    Worst& w = worst_[node.line];
+    Before& b = before_[n];
+    const double tension = std::max({on_a[n], on_b[n], 0.0});
+    if (!steps || tension < (1 - kHeld) * b.last || tension <= b.low) b.low = tension, b.since = time;
+    if (steps && w.node == static_cast<int>(n)) {
+      const double fall = (w.tension - tension) / (h * h);
+      w.rate = std::sqrt(std::max(2 * std::min(w.rise, fall) / w.tension, 0.0)), w.node = -1;
+    }
+    if (tension > w.tension) {
+      const double rise = steps ? std::max(tension - b.last, 0.0) : 0;
+      w = {.tension = tension,
+           .time = time,
+           .arc = node.arc,
+           .step = h,
+           .angle = std::acos(1 - rise / tension),
+           .passage = passage_[n],
+           .from = b.low,
+           .within = time - b.since};
+      if (steps) w.rise = rise / (h * h), w.node = static_cast<int>(n);
+    }
+    b.last = tension;
+  }
+}
+
+std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension,
+                           bool damped, bool fixed) const {
+  Worst w = worst_[line];
+  if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
+  const bool steps = w.angle > kResolved, elements = w.rate * w.passage > kResolved,
+             blow = w.tension - w.from > kBlow * w.tension && w.within < echo_[line];
+  if (!steps && !elements && !(damped && blow)) return {};
+  std::string why;
+  if (steps)
+    why =
+        fmt::format("{:.0f} % of it come up in one step of {:.2g} s", 100 * (1 - std::cos(w.angle)), w.step);
+  else if (elements)
+    why = "it comes and goes faster than a wave passes three elements";
+  else
+    why = fmt::format("it comes up from {:.3g} kN within {:.2g} s, and the steps damp axial waves",
+                      w.from / 1000, w.within);
+  const double shorter = steps ? 0.5 * w.step * kResolved / w.angle : 0.5 * w.step;
+  return fmt::format(
+      "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that of a blow "
+      "which is not resolved: {}, so that it may be higher or lower, on another number of ranks as well. "
+      "Where "
+      "it matters, compare with dynamics.{}: {:.2g} s and elements half as long",
+      name, w.tension / 1000, w.arc, w.time, why, fixed ? "step" : "max_step", shorter);
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,68 @@
+// The class Stations: which part of a line is at places that stay with its feeder, by what its feeder has
+// paid out.
+#include "hawser/record/stations.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
+
+namespace hawser::record {
+Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
+                   const std::vector<io::ResultField>& fields)
+    : comm_(comm), mesh_(mesh), feeders_(feeders) {
+  if (!feeders) return;
+  for (size_t f = 0; f < fields.size(); ++f) {
+    if (!fields[f].at_stations) continue;
+    fields_.push_back({.name = fields[f].name + "_at_stations", .unit = fields[f].unit, .statistics = true});
+    place_.push_back(f);
+  }
+  values_.assign(fields_.size(), std::vector<double>(static_cast<size_t>(mesh.owned), std::nan("")));
+}
+
+const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vector<double>>& values) {
+  if (!feeders_) return values_;
+  int line = -1;
+  for (const Feeder& f : feeders_->list())  // end A comes before end B
+    if (std::exchange(line, f.line) != f.line) fill(f, values);
+  return values_;
+}
+
+void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& values) {
+  const LineSpan& span = mesh_.mesh->lines[f.line];
+  const size_t nodes = span.nodes;
+  // Of the line's nodes, in its order, on every rank.
+  std::vector<double> along(fields_.size() * nodes, 0);
+  for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n)
+    if (const int i = mesh_.global[n] - span.first_node; i >= 0 && i < span.nodes)
+      for (size_t k = 0; k < place_.size(); ++k)
+        along[k * nodes + static_cast<size_t>(i)] = values[place_[k]][n];
+  all_reduce(comm_, MPI_SUM, along);
+
+  const auto arc = [&](int i) { return mesh_.mesh->nodes[span.first_node + i].arc; };
+  int first = 0, last = span.nodes - 1;       // free nodes, or an end that is not fed
+  double from = 0, to = span.length;          // m, arc lengths at the feeders
+  for (const Feeder& o : feeders_->list()) {  // both, if there are two
+    if (o.line != f.line) continue;
+    const int free = o.at_b ? span.nodes - 2 - o.mouth : o.mouth + 1;
+    (o.at_b ? last : first) = free;
+    (o.at_b ? to : from) = arc(free) + (o.at_b ? o.length : -o.length);
+  }
+  for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) {
+    const int i = mesh_.global[n] - span.first_node;
+    if (i < 0 || i >= span.nodes) continue;
+    const double s = f.at_b ? to - (span.length - arc(i)) : from + arc(i);  // material there
+    int j = first;                                                          // the node after it
+    while (j < last && arc(j) < s) ++j;
+    const double length = j > first ? arc(j) - arc(j - 1) : 0;
+    const double share = length > 0 ? std::clamp((arc(j) - s) / length, 0.0, 1.0) : 0;  // of the one before
+    for (size_t k = 0; k < fields_.size(); ++k) {
+      const double* v = along.data() + k * nodes + j;
+      const bool there = s >= from - 1e-9 * span.length && s <= to + 1e-9 * span.length;
+      values_[k][n] = !there ? std::nan("") : share > 0 ? share * v[-1] + (1 - share) * v[0] : v[0];
+    }
+  }
+}
+
+}  // namespace hawser::record

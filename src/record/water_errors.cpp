@@ -1,0 +1,175 @@
+// The class WaterErrors: the force of the flow on elements against that on their parts, and the sentence
+// about it.
+#include "hawser/record/water_errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/terms/hydrodynamics.hpp"
+
+namespace hawser::record {
+namespace {
+
+constexpr double kWarned = 0.02;   // of the largest force of the flow
+constexpr double kGood = 0.01;     // what elements of the length that is told leave of it; of the weight
+constexpr double kMatters = 1e-4;  // of the largest tension, which that turns by as many rad
+constexpr int kMostParts = 64;     // that are tried
+// Steps from one look in motion to the next. A look asks the waves at three points of every element, a step
+// at one: this is a sixteenth of what waves cost. A prime number does not go with the period of the waves.
+constexpr int kSteps = 47;
+
+// The first line of those that joints hold together, of each line (union-find).
+std::vector<size_t> joined_lines(const Mesh& mesh) {
+  std::vector<size_t> group(mesh.lines.size());
+  std::iota(group.begin(), group.end(), size_t{0});
+  const auto first = [&group](size_t line) {
+    while (group[line] != line) line = group[line] = group[group[line]];
+    return line;
+  };
+  for (const Node& n : mesh.nodes)
+    for (const int to : {n.pinned_to, n.tied_to}) {
+      if (n.body >= 0 || to < 0 || mesh.nodes[to].body >= 0) continue;
+      const size_t a = first(n.line), b = first(mesh.nodes[to].line);
+      group[std::max(a, b)] = std::min(a, b);
+    }
+  for (size_t line = 0; line < group.size(); ++line) group[line] = first(line);
+  return group;
+}
+
+}  // namespace
+
+WaterErrors::WaterErrors(const model::Case& c, const System& system)
+    : comm_(system.comm()),
+      case_(c),
+      mesh_(system.mesh()),
+      structure_(*system.find<CarriesTension>()),
+      water_(system.find<Hydrodynamics>()),
+      group_(joined_lines(*mesh_.mesh)),
+      groups_(group_.size()) {
+  if (water_ && !water_->moving()) water_ = nullptr;
+}
+
+double WaterErrors::Group::bears() const {
+  return std::max({kWarned * force, kGood * weight, kMatters * tension});
+}
+
+void WaterErrors::step(const Kinematics& at) {
+  if (at.step > 0 && ++steps_ < kSteps) return;
+  steps_ = 0;
+  look(at);
+}
+
+WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::vector<bool>& groups) const {
+  const size_t n = groups.size();
+  std::vector<double> all(3 * n);
+  std::vector<Where> where(n);
+  for (const Hydrodynamics::Piece& p : water_->pieces()) {
+    const Element& e = mesh_.element(p.at);
+    const size_t g = group_[e.line];
+    if (!p.at.counted || !groups[g]) continue;
+    const Hydrodynamics::FlowError f = water_->flow_error(at, p, parts);
+    const Vec3 &a = at.x[p.at.first], &b = at.x[p.at.second], chord = (b - a).normalized();
+    const double z = water_->above_still_water(0.5 * (a.z() + b.z()));
+    const double weight = case_.line_types[e.type].mass_per_length * case_.environment.gravity -
+                          (z < 0 ? p.section.buoyancy : 0);
+    all[g] += f.error, all[n + g] += f.force;
+    all[2 * n + g] += std::abs(weight) * p.section.length * chord.head<2>().norm();
+    if (f.error <= where[g].error) continue;
+    where[g] = {f.error,
+                mesh_.mesh->nodes[e.first].arc + 0.5 * e.length,
+                z,
+                p.section.length,
+                2 * p.section.radius,
+                e.line,
+                f.crossed};
+  }
+  all_reduce(comm_, MPI_SUM, all);
+  const auto part = [&](size_t k) {
+    const auto from = all.begin() + static_cast<std::ptrdiff_t>(k * n);
+    return std::vector<double>(from, from + static_cast<std::ptrdiff_t>(n));
+  };
+  return {part(0), part(1), part(2), std::move(where)};
+}
+
+// The parts into which elements of some groups are to be cut, by trial: errors fall with the square of the
+// length only where the elements follow what the water does, and they may have missed all of it.
+std::vector<int> WaterErrors::good_parts(const Kinematics& at, std::vector<bool> groups) const {
+  std::vector<int> good(groups.size(), kMostParts);
+  for (int parts = 2; parts < kMostParts && std::find(groups.begin(), groups.end(), true) != groups.end();
+       parts *= 2) {
+    const std::vector<double> error = sums(at, parts, groups).error;
+    for (size_t g = 0; g < groups.size(); ++g)
+      if (groups[g] && error[g] <= kGood * groups_[g].force) good[g] = parts, groups[g] = false;
+  }
+  return good;
+}
+
+void WaterErrors::look_at_tension(const Kinematics& at) {
+  std::vector<LineTension> lines(group_.size());
+  structure_.tensions(at, lines);
+  std::vector<double> largest(group_.size());
+  for (size_t l = 0; l < lines.size(); ++l)
+    largest[group_[l]] = std::max(largest[group_[l]], lines[l].tension);
+  all_reduce(comm_, MPI_MAX, largest);
+  for (size_t g = 0; g < largest.size(); ++g) groups_[g].tension = std::max(groups_[g].tension, largest[g]);
+}
+
+void WaterErrors::look(const Kinematics& at) {
+  if (!water_) return;
+  const size_t n = groups_.size();
+  look_at_tension(at);
+  const Sums whole = sums(at, 1, std::vector<bool>(n, true));
+  std::vector<bool> worse(n);
+  for (size_t i = 0; i < n; ++i) {
+    Group& g = groups_[i];
+    g.force = std::max(g.force, whole.force[i]), g.weight = std::max(g.weight, whole.weight[i]);
+    worse[i] = whole.error[i] > std::max(g.error, g.bears());
+  }
+  const std::vector<int> parts = good_parts(at, worse);
+  for (size_t i = 0; i < n; ++i)
+    if (worse[i]) {
+      Group& g = groups_[i];
+      g.error = whole.error[i], g.time = at.time, g.parts = parts[i], g.where = whole.where[i];
+    }
+}
+
+std::vector<std::string> WaterErrors::warnings() const {
+  std::vector<std::pair<double, std::string>> found;  // largest part of the force first
+  for (const Group& g : groups_) {
+    Where w = g.where;
+    if (g.error <= g.bears() || !broadcast_largest(comm_, w.error, 0, w)) continue;
+    const std::string why = w.crossed                ? "within which the surface lies"
+                            : !water_->has_waves()   ? "between whose nodes the current is not linear"
+                            : !water_->has_current() ? "between whose nodes the waves are not linear"
+                                                     : "between whose nodes current and waves are not linear";
+    const auto joined = std::count(group_.begin(), group_.end(), group_[w.line]);
+    const double percent = 100 * g.error / g.force;
+    // Waves shorter than a line is thick are none of Morison's formula.
+    const double good = std::max(w.length / g.parts, std::min(w.diameter, w.length));
+    found.emplace_back(
+        -percent,
+        fmt::format(
+            "line {} has elements of {:.3g} m at arc length {:.4g} m ({:.3g} m {} the still water, t = "
+            "{:.4g} s), {}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % "
+            "of their largest sum, {:.3g} kN: give it elements of {:.2g} m there",
+            mesh_.mesh->lines[w.line].name, w.length, w.arc, std::abs(w.z), w.z > 0 ? "above" : "below",
+            g.time, why, joined > 1 ? fmt::format("the {} lines that are joined there", joined) : "the line",
+            percent, percent < 9.95 ? 1 : 0, g.force / 1000, good));
+  }
+  constexpr size_t kMost = 3;  // of a farm of lines that are alike
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::string> out;
+  for (const auto& [order, text] : found)
+    if (out.size() < kMost) out.push_back(text);
+  if (found.size() > kMost)
+    out.back() += fmt::format("; the elements of {} more lines are too long for the flow, by less",
+                              found.size() - kMost);
+  return out;
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,137 @@
+// The class Actions: tied ends, feeders and volumes after an action. A line that is cut is two from the start
+// (model/cut_lines.cpp), and the cut lets their joint go.
+#include "hawser/run/actions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/terms/feeders.hpp"
+
+namespace hawser::run {
+
+using model::Action;
+
+int Actions::node(const Action& a) const {
+  const LineSpan& span = sim_.mesh().lines[sim_.model().line_index(a.line)];
+  return span.first_node + (a.at_b ? span.nodes - 1 : 0);
+}
+
+bool Actions::held(int node) const {
+  return on_any_rank(sim_.system().comm(), std::any_of(tied_.begin(), tied_.end(), [&](const TiedNode& s) {
+                       return s.position_mask == 7 && sim_.local().global[s.node] == node;
+                     }));
+}
+
+RigidPose Actions::pose(const Action& a, const Kinematics& at) const {
+  return sim_.bodies().pose(sim_.model().body_index(a.body), at);
+}
+
+double Actions::away(const Action& a, const Kinematics& at) const {
+  const int n = sim_.local().find(node(a));
+  if (!a.at || !sim_.local().owns(n)) return 0;
+  return (pose(a, at).to_space(*a.at) - at.x[n]).norm();
+}
+
+Actions::Found Actions::act(const Action& a, const Kinematics& at) {
+  Found found;
+  const auto refuse = [&](const std::string& why) {
+    throw SolveError("at t = {:.6g} s {} is to be {}, but {}", at.time, a.subject(), a.participle(), why);
+  };
+  switch (a.kind) {
+    case Action::Kind::release:
+      if (!held(node(a))) refuse("nothing holds it");
+      break;
+    case Action::Kind::attach: {
+      if (held(node(a))) refuse("it is held already");
+      const LocalMesh& local = sim_.local();
+      const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
+      std::array<double, 8> packed{};
+      if (local.owns(n)) {
+        const RigidPose p = pose(a, at);
+        Vec3 y = p.rotation.conjugate() * (at.x[n] - p.position);
+        if (sim_.model().floats(body)) y -= sim_.model().bodies[body].mass->centre;
+        const Quat q = p.rotation.conjugate() * at.q[n];
+        packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
+      }
+      all_reduce(sim_.system().comm(), MPI_SUM, packed);
+      std::copy_n(packed.begin(), 3, found.place.begin()),
+          std::copy_n(packed.begin() + 3, 4, found.rotation.begin());
+      found.away = packed[7];
+      constexpr double kRounding = 1e-6;  // m
+      if (a.at && found.away > a.within + kRounding)
+        refuse(
+            fmt::format("it is {:.4g} m from that place, and 'within' allows {:g} m", found.away, a.within));
+      break;
+    }
+    case Action::Kind::feed:
+      for (const Feeder& f : sim_.feeders()->list())
+        if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) found.speed = f.speed;
+      break;
+    case Action::Kind::friction:
+    case Action::Kind::current:
+      break;
+    case Action::Kind::contact:
+      if (const std::string where = sim_.inside(a, at); !where.empty()) refuse(where);
+      break;
+  }
+  again(a, found, at.time);
+  return found;
+}
+
+void Actions::again(const Action& a, const Found& found, double time) {
+  switch (a.kind) {
+    case Action::Kind::release:
+      std::erase_if(tied_, [&, n = node(a)](const TiedNode& s) { return sim_.local().global[s.node] == n; });
+      break;
+    case Action::Kind::attach:
+      hold(a, found);
+      break;
+    case Action::Kind::feed:
+      if (a.paid_out == 0) feed(a, found.speed, time);  // else statics, and checkpoints know the length
+      break;
+    case Action::Kind::friction:
+      sim_.enable_static_friction(a.enabled);
+      break;
+    case Action::Kind::current:
+      sim_.scale_current(a.factor);
+      break;
+    case Action::Kind::contact:
+      sim_.enable_contact(a);
+      break;
+  }
+}
+
+void Actions::hold(const Action& a, const Found& found) {
+  const int n = sim_.local().find(node(a));
+  if (n < 0) return;
+  TiedNode s;
+  s.node = n, s.at = Vec3(found.place.data());
+  const int body = sim_.model().body_index(a.body);
+  if (sim_.model().floats(body))
+    s.frame = sim_.bodies().local_node(body);
+  else
+    s.body = body;
+  if (a.clamped && sim_.local().rotates(n)) {
+    const auto& q = found.rotation;
+    s.rotation_mask = 7, s.rotation = Quat(q[0], q[1], q[2], q[3]);
+  }
+  tied_.push_back(s);
+}
+
+void Actions::feed(const Action& a, double speed, double time) {
+  for (Feeder& f : sim_.feeders()->list()) {
+    if (f.line != sim_.model().line_index(a.line) || f.at_b != a.at_b) continue;
+    model::Feed law = a.law;
+    law.stock = f.feed.stock;
+    if (a.ramp > 0) law.speed = {{time, speed}, {time + a.ramp, a.law.speed.back().second}};
+    f.feed = law;
+    f.resting = law.has_band();
+    if (!law.speed.empty())
+      f.offset = f.length - model::fed_by(law, time).length, f.speed = model::fed_by(law, time).speed;
+  }
+}
+
+}  // namespace hawser::run

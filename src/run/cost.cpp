@@ -1,0 +1,158 @@
+// The trial run with which `hawser check` ends, and how the CPU time and memory of a whole run follow from
+// it.
+#include "hawser/run/cost.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "hawser/base/error.hpp"
+#include "hawser/record/output_times.hpp"
+#include "hawser/record/result_parts.hpp"
+#include "hawser/run/events.hpp"
+#include "hawser/run/feeder_nodes.hpp"
+
+namespace hawser::run {
+namespace {
+
+// Where statics is not over in the trial: iterations of statics, and in dynamics of a step, of the cases in
+// cases/; steps over the longest ones.
+constexpr double kStatics = 60, kDynamics = 4;
+
+struct Spent {};  // statics has spent what it may
+
+}  // namespace
+
+double cpu_time() {
+  timespec t{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
+                   const std::function<void(const Kinematics&)>& look) {
+  TrialRun trial;
+  const double begun = cpu_time();
+  const auto over = [&] { return cpu_time() - begun > budget; };
+  if (c.dynamics.enabled) {
+    const StepSettings step = sim.dynamics_settings().step;
+    trial.duration = c.dynamics.duration;
+    trial.longest = step.fixed > 0 ? step.fixed / record::kAutomaticSteps : step.longest;
+  }
+  try {
+    double first = 0;  // CPU s, at the end of the first iteration, which also sets up what all others use
+    Events events(sim.system().comm(), sim);
+    if (c.statics.enabled) {
+      const auto told = [&](const StaticsReport& now) {
+        if (now.iterations <= 1) first = cpu_time();
+        if (now.iterations <= 1 || !over()) return;
+        trial.iteration = (cpu_time() - first) / (now.iterations - 1);
+        throw Spent();
+      };
+      events.come_to_rest([&](bool falls) { sim.solve_statics(told, falls); });
+    } else {
+      sim.check_inside();
+    }
+    if (look) look(sim.state().view(0));
+    if (c.dynamics.enabled) {
+      std::vector<std::pair<double, double>> way;  // CPU s, simulated s
+      const record::OutputTimes times(c);
+      Dynamics& d = sim.dynamics();
+      FeederNodes feeder_nodes(sim);
+      events.begin();
+      d.start(sim.state());
+      const double at_rest = cpu_time();
+      d.run(
+          trial.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
+          [&](const StepInfo& info) {
+            feeder_nodes.agree(), events.apply_due(), feeder_nodes.hand_over();
+            if (look) look(d.kinematics());
+            way.push_back({cpu_time() - at_rest, info.time});
+            return !over();
+          });
+      trial.reached = way.back().second, trial.moved = true;
+      const auto half = std::find_if(way.begin(), way.end(),
+                                     [&](const auto& w) { return w.first >= 0.5 * way.back().first; });
+      const auto from = half == way.end() - 1 ? std::pair(0.0, 0.0) : *half;
+      // Rows of a restless beginning, and steps as long as those of the second half.
+      const double behind = std::max(static_cast<double>(way.end() - half), 1.0);
+      trial.steps = static_cast<double>(way.size()) +
+                    (trial.duration - trial.reached) * behind / std::max(trial.reached - from.second, 1e-300);
+      trial.rate = (way.back().first - from.first) / (way.back().second - from.second);
+    }
+  } catch (const Spent&) {
+  } catch (const InputError&) {
+    throw;  // what is wrong with the case
+  } catch (const std::exception& e) {
+    trial.failure = e.what();
+  }
+  trial.spent = cpu_time() - begun;
+  return trial;
+}
+
+double expected_cost(const TrialRun& t) {
+  if (t.iteration > 0)
+    return t.iteration * (kStatics + kDynamics * t.duration / (record::kAutomaticSteps * t.longest));
+  return t.spent + t.rate * (t.duration - t.reached);
+}
+
+std::string cost_sentence(const TrialRun& t) {
+  if (!t.failure.empty()) return "a trial run stops: " + t.failure;
+  const double cost = expected_cost(t);
+  if (!std::isfinite(cost)) return "expected cost: the trial run did not get far enough to tell";
+  const std::string by = t.iteration > 0 ? ", by the first iterations of statics"
+                         : t.reached < t.duration
+                             ? fmt::format(", by its first {:.2g} of {:.4g} s", t.reached, t.duration)
+                             : "";
+  return fmt::format("expected cost: {} CPU s{}",
+                     cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost), by);
+}
+
+std::string size_sentence(const io::ResultsSize& size, const std::string& folder) {
+  constexpr double kMuch = 2e9;  // bytes
+  const auto bytes = [](double n) {
+    const char* units[] = {"kB", "MB", "GB", "TB"};
+    std::size_t k = 0;
+    for (n /= 1e3; n >= 1e3 && k + 1 < std::size(units); ++k) n /= 1e3;
+    return fmt::format("{:.3g} {}", n, units[k]);
+  };
+  std::string parts;
+  for (const auto& [name, n] : {std::pair{"fields", size.fields},
+                                {"histories", size.histories},
+                                {"checkpoints", size.checkpoints},
+                                {"meshes", size.meshes}})
+    if (n > 0.005 * size.total()) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, bytes(n));
+  std::string s = fmt::format("expected results: about {} ({})", bytes(size.total()), parts);
+  std::error_code unknown;
+  const std::filesystem::space_info disk = std::filesystem::space(folder, unknown);
+  // At its end the file is written once more, without spare room.
+  if (const double left = static_cast<double>(disk.available); !unknown && 2 * size.total() > left)
+    s += fmt::format(
+        "\nnote: the disk of {} has {} left, and a run takes up to twice the size of its results: give a "
+        "larger output.every, or another disk with -o",
+        folder, bytes(left));
+  else if (size.total() > kMuch)
+    s += "\nnote: output.every says how often fields are written, which is most of it in most runs";
+  return s;
+}
+
+double peak_memory() {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  return 1024.0 * static_cast<double>(use.ru_maxrss);
+}
+
+std::string memory_sentence(double read, double measured) {
+  constexpr double kRun = 1.3;  // what a run takes beside the files over what its beginning takes
+  const double gb = 1e-9 * (read + kRun * (measured - read));
+  return fmt::format("expected memory: about {:.2g} GB", gb);
+}
+
+}  // namespace hawser::run

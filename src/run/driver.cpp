@@ -1,0 +1,369 @@
+// The order of a whole run: reading, static equilibrium, time integration with outputs and checkpoints, stop
+// by a signal, final messages and exit code. Likewise for `hawser check`.
+#include "hawser/run/driver.hpp"
+
+#include <fmt/format.h>
+#include <petsclog.h>
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/base/share_of_time.hpp"
+#include "hawser/io/case_json.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/mesh/partition.hpp"
+#include "hawser/model/summary.hpp"
+#include "hawser/record/output_times.hpp"
+#include "hawser/record/recorder.hpp"
+#include "hawser/record/result_parts.hpp"
+#include "hawser/record/water_errors.hpp"
+#include "hawser/run/cost.hpp"
+#include "hawser/run/events.hpp"
+#include "hawser/run/feeder_nodes.hpp"
+#include "hawser/run/output_place.hpp"
+#include "hawser/run/progress.hpp"
+#include "hawser/run/restart.hpp"
+#include "hawser/run/run_parts.hpp"
+#include "hawser/run/share_nodes.hpp"
+#include "hawser/run/start_contact.hpp"
+#include "hawser/run/volumes.hpp"
+#include "hawser/solve/start_shape.hpp"
+
+namespace hawser::run {
+namespace {
+
+constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
+constexpr double kTrial = 4;           // CPU s, of the trial run of `hawser check`
+constexpr double kLeast = 1;           // CPU s of it, that motion has where a search took the rest
+
+// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
+// with everything on disk. Who cannot wait sends the signal again.
+volatile std::sig_atomic_t stop_requested = 0;
+void request_stop(int signal) {
+  stop_requested = 1;
+  std::signal(signal, SIG_DFL);
+}
+
+// A stage of -log_view for as long as it lives; inside it, events are named by term.
+class Stage {
+ public:
+  explicit Stage(const char* name) {
+    PetscLogStage stage = -1;
+    check(PetscLogStageGetId(name, &stage));  // a second run of the same process knows it
+    if (stage < 0) check(PetscLogStageRegister(name, &stage));
+    check(PetscLogStagePush(stage));
+  }
+  ~Stage() { PetscLogStagePop(); }
+};
+
+// Statics has a pair for every element and volume that may meet, motion a few of them. MPI libraries tell
+// malloc to keep what is freed, which would be gigabytes of a long line on many rollers.
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+struct TrialOver {};  // a search of the trial run has spent what it may
+
+// Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
+// it. InputError if there is no statics. On one rank.
+bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
+                 const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  const std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
+  if (volumes.empty()) return true;
+  const LocalMesh local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+  const StartShape shape = start_shape(c, local, bodies, surfaces);
+  const Kinematics at = shape.state.view(0);
+  const Feeders feeders(local, c);
+  const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes);
+  for (const auto& n : start.notes) fmt::print("note: {}\n", n);
+  for (const auto& w : start.warnings) fmt::print("warning: {}\n", w);
+  if (start.inside.empty()) return true;
+  std::fflush(stdout);
+  if (!c.statics.enabled)
+    throw InputError(c.path + ": " +
+                     still_inside(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes, start));
+  return false;
+}
+
+// An error of the solver ends a run with what was computed up to there.
+void finish_failed(record::Recorder& recorder, const Progress& progress, const SolveError& e) {
+  std::vector<std::string> messages = progress.messages();
+  messages.push_back(fmt::format("warning: {}", e.what()));
+  recorder.finish(std::move(messages));
+}
+
+// The time steps of a run up to `end` [s], with outputs, checkpoints and events. True: stopped by a signal
+// before its end, on all ranks. Throws SolveError with everything on disk. Collective.
+bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& events,
+               FeederNodes& feeder_nodes, Progress& progress) {
+  const Stage stage("dynamics");
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, request_stop);
+  const MPI_Comm comm = sim.system().comm();
+  const int rank = rank_of(comm);
+  Dynamics& d = sim.dynamics();
+  progress.begin(d.committed().s.time, end);
+  const record::OutputTimes times(sim.model());
+  const double every = times.every, checkpoint_every = times.checkpoint_every;
+  double output_at = record::next_multiple(d.committed().s.time, every);
+  double checkpoint_at =
+      record::next_multiple(d.committed().s.time, checkpoint_every > 0 ? checkpoint_every : every);
+  ShareOfTime checkpoints(kCheckpoints);
+  const auto save_state = [&] {
+    checkpoints.spend([&] { recorder.checkpoint(make_checkpoint(sim, recorder, events)); });
+  };
+  bool stopped = false;
+  const auto observer = [&](const StepInfo& info) {
+    feeder_nodes.agree();
+    recorder.step(info, d.kinematics(), d.support_work());
+    progress.step(info.time, info.h, info.iterations);
+    const double slack = record::time_tolerance(info.time);
+    const bool last = info.time >= end - slack;
+    const bool output = info.time >= output_at - slack || last;
+    const bool save = info.time >= checkpoint_at - slack || last;
+    // Whether somebody asked to stop, and whether a checkpoint is due by the clock, is agreed on where
+    // everybody meets anyhow.
+    int agreed[2] = {0, 0};
+    if (output || save) {
+      agreed[0] = stop_requested, agreed[1] = rank == 0 && checkpoints.due();
+      all_reduce(comm, MPI_MAX, agreed);
+    }
+    const bool stop = agreed[0] != 0;
+    if (output || stop) recorder.output(d.kinematics()), output_at = record::next_multiple(info.time, every);
+    // What was shown is the state before it, what is saved the one after.
+    for (const std::string& e : events.apply_due()) progress.say(e);
+    feeder_nodes.hand_over();
+    if (save || stop) {
+      if (last || stop || checkpoint_every > 0 || agreed[1]) save_state();
+      checkpoint_at = checkpoint_every > 0 ? record::next_multiple(info.time, checkpoint_every) : output_at;
+    }
+    stopped = stop && !last;
+    return !stop;
+  };
+  try {
+    d.run(
+        end, [&](double t) { return std::min(times.next(t), events.next(t)); }, observer);
+  } catch (const SolveError& e) {
+    save_state();
+    finish_failed(recorder, progress, e);
+    throw;
+  }
+  return stopped;
+}
+
+// What the terminal shows at the end of a run; `table`: of extremes.
+void print_results(const model::Case& c, const record::Recorder& recorder, const std::string& table) {
+  fmt::print("\n{}", table);
+  if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);
+  if (c.dynamics.enabled) {
+    const record::Audit& a = recorder.audit();
+    fmt::print(
+        "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g}, "
+        "unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)\n",
+        a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.now.unresolved, a.error,
+        a.percent(), a.size());
+    if (const std::string n = a.note(); !n.empty()) fmt::print("\nnote: {}\n", n);
+    if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
+  }
+  for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
+}
+
+}  // namespace
+
+int run(MPI_Comm comm, const RunOptions& options) {
+  const int rank = rank_of(comm), size = ranks_of(comm);
+  const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
+  Progress progress(speak);
+  model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
+  if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
+  const OutputPlace place(comm, c.output.file, options.restart, c.inputs);
+  c.output.file = place.path();
+  if (restarted && !c.dynamics.enabled)
+    throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
+  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
+  const double end =
+      options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
+  io::Checkpoint checkpoint;
+  std::vector<std::string> restart_notes;
+  if (restarted) {
+    checkpoint = read_restart(options.restart, sim);
+    restart_notes = compare_changes(comm, options.restart, c.changes);
+  }
+  progress.say(
+      fmt::format("{} nodes on {}", sim.mesh().nodes.size(),
+                  size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
+  for (const auto& n : place.notes()) progress.say("note: " + n);
+  for (const auto& n : restart_notes) progress.say("note: " + n);
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
+  if (!restarted) {
+    for (const auto& w : sim.warnings()) progress.say("warning: " + w);
+    if (!c.statics.enabled) sim.check_inside();
+  }
+
+  Events events(comm, sim);
+  // Made when the first thing is to be written: a case that cannot come to rest leaves no file.
+  std::optional<record::Recorder> made;
+  const auto recorder_of = [&]() -> record::Recorder& {
+    if (!made)
+      made.emplace(sim.subject(surfaces(volumes)), volume_meshes(c, volumes),
+                   run_info(c, options.options_text, size), restarted ? &checkpoint : nullptr,
+                   place.appends());
+    return *made;
+  };
+  if (restarted) {
+    progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
+    if (checkpoint.time >= end * (1 - 1e-12))
+      progress.say("which is the end of the case: nothing left to compute");
+  } else if (c.statics.enabled) {
+    try {
+      const Stage stage("statics");
+      solve_statics(sim, events, progress, [&](size_t k) {
+        if (k + 1 < c.stages.size()) recorder_of().stage(k, sim.state().view(0));
+      });
+    } catch (const SolveError& e) {
+      if (made) finish_failed(*made, progress, e);
+      throw;
+    }
+    give_back_memory();
+  }
+
+  record::Recorder& recorder = recorder_of();
+  FeederNodes feeder_nodes(sim);
+  if (restarted) {
+    for (const std::string& e : events.restore(checkpoint)) progress.say(e);
+    feeder_nodes.restore(checkpoint, options.restart);
+    restore(checkpoint, sim);
+    for (const std::string& e : events.apply_due()) progress.say(e);
+    // A new file begins with the state the run goes on from.
+    if (!place.appends()) recorder.output(sim.dynamics().kinematics());
+  } else if (c.dynamics.enabled) {
+    for (const std::string& e : events.begin()) progress.say(e);
+    sim.dynamics().start(sim.state());
+    // A start at rest is shown at rest: the velocities with which motions begin come after it.
+    const Kinematics moving = sim.dynamics().kinematics();
+    recorder.start(moving, c.statics.enabled ? sim.state().view(0) : moving);
+    sim.state() = State();  // the motion has its own
+    recorder.checkpoint(
+        make_checkpoint(sim, recorder, events));  // so that a run killed at once can go on too
+  } else {
+    recorder.start(sim.state().view(0), sim.state().view(0));
+  }
+
+  const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);
+  progress.end();
+  for (const std::string& e : events.not_happened()) progress.say("note: " + e);
+  if (c.dynamics.enabled)
+    for (const std::string& n :
+         sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)))
+      progress.say("note: " + n);
+  const std::string table = recorder.finish(progress.messages());
+  if (speak) {
+    print_results(c, recorder, table);
+    if (stopped)
+      fmt::print(
+          "\nstopped by a signal at t = {:.6g} of {:.6g} s: all this is of that time; --restart {} goes on\n",
+          sim.dynamics().committed().s.time, end, recorder.file().path());
+    fmt::print("\nresults: {}\n", recorder.file().path());
+    if (c.output.xdmf) fmt::print("view them: paraview {}\n", recorder.file().xdmf_path());
+    std::fflush(stdout);
+  }
+  if (stopped) return kExitStopped;
+  if (!c.dynamics.enabled || !recorder.audit().wrong()) return 0;
+  // An exit code other than 0 never comes without its reason.
+  if (rank == 0 && !speak) fmt::print(stderr, "hawser: {}\n", recorder.audit_warning());
+  return kExitEnergy;
+}
+
+int print_case(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes) {
+  const std::string json = io::case_json(io::read_case(case_path, {}, comm, changes));
+  if (rank_of(comm) == 0) fmt::print("{}\n", json);
+  return 0;
+}
+
+int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,
+               const std::vector<std::string>& changes, bool verbose) {
+  const int rank = rank_of(comm);
+  if (ranks == 0) MPI_Comm_size(comm, &ranks);
+  Progress progress(rank == 0);
+  model::Case c = io::read_case(case_path, news(progress), comm, changes);
+  const std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  if (rank != 0) return 0;
+  progress.end();
+  const double begun = cpu_time();
+  bool met = true;
+  if (trial) try {
+      c = with_targets_met(MPI_COMM_SELF, c, volumes, progress, "", [begun] {
+        if (cpu_time() - begun > kTrial) throw TrialOver();
+      });
+    } catch (const TrialOver&) {
+      met = false, progress.end();
+    }
+  const double searched = cpu_time() - begun;
+  fmt::print("{}", model::summary(c));
+  for (size_t i = 0; i < volumes.size(); ++i) {
+    const LoadedVolume& v = volumes[i];
+    if (c.volumes[i].roller) continue;
+    fmt::print("volume {}: {}\n", v.name, v.report);
+    for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
+  }
+  if (!met) {
+    fmt::print(
+        "note: a trial of {:g} CPU s does not find the lengths that lines need to have at rest what is asked "
+        "for, and the check ends here: a run may search for long; lengths near those needed make it short\n",
+        kTrial);
+    return 0;
+  }
+  const double read = peak_memory();
+  const Mesh mesh = build_mesh(c);
+  const Bodies bodies(c.bodies);
+  const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
+  const std::vector<int> owner = share_nodes(c, mesh, bodies, ranks);
+  std::vector<int> share(static_cast<size_t>(ranks), 0);
+  for (const int o : owner) ++share[o];
+  const auto [least, most] = std::minmax_element(share.begin(), share.end());
+  fmt::print("partition: {} rank{}, {} nodes{}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
+             ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
+             ranks > 8 ? " each" : "", cut_elements(mesh, owner));
+  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
+  if (verbose)
+    for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
+  fmt::print("{}", starts_well ? "the case is valid\n"
+                               : "the case is valid if statics moves its lines out of the volumes they start "
+                                 "in; the run stops if not\n");
+  std::fflush(stdout);
+  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(c, volumes), run_info(c, "", 1),
+                            nullptr, false, false);
+  TrialRun tried;
+  double checkpoint = planned_numbers(sim, recorder);
+  if (trial) {
+    record::WaterErrors water(c, sim.system());
+    bool rests = !c.statics.enabled;
+    tried = trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) {
+      if (!std::exchange(rests, true))
+        for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
+      water.step(at);
+    });
+    for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
+    fmt::print("{}\n", cost_sentence(tried));
+    fmt::print("{}\n", memory_sentence(read, peak_memory()));
+    if (tried.moved)
+      checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
+  }
+  const io::ResultsSize size =
+      io::results_size(recorder.contents(), record::expected_rows(c, tried.steps, checkpoint));
+  fmt::print("{}\n", size_sentence(size, std::filesystem::path(c.output.file).parent_path().string()));
+  return 0;
+}
+
+}  // namespace hawser::run

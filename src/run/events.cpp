@@ -1,0 +1,317 @@
+// The class Events: which event happens at a state, and what the user is told of it. What it does there is in
+// actions.cpp.
+#include "hawser/run/events.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/record/output_times.hpp"
+#include "hawser/run/feeder_nodes.hpp"
+#include "hawser/terms/feeders.hpp"
+
+namespace hawser::run {
+namespace {
+
+using model::Action;
+using model::Cause;
+
+// How far a step may go beyond a condition: of a tension, and m of a length.
+constexpr double kNear = 1e-3;
+
+double tolerance(const Cause& c) {
+  return c.kind == Cause::Kind::tension ? kNear * std::max(std::abs(c.limit), 1.0) : kNear;
+}
+
+}  // namespace
+
+bool Events::waits_for_condition(const Happening& h) {
+  const Cause::Kind kind = h.what.cause.kind;
+  return kind != Cause::Kind::time && kind != Cause::Kind::after && kind != Cause::Kind::stage;
+}
+
+Events::Events(MPI_Comm comm, Simulation& simulation)
+    : comm_(comm), sim_(simulation), ends_(simulation.system(), simulation.feeders()), actions_(simulation) {
+  const model::Case& c = sim_.model();
+  for (const model::Event& e : c.events) {
+    Happening h;
+    h.what = e;
+    const Cause& cause = e.cause;
+    if (cause.kind == Cause::Kind::paid_out) {
+      const auto& feeders = sim_.feeders()->list();
+      for (size_t f = 0; f < feeders.size(); ++f)
+        if (feeders[f].line == c.line_index(cause.line) && feeders[f].at_b == (cause.arc > 0))
+          h.feeder = static_cast<int>(f);
+    } else if (!cause.line.empty()) {
+      h.node = sim_.mesh().nearest_node(c.line_index(cause.line), cause.arc);
+    } else if (cause.kind == Cause::Kind::near) {
+      h.node = actions_.node(e.action);
+    }
+    for (size_t k = 0; k < c.events.size() && cause.kind == Cause::Kind::after; ++k)
+      if (c.events[k].name == cause.event) h.after = static_cast<int>(k);
+    events_.push_back(std::move(h));
+  }
+}
+
+void Events::watch() {
+  if (std::any_of(events_.begin(), events_.end(), waits_for_condition))
+    sim_.dynamics().watch([this](const Kinematics& trial) { return conditions(values(trial)); });
+}
+
+double Events::local_value(const Happening& h, const Kinematics& at) const {
+  const LocalMesh& local = sim_.local();
+  const Cause& cause = h.what.cause;
+  const int n = h.node < 0 ? -1 : local.find(h.node);
+  const bool own = local.owns(n);
+  switch (cause.kind) {
+    case Cause::Kind::position:
+      if (!cause.body.empty()) {
+        const auto pose = sim_.body_pose(sim_.model().body_index(cause.body), at);
+        return pose ? pose->position[cause.axis] : -HUGE_VAL;
+      }
+      return own ? at.x[n][cause.axis] : -HUGE_VAL;
+    case Cause::Kind::paid_out: {
+      const Feeders& feeders = *sim_.feeders();
+      const Feeder& f = feeders.list()[h.feeder];
+      if (!feeders.at_mouth(f)) return -HUGE_VAL;
+      return feeders.outside(f) - f.length + feeders.mouth(f, at, true).length - f.outside_at_start;
+    }
+    case Cause::Kind::near:
+      return own ? actions_.away(h.what.action, at) : -HUGE_VAL;
+    case Cause::Kind::tension:
+      return local_tension(h.node);
+    case Cause::Kind::time:
+    case Cause::Kind::after:
+    case Cause::Kind::stage:
+      break;  // wait for no value
+  }
+  return -HUGE_VAL;
+}
+
+double Events::local_tension(int node) const {
+  const int n = sim_.local().find(node);
+  for (const record::EndForces::Place& p : ends_.places())
+    if (p.node == n)
+      return p.end >= 0 ? p.at_end().tension() : std::max(p.sides[0].tension(), p.sides[1].tension());
+  return -HUGE_VAL;
+}
+
+std::vector<double> Events::values(const Kinematics& at) {
+  ends_.evaluate(at, std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
+  std::vector<double> out;
+  for (const Happening& h : events_) out.push_back(local_value(h, at));
+  return all_reduce(comm_, MPI_MAX, out);
+}
+
+std::vector<double> Events::conditions(const std::vector<double>& values) const {
+  std::vector<double> out;
+  for (size_t e = 0; e < events_.size(); ++e) {
+    const Cause& c = events_[e].what.cause;
+    const bool waits = events_[e].happened < 0 && waits_for_condition(events_[e]);
+    out.push_back(waits ? (c.below ? c.limit - values[e] : values[e] - c.limit) / tolerance(c) : -1);
+  }
+  return out;
+}
+
+void Events::refuse_met(const std::vector<double>& values) const {
+  const std::vector<double> g = conditions(values);
+  for (size_t e = 0; e < events_.size(); ++e) {
+    if (!(g[e] >= 0)) continue;
+    const model::Event& what = events_[e].what;
+    const bool pulls = what.cause.kind == Cause::Kind::tension;
+    sim_.model().refuse(fmt::format("events[{}]", e),
+
+                        "{} would be {} before anything moves: {:.6g} {} at the start is {} {:g} {} already; "
+                        "give another limit, or 'time: 0'",
+                        what.action.subject(), what.action.participle(), values[e], pulls ? "N" : "m",
+                        what.cause.below ? "below" : "above", what.cause.limit, pulls ? "N" : "m");
+  }
+}
+
+double Events::due(const Happening& h) const {
+  const Cause& c = h.what.cause;
+  if (c.kind == Cause::Kind::time) return c.time;
+  if (c.kind != Cause::Kind::after) return HUGE_VAL;
+  const double first = events_[h.after].happened;
+  return first < 0 ? HUGE_VAL : first + c.time;
+}
+
+double Events::next(double time) const {
+  double out = HUGE_VAL;
+  for (const Happening& h : events_)
+    if (h.happened < 0 && due(h) > time + record::time_tolerance(time)) out = std::min(out, due(h));
+  return out;
+}
+
+std::vector<size_t> Events::due_at(double time, const std::vector<double>& values,
+                                   const std::string& stage) const {
+  const std::vector<double> g = conditions(values);
+  std::vector<size_t> out;
+  for (size_t i = 0; i < events_.size(); ++i) {
+    const Cause& c = events_[i].what.cause;
+    const bool now = stage.empty() ? g[i] >= 0 || time >= due(events_[i]) - record::time_tolerance(time)
+                                   : c.kind == Cause::Kind::stage && c.event == stage;
+    if (events_[i].happened < 0 && now) out.push_back(i);
+  }
+  return out;
+}
+
+void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
+                    std::vector<std::string>& messages) {
+  Happening& h = events_[i];
+  const Action& a = h.what.action;
+  h.found = actions_.act(a, at);
+  h.order = static_cast<double>(std::count_if(events_.begin(), events_.end(),
+                                              [](const Happening& other) { return other.happened >= 0; }));
+  h.happened = at.time;
+  std::string how;
+  if (a.kind == Action::Kind::release) {
+    double tension = local_tension(actions_.node(a));
+    all_reduce(comm_, MPI_MAX, tension);
+    how = fmt::format(", with a tension of {:.6g} N", tension);
+  }
+  if (a.at) how = fmt::format(", {:.3g} m from the place", h.found.away);
+  if (a.kind == Action::Kind::attach && !a.at && !a.body.empty()) {
+    const model::Body& body = sim_.model().bodies[sim_.model().body_index(a.body)];
+    const Vec3 centre =
+        sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
+    how = fmt::format(", {:.4g} m from its origin", (Vec3(h.found.place.data()) + centre).norm());
+  }
+  messages.push_back(fmt::format("note: {}: {} is {}{}",
+                                 stage.empty() ? fmt::format("t = {:.6g} s", at.time) : "stage " + stage,
+                                 a.subject(), a.participle(), how));
+  if (a.kind != Action::Kind::release) return;
+  for (const LeftOut& out : sim_.left_out()) {
+    const double length = a.at_b ? out.end_b : out.end_a;
+    if (out.line == sim_.model().line_index(a.line) && length > 0)
+      messages.push_back(
+          fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the line from "
+                      "there on go through it as if it were not there",
+                      a.subject(), sim_.contact()->volume_name(out.volume), length));
+  }
+}
+
+void Events::happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
+                    std::vector<std::string>& messages, const std::function<void()>& go_on) {
+  try {
+    actions_.begin();
+    for (const size_t i : now) happen(i, at, stage, messages);
+    go_on();
+  } catch (...) {
+    // The checkpoint of what stops here is of the state before.
+    for (const size_t i : now) events_[i].happened = -1;
+    throw;
+  }
+}
+
+// In the state from which dynamics or a stage begins.
+std::vector<std::string> Events::at_rest(const std::string& stage) {
+  const Kinematics at = sim_.state().view(0);
+  System& system = sim_.system();
+  std::vector<std::string> messages;
+  for (;;) {
+    const std::vector<size_t> now = due_at(at.time, values(at), stage);
+    if (now.empty()) return messages;
+    happen(now, at, stage, messages,
+           [&] { system.tie(actions_.tied(), BodyMotion(system.tied_nodes().motion())); });
+  }
+}
+
+// A line, or what carried one.
+bool Events::lets_go(const std::string& stage) const {
+  return std::any_of(events_.begin(), events_.end(), [&](const Happening& h) {
+    const Action& a = h.what.action;
+    const bool carried = a.kind == Action::Kind::contact && !a.enabled;
+    return h.what.cause.kind == Cause::Kind::stage && h.what.cause.event == stage &&
+           (a.kind == Action::Kind::release || carried);
+  });
+}
+
+void Events::come_to_rest(const std::function<void(bool)>& solve,
+                          const std::function<void(const std::string&)>& say,
+                          const std::function<void(size_t)>& rested) {
+  const std::vector<std::string>& stages = sim_.model().stages;
+  if (stages.empty()) solve(false);
+  for (size_t k = 0; k < stages.size(); ++k) {
+    say(fmt::format("stage {} of statics", stages[k]));
+    for (const std::string& e : at_rest(stages[k])) say(e);
+    solve(k > 0 && lets_go(stages[k]));
+    pay_out(stages[k], solve);
+    rested(k);
+  }
+}
+
+// An element after the other, all feeders of the stage together, each from the rest that it has come to.
+void Events::pay_out(const std::string& stage, const std::function<void(bool)>& solve) {
+  std::map<Feeder*, double> left;  // m
+  for (const Happening& h : events_) {
+    const Action& a = h.what.action;
+    if (h.what.cause.kind != Cause::Kind::stage || h.what.cause.event != stage || a.paid_out == 0) continue;
+    for (Feeder& f : sim_.feeders()->list())
+      if (f.line == sim_.model().line_index(a.line) && f.at_b == a.at_b) left[&f] += a.paid_out;
+  }
+  FeederNodes feeder_nodes(sim_);
+  for (bool more = !left.empty(); more;) {
+    more = false;
+    for (auto& [f, length] : left) {
+      const double most = sim_.feeders()->element_length(*f, f->mouth), by = std::clamp(length, -most, most);
+      feeder_nodes.shift(*f, by);
+      more |= (length -= by) != 0;
+    }
+    try {
+      if (more)
+        sim_.solve_statics();
+      else
+        solve(false);
+    } catch (const SolveError& e) {
+      const auto& [f, length] = *left.begin();
+      throw SolveError("stage {}, when {:.6g} m are left to be {} at {}: {}", stage, std::abs(length),
+                       length < 0 ? "hauled in" : "paid out", f->name, e.what());
+    }
+  }
+}
+
+std::vector<std::string> Events::begin() {
+  if (events_.empty()) return {};
+  watch();
+  refuse_met(values(sim_.state().view(0)));
+  return at_rest("");
+}
+
+std::vector<std::string> Events::apply_due() {
+  std::vector<std::string> messages;
+  Dynamics& d = sim_.dynamics();
+  const auto energy = [&] {
+    const Energy e = sim_.system().energy(d.committed().s.view(d.control().proposal()));
+    return e.kinetic + e.strain + e.potential + e.friction + e.damping + e.unresolved - e.work;
+  };
+  const auto waits = [](const Happening& h) { return h.happened < 0; };
+  while (std::any_of(events_.begin(), events_.end(), waits)) {
+    const Kinematics at = d.kinematics();
+    const std::vector<size_t> now = due_at(at.time, values(at), "");
+    if (now.empty()) break;
+    // An impact takes energy, contact that ends lets go of what it held.
+    const bool changes = std::any_of(now.begin(), now.end(), [this](size_t i) {
+      return events_[i].what.action.kind != Action::Kind::release;
+    });
+    const double before = changes ? energy() : 0;
+    happen(now, at, "", messages, [&] { d.release(actions_.tied()); });
+    if (changes) d.add_support_work(energy() - before);
+  }
+  return messages;
+}
+
+std::vector<std::string> Events::not_happened() const {
+  std::vector<std::string> out;
+  for (const Happening& h : events_)
+    if (h.happened < 0)
+      out.push_back(fmt::format("{} was not {}: it was to be {}, and the run ended before that",
+                                h.what.action.subject(), h.what.action.participle(), h.what.cause.text()));
+  return out;
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,92 @@
+// The part of the class Events that is kept in checkpoints: when each event happened, and what it found.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "hawser/base/error.hpp"
+#include "hawser/record/output_times.hpp"
+#include "hawser/run/events.hpp"
+
+namespace hawser::run {
+namespace {
+
+using model::Cause;
+
+const std::string kHappened = "event.";  // before the name
+const std::string kOrder = " order";     // after it
+
+// Where a checkpoint keeps what an action found.
+std::vector<std::pair<const char*, double*>> entries(Actions::Found& f) {
+  return {{" x", &f.place[0]},     {" y", &f.place[1]},     {" z", &f.place[2]},     {" q0", &f.rotation[0]},
+          {" q1", &f.rotation[1]}, {" q2", &f.rotation[2]}, {" q3", &f.rotation[3]}, {" speed", &f.speed}};
+}
+
+}  // namespace
+
+void Events::save(io::Checkpoint& to) const {
+  for (const Happening& h : events_) {
+    if (h.happened < 0) continue;
+    const std::string key = kHappened + h.what.name;
+    to.scalars[key] = h.happened, to.scalars[key + kOrder] = h.order;
+    Actions::Found found = h.found;
+    for (const auto& [name, value] : entries(found)) to.scalars[key + name] = *value;
+  }
+}
+
+std::vector<std::string> Events::restore(const io::Checkpoint& from) {
+  watch();
+  std::vector<Happening*> happened;
+  std::set<std::string> known;  // keys
+  for (Happening& h : events_) {
+    const std::string key = kHappened + h.what.name;
+    known.insert(key), known.insert(key + kOrder);
+    const auto at = from.scalars.find(key);
+    if (at == from.scalars.end()) {
+      if (h.what.cause.kind == Cause::Kind::time &&
+          h.what.cause.time < from.time - record::time_tolerance(from.time))
+        throw InputError(
+            "{}: events: {} was to be {} at {:g} s, before t = {:g} s from which the run goes on, and was "
+            "not; give it a later time",
+            sim_.model().path, h.what.action.subject(), h.what.action.participle(), h.what.cause.time,
+            from.time);
+      if (h.what.cause.kind == Cause::Kind::stage)
+        throw InputError("{}: events: {} is to be {} {}, and was not in the run that this one goes on from",
+                         sim_.model().path, h.what.action.subject(), h.what.action.participle(),
+                         h.what.cause.text());
+      continue;
+    }
+    h.happened = at->second;
+    if (const auto order = from.scalars.find(key + kOrder); order != from.scalars.end())
+      h.order = order->second;
+    for (const auto& [name, value] : entries(h.found)) {
+      known.insert(key + name);
+      if (const auto entry = from.scalars.find(key + name); entry != from.scalars.end())
+        *value = entry->second;
+    }
+    happened.push_back(&h);
+  }
+  for (const auto& [key, time] : from.scalars)
+    if (key.starts_with(kHappened) && !known.count(key))
+      throw InputError(
+          "{}: events: '{}' happened at t = {:g} s of the run that this one goes on from, and no event of "
+          "the case says so; keep that event",
+          sim_.model().path, key.substr(kHappened.size()), time);
+  std::stable_sort(happened.begin(), happened.end(), [](const Happening* a, const Happening* b) {
+    return std::tie(a->happened, a->order) < std::tie(b->happened, b->order);
+  });
+  std::vector<std::string> messages;
+  actions_.begin();
+  for (const Happening* h : happened) {
+    actions_.again(h->what.action, h->found, h->happened);
+    messages.push_back(fmt::format("note: {} was {} at t = {:.6g} s", h->what.action.subject(),
+                                   h->what.action.participle(), h->happened));
+  }
+  if (messages.empty()) return messages;
+  System& system = sim_.system();
+  system.tie(actions_.tied(), BodyMotion(system.tied_nodes().motion()));
+  return messages;
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,188 @@
+// From the case to the force term LinePairs: which pairs of lines are excluded, which ends meet at one point,
+// radius and automatic stiffness of each element.
+#include "hawser/run/line_pairs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "hawser/math/ordered.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/terms/automatic_stiffness.hpp"
+
+namespace hawser::run {
+namespace {
+
+// What goes on from an end of a line that is held or joined.
+struct Place {
+  Vec3 at;  // m, in space
+  Stretch stretch;
+  double radius;  // m, of contact
+};
+
+// The line that a line is a part of.
+const model::Line& whole_of(const model::Line& line) { return line.whole ? *line.whole : line; }
+
+// An end is held where the case has it, not by a cut to come.
+bool is_place(const model::Line& line, bool at_b) {
+  const model::End &own = line.end(at_b), &of_whole = whole_of(line).end(at_b);
+  return own.kind != model::EndKind::free && own.kind == of_whole.kind && own.body == of_whole.body;
+}
+
+std::vector<Place> places_of_lines(const model::Case& c, const Mesh& mesh) {
+  std::vector<Place> places;
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const LineSpan& span = mesh.lines[l];
+    const model::Line& line = c.lines[l];
+    if (!c.contact.takes_part(line)) continue;
+    for (const bool b : {false, true}) {
+      if (!is_place(line, b)) continue;
+      const model::Section& section = b ? line.sections.back() : line.sections.front();
+      places.push_back({model::end_position(c, line.end(b)),
+                        {b ? span.first_node + span.nodes - 1 : span.first_node, b ? -1 : 1},
+                        0.5 * c.line_type(section.type).contact_diameter});
+    }
+  }
+  return places;
+}
+
+// Pairs of stretches that begin nearer to each other than they are thick.
+std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
+  std::vector<Place> places = places_of_lines(c, mesh);
+  double widest = 0;
+  for (const Place& p : places) widest = std::max(widest, 2 * p.radius);
+  // Along x, so that each is compared with those beside it only.
+  const auto where = [](const Place& p) { return std::tuple(p.at.x(), p.stretch.node, p.stretch.way); };
+  std::sort(places.begin(), places.end(),
+            [&](const Place& p, const Place& q) { return where(p) < where(q); });
+  std::vector<SharedPlace> out;
+  for (size_t i = 0; i < places.size(); ++i)
+    for (size_t j = i + 1; j < places.size() && places[j].at.x() - places[i].at.x() <= widest; ++j) {
+      const Place &p = places[i], &q = places[j];
+      if (p.stretch.node != q.stretch.node && (p.at - q.at).norm() < p.radius + q.radius)
+        out.push_back({p.stretch, q.stretch});
+    }
+  // Until it is cut a line goes on from each of its parts to the next.
+  for (size_t l = 1; l < c.lines.size(); ++l)
+    if (c.contact.takes_part(c.lines[l]) && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole)
+      out.push_back({{mesh.lines[l].first_node - 1, -1}, {mesh.lines[l].first_node, 1}});
+  return out;
+}
+
+// Of each line the first part of the line that is cut into it.
+std::vector<int> first_parts(const model::Case& c) {
+  std::vector<int> out;
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    out.push_back(l > 0 && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole
+                      ? out.back()
+                      : static_cast<int>(l));
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> excluded_pairs(const model::Case& c) {
+  const model::BetweenLines& b = c.contact.between_lines;
+  std::set<std::pair<int, int>> out;
+  for (const auto& [x, y] : b.exclude) out.insert(ordered(c.line_index(x), c.line_index(y)));
+  for (int l = 0; l < static_cast<int>(c.lines.size()) && !b.self; ++l) out.emplace(l, l);
+  return {out.begin(), out.end()};
+}
+
+std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                                           std::vector<std::string>& details) {
+  const model::BetweenLines& b = c.contact.between_lines;
+  if (!b.enabled) return nullptr;
+  const int lines = static_cast<int>(c.lines.size());
+  std::vector<bool> takes_part;
+  for (const model::Line& l : c.lines) takes_part.push_back(c.contact.takes_part(l));
+  LinePairOptions options;
+  options.candidates.excluded = excluded_pairs(c);
+  const auto& excluded = options.candidates.excluded;
+  size_t pairs = 0, wanted = 0;
+  for (int i = 0; i < lines; ++i)
+    for (int j = i; j < lines && takes_part[i]; ++j)
+      if (takes_part[j])
+        ++pairs, wanted += !std::binary_search(excluded.begin(), excluded.end(), std::pair(i, j));
+  if (wanted == 0) return nullptr;
+  options.shared = shared_places(c, *mesh.mesh);
+  options.whole = first_parts(c);
+
+  options.general = b.general;
+  for (const auto& t : b.pairs)
+    options.tuned[ordered(c.line_index(t.first), c.line_index(t.second))] = t.settings;
+  std::vector<LineContactElement> elements;
+  elements.reserve(mesh.mesh->elements.size()), options.automatic.reserve(mesh.mesh->elements.size());
+  // Of each type that takes part, of its lines: the least and the most.
+  struct Kind {
+    double radius = 0;
+    LinePairOptions::Automatic least{HUGE_VAL, HUGE_VAL}, most;
+  };
+  std::map<int, Kind> kinds;
+  for (const Element& e : mesh.mesh->elements) {
+    const model::LineType& t = c.line_types[e.type];
+    LineContactElement& element = elements.emplace_back();
+    if (takes_part[e.line]) element.radius = 0.5 * t.contact_diameter;
+    element.mass_per_length = t.mass_per_length;
+    StiffnessDemand d;
+    d.radius = 0.5 * t.contact_diameter;
+    d.weight = t.mass_per_length * c.environment.gravity;
+    d.length = mesh.mesh->lines[e.line].length;
+    d.EA = t.EA;
+    options.automatic.push_back(
+        {automatic_contact_stiffness(d).per_length, crossing_force(t.EA, d.weight * d.length)});
+    if (!(element.radius > 0)) continue;
+    const LinePairOptions::Automatic& a = options.automatic.back();
+    Kind& kind = kinds[e.type];
+    kind.radius = element.radius;
+    kind.least = {std::min(kind.least.per_length, a.per_length), std::min(kind.least.crossing, a.crossing)};
+    kind.most = {std::max(kind.most.per_length, a.per_length), std::max(kind.most.crossing, a.crossing)};
+  }
+  const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
+                         std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
+                           return t.settings.basis == model::StiffnessBasis::automatic;
+                         });
+  if (automatic) {
+    double least = HUGE_VAL, most = 0;
+    for (const auto& [first, i] : kinds)
+      for (const auto& [second, j] : kinds) {
+        least = std::min(least, automatic_stiffness(i.least, j.least, i.radius + j.radius));
+        most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
+      }
+    details.push_back(
+        fmt::format("contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
+                    "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false "
+                    "leaves such contact out",
+                    lines == 1 ? fmt::format("of line {} with itself", c.lines.front().name)
+                    : b.self   ? "between lines and of lines with themselves"
+                               : "between lines",
+                    most > least * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", least, most)
+                                              : fmt::format("{:.3g}", most)));
+  }
+  return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
+}
+
+std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
+  int farthest = -1, others = 0;
+  for (int k = 0; k < places.size(); ++k) {
+    if (!(places.within(k) > CandidateSettings{}.exclusion_diameters * places.diameter(k))) continue;
+    others += farthest >= 0;
+    if (farthest < 0 || places.within(k) > places.within(farthest)) farthest = k;
+  }
+  if (farthest < 0) return "";
+  const auto name = [&](const Stretch& s) { return mesh.lines[mesh.nodes[s.node].line].name; };
+  const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
+  return fmt::format(
+      "{} from one place, or from places nearer to each other than the contact radii, and {} only more than "
+      "{:.3g} m along from there, beyond where they are first apart{}",
+      one == other ? fmt::format("both ends of line {} go", one)
+                   : fmt::format("lines {} and {} go", one, other),
+      one == other ? "they touch each other" : "touch each other", places.within(farthest),
+      others > 0 ? fmt::format("; likewise {} more pair{}, over less", others, others > 1 ? "s" : "") : "");
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,209 @@
+// The table of natural modes, and the results file in which each mode is an output.
+#include "hawser/run/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/record/result_parts.hpp"
+#include "hawser/run/events.hpp"
+#include "hawser/run/output_place.hpp"
+#include "hawser/run/run_parts.hpp"
+#include "hawser/run/simulation.hpp"
+#include "hawser/run/volumes.hpp"
+#include "hawser/solve/natural_modes.hpp"
+
+namespace hawser::run {
+namespace {
+
+// As a mode is drawn: the largest displacement of `position`, of the longest line, where no body turns
+// farther than this.
+constexpr double kDrawn = 0.05, kTurned = 0.3;  // 1, rad
+
+// Where a mode has its largest translation or rotation, the same on all ranks.
+struct Extent {
+  double size = 0;
+  int node = -1;  // of the mesh; -1: nowhere
+  Vec3 along = Vec3::Zero();
+};
+
+Extent largest(MPI_Comm comm, const LocalMesh& local, const std::vector<Vec3>& values) {
+  Extent p;
+  for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
+    if (const double size = values[n].norm(); size > p.size)
+      p = {size, local.global[n], values[n].cwiseAbs()};
+  broadcast_largest(comm, p.size, 0, p);
+  return p;
+}
+
+// The floating body that moves farthest, at its origin or where a line is tied to it, as a share of `size`;
+// the same on all ranks.
+struct Carried {
+  int body = -1;  // of the case; -1: none moves by half of it
+  double share = 0.5;
+};
+
+Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& values, double size) {
+  const model::Case& c = sim.model();
+  const LocalMesh& local = sim.local();
+  std::vector<double> moved(c.bodies.size());
+  for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n) {
+    const Node& node = local.node(n);
+    int body = -1;
+    if (node.body >= 0) {
+      body = node.body;
+    } else {
+      const LineSpan& span = sim.mesh().lines[node.line];
+      const int i = local.global[n] - span.first_node;
+      if (i != 0 && i != span.nodes - 1) continue;
+      const model::End& e = c.lines[node.line].end(i != 0);
+      if (e.kind == model::EndKind::body) body = c.body_index(e.body);
+    }
+    if (c.floats(body)) moved[body] = std::max(moved[body], values[n].norm());
+  }
+  if (!moved.empty()) all_reduce(comm, MPI_MAX, moved);
+  Carried out;
+  for (size_t b = 0; b < moved.size(); ++b)
+    if (moved[b] >= out.share * size) out = {static_cast<int>(b), moved[b] / size};
+  return out;
+}
+
+double period_of(const NaturalMode& mode) { return 2 * M_PI / std::sqrt(mode.squared); }
+
+std::string row(MPI_Comm comm, const Simulation& sim, int number, const NaturalMode& mode,
+                const Extent& translation, const Extent& rotation) {
+  const Mesh& mesh = sim.mesh();
+  const bool turns = translation.node < 0;
+  const Extent& p = turns ? rotation : translation;
+  const std::string when =
+      mode.squared > kFreeMotion
+          ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
+          : fmt::format("{:>12} {:>14}", mode.squared < -kFreeMotion ? "unstable" : "free", "-");
+  std::string where = mesh.place(p.node);
+  const Carried with = carried(comm, sim, turns ? mode.rotation : mode.shape, p.size);
+  if (with.body >= 0 && mesh.nodes[p.node].body < 0) {
+    const std::string body = "body " + sim.model().bodies[with.body].name;
+    where = with.share > 0.99 ? body + " (" + where + ")" : where + ", with " + body;
+  }
+  return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}{}\n", number, when, p.along.x(), p.along.y(),
+                     p.along.z(), where, turns ? ", turns in place" : "");
+}
+
+io::ResultContents contents(const Simulation& sim, const std::vector<LoadedVolume>& volumes,
+                            const ModesOptions& o, int size, int found) {
+  const model::Case& c = sim.model();
+  io::ResultContents out;
+  out.run = run_info(c, o.options_text, size);
+  out.lines = record::result_lines(c, sim.mesh());
+  out.volumes = volume_meshes(c, volumes);
+  out.fields = {{"position", "m", 3}, {"mode_shape", "1", 3}};
+  out.series = {{"modes", {{"period", "s", 1}, {"frequency", "Hz", 1}}}};
+  for (const auto& b : c.bodies) out.bodies.push_back(b.name);
+  out.xdmf = c.output.xdmf;
+  out.expected_outputs = out.expected_steps = found + 1;
+  out.free_bodies = static_cast<int>(sim.mesh().nodes.size()) - sim.mesh().line_nodes();
+  return out;
+}
+
+std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
+  std::vector<double> out;
+  for (int n = 0; n < nodes; ++n) out.insert(out.end(), values[n].begin(), values[n].end());
+  return out;
+}
+
+// What the translations [1] and rotations [rad] of a mode are multiplied by as it is drawn, m.
+double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode) {
+  double size = sim.model().lines.empty() ? 1 : 0, turn = 0;  // m, rad
+  for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
+  for (int b = 0; b < sim.bodies().size(); ++b)
+    if (const int n = sim.bodies().local_node(b); n >= 0) turn = std::max(turn, mode.rotation[n].norm());
+  all_reduce(comm, MPI_MAX, turn);
+  return size * turn > kTurned ? kTurned / turn : size;
+}
+
+// The state `at` moved by `size` of a mode.
+State moved(const State& at, const NaturalMode& mode, double size) {
+  State out = at;
+  for (size_t n = 0; n < out.x.size(); ++n) {
+    out.x[n] += size * mode.shape[n];
+    out.q[n] = exp_so3(size * mode.rotation[n]) * out.q[n];
+  }
+  return out;
+}
+
+void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volumes, const ModesOptions& o,
+           const std::string& path, const std::vector<NaturalMode>& found,
+           const std::vector<std::string>& messages) {
+  const int rank = rank_of(comm), size = ranks_of(comm);
+  const LocalMesh& local = sim.local();
+  std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
+  io::ResultsFile file = io::ResultsFile::create(
+      comm, path, contents(sim, volumes, o, size, static_cast<int>(found.size())), std::move(owned));
+  const std::vector<Vec3> rest(static_cast<size_t>(local.owned), Vec3::Zero());
+  file.write_output(0, {flat(sim.state().x, local.owned), flat(rest, local.owned)},
+                    record::body_poses(sim.bodies(), sim.system(), sim.state().view(0)));
+  double number = 0;
+  for (const NaturalMode& mode : found) {
+    ++number;
+    const State drawn = moved(sim.state(), mode, drawn_size(comm, sim, mode));
+    const double period = mode.squared > kFreeMotion ? period_of(mode) : HUGE_VAL;
+    file.append_series(number, {rank == 0 ? std::vector<double>{period, 1 / period} : std::vector<double>{}});
+    file.write_output(number, {flat(drawn.x, local.owned), flat(mode.shape, local.owned)},
+                      record::body_poses(sim.bodies(), sim.system(), drawn.view(0)));
+  }
+  file.finish({}, {}, messages);
+}
+
+}  // namespace
+
+int modes(MPI_Comm comm, const ModesOptions& options) {
+  const int rank = rank_of(comm);
+  Progress progress(rank == 0 && !options.quiet);
+  model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
+  const std::filesystem::path beside(c.path);
+  const std::string wanted = options.output.empty()
+                                 ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
+                                 : std::filesystem::absolute(options.output).string();
+  const OutputPlace place(comm, wanted, "", c.inputs);
+  if (!c.statics.enabled)
+    throw InputError(c.path +
+                     ": statics: modes are about the static equilibrium, which this case leaves out");
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  c = with_targets_met(comm, std::move(c), volumes, progress);
+  if (!options.added_mass)
+    for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
+  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
+  for (const auto& n : place.notes()) progress.say("note: " + n);
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
+  for (const auto& w : sim.warnings()) progress.say("warning: " + w);
+  Events events(comm, sim);
+  const StaticsReport statics = solve_statics(sim, events, progress);
+  const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);
+  progress.end();
+  std::string table = fmt::format("{:>4} {:>12} {:>14}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",
+                                  "x, y, z there", "largest at");
+  for (size_t i = 0; i < found.size(); ++i)
+    table += row(comm, sim, static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i].shape),
+                 largest(comm, sim.local(), found[i].rotation));
+  const auto unstable = std::count_if(found.begin(), found.end(),
+                                      [](const NaturalMode& m) { return m.squared < -kFreeMotion; });
+  if (statics.negative_eigenvalues > unstable)
+    table += fmt::format("and {} more directions in which the equilibrium is unstable, faster than these\n",
+                         statics.negative_eigenvalues - unstable);
+  write(comm, sim, volumes, options, place.path(), found, progress.messages());
+  if (rank == 0 && !options.quiet) {
+    fmt::print("\n{}", table);
+    if (found.size() < static_cast<size_t>(options.count))
+      fmt::print("\nnote: the model has no more than {} modes\n", found.size());
+    fmt::print("\nresults: {}\n", place.path());
+  }
+  return 0;
+}
+
+}  // namespace hawser::run

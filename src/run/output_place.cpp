@@ -1,0 +1,112 @@
+// The class OutputPlace: symbolic links, folder and name of the results file, and what of earlier files there
+// is kept, refused or continued.
+#include "hawser/run/output_place.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/old_results.hpp"
+#include "hawser/io/xml_text.hpp"
+
+namespace hawser::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Where a chain of links leads; a circle of them is left as it is.
+std::string followed(fs::path path) {
+  std::error_code e;
+  for (int i = 0; i < 40 && fs::is_symlink(path, e); ++i)
+    path = path.parent_path() / fs::read_symlink(path, e);
+  return path.string();
+}
+
+InputError refusal(const std::string& path, const std::string& why) {
+  return InputError("cannot write the results to {}: {}", path, why);
+}
+
+bool same_file(const std::string& a, const std::string& b) {
+  std::error_code e;
+  return fs::equivalent(a, b, e);
+}
+
+}  // namespace
+
+OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,
+                         const std::vector<std::string>& inputs)
+    : path_(followed(path)), appends_(same_file(restart, path_)) {
+  on_root(comm, [&] {
+    check();
+    std::vector<std::string> read = inputs;
+    if (!appends_ && !restart.empty()) read.push_back(restart);
+    check_inputs(read);
+    lock_ = std::make_unique<io::RunLock>(path_);
+    if (!lock_->held())
+      notes_.push_back(fmt::format(
+          "the file system of {} does not support file locks: make sure that no other run writes this file",
+          path_));
+    check_old();
+    if (!io::xml_holds(fs::path(path_).filename().string()))
+      notes_.push_back(
+          fmt::format("the name of {} is not UTF-8: the XDMF file cannot tell ParaView of it", path_));
+  });
+}
+
+// Names and folders.
+void OutputPlace::check() const {
+  if (fs::is_symlink(path_)) throw refusal(path_, "it is a symbolic link that refers to itself");
+  const fs::path file(path_), folder = fs::absolute(file).parent_path();
+  std::error_code e;
+  if (file.extension() != ".h5") throw refusal(path_, "the name must end in .h5");
+  if (!fs::exists(folder, e)) throw refusal(path_, "there is no folder " + folder.string());
+  if (!fs::is_directory(folder, e)) throw refusal(path_, folder.string() + " is not a folder");
+  if (access(folder.c_str(), W_OK | X_OK) != 0)
+    throw refusal(path_, "the folder " + folder.string() + " cannot be written");
+  const std::string longest = fs::path(io::xdmf_beside(path_) + ".new").filename().string();
+  const long limit = pathconf(folder.c_str(), _PC_NAME_MAX);
+  if (limit > 0 && longest.size() > static_cast<size_t>(limit))
+    throw refusal(
+        path_,
+        fmt::format(
+            "the name is too long: with .xdmf.new in place of .h5 it has {} characters, {} are allowed there",
+            longest.size(), limit));
+}
+
+// Every file that the run makes, renames or removes, against those that it reads.
+void OutputPlace::check_inputs(const std::vector<std::string>& inputs) const {
+  const std::string xdmf = io::xdmf_beside(path_);
+  for (const std::string& written : {path_, path_ + ".new", path_ + ".lock", io::kept_name(path_), xdmf,
+                                     xdmf + ".new", io::kept_name(xdmf)})
+    for (const std::string& input : inputs)
+      if (same_file(written, input))
+        throw refusal(path_, fmt::format("{} is a file that this run reads{}, and would be replaced; give "
+                                         "another file with -o",
+                                         input, input == written ? "" : " (" + written + ")"));
+}
+
+// Files that are there already, and that the run will replace.
+void OutputPlace::check_old() {
+  const auto there = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
+  const auto check_one = [&](const std::string& name, bool ours) {
+    if (!there(name) || ours) return;
+    throw refusal(path_, fs::is_directory(name) ? name + " is a folder"
+                                                : name +
+                                                      " is not of hawser's making, and is not replaced; move "
+                                                      "it away, or give another file with -o");
+  };
+  const std::string xdmf = io::xdmf_beside(path_);
+  check_one(path_, io::is_results(path_));
+  check_one(xdmf, io::is_xdmf(xdmf));
+  for (const std::string& name : {path_ + ".new", xdmf + ".new"}) check_one(name, !fs::is_directory(name));
+  if (appends_) return;
+  const std::string kept = io::kept_name(path_), kept_xdmf = io::kept_name(xdmf);
+  check_one(kept, io::is_results(kept));
+  check_one(kept_xdmf, io::is_xdmf(kept_xdmf));
+  if (there(path_))
+    notes_.push_back(fmt::format("the results that are at {} will be kept as {}", path_, kept));
+}
+
+}  // namespace hawser::run

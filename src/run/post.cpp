@@ -1,0 +1,78 @@
+// Where the Python package is, as seen from the program (installed, moved or in the folder of a build), and
+// how the process becomes Python.
+#include "hawser/run/post.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hawser::run {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The data from the folder of the program: in the folder of a build, and installed.
+constexpr const char* kData[] = {"share/hawser", HAWSER_DATA};
+
+// The folder of the package hawser_post; where there is none, a sentence says where it was looked for.
+fs::path package_folder(const fs::path& program) {
+  std::string seen;
+  for (const char* data : kData) {
+    const fs::path folder = (program.parent_path() / data / "python").lexically_normal();
+    std::error_code none;
+    if (fs::is_directory(folder / "hawser_post", none)) return folder;
+    seen += (seen.empty() ? "neither in " : " nor in ") + folder.string();
+  }
+  std::fputs(fmt::format("hawser: the Python package hawser_post is {}\n", seen).c_str(), stderr);
+  return {};
+}
+
+}  // namespace
+
+bool is_post_command(std::string_view word) {
+  return std::any_of(std::begin(kPostCommands), std::end(kPostCommands),
+                     [&](const PostCommand& c) { return word == c.name; });
+}
+
+int post(char** arguments) {
+  // Of several processes one is enough.
+  if (const char* rank = std::getenv("OMPI_COMM_WORLD_RANK"); rank && std::string_view(rank) != "0") return 0;
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown), folder = package_folder(program);
+  if (folder.empty()) return 1;
+  setenv("HAWSER", program.c_str(), 1);
+  // Ctrl-C waits until Python can answer it with a sentence.
+  sigset_t interrupt;
+  sigemptyset(&interrupt);
+  sigaddset(&interrupt, SIGINT);
+  sigprocmask(SIG_BLOCK, &interrupt, nullptr);
+  // The package comes first, not the folder of the user, in which there may be modules of the same names.
+  std::string python = "python3", no_bytecode = "-B", command = "-c", from = folder.string(), start = R"(
+import sys
+sys.path[0] = sys.argv.pop(1)
+try:
+    import runpy, signal
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
+    runpy.run_module('hawser_post', run_name='__main__', alter_sys=True)
+except KeyboardInterrupt:
+    print('hawser: stopped by Ctrl-C', file=sys.stderr)
+    sys.exit(130)
+)";
+  std::vector<char*> words{python.data(), no_bytecode.data(), command.data(), start.data(), from.data()};
+  for (; *arguments; ++arguments) words.push_back(*arguments);
+  words.push_back(nullptr);
+  // The distribution's own has the modules; another may come first in PATH.
+  execv("/usr/bin/python3", words.data());
+  execvp("python3", words.data());
+  std::fputs("hawser: there is no python3, which this command needs\n", stderr);
+  return 1;
+}
+
+}  // namespace hawser::run

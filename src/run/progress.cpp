@@ -1,0 +1,128 @@
+// The class Progress: text and timing of the messages about statics and time steps, the estimate of the time
+// left, and how a terminal is told from a log file.
+#include "hawser/run/progress.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace hawser::run {
+namespace {
+
+constexpr double kRewriteEvery = 0.2, kLineEvery = 60;  // s, on a terminal; elsewhere at the latest
+constexpr double kLong = 2;                             // s, without a word elsewhere
+
+// Columns of the terminal that stdout is; 0: it is none. mpirun gives its processes a pseudo-terminal even
+// when its own output goes to a file, but then one without a size.
+int terminal_columns() {
+  if (!isatty(STDOUT_FILENO)) return 0;
+  winsize size{};
+  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  if (known) return size.ws_col;
+  return std::getenv("OMPI_COMM_WORLD_SIZE") ? 0 : 80;
+}
+
+double seconds(std::chrono::steady_clock::duration d) { return std::chrono::duration<double>(d).count(); }
+
+}  // namespace
+
+std::string clock_text(double seconds) {
+  const long s = std::lround(std::clamp(seconds, 0.0, 1e9));
+  return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
+                  : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+}
+
+Progress::Progress(bool speak) : speak_(speak), columns_(terminal_columns()) {}
+
+void Progress::rewrite(std::string text) {
+  // A line that wraps cannot be rewritten.
+  text.resize(std::min(text.size(), static_cast<size_t>(columns_ - 1)));
+  std::fputs(fmt::format("\r\033[K{}", text).c_str(), stdout);
+  std::fflush(stdout);
+  open_ = true;
+}
+
+void Progress::busy(const std::string& what, double took) {
+  if (!speak_) return;
+  const auto now = Clock::now();
+  if (columns_ > 0) {
+    rewrite(what);
+    passing_ = true;
+  } else if (took > kLong || seconds(now - last_) > kLong) {
+    std::puts(what.c_str());
+    std::fflush(stdout);
+  } else {
+    return;
+  }
+  last_ = now;
+}
+
+void Progress::statics(int iterations, int relaxation_steps, double residual) {
+  if (!speak_) return;
+  const auto now = Clock::now();
+  if (seconds(now - last_) < (columns_ > 0 ? kRewriteEvery : kLineEvery)) return;
+  last_ = now;
+  const std::string text = fmt::format(
+      "statics: {} iterations{}, out of balance by {:.1e} of the forces so far", iterations,
+      relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", relaxation_steps) : "",
+      residual);
+  if (columns_ > 0) {
+    rewrite(text);
+    passing_ = true;
+    return;
+  }
+  std::puts(text.c_str());
+  std::fflush(stdout);
+}
+
+void Progress::begin(double time, double end) {
+  start_ = time, duration_ = end;
+  began_ = last_ = Clock::now();
+  next_share_ = std::floor(10 * time / std::max(duration_, 1e-300) + 1e-9) / 10 + 0.1;
+}
+
+void Progress::step(double time, double step, int iterations) {
+  if (!speak_) return;
+  const double share = time / std::max(duration_, 1e-300);
+  const auto now = Clock::now();
+  const bool last = share >= 1 - 1e-9;
+  const bool due = share >= next_share_ - 1e-9;
+  const double silent = seconds(now - last_);
+  if (columns_ > 0 ? silent < kRewriteEvery && !last : silent < kLineEvery && !due) return;
+  last_ = now;
+  // The rate so far is the best guess of the rate to come.
+  const double left = seconds(now - began_) * (duration_ - time) / std::max(time - start_, 1e-300);
+  std::string text = fmt::format("t = {:.3f} of {:.6g} s ({:3.0f} %), step {:.3g} s, {} iterations, {} left",
+                                 time, duration_, 100 * share, step, iterations, clock_text(left));
+  if (columns_ > 0) {
+    rewrite(std::move(text));
+    passing_ = false;
+  } else {
+    if (due) next_share_ = std::floor(share * 10 + 1e-9) / 10 + 0.1;
+    std::puts(text.c_str());
+    std::fflush(stdout);
+  }
+}
+
+void Progress::say(const std::string& text) {
+  if (text.starts_with("note: ") || text.starts_with("warning: ")) messages_.push_back(text);
+  if (!speak_) return;
+  end();
+  std::puts(text.c_str());
+  std::fflush(stdout);
+}
+
+void Progress::end() {
+  if (!open_) return;
+  std::fputs(passing_ ? "\r\033[K" : "\n", stdout);
+  std::fflush(stdout);
+  open_ = false;
+}
+
+}  // namespace hawser::run

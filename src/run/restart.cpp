@@ -1,0 +1,360 @@
+// Which vectors, step control numbers and histories of force terms make up a checkpoint, how one that is read
+// is checked, and how they return into the time integration.
+#include "hawser/run/restart.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/io/hdf5.hpp"
+#include "hawser/io/results_size.hpp"
+#include "hawser/run/feeder_nodes.hpp"
+#include "hawser/run/restart_file_check.hpp"
+
+namespace hawser::run {
+namespace {
+
+const char* const kVectors[] = {"position",
+                                "velocity",
+                                "acceleration",
+                                "angular_velocity",
+                                "angular_acceleration",
+                                "algorithmic_acceleration",
+                                "algorithmic_angular_acceleration"};
+
+const char *const kReaction = "reaction", *const kMeanQ = "mean_force_algorithmic",
+                  *const kMeanF = "mean_force_end";
+const char* const kDirectors = "director_acceleration";
+const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
+
+// Of contact, and the name of a volume: N/m per m, what an automatic stiffness was raised to.
+const std::string kStiffness = "contact.stiffness.";
+const std::string kLink = "case.link ", kShape = "case.shape ", kPress = "case.stiffness ";
+
+// Of a state, const or not.
+auto& vectors(auto& s, size_t i) {
+  decltype(&s.s.x) all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
+  return *all[i];
+}
+
+// Of each node what `number(n, k)` is, for k below `components`; it is asked when the field is written.
+template <class Number>
+io::CheckpointField field_of(size_t owned, int components, Number number) {
+  const auto width = static_cast<size_t>(components);
+  return {components, {}, [owned, width, number] {
+            std::vector<double> values(width * owned);
+            for (size_t n = 0; n < owned; ++n)
+              for (size_t k = 0; k < width; ++k) values[width * n + k] = number(n, k);
+            return values;
+          }};
+}
+
+// A number that stands for a text: of 53 bits of FNV-1a (Fowler, Noll and Vo).
+double number_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return static_cast<double>(hash >> 11);
+}
+
+// All that a link is made of.
+std::string text_of(const model::Link& l) {
+  std::string out = fmt::format("{} {} {} {}", l.rest_given ? l.law.rest_length : -1, l.law.stiffness,
+                                l.law.damping, l.law.tension_only);
+  for (const model::LinkEnd& e : {l.end_a, l.end_b})
+    out += fmt::format("; '{}' '{}' {} {} {} {}", e.body, e.line, e.at.x(), e.at.y(), e.at.z(), e.arc);
+  if (l.law.spring)
+    for (const auto& [x, y] : l.law.spring->rows()) out += fmt::format("; {} {}", x, y);
+  if (l.law.damper)
+    for (const double x : {l.law.damper->last() / 4, l.law.damper->last() / 2, l.law.damper->last()})
+      out += fmt::format("; {} {}", x, l.law.damper->at(x).force);
+  return out;
+}
+
+// All that the surface of a volume is made of, but for what is in the file of its mesh.
+std::string shape_of(const model::Volume& v) {
+  const auto of = [](const Vec3& x) { return fmt::format(" {} {} {}", x.x(), x.y(), x.z()); };
+  std::string out = fmt::format("'{}' {} {}", v.body, v.smooth, v.crease_angle);
+  if (!v.shape) out += fmt::format(" mesh {} '{}'", v.scale, v.active_part);
+  if (v.active_box) out += of(v.active_box->lower) + of(v.active_box->upper);
+  const auto round = [&](const char* name, const auto& s) {
+    return name + of(s.from) + of(s.to) + fmt::format(" {}", s.radius);
+  };
+  struct Parts {
+    const decltype(of)& at;
+    const decltype(round)& along;
+    std::string operator()(const PlaneShape& s) const { return "plane" + at(s.point) + at(s.normal); }
+    std::string operator()(const BoxShape& s) const {
+      return "box" + at(s.centre) + at(s.size) + at(s.rotation);
+    }
+    std::string operator()(const SphereShape& s) const {
+      return "sphere" + at(s.centre) + fmt::format(" {}", s.radius);
+    }
+    std::string operator()(const CylinderShape& s) const { return along("cylinder", s); }
+    std::string operator()(const CapsuleShape& s) const { return along("capsule", s); }
+    std::string operator()(const TorusShape& s) const {
+      return "torus" + at(s.centre) + at(s.axis) + fmt::format(" {} {}", s.radius, s.tube_radius);
+    }
+  };
+  return v.shape ? out + std::visit(Parts{of, round}, *v.shape) : out;
+}
+
+// How hard it is by the case: what the program chooses itself follows the run.
+std::string stiffness_of(const model::Volume& v) {
+  std::string out = fmt::format("{} {} {}", static_cast<int>(v.basis), v.normal_stiffness, v.smoothing);
+  if (v.force_table)
+    for (const auto& row : v.force_table->rows()) out += fmt::format("; {} {}", row.first, row.second);
+  return out;
+}
+
+// What the state and the contact history mean beyond numbers: which nodes rotate, which volume is which.
+std::map<std::string, double> signature(const Simulation& simulation) {
+  std::map<std::string, double> out;
+  double& beams = out["case.rotating nodes"];
+  for (const Node& n : simulation.mesh().nodes) beams += n.rotates;
+  double& yields = out["case.plastic bending"];  // moments that tell one curve from another
+  for (const model::LineType& t : simulation.model().line_types)
+    if (const PlasticBending* p = t.plastic_bending.get())
+      yields += p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
+  const auto& volumes = simulation.model().volumes;
+  for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
+  for (const model::Volume& v : volumes) {
+    out[kShape + v.name] = number_of(shape_of(v));
+    out[kPress + v.name] = number_of(stiffness_of(v));
+  }
+  for (const model::Link& l : simulation.model().links) out[kLink + l.name] = number_of(text_of(l));
+  return out;
+}
+
+// What is wrong with the time, the numbers that steps go by, or this rank's part of the state; empty:
+// nothing.
+std::string damage(const io::Checkpoint& c) {
+  const auto wrong = [](const std::string& what, double value) {
+    return fmt::format("its checkpoint is damaged: {} is {:g}", what, value);
+  };
+  if (!(c.time >= 0 && c.time < HUGE_VAL)) return wrong("the time", c.time);
+  for (const auto& [name, value] : c.scalars)
+    if (name.starts_with("step.") && !(value >= 0 && value <= 1e9)) return wrong(name, value);
+  for (const auto& [name, field] : c.nodes)
+    for (const double value : field.values)
+      if (!std::isfinite(value)) return wrong(name, value);
+  return "";
+}
+
+// The state, reactions and mean forces of the owned nodes.
+void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<double>& reactions,
+                const MeanForces& mean, io::Checkpoint& c) {
+  const size_t owned = m.owned;
+  for (size_t i = 0; i < std::size(kVectors); ++i)
+    c.nodes[kVectors[i]] = field_of(owned, 3, [&of = vectors(s, i)](size_t n, size_t k) {
+      return of.empty() ? 0 : of[n][static_cast<Eigen::Index>(k)];
+    });
+  for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}})
+    if (has_directors(m))
+      c.nodes[name] = field_of(owned, 9, [&of = *values](size_t n, size_t k) { return of[n].data()[k]; });
+  c.nodes["rotation"] = field_of(owned, 4, [&of = s.s.q](size_t n, size_t k) {
+    return k == 0 ? of[n].w() : of[n].vec()[static_cast<Eigen::Index>(k) - 1];
+  });
+  const auto rows = [&](const char* name, const std::vector<double>& of) {
+    c.nodes[name] = field_of(owned, 6, [&m, &of](size_t n, size_t k) {
+      const size_t b = 3 * static_cast<size_t>(m.block[n]);
+      return !of.empty() && (k < 3 || m.rotates(static_cast<int>(n))) ? of[b + k] : 0.0;
+    });
+  };
+  rows(kReaction, reactions), rows(kMeanQ, mean.q), rows(kMeanF, mean.f);
+}
+
+}  // namespace
+
+double planned_numbers(Simulation& simulation, record::Recorder& recorder) {
+  const LocalMesh& m = simulation.local();
+  AlphaState s{simulation.state(), {}, {}, {}};
+  alpha_start(m, s);
+  const MeanForces none{std::vector<double>(3 * static_cast<size_t>(m.blocks()), 0.0),
+                        std::vector<double>(3 * static_cast<size_t>(m.blocks()), 0.0)};
+  io::Checkpoint c;
+  save_nodes(m, s, none.q, none, c);
+  recorder.save(c);
+  return io::checkpoint_numbers(c);
+}
+
+io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorder, const Events& events) {
+  Dynamics& d = simulation.dynamics();
+  io::Checkpoint c;
+  c.time = d.committed().s.time;
+  save_nodes(simulation.local(), d.committed(), d.reactions(), d.mean_forces(), c);
+  for (const auto& term : simulation.system().terms())
+    c.history[std::string(term->name())] = {
+        term->history(), {}, [&of = *term](NodeRange nodes) { return of.records(nodes); }};
+  c.scalars = signature(simulation);
+  c.scalars["step.proposal"] = d.control().proposal();
+  c.scalars["step.wait"] = d.control().wait();
+  c.scalars["step.ringing"] = d.control().ringing();
+  c.scalars["step.calm"] = d.control().calm();
+  c.scalars["step.last"] = d.last_step();
+  double work = d.support_work();
+  all_reduce(simulation.system().comm(), MPI_SUM, work);
+  c.scalars["support_work"] = work;
+  const LineVolumeContact* contact = simulation.contact();
+  for (int v = 0; contact && v < contact->volumes(); ++v)
+    c.scalars[kStiffness + contact->volume_name(v)] = contact->stiffness(v);
+  recorder.save(c);
+  events.save(c);
+  FeederNodes(simulation).save(c);
+  return c;
+}
+
+namespace {
+
+InputError older(const std::string& path, const std::string& what) {
+  return InputError(
+      "cannot go on from {}: another version of hawser wrote it, which kept other quantities of {}; begin "
+      "with its last shape by 'start: {{from: {}}}', or anew",
+      path, what, path);
+}
+
+}  // namespace
+
+void check_history(const io::Checkpoint& c, const System& system, const std::string& path) {
+  for (const auto& term : system.terms())
+    if (const auto it = c.history.find(std::string(term->name()));
+        it != c.history.end() && it->second.kinds != term->history())
+      throw older(path, it->first);
+}
+
+namespace {
+
+io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
+  const LocalMesh& m = simulation.local();
+  const MPI_Comm comm = simulation.system().comm();
+  check_restart_file(comm, path, simulation.mesh());
+  io::Checkpoint c = io::read_checkpoint(comm, path, static_cast<int>(simulation.mesh().nodes.size()),
+                                         {m.global.begin(), m.global.begin() + m.owned});
+  const auto refuse = [&](const std::string& why) {
+    return InputError("cannot go on from {}: it holds another case: {}", path, why);
+  };
+  const auto here = signature(simulation);
+  const auto named = [](const std::string& key, const std::string& prefix, const char* what) {
+    return fmt::format("volume '{}' has another {}", key.substr(prefix.size()), what);
+  };
+  for (const auto& [name, value] : here) {
+    const auto there = c.scalars.find(name);
+    if (there == c.scalars.end() || there->second != value)
+      throw refuse(
+          name == "case.rotating nodes"    ? "other nodes are of beams"
+          : name == "case.plastic bending" ? "another 'plasticity' of line types"
+          : name.starts_with(kLink)
+              ? fmt::format("link '{}' {}", name.substr(kLink.size()),
+                            there == c.scalars.end() ? "is not there" : "has other ends or another law")
+          : there == c.scalars.end() ? "other volumes"
+          : name.starts_with(kShape) ? named(name, kShape, "shape")
+          : name.starts_with(kPress) ? named(name, kPress, "stiffness")
+                                     : "other volumes");
+  }
+  const auto more = std::count_if(c.scalars.begin(), c.scalars.end(),
+                                  [](const auto& s) { return s.first.starts_with("case."); });
+  if (more != static_cast<long>(here.size())) throw refuse("other volumes, or more links");
+  if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
+    throw InputError("cannot go on from {}: {}", path, wrong);
+  if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
+  check_history(c, simulation.system(), path);
+  return c;
+}
+
+}  // namespace
+
+io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
+  try {
+    return read_checked(path, simulation);
+  } catch (const InputError& e) {
+    const std::vector<std::string>& changes = simulation.model().changes;
+    if (changes.empty()) throw;
+    throw InputError(
+        "{} (the case is changed by --set {}; a run that goes on may have another duration, other motions, "
+        "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or "
+        "volumes)",
+        e.what(), fmt::join(changes, " --set "));
+  }
+}
+
+std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
+                                         const std::vector<std::string>& changes) {
+  std::vector<std::string> notes;
+  on_root(comm, [&] {
+    const io::h5::Id file = io::h5::open_read(path);
+    if (!io::h5::exists(file, "set")) return;
+    std::istringstream lines(io::h5::read_text(file, "set"));
+    std::string there;
+    for (std::string line; std::getline(lines, line);) there += " --set " + line;
+    const std::string here = changes.empty() ? "" : fmt::format(" --set {}", fmt::join(changes, " --set "));
+    if (there != here)
+      notes.push_back(fmt::format("the run of {} was made with{}, and goes on with{}", path,
+                                  there.empty() ? "out --set" : there, here.empty() ? "out --set" : here));
+  });
+  return notes;
+}
+
+void restore(const io::Checkpoint& c, Simulation& simulation) {
+  const LocalMesh& m = simulation.local();
+  const System& system = simulation.system();
+  AlphaState s;
+  s.s.resize(m.nodes());
+  s.s.time = c.time;
+  alpha_start(m, s);
+  const size_t owned = m.owned;
+  const auto take = [&](const char* name, std::vector<Vec3>& to) {
+    const auto& f = c.nodes.at(name);
+    for (size_t n = 0; n < owned && !to.empty(); ++n) to[n] = Eigen::Map<const Vec3>(f.values.data() + 3 * n);
+  };
+  for (size_t i = 0; i < std::size(kVectors); ++i) take(kVectors[i], vectors(s, i));
+  const auto& q = c.nodes.at("rotation").values;
+  for (size_t n = 0; n < owned; ++n) s.s.q[n] = Quat(q[4 * n], q[4 * n + 1], q[4 * n + 2], q[4 * n + 3]);
+  for (const auto& [name, values] : {std::pair{kDirectors, &s.s.directors}, {kAlgorithmicDirectors, &s.ad}}) {
+    if (!has_directors(m)) break;
+    const auto& f = c.nodes.at(name).values;
+    for (size_t n = 0; n < owned; ++n) (*values)[n] = Eigen::Map<const Mat3>(f.data() + 9 * n);
+  }
+  system.spread(s.s);
+  system.spread(s.ax);
+  if (has_directors(m)) system.spread(s.aw), system.spread(s.ad);
+
+  const auto rows = [&](const char* name) {
+    std::vector<double> out(3 * static_cast<size_t>(m.blocks()), 0);
+    const auto& r = c.nodes.at(name).values;
+    for (size_t n = 0; n < owned; ++n)
+      for (size_t k = 0; k < (m.rotates(static_cast<int>(n)) ? 6u : 3u); ++k)
+        out[3 * static_cast<size_t>(m.block[n]) + k] = r[6 * n + k];
+    return out;
+  };
+  for (const auto& term : simulation.system().terms())
+    if (const auto it = c.history.find(std::string(term->name())); it != c.history.end())
+      term->restore(it->second.records);
+  LineVolumeContact* contact = simulation.contact();
+  for (int v = 0; contact && v < contact->volumes(); ++v)
+    if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
+      contact->raise_to(v, it->second);
+  simulation.raised_stiffness("");  // that was told by the run that raised it
+
+  const int rank = rank_of(system.comm());
+  Dynamics::Carried carried;
+  // The case may ask for shorter steps than it did then.
+  const StepSettings step = simulation.dynamics_settings().step;
+  carried.step_proposal = std::min(c.scalars.at("step.proposal"), step.fixed > 0 ? step.fixed : step.longest);
+  carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
+  // Older files lack them.
+  if (c.scalars.count("step.calm")) {
+    carried.step_ringing = c.scalars.at("step.ringing");
+    carried.step_calm = c.scalars.at("step.calm");
+  }
+  carried.last_step = c.scalars.at("step.last");
+  carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;
+  carried.mean = {rows(kMeanQ), rows(kMeanF)};
+  simulation.dynamics().resume(s, rows(kReaction), carried);
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,152 @@
+// What `hawser run` and `hawser modes` have in common: statics with its notes, poses of bodies, what results
+// keep of a run.
+#include "hawser/run/run_parts.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <ctime>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/io/case_json.hpp"
+#include "hawser/model/notes.hpp"
+#include "hawser/run/events.hpp"
+#include "hawser/run/targets.hpp"
+#include "hawser/run/version.hpp"
+
+namespace hawser::run {
+
+io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks) {
+  io::RunInfo info;
+  info.case_text = c.text, info.case_path = c.path;
+  info.case_read = io::case_json(c);
+  info.changes = fmt::format("{}", fmt::join(c.changes, "\n"));
+  info.version = kVersion, info.options = petsc_options, info.ranks = ranks;
+  info.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  return info;
+}
+
+std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
+                                   const std::vector<std::string>& chosen) {
+  std::vector<std::string> all = c.change_notes;
+  all.insert(all.end(), c.notes.begin(), c.notes.end());
+  for (const auto& v : volumes)
+    for (const auto& n : v.notes) all.push_back("volumes." + v.name + ": " + n);
+  all.insert(all.end(), chosen.begin(), chosen.end());
+  return model::grouped_notes(all);
+}
+
+model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
+                             Progress& progress, const std::string& restart,
+                             const std::function<void()>& looked) {
+  if (!has_targets(c)) return c;
+  MetTargets met;
+  try {
+    met = !restart.empty()
+              ? with_lengths_of(c, restart, comm)
+              : meet_targets(
+                    comm, c, volumes,
+                    [&](const StaticsReport& now) {
+                      progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+                      if (looked) looked();
+                    },
+                    [&](const std::string& trial) { progress.busy(trial, 0); });
+  } catch (const SolveError&) {
+    for (const std::string& n : model::grouped_notes(c.notes)) progress.say("note: " + n);  // may tell why
+    throw;
+  }
+  for (const std::string& f : met.found) progress.say("note: " + f);
+  met.model.output.file = c.output.file;  // which the command line may have said
+  return std::move(met.model);
+}
+
+namespace {
+
+StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
+  constexpr int kLong = 500;  // steps of dynamic relaxation; lines that come to rest take fewer
+  const model::Case& c = sim.model();
+  const size_t before = sim.notes().size();
+  bool told = !sim.line_pairs();
+  const StaticsReport s = sim.solve_statics(
+      [&](const StaticsReport& now) {
+        progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
+        if (told || now.relaxation_steps < kLong) return;
+        told = true;
+        progress.say(
+            fmt::format("note: statics has not come to rest in {} steps of dynamic relaxation; if slack "
+                        "lines lie in folds that touch "
+                        "one another, 'contact: {{between_lines: false}}' leaves that out and may end it",
+                        kLong));
+      },
+      falls);
+  for (size_t i = before; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
+  progress.say(fmt::format(
+      "statics: {} iterations{}{}", s.iterations,
+      s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
+      !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
+  for (const std::string& line : sim.on_bed()) progress.say(line);
+  if (s.escapes > 0)
+    progress.say(fmt::format(
+        "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest "
+        "in more than one shape, see whether this is the one meant, and say so by `start` if it is not",
+        s.escapes, s.escapes == 1 ? "um" : "a"));
+  for (const std::string& w : sim.tilting_warnings()) progress.say("warning: " + w);
+  if (s.negative_eigenvalues > 0)
+    progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
+                             s.negative_eigenvalues));
+  return s;
+}
+
+}  // namespace
+
+namespace {
+
+// What helps most often where statics fails, of what this case has not tried; docs/how-to/failing-runs.md.
+std::string to_try(const model::Case& c) {
+  std::vector<std::string> ways;
+  if (c.statics.relaxation == model::Relaxation::never)
+    ways.emplace_back("without 'dynamic_relaxation: never'");
+  else if (c.statics.relaxation == model::Relaxation::automatic)
+    ways.emplace_back("'statics: {dynamic_relaxation: always}'");
+  if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
+      !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)
+    ways.emplace_back("a 'ramp' of the current, which then begins in dynamics");
+  if (c.statics.contact_friction)
+    ways.emplace_back("'contact_friction: false'");
+  else if (c.environment.seabed.present && c.environment.seabed.full)
+    ways.emplace_back("'friction_in_statics: as_laid'");
+  for (const model::Line& line : c.lines)
+    if (line.starts_by_itself()) {
+      ways.push_back(fmt::format("'start: {{points: ...}}' of line {}, near where it will rest", line.name));
+      break;
+    }
+  if (c.contact.between_lines.enabled) ways.emplace_back("'contact: {between_lines: false}'");
+  constexpr size_t kMost = 3;
+  if (ways.size() > kMost) ways.resize(kMost);
+  return fmt::format("note: statics has failed; what may help: {}{}docs/how-to/failing-runs.md says more",
+                     fmt::join(ways, "; "), ways.empty() ? "" : "; ");
+}
+
+}  // namespace
+
+StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
+                            const std::function<void(size_t)>& rested) {
+  StaticsReport last;
+  try {
+    events.come_to_rest([&](bool falls) { last = solve_one(sim, progress, falls); },
+                        [&](const std::string& what) { progress.say(what); }, rested);
+  } catch (const SolveError&) {
+    progress.say(to_try(sim.model()));
+    throw;
+  }
+  return last;
+}
+
+io::ReadingNews news(Progress& progress) {
+  return {[&progress](const std::string& title) { progress.say(title); },
+          [&progress](const std::string& what, double seconds) { progress.busy(what, seconds); }};
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,45 @@
+// What the partition of the mesh needs to know of the case: which elements are near each other in the start
+// shape, and which lines may touch themselves and so stay on one rank.
+#include "hawser/run/share_nodes.hpp"
+
+#include <algorithm>
+
+#include "hawser/mesh/partition.hpp"
+#include "hawser/run/line_pairs.hpp"
+#include "hawser/solve/start_shape.hpp"
+#include "hawser/system/line_candidates.hpp"
+
+namespace hawser::run {
+
+std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh& mesh, const Bodies& bodies) {
+  if (!c.contact.between_lines.enabled) return {};
+  std::vector<double> radius;
+  for (const Element& e : mesh.elements)
+    radius.push_back(c.contact.takes_part(c.lines[e.line]) ? 0.5 * c.line_types[e.type].contact_diameter
+                                                           : 0.0);
+  const LocalMesh whole = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+  const StartShape shape = start_shape(c, whole, bodies);
+  CandidateSettings settings;
+  settings.excluded = excluded_pairs(c);
+  LineCandidates candidates(MPI_COMM_SELF, whole, std::move(radius), std::move(settings));
+  candidates.update(shape.state.view(0), 0);
+  return candidates.elements();
+}
+
+std::vector<int> whole_lines(const model::Case& c) {
+  if (!c.contact.between_lines.enabled) return {};
+  const std::vector<std::pair<int, int>> excluded = excluded_pairs(c);
+  std::vector<int> whole;
+  for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
+    if (c.contact.takes_part(c.lines[l]) &&
+        !std::binary_search(excluded.begin(), excluded.end(), std::pair(l, l)))
+      whole.push_back(l);
+  return whole;
+}
+
+std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
+  if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
+  return partition(mesh, ranks, near_elements(c, mesh, bodies), whole_lines(c));
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,466 @@
+// The class Simulation: mesh, partition and force terms made from the case in their order, the stages of
+// statics without and with friction, and the settings of the time integration.
+#include "hawser/run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/mesh/partition.hpp"
+#include "hawser/model/bed.hpp"
+#include "hawser/model/body_pairs.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/longest_step.hpp"
+#include "hawser/model/switched.hpp"
+#include "hawser/record/support_log.hpp"
+#include "hawser/run/line_pairs.hpp"
+#include "hawser/run/share_nodes.hpp"
+#include "hawser/solve/start_shape.hpp"
+#include "hawser/terms/automatic_stiffness.hpp"
+#include "hawser/terms/bodies_in_water.hpp"
+#include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/buried.hpp"
+#include "hawser/terms/end_springs.hpp"
+#include "hawser/terms/feeders.hpp"
+#include "hawser/terms/hydrodynamics.hpp"
+#include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/links.hpp"
+#include "hawser/terms/platform_water.hpp"
+#include "hawser/terms/point_loads.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+#include "hawser/terms/seabed.hpp"
+
+namespace hawser::run {
+namespace {
+
+// m, at which friction of the bed is mobilised when statics begins: about a radius of a line. A path of
+// springs that becomes stiff by and by has no flat places in which Newton's method is lost.
+constexpr double kFirstSlip = 0.1;
+
+// Radius and mass of the elements, and which of their nodes are held, for contact along them.
+std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh,
+                                                 const std::vector<int>& held) {
+  std::vector<bool> is_held(static_cast<size_t>(mesh.nodes()), false);
+  for (const int n : held) is_held[n] = true;
+  std::vector<LineContactElement> out;
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.element(e);
+    const auto& type = c.line_types[g.type];
+    LineContactElement& element = out.emplace_back();
+    if (c.contact.takes_part(c.lines[g.line])) element.radius = 0.5 * type.contact_diameter;
+    element.mass_per_length = type.mass_per_length;
+    element.rolling = c.contact.rolling;
+    element.held = {is_held[e.first], is_held[e.second]};
+  }
+  return out;
+}
+
+// Local nodes whose place is prescribed for as long as the run lasts.
+std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const Feeders* feeders,
+                            const std::vector<TiedNode>& tied) {
+  std::set<int> let_go;  // nodes of the mesh
+  if (feeders) {
+    const std::vector<int> fed = feeders->fed_nodes();
+    let_go.insert(fed.begin(), fed.end());
+  }
+  for (const model::Event& e : c.events)
+    if (e.action.kind == model::Action::Kind::release) {
+      const LineSpan& span = local.mesh->lines[c.line_index(e.action.line)];
+      let_go.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
+    }
+  std::vector<int> held;
+  for (const TiedNode& s : tied)
+    if (s.position_mask != 0 && !let_go.count(local.global[s.node])) held.push_back(s.node);
+  return held;
+}
+
+// The line that needs most decides an automatic stiffness. The note says why, and when the steps are too long
+// to follow a bounce on it.
+void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& volume,
+                      std::vector<std::string>& notes) {
+  model::Volume& v = volume.settings;
+  AutomaticStiffness best;
+  double mass = 0, most = 0;
+  for (const Element& e : mesh.elements) {
+    const auto& t = c.line_types[e.type];
+    StiffnessDemand d;
+    d.radius = 0.5 * t.contact_diameter;
+    d.weight = t.mass_per_length * c.environment.gravity;
+    d.length = mesh.lines[e.line].length;
+    d.EA = t.EA;
+    d.bend = bending_radius(v, d.radius);
+    d.allowed_penetration = v.allowed_penetration;
+    const AutomaticStiffness s = automatic_contact_stiffness(d);
+    most = std::max(most, most_stiffness(d));
+    if (s.per_length > best.per_length) best = s, mass = t.mass_per_length;
+  }
+  v.basis = model::StiffnessBasis::per_length;
+  v.normal_stiffness = best.per_length;
+  volume.automatic = true, volume.most = std::max(most, best.per_length);
+  std::string note =
+      fmt::format("volume {}: normal stiffness {:.3g} N/m per m: {}", v.name, best.per_length, best.reason);
+  const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
+  if (c.dynamics.enabled && step > 0 && bounce < 1.5 * step)
+    note += fmt::format(
+        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show its force",
+        bounce, step);
+  notes.push_back(note);
+}
+
+}  // namespace
+
+// Makes a force term that the system then owns.
+template <class Term, class... From>
+Term* Simulation::add(From&&... from) {
+  auto term = std::make_unique<Term>(std::forward<From>(from)...);
+  Term* out = term.get();
+  system_->add(std::move(term));
+  return out;
+}
+
+Simulation::Simulation(MPI_Comm comm, const model::Case& c,
+                       std::vector<std::shared_ptr<const Surface>> surfaces,
+                       std::vector<BodySkeleton> skeletons)
+    : case_(c), mesh_(std::make_unique<Mesh>(build_mesh(c))), bodies_(std::make_shared<Bodies>(c.bodies)) {
+  distribute(comm);
+  // The feeders commit last, so they are the last term: all others keep in a step the lengths that acted in
+  // it, on every rank.
+  std::unique_ptr<Feeders> feeders;
+  if (std::any_of(case_.lines.begin(), case_.lines.end(),
+                  [](const auto& l) { return l.end_a.feed || l.end_b.feed; }))
+    feeders = std::make_unique<Feeders>(local(), case_);
+  feeders_ = feeders.get();
+  add_lines();
+  StartShape start = start_shape(case_, local(), *bodies_, surfaces);
+  notes_ = std::move(start.notes);
+  const Kinematics at = start.state.view(0);
+  bodies_->fix_drawn(comm, case_, at);
+  if (!case_.links.empty()) links_ = add<Links>(comm, case_, local(), bodies_, at);
+  if (feeders_) feeders_->clamp(start.ends), start.tied = feeders_->with_held(start.tied);
+  const std::vector<int> held = held_nodes(case_, local(), feeders_, start.tied);
+  add_seabed(at, held);
+  add_contact(at, held, surfaces);
+  add_bodies(std::move(surfaces), std::move(skeletons));
+  if (auto between = make_line_pairs(comm, case_, local(), details_)) {
+    line_pairs_ = between.get();
+    line_pairs_->fed_by(feeders_);
+    system_->add(std::move(between));
+  }
+  if (feeders) system_->add(std::move(feeders));
+
+  state_ = std::move(start.state);
+  any_laid_ = start.any_laid;
+  laid_ = std::move(start.laid);
+  system_->tie(std::move(start.tied), [b = bodies_](int body, double t) { return b->pose(body, t); });
+}
+
+// The mesh over the ranks.
+void Simulation::distribute(MPI_Comm comm) {
+  const int rank = rank_of(comm), size = ranks_of(comm);
+  const std::vector<int> owner = share_nodes(case_, *mesh_, *bodies_, size);
+  cut_ = hawser::cut_elements(*mesh_, owner);
+  if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
+    notes_.push_back(
+        "one rank has all nodes, since lines that may touch themselves are not cut: the others do not make "
+        "the run faster; 'contact: {between_lines: {self: false}}' lets lines be cut");
+  system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
+  bodies_->in_state(case_, local());
+}
+
+// What acts on lines alone: their stiffness and mass, loads and masses at nodes, springs at ends, the water.
+void Simulation::add_lines() {
+  structure_ = add<StructureTerm>(local(), case_);
+  structure_->fed_by(feeders_);
+  add<LineMassTerm>(local(), case_)->fed_by(feeders_);
+  bool loads = false, masses = false, springs = false;
+  for (const auto& line : case_.lines) {
+    loads |= !line.point_loads.empty(), masses |= !line.masses.empty();
+    springs |= line.end_a.rotational_stiffness > 0 || line.end_b.rotational_stiffness > 0;
+  }
+  if (loads) add<PointLoads>(local(), point_loads(case_, local()));
+  if (masses) add<PointMasses>(local(), point_masses(case_, local()), case_.environment.gravity);
+  if (springs) add<EndSprings>(local(), bodies_, end_springs(case_, local()));
+  if (!case_.environment.water.present) return;
+  water_ = add<Hydrodynamics>(local(), case_);
+  water_->fed_by(feeders_);
+}
+
+void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& held) {
+  if (!case_.environment.seabed.present) return;
+  seabed_ = add<SeabedTerm>(local(), case_, held);
+  if (std::any_of(case_.lines.begin(), case_.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
+    add<BuriedTerm>(system_->comm(), local(), case_, start, held);
+}
+
+// Contact of lines with volumes, and what is told of how they start beside them. InputError where lines start
+// beneath the supports that they are to lie on.
+void Simulation::add_contact(const Kinematics& start, const std::vector<int>& held,
+                             const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  const MPI_Comm comm = system_->comm();
+  volumes_ = volumes_of_lines(case_, surfaces);
+  for (ContactVolume& volume : volumes_)
+    if (volume.settings.basis == model::StiffnessBasis::automatic)
+      choose_stiffness(case_, *mesh_, volume, notes_);
+  bodies_->exchange_poses(comm, start);
+  start_contact_ = start_contact(comm, case_, local(), start, *bodies_, feeders_, volumes_);
+  notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
+  if (!case_.supports.empty()) {
+    std::vector<RigidPose> poses;
+    for (int b = 0; b < bodies_->size(); ++b) poses.push_back(bodies_->pose(b, start));
+    const auto wrong =
+        record::beneath_supports(case_, record::support_crossings(comm, case_, local(), start, poses), poses);
+    if (wrong) try {
+        case_.refuse(wrong->key, wrong->why);
+      } catch (const InputError& e) {
+        throw WrongPlaces(e.what());
+      }
+  }
+  if (volumes_.empty()) return;
+  contact_ = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held), comm,
+                                    case_.contact.method);
+  contact_->fed_by(feeders_);
+  contact_->leave_out(start_contact_.left_out);
+  for (int v = 0; v < contact_->volumes(); ++v) last_stiffness_.push_back(contact_->stiffness(v));
+}
+
+// Bodies with mass, the water they are in, and contact of bodies with each other.
+void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces,
+                            std::vector<BodySkeleton> skeletons) {
+  if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {
+    floating_ = add<RigidBodies>(case_, local(), bodies_);
+    if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
+                    [](const model::Body& b) { return b.mass && b.mass->in_water; }))
+      bodies_in_water_ = add<BodiesInWater>(case_, local());
+    if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
+                    [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; }))
+      add<PlatformWater>(system_->comm(), case_, local());
+  }
+  if (model::body_pairs(case_).empty() || skeletons.size() != case_.volumes.size()) return;
+  std::vector<BodyVolume> touching;
+  for (size_t v = 0; v < case_.volumes.size(); ++v)
+    touching.push_back({std::move(surfaces[v]), std::move(skeletons[v])});
+  body_contact_ = add<BodyContactTerm>(system_->comm(), case_, local(), bodies_, std::move(touching));
+}
+
+std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
+  return record::body_pose(*bodies_, local(), body, at);
+}
+
+record::Subject Simulation::subject(std::vector<std::shared_ptr<const Surface>> surfaces) {
+  return {case_, *system_, *bodies_, std::move(surfaces), [this]() -> Dynamics& { return dynamics(); }};
+}
+
+// By the case: a rank without nodes has no friction of its own, and statics is collective.
+bool Simulation::lays_lines() const { return seabed_ && static_friction_.value_or(true) && any_laid_; }
+
+// From the equilibrium with soft friction under the weight of what lay at the start to that with the law of
+// motion, by way of stiffer friction; where the slightest slip mobilises it, under the contact forces found.
+void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
+  settings.near = true;
+  const auto solve = [&] {
+    const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
+    report.iterations += more.iterations, report.escapes += more.escapes;
+    report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
+  };
+  for (const double slip : {kFirstSlip / 30, 0.0}) {
+    seabed_->mobilise_by(slip);
+    if (case_.environment.seabed.full) seabed_->press_by_contact(state_.view(0));
+    solve();
+  }
+  seabed_->follow_contact(state_.view(0));
+  solve();
+}
+
+StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, bool falls) {
+  const auto enable_friction = [this](bool on) {
+    if (contact_) contact_->enable_friction(on);
+    if (line_pairs_) line_pairs_->enable_friction(on);
+    if (seabed_) seabed_->enable_friction(on);
+  };
+  enable_friction(false);
+  if (static_friction()) {
+    if (contact_) contact_->enable_friction(true);
+    if (line_pairs_) line_pairs_->enable_friction(true);
+  }
+  if (lays_lines()) {
+    seabed_->lay(laid_, state_.view(0), case_.environment.seabed.full);
+    seabed_->mobilise_by(kFirstSlip);
+  }
+  const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
+  if (floating_) floating_->hold(true);
+  if (bodies_in_water_) bodies_in_water_->hold(true);
+  StaticsSettings settings;
+  settings.tolerance = case_.statics.tolerance;
+  settings.max_iterations = case_.statics.max_iterations;
+  settings.relaxation = case_.statics.relaxation == model::Relaxation::always  ? RelaxationUse::always
+                        : case_.statics.relaxation == model::Relaxation::never ? RelaxationUse::never
+                        : falls                                                ? RelaxationUse::first
+                                : RelaxationUse::when_newton_fails;
+  settings.relaxation_steps = case_.statics.relaxation_steps;
+  settings.friction = static_friction();
+  settings.progress = std::move(progress);
+  StaticsReport report = hawser::solve_statics(*system_, settings, state_);
+  if (lays_lines()) follow_contact(settings, report);
+  enable_friction(true);
+  if (bodies_in_water_) bodies_in_water_->hold(false);
+  if (floating_) {
+    floating_->hold(false);
+    for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) state_.v[n] = v[n], state_.w[n] = w[n];
+    system_->spread(state_);
+  }
+  if (contact_ || line_pairs_) system_->commit(state_.view(0));
+  if (body_contact_) body_contact_->watch(state_.view(0));
+  check_inside();
+  if (contact_)
+    if (const std::string why = first_text(system_->comm(), contact_->deeper_than_allowed(state_.view(0)));
+        !why.empty())
+      throw SolveError("statics: " + why);
+  for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
+  if (line_pairs_)
+    if (std::string note = shared_places_note(line_pairs_->shared(), *mesh_); !note.empty())
+      notes_.push_back(std::move(note));
+  std::vector<double> slack = structure_->slack(state_.view(0));
+  all_reduce(system_->comm(), MPI_SUM, slack);
+  for (size_t l = 0; l < slack.size(); ++l)
+    if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
+      notes_.push_back(fmt::format(
+          "lines.{}: {:.3g} m of it have no tension at rest and can lie in other places, of which {}",
+          mesh_->lines[l].name, slack[l],
+          settings.relaxation == RelaxationUse::when_newton_fails
+              ? "rounding may choose (so may the number of ranks): 'start' says which is meant, and "
+                "'statics: {dynamic_relaxation: always}' lets it fall into place"
+              : "it has fallen into one; 'start' says which is meant"));
+  return report;
+}
+
+std::vector<std::string> Simulation::tilting_warnings() const {
+  std::vector<std::string> out;
+  if (!bodies_in_water_) return out;
+  std::vector<double> cut(case_.bodies.size());
+  for (const int b : bodies_in_water_->in_surface(state_.view(0))) cut[static_cast<size_t>(b)] = 1;
+  all_reduce(system_->comm(), MPI_SUM, cut);
+  for (size_t b = 0; b < cut.size(); ++b)
+    if (cut[b] > 0 && case_.bodies[b].mass->turning_stiffness.head<2>().minCoeff() == 0)
+      out.push_back(
+          fmt::format("bodies.{}: it floats in the surface, and in_water has no stiffness of its waterplane "
+                      "against roll and "
+                      "pitch, so that their periods and amplitudes are wrong: give turning_stiffness, rho g "
+                      "times the second "
+                      "moments of area of the waterplane",
+                      case_.bodies[b].name));
+  return out;
+}
+
+std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
+  std::vector<std::string> out;
+  for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
+    double& last = last_stiffness_[v];
+    if (contact_->stiffness(v) == last) continue;
+    out.push_back(raised_note(contact_->volume_name(v), last, contact_->stiffness(v), when));
+    last = contact_->stiffness(v);
+  }
+  return out;
+}
+
+// By line and in one sum over the ranks.
+std::vector<std::string> Simulation::on_bed() const {
+  std::vector<std::string> out;
+  if (!seabed_) return out;
+  constexpr size_t kShown = 20;
+  std::vector<SeabedTerm::OnBed> lines = seabed_->on_bed(state_.view(0));
+  std::vector<double> sums;
+  for (const SeabedTerm::OnBed& l : lines) sums.insert(sums.end(), {l.lies, l.laid, l.held, l.taken});
+  all_reduce(system_->comm(), MPI_SUM, sums);
+  size_t more = 0;
+  for (size_t l = 0; l < lines.size(); ++l) {
+    const double lies = sums[4 * l], laid = sums[4 * l + 1], held = sums[4 * l + 2];
+    const double taken = std::abs(sums[4 * l + 3]);
+    if (!(lies > 0)) continue;
+    if (out.size() == kShown) {
+      ++more;
+      continue;
+    }
+    std::string friction = "without friction in statics";
+    if (laid > 0)
+      friction =
+          fmt::format("where friction takes {:.4g} kN of tension and holds {:.4g} m with force to spare",
+                      1e-3 * taken, held);
+    out.push_back(fmt::format("lines.{}: {:.4g} m on the seabed, {}", mesh_->lines[l].name, lies, friction));
+  }
+  if (more > 0) out.push_back(fmt::format("{} more lines are on the seabed", more));
+  return out;
+}
+
+void Simulation::check_inside() const {
+  bodies_->exchange_poses(system_->comm(), state_.view(0));
+  const std::string wrong = still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, feeders_,
+                                         volumes_, start_contact_);
+  if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
+}
+
+std::string Simulation::inside(int volume, const Kinematics& at) const {
+  ContactVolume v = volumes_[volume];
+  v.off = false;
+  std::vector<LeftOut> left_out;
+  for (LeftOut l : start_contact_.left_out)
+    if (l.volume == volume) l.volume = 0, left_out.push_back(l);
+  bodies_->exchange_poses(system_->comm(), at);
+  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, left_out);
+}
+
+void Simulation::enable_contact(const model::Action& action) {
+  for (size_t v = 0; v < volumes_.size(); ++v)
+    if (model::switches(action, volumes_[v].settings))
+      volumes_[v].off = !action.enabled, contact_->enable(static_cast<int>(v), action.enabled);
+}
+
+std::string Simulation::inside(const model::Action& action, const Kinematics& at) const {
+  for (size_t v = 0; v < volumes_.size(); ++v)
+    if (action.enabled && model::switches(action, volumes_[v].settings))
+      if (std::string where = inside(static_cast<int>(v), at); !where.empty()) return where;
+  return "";
+}
+
+void Simulation::scale_current(double factor) {
+  if (water_) water_->scale_current(factor);
+  if (bodies_in_water_) bodies_in_water_->scale_current(factor);
+}
+
+DynamicsSettings Simulation::dynamics_settings() const {
+  const model::Dynamics& d = case_.dynamics;
+  DynamicsSettings s;
+  s.rho_infinity = d.rho_infinity;
+  s.tolerance = d.tolerance;
+  s.step.fixed = d.step;
+  s.step.resolve_impacts = d.resolve_impacts;
+  s.step.longest = d.max_step > 0 ? d.max_step : model::longest_step(case_).length;
+  s.step.first = s.step.longest / 10;
+  s.step.shortest = d.min_step > 0 ? d.min_step : 1e-7 * std::max(1.0, d.step > 0 ? 10 * d.step : 1.0);
+  s.step.error_tolerance = d.error_tolerance;
+  if (d.error_tolerance > 0) return s;
+  // A hundredth of its diameter a step is far below what a picture or a tension of a line shows.
+  for (const auto& t : case_.line_types)
+    s.step.error_tolerance = std::max(s.step.error_tolerance, 0.01 * t.outer_diameter);
+  for (const LineSpan& span : mesh().lines) {
+    double diameter = 0;
+    for (int e = span.first_element; e < span.first_element + span.elements; ++e)
+      diameter = std::max(diameter, case_.line_types[mesh().elements[e].type].outer_diameter);
+    s.strictness.push_back(diameter > 0 ? s.step.error_tolerance / (0.01 * diameter) : 1);
+  }
+  return s;
+}
+
+Dynamics& Simulation::dynamics() {
+  if (!dynamics_) {
+    if (line_pairs_) line_pairs_->settle(false);
+    dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
+  }
+  return *dynamics_;
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,195 @@
+// The class SoughtLength: what a line has at rest of what is asked for, where the search for its length
+// begins and ends, and the sentences about it.
+#include "hawser/run/sought_length.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/math/declination.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/record/end_forces.hpp"
+#include "hawser/terms/feeders.hpp"
+
+namespace hawser::run {
+namespace {
+
+using model::LengthTarget;
+using Kind = LengthTarget::Kind;
+
+constexpr double kTolerance = 1e-7;  // of the tension, of the length, rad
+// Of the length: as near as both sides of a search come. What statics leaves undetermined there.
+constexpr double kNarrow = 1e-10, kCoarse = 1e-5;
+constexpr double kFirstStep = 0.02, kNextStep = 1e-3;  // of the length
+
+std::string value_text(const LengthTarget& t, double value) {
+  switch (t.kind) {
+    case Kind::tension:
+      return fmt::format("{:.6g} N", value);
+    case Kind::declination:
+      return fmt::format("{:.6g} deg", degrees(value));
+    default:
+      return fmt::format("{:.6g} m", value);
+  }
+}
+
+std::string name_of(const LengthTarget& t) {
+  const char* end = t.at_a ? "end A" : "end B";
+  switch (t.kind) {
+    case Kind::tension:
+      return fmt::format("tension at {}", end);
+    case Kind::declination:
+      return fmt::format("declination at {}", end);
+    case Kind::touchdown:
+      return fmt::format("arc length of the first touchdown point from {}", end);
+    default:
+      return "laid length";
+  }
+}
+
+}  // namespace
+
+AtRest at_rest(MPI_Comm comm, Simulation& sim) {
+  const Kinematics at = sim.state().view(0);
+  const LocalMesh& local = sim.local();
+  std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
+  const FieldRegistry fields = sim.system().fields();
+  for (const FieldSource& f : fields.sources()) {
+    if (!f.carries) continue;
+    std::vector<double> values(3 * static_cast<size_t>(local.owned));
+    f.fill(at, values);
+    for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
+      carried[n] += Eigen::Map<const Vec3>(values.data() + 3 * n).cwiseAbs();
+  }
+  sim.system().spread(carried);
+  record::EndForces ends(sim.system(), sim.feeders());
+  ends.evaluate(at, carried);
+  AtRest out;
+  out.ends.assign(4 * sim.mesh().lines.size(), 0);
+  for (const record::EndForces::Place& p : ends.places()) {
+    if (p.end < 0) continue;
+    const record::SectionForce& s = p.at_end();
+    out.ends[2 * static_cast<size_t>(p.end)] = s.tension();
+    out.ends[2 * static_cast<size_t>(p.end) + 1] = declination(s.direction);
+  }
+  all_reduce(comm, MPI_SUM, out.ends);
+  out.feeders = ends.at_feeders();
+  out.down = record::Touchdowns(comm, sim.model(), sim.local()).find(at);
+  return out;
+}
+
+SoughtLength::SoughtLength(const model::Case& c, size_t line)
+    : line_(line),
+      t_(*c.lines[line].target),
+      key_(fmt::format("lines.{}.sections[{}]", c.lines[line].name, t_.section)),
+      given_(c.lines[line].sections[t_.section].length),
+      rest_(model::length_of(c.lines[line]) - given_) {
+  begin(given_, kFirstStep * given_);
+}
+
+SoughtLength::SoughtLength(const model::Case& c, size_t line, bool at_b, int feeder)
+    : line_(line), feeder_(feeder), rest_(0) {
+  const model::Line& l = c.lines[line];
+  const model::Feed& feed = *l.end(at_b).feed;
+  key_ = fmt::format("lines.{}.end_{}.feed.stock", l.whole ? l.whole->name : l.name, at_b ? 'b' : 'a');
+  t_.value = feed.tension, t_.at_a = !at_b, t_.most = model::length_of(l);
+  given_ = feed.stock;
+  begin(given_, kNextStep * (t_.most - given_));
+}
+
+void SoughtLength::begin(double from, double step) {
+  // A longer line is expected to have less tension, to hang more steeply and to lie more; a longer stock
+  // leaves less of it outside.
+  const bool falls = feeder_ < 0 && (t_.kind == Kind::tension || (t_.kind == Kind::declination && !t_.at_a) ||
+                                     (t_.kind == Kind::touchdown && t_.at_a));
+  length_ = from;
+  search_ = RootSearch(from, falls ? -step : step, t_.least, t_.most);
+}
+
+void SoughtLength::again() { begin(good_, kNextStep * good_); }
+
+bool SoughtLength::narrow() const { return search_.bracketed() && search_.width() < kNarrow * length_; }
+
+double SoughtLength::reached(const AtRest& now) const {
+  if (feeder_ >= 0) return now.feeders[feeder_];
+  if (t_.kind == Kind::tension || t_.kind == Kind::declination)
+    return now.ends[4 * line_ + (t_.at_a ? 0 : 2) + (t_.kind == Kind::tension ? 0 : 1)];
+  const record::Touchdown& down = now.down[line_];
+  if (t_.kind == Kind::laid_length) return down.laid;
+  const auto& point = t_.at_a ? down.from_a : down.from_b;
+  // A line that hangs altogether touches down where its other end is, one that lies altogether at this end.
+  if (!point) return (down.laid > 0) == t_.at_a ? 0 : rest_ + length_;
+  return point->arc;
+}
+
+double SoughtLength::error() const {
+  const double scale = t_.kind == Kind::tension       ? t_.value
+                       : t_.kind == Kind::declination ? 1
+                                                      : rest_ + length_;
+  return given_up_ ? 0 : std::abs(value_ - t_.value) / scale;
+}
+
+bool SoughtLength::see(const AtRest& now) {
+  if (given_up_) return false;
+  const bool was = met_;
+  value_ = reached(now), good_ = length_;
+  near_ = error() <= kCoarse;
+  met_ = error() <= kTolerance || (narrow() && near_);
+  return was && !met_;
+}
+
+std::string SoughtLength::now(const model::Case& c) const {
+  const std::string where = feeder_ >= 0 ? fmt::format("inside the feeder at {}", t_.at_a ? "end A" : "end B")
+                                         : fmt::format("of section {}", t_.section + 1);
+  return fmt::format("line {}: with {:.6g} m {} the {} is {}, wanted {}", c.lines[line_].name, length_, where,
+                     name_of(t_), value_text(t_, value_), value_text(t_, t_.value));
+}
+
+std::string SoughtLength::found(const model::Case& c, int trials) const {
+  const std::string& name = c.lines[line_].name;
+  const char* end = t_.at_a ? "end A" : "end B";
+  if (given_up_)
+    return fmt::format(
+        "line {}: the feeder at {} does not begin with its tension of {}, but with {:g} m inside as given: "
+        "no length was found that has it at rest{}",
+        name, end, value_text(t_, t_.value), given_, tried());
+  if (feeder_ >= 0)
+    return fmt::format(
+        "line {}: {:.6f} m are inside the feeder at {} at the start ({:g} m in the case), so that it is at "
+        "rest with its tension of {} (found in {} statics)",
+        name, length_, end, given_, value_text(t_, t_.value), trials);
+  return fmt::format(
+      "line {}: section {} is {:.6f} m long ({:g} m in the case), so that the {} is {} (found in {} statics)",
+      name, t_.section + 1, length_, given_, name_of(t_), value_text(t_, value_), trials);
+}
+
+// The range of values that were found.
+std::string SoughtLength::tried() const {
+  const auto& seen = search_.seen();
+  std::string text;
+  if (!seen.empty()) {
+    const auto at = [&](const std::pair<double, double>& s) {
+      return fmt::format("{} at {:.6g} m", value_text(t_, s.second + t_.value), s.first);
+    };
+    const auto [low, high] = std::minmax_element(
+        seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    text += narrow() ? fmt::format("; it jumps over that at {:.9g} m", length_)
+                     : fmt::format("; of the lengths tried, {:.6g} to {:.6g} m, it was between {} and {}",
+                                   seen.front().first, seen.back().first, at(*low), at(*high));
+  }
+  if (!why_.empty()) text += (seen.empty() ? "; as it is given: " : "; beyond these: ") + why_;
+  return text;
+}
+
+void SoughtLength::give_up(const model::Case& c) {
+  if (feeder_ < 0)
+    c.refuse(fmt::format("lines.{}.target", c.lines[line_].name),
+             fmt::format("no length of section {} between {:g} and {:g} m was found that gives {} as the {}",
+                         t_.section + 1, t_.least, t_.most, value_text(t_, t_.value), name_of(t_)) +
+                 tried());
+  given_up_ = met_ = true, length_ = given_;
+}
+
+}  // namespace hawser::run

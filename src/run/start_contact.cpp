@@ -1,0 +1,304 @@
+// Which stretches of lines lie inside a volume at the start, which of them are left out of contact near held
+// ends, and the warnings with what the user can do about the rest.
+#include "hawser/run/start_contact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::run {
+namespace {
+
+constexpr size_t kMostTold = 5;  // sentences of one kind
+// Of the depth it started at: what is less deep lies on the surface, pressed into it by its own contact.
+constexpr double kLeft = 0.1;
+
+// Half the contact diameter of the elements of this rank; 0: takes no part.
+std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
+  std::vector<double> out;
+  for (const LocalElement& e : mesh.elements) {
+    const Element& g = mesh.element(e);
+    const bool part = c.contact.takes_part(c.lines[g.line]);
+    out.push_back(part ? 0.5 * c.line_types[g.type].contact_diameter : 0);
+  }
+  return out;
+}
+
+// From where the axis comes out to where it is a contact diameter away, so that the line is clear by half of
+// it; of what goes along the surface rather than away from it only so much.
+double clearance(const model::Case& c, const model::Line& line, bool b, double rise) {
+  constexpr double kAlong = 0.1;
+  const model::Section& s = b ? line.sections.back() : line.sections.front();
+  return c.line_type(s.type).contact_diameter / std::max(rise, kAlong);
+}
+
+// Numbers of all ranks, `width` to a row.
+std::vector<double> gathered(MPI_Comm comm, const std::vector<double>& mine) {
+  std::vector<double> all;
+  GatherPlan(comm, static_cast<int>(mine.size())).gather(mine.data(), all);
+  return all;
+}
+
+std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                               const Kinematics& at, const Bodies& bodies, const Feeders* feeders,
+                               const std::vector<ContactVolume>& volumes) {
+  std::vector<double> mine;
+  for (const Inside& s : inside_volumes(mesh, at, bodies, volumes, radii(c, mesh), feeders))
+    mine.insert(mine.end(), {static_cast<double>(s.line), static_cast<double>(s.volume), s.from, s.to,
+                             s.depth, s.at, s.place.x(), s.place.y(), s.place.z(), s.rise_from, s.rise_to});
+  const std::vector<double> all = gathered(comm, mine);
+  std::vector<Inside> out;
+  for (auto v = all.begin(); v != all.end(); v += 11)
+    out.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v[3], v[4], v[5],
+                   Vec3(v[6], v[7], v[8]), v[9], v[10]});
+  join(out, *mesh.mesh);
+  return out;
+}
+
+std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
+
+// Next to a held end whose stretch without contact is too short, that; else where the line starts.
+std::string remedy(const model::Line& line, const Inside& s, double length) {
+  for (const bool b : {false, true}) {
+    const double within = line.end(b).no_contact_within.value_or(-1);
+    if (within >= 0 && (b ? s.to >= length - within - 1e-9 * length : s.from <= within + 1e-9 * length))
+      return fmt::format("'no_contact_within' of end_{} must be at least {:.3g} m to leave it out",
+                         b ? "b" : "a", b ? length - s.from : s.to);
+  }
+  if (line.start == model::Start::points) return "move the points of its 'start' out of it";
+  return "say where it lies outside of it with 'start: {points: [[x, y, z], ...]}'";
+}
+
+std::string where(const Inside& s) {
+  return fmt::format("from {:.4g} m to {:.4g} m of arc length, deepest at {:.4g} m, {:.3g} m inside at {}",
+                     s.from, s.to, s.at, s.depth, point(s.place));
+}
+
+std::string inside_text(const model::Line& line, const std::string& volume, const Inside& s, double length) {
+  const bool through = s.from > 0 && s.to < length;
+  return fmt::format("lines.{}: its start shape {} volume {} {}; {}", line.name,
+                     through ? "passes through" : "lies in", volume, where(s), remedy(line, s, length));
+}
+
+// No more of a kind than anyone reads.
+void shorten(std::vector<std::string>& sentences, const std::string& what) {
+  if (sentences.size() <= kMostTold) return;
+  const size_t more = sentences.size() - kMostTold;
+  sentences.resize(kMostTold);
+  sentences.push_back(fmt::format("and {} more {}", more, what));
+}
+
+// What remains of a stretch outside of what is left out.
+void take_off(std::vector<Inside>& inside, const std::vector<LeftOut>& left_out, const Mesh& mesh) {
+  std::vector<Inside> out;
+  for (Inside s : inside) {
+    const double length = mesh.lines[s.line].length;
+    const auto l = std::find_if(left_out.begin(), left_out.end(),
+                                [&](const LeftOut& o) { return o.line == s.line && o.volume == s.volume; });
+    if (l != left_out.end()) {
+      if (s.to <= l->end_a || s.from >= length - l->end_b) continue;
+      s.from = std::max(s.from, l->end_a), s.to = std::min(s.to, length - l->end_b);
+    }
+    if (s.depth > 0 && s.from < s.to) out.push_back(s);
+  }
+  inside = std::move(out);
+}
+
+// What the case leaves out, and by default what lies inside next to a held end.
+void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<ContactVolume>& volumes,
+               StartContact& start) {
+  std::map<std::pair<int, int>, LeftOut> of;
+  const auto entry = [&of](int line, int volume) -> LeftOut& {
+    LeftOut& l = of[{line, volume}];
+    l.line = line, l.volume = volume;
+    return l;
+  };
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const bool b : {false, true}) {
+      const model::End& e = c.lines[l].end(b);
+      if (e.no_contact_within.value_or(0) > 0)
+        for (size_t v = 0; v < volumes.size(); ++v) {
+          LeftOut& out = entry(static_cast<int>(l), static_cast<int>(v));
+          (b ? out.end_b : out.end_a) = *e.no_contact_within;
+        }
+    }
+  for (size_t v = 0; v < volumes.size(); ++v)  // what rides on a line does not touch it
+    if (c.rides(volumes[v].body)) {
+      const int line = c.line_index(c.bodies[volumes[v].body].on->line);
+      entry(line, static_cast<int>(v)).end_a = mesh.lines[line].length;
+    }
+  for (const Inside& s : start.inside) {
+    if (const auto known = of.find({s.line, s.volume}); known != of.end() && c.rides(volumes[s.volume].body))
+      continue;
+    const model::Line& line = c.lines[s.line];
+    const double length = mesh.lines[s.line].length, near = 1e-9 * length;
+    if (s.from <= near && s.to >= length - near) continue;  // never comes out
+    for (const bool b : {false, true}) {
+      const model::End& e = line.end(b);
+      if (!model::is_held(e) || e.no_contact_within || (b ? s.to < length - near : s.from > near)) continue;
+      LeftOut& out = entry(s.line, s.volume);
+      const double reach = (b ? length - s.from : s.to) + clearance(c, line, b, b ? s.rise_from : s.rise_to);
+      (b ? out.end_b : out.end_a) = reach;
+      start.notes.push_back(fmt::format(
+          "lines.{}.end_{}: starts {} volume {}; the {:.3g} m of line up to where it is clear of it have no "
+          "contact with it ('no_contact_within' sets another length)",
+          line.name, b ? "b" : "a",
+          s.depth > 0 ? fmt::format("up to {:.3g} m inside", s.depth) : std::string("at the surface of"),
+          volumes[s.volume].settings.name, reach));
+    }
+  }
+  for (const auto& [key, l] : of) start.left_out.push_back(l);
+}
+
+// Ends of a line that starts by itself, m in space.
+struct Chord {
+  bool known = false;
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+  Vec3 at(double share) const { return a + share * (b - a); }
+};
+
+// Lines that hang past a volume which the straight way between their ends passes on the other side, and under
+// one of the body that carries an end which is above it. A line goes off its own hull on any side.
+void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+               const Bodies& bodies, const std::vector<ContactVolume>& volumes,
+               const std::vector<Inside>& inside, StartContact& start) {
+  std::vector<Chord> chords(c.lines.size());
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    const model::Line& line = c.lines[l];
+    if (!line.starts_by_itself()) continue;
+    if (line.whole || !c.contact.takes_part(line) || line.end_a.kind == model::EndKind::free ||
+        line.end_b.kind == model::EndKind::free)
+      continue;
+    chords[l] = {true, model::end_position(c, line.end_a), model::end_position(c, line.end_b)};
+  }
+  const auto share_of = [&](size_t line, double arc) { return arc / mesh.mesh->lines[line].length; };
+  const auto own = [&](const model::End& e, size_t v) {
+    return e.kind == model::EndKind::body && e.body == volumes[v].settings.body;
+  };
+  const LookedFor looked_for = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
+    const size_t l = node.line;
+    const model::Line& line = c.lines[l];
+    if (!chords[l].known || volumes[v].settings.roller) return {};  // of supports other sentences tell
+    double top = -HUGE_VAL;
+    if (own(line.end_a, v)) top = chords[l].a.z();
+    if (own(line.end_b, v)) top = std::max(top, chords[l].b.z());
+    if (top == -HUGE_VAL) return chords[l].at(share_of(l, node.arc));
+    if (!(top > x.z())) return {};
+    return Vec3(x.x(), x.y(), top);
+  };
+  std::map<std::pair<int, int>, std::vector<double>> nearest;
+  const auto keep = [&nearest](int line, int volume, const std::vector<double>& row) {
+    auto& best = nearest[{line, volume}];
+    if (best.empty() || std::pair(row[3], row[2]) < std::pair(best[3], best[2])) best = row;
+  };
+  for (const Past& p : past_volumes(mesh, at, bodies, volumes, looked_for))
+    keep(p.line, p.volume,
+         {static_cast<double>(p.line), static_cast<double>(p.volume), p.at, p.distance, p.place.x(),
+          p.place.y(), p.place.z()});
+  std::vector<double> mine;
+  for (const auto& [key, row] : nearest) mine.insert(mine.end(), row.begin(), row.end());
+  nearest.clear();
+  const std::vector<double> all = gathered(comm, mine);
+  for (size_t i = 0; i + 6 < all.size(); i += 7)
+    keep(static_cast<int>(all[i]), static_cast<int>(all[i + 1]),
+         {all.begin() + static_cast<long>(i), all.begin() + static_cast<long>(i) + 7});
+  std::vector<std::string> warnings;
+  for (const auto& [key, row] : nearest) {
+    const auto& [l, v] = key;
+    const model::Line& line = c.lines[l];
+    const model::Volume& volume = volumes[v].settings;
+    // Of what is inside the other sentences tell.
+    const auto there = [&, line_of = l, volume_of = v](const Inside& s) {
+      return s.line == line_of && s.volume == volume_of;
+    };
+    if (std::any_of(inside.begin(), inside.end(), there)) continue;
+    const size_t n = l;
+    const bool own_a = own(line.end_a, static_cast<size_t>(v)),
+               own_b = own(line.end_b, static_cast<size_t>(v));
+    const bool under = own_a || own_b || chords[n].at(share_of(n, row[2])).z() >= row[6];
+    const std::string but = own_a || own_b ? fmt::format("its end {} is above it", own_a ? "A" : "B")
+                                           : fmt::format("the straight way between its ends passes {} it",
+                                                         under ? "over" : "under");
+    warnings.push_back(fmt::format(
+        "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, "
+        "while {}; if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
+        line.name, under ? "under" : "over", volume.name, row[3], row[2], point(Vec3(row[4], row[5], row[6])),
+        but));
+  }
+  shorten(warnings, "lines start like these");
+  start.warnings.insert(start.warnings.end(), warnings.begin(), warnings.end());
+}
+
+}  // namespace
+
+std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
+                                            const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  std::vector<ContactVolume> out;
+  for (size_t v = 0; v < c.volumes.size() && v < surfaces.size(); ++v) {
+    const int body = c.body_index(c.volumes[v].body);
+    if (!c.contact.takes_part(c.volumes[v]) || c.lines.empty()) continue;
+    out.push_back({surfaces[v], body, c.volumes[v]});
+    out.back().off = c.off_at_start(c.volumes[v]);
+  }
+  return out;
+}
+
+std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+                        const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
+                        const std::vector<LeftOut>& left_out) {
+  std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, feeders, {volume});
+  take_off(inside, left_out, *mesh.mesh);
+  if (inside.empty()) return "";
+  return fmt::format("line {} is inside it {}", c.lines[inside.front().line].name, where(inside.front()));
+}
+
+StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+                           const Bodies& bodies, const Feeders* feeders,
+                           const std::vector<ContactVolume>& volumes) {
+  StartContact out;
+  if (volumes.empty()) return out;
+  std::vector<ContactVolume> on = volumes;
+  for (ContactVolume& v : on) v.off = false;
+  out.inside = all_inside(comm, c, mesh, at, bodies, feeders, on);
+  // Ends have their lengths without contact with a volume that is off as well; of what else is inside it one
+  // looks again when it is switched on.
+  leave_out(c, *mesh.mesh, volumes, out);
+  std::erase_if(out.inside, [&](const Inside& s) { return volumes[s.volume].off; });
+  const std::vector<Inside> all = out.inside;
+  take_off(out.inside, out.left_out, *mesh.mesh);
+  for (const Inside& s : out.inside)
+    out.warnings.push_back(
+        inside_text(c.lines[s.line], volumes[s.volume].settings.name, s, mesh.mesh->lines[s.line].length));
+  shorten(out.notes, "ends of lines start like these");
+  shorten(out.warnings, "stretches of lines lie inside volumes");
+  hang_past(comm, c, mesh, at, bodies, volumes, all, out);
+  return out;
+}
+
+std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
+                         const Bodies& bodies, const Feeders* feeders,
+                         const std::vector<ContactVolume>& volumes, const StartContact& start) {
+  if (start.inside.empty()) return "";
+  std::vector<Inside> now = all_inside(comm, c, mesh, at, bodies, feeders, volumes);
+  take_off(now, start.left_out, *mesh.mesh);
+  for (const Inside& s : now) {
+    const bool before = std::any_of(start.inside.begin(), start.inside.end(), [&](const Inside& o) {
+      return o.line == s.line && o.volume == s.volume && o.from <= s.to && s.from <= o.to &&
+             s.depth > kLeft * o.depth;
+    });
+    if (!before) continue;
+    const model::Line& line = c.lines[s.line];
+    return fmt::format(
+        "lines.{}: starts inside volume {}, and {} {}; {}", line.name, volumes[s.volume].settings.name,
+        c.statics.enabled ? "statics leaves it there," : "there are no statics to move it out:", where(s),
+        remedy(line, s, mesh.mesh->lines[s.line].length));
+  }
+  return "";
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,142 @@
+// Trials of the search for lengths with which all lines have at rest what the case asks for.
+#include "hawser/run/targets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/hdf5.hpp"
+#include "hawser/run/events.hpp"
+#include "hawser/run/simulation.hpp"
+#include "hawser/run/sought_length.hpp"
+
+namespace hawser::run {
+namespace {
+
+constexpr int kMostTrials = 500;
+
+// Whether statics has to find how much is inside this feeder at the start.
+bool keeps_tension(const model::Case& c, const model::End& end) {
+  return c.statics.enabled && end.feed && end.feed->tension > 0;
+}
+
+std::vector<SoughtLength> all_sought(const model::Case& c) {
+  std::vector<SoughtLength> out;
+  int feeder = 0;
+  for (size_t l = 0; l < c.lines.size(); ++l) {
+    if (c.lines[l].target) out.emplace_back(c, l);
+    for (const bool at_b : {false, true}) {
+      const model::End& end = c.lines[l].end(at_b);
+      if (keeps_tension(c, end)) out.emplace_back(c, l, at_b, feeder);
+      feeder += end.feed.has_value();
+    }
+  }
+  return out;
+}
+
+const SoughtLength& worst(const std::vector<SoughtLength>& all) {
+  return *std::max_element(all.begin(), all.end(), [](const SoughtLength& a, const SoughtLength& b) {
+    return a.error() < b.error();
+  });
+}
+
+}  // namespace
+
+bool has_targets(const model::Case& c) {
+  return std::any_of(c.lines.begin(), c.lines.end(), [&](const model::Line& l) {
+    return l.target || keeps_tension(c, l.end_a) || keeps_tension(c, l.end_b);
+  });
+}
+
+MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<LoadedVolume>& volumes,
+                        const std::function<void(const StaticsReport&)>& progress,
+                        const std::function<void(const std::string&)>& tried) {
+  std::vector<SoughtLength> all = all_sought(c);
+  // All at once, as if lines did not pull at each other. Where they do: one after the other, round and round.
+  bool together = true;
+  size_t turn = 0;
+  for (int trial = 1; trial <= kMostTrials; ++trial) {
+    const auto moves = [&](const SoughtLength& s) { return !s.met() && (together || &s == &all[turn]); };
+    io::SectionLengths lengths;
+    for (SoughtLength& s : all) {
+      if (moves(s)) s.choose();
+      lengths[s.key()] = s.length();
+    }
+    std::string why;
+    bool parted = false;
+    try {
+      MetTargets out{io::with_lengths(c, lengths, comm), {}};
+      Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes));
+      Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
+      const AtRest now = at_rest(comm, sim);
+      for (SoughtLength& s : all) parted |= s.see(now);
+      if (tried) tried(fmt::format("statics {} of the search for lengths: {}", trial, worst(all).now(c)));
+      if (std::all_of(all.begin(), all.end(), [](const SoughtLength& s) { return s.met(); })) {
+        for (const SoughtLength& s : all) out.found.push_back(s.found(c, trial));
+        return out;
+      }
+    } catch (const WrongPlaces&) {
+      throw;
+    } catch (const InputError& e) {
+      why = e.what();
+    } catch (const SolveError& e) {
+      if (trial == 1) throw;  // of the case as it is given
+      why = e.what();
+    }
+    bool stuck = false;
+    for (SoughtLength& s : all) {
+      if (!moves(s)) continue;
+      if (why.empty())
+        s.go_on();
+      else
+        s.fail(why);
+      stuck |= s.stuck();
+      if (s.stuck() && (!together || all.size() == 1)) s.give_up(c);
+    }
+    const bool apart = together && all.size() > 1 && (parted || stuck);
+    if (apart)
+      for (SoughtLength& s : all) s.again();
+    const bool some = std::any_of(all.begin(), all.end(), [](const SoughtLength& s) { return !s.met(); });
+    if (some && (apart || (!together && all[turn].met()))) {
+      together = false;
+      do turn = (turn + 1) % all.size();
+      while (all[turn].met());
+      all[turn].again();
+    }
+  }
+  throw SolveError(
+      "statics: the targets of the lines do not settle together: the length that one needs changes with "
+      "those of the others; give fewer lines a target");
+}
+
+MetTargets with_lengths_of(const model::Case& c, const std::string& results, MPI_Comm comm) {
+  MetTargets out{c, {}};
+  io::SectionLengths lengths;
+  try {
+    io::h5::quiet();
+    const io::h5::Id file = io::h5::open_read(results);
+    const auto names = io::h5::read_texts(file, "lines/name");
+    const auto first = io::h5::read_array(file, "lines/first_node").values;
+    const auto arc = io::h5::read_array(file, "nodes/arc_length").values;
+    for (const model::Line& l : c.lines) {
+      const auto at = std::find(names.begin(), names.end(), l.name);
+      if (!l.target || at == names.end()) continue;
+      size_t node = static_cast<size_t>(first.at(static_cast<size_t>(at - names.begin())));
+      for (int i = 0; i < l.target->section; ++i) node += static_cast<size_t>(l.sections[i].elements);
+      const size_t last = node + static_cast<size_t>(l.sections[l.target->section].elements);
+      const double length = arc.at(last) - arc.at(node);
+      lengths[fmt::format("lines.{}.sections[{}]", l.name, l.target->section)] = length;
+      out.found.push_back(
+          fmt::format("line {}: section {} is {:.6f} m long, as the run found that this one goes on from",
+                      l.name, l.target->section + 1, length));
+    }
+    out.model = io::with_lengths(c, lengths, comm);
+    out.model.output.file = c.output.file;
+  } catch (const std::exception&) {
+    return {c, {}};
+  }
+  return out;
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,252 @@
+// How each volume of a case gets its surface: an exact shape, or a mesh that one rank of a host reads and
+// checks for all; and what contact of bodies and the pictures need of it.
+#include "hawser/run/volumes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/host.hpp"
+#include "hawser/geometry/mesh_surface.hpp"
+#include "hawser/geometry/primitives.hpp"
+#include "hawser/geometry/tested_surface.hpp"
+#include "hawser/io/mesh_check.hpp"
+#include "hawser/io/once_a_host.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/body_pairs.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::run {
+namespace {
+
+// A surface and a view of its triangles.
+void set_surface(LoadedVolume& l, const model::Volume& v, std::shared_ptr<const MeshSurface> surface) {
+  struct Kept {
+    std::shared_ptr<const MeshSurface> surface;
+    MeshView view;
+  };
+  const auto kept = std::make_shared<const Kept>(Kept{surface, surface->mesh()});
+  l.facets = {kept, &kept->view};
+  l.surface = surface;
+  const bool partial = std::find(l.active.begin(), l.active.end(), false) != l.active.end();
+  if (v.sign != SignTest::automatic && v.sign != SignTest::pseudonormal)
+    l.surface = std::make_shared<TestedSurface>(surface, v.sign, partial);
+}
+
+bool same_file(const model::Volume& a, const model::Volume& b) {
+  return !a.shape && !b.shape && a.mesh == b.mesh && a.scale == b.scale && a.closed == b.closed;
+}
+
+// The vertices of a moving mesh are written at every output, since XDMF cannot describe a motion. This many
+// are enough for a picture; they take 120 kB an output.
+constexpr int kDrawnVertices = 10000;
+bool drawn_coarser(const model::Case& c, size_t volume, size_t vertices) {
+  return c.output.xdmf && c.body_index(c.volumes[volume].body) >= 0 && vertices > kDrawnVertices;
+}
+
+// Reads, checks and builds the meshes of a case, each file once.
+class Meshes {
+ public:
+  Meshes(const model::Case& c, const io::ReadingNews& news) : c_(c), news_(news), blunt_(c.volumes.size()) {}
+
+  // Fills in `l` but for its surface.
+  std::shared_ptr<const MeshSurface> make(size_t i, LoadedVolume& l) {
+    const model::Volume& v = c_.volumes[i];
+    io::LoadedMesh loaded = read(i);
+    const io::FitMesh fit = io::check_mesh(c_, v, loaded);
+    blunt_[i] = fit.blunt;
+    l.active = fit.active, l.report = summary(loaded.report), l.notes = std::move(loaded.notes);
+    announce(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()), v);
+    std::shared_ptr<const MeshSurface> surface;
+    try {
+      surface = std::make_shared<const MeshSurface>(
+          std::move(loaded.mesh), l.active, MeshSurfaceOptions{v.smooth, v.crease_angle, loaded.open});
+    } catch (const std::invalid_argument& e) {
+      c_.refuse("volumes." + v.name + ".mesh", e.what());
+    }
+    if (surface->internal_facets() > 0)
+      l.notes.push_back(
+          fmt::format("{}: {} triangles have the inside on both sides and are left out of contact", v.mesh,
+                      surface->internal_facets()));
+    if (!v.smooth) {
+      l.report += " Facets are flat.";
+    } else if (surface->curved() == 0) {
+      l.report += " No facet is part of a curved surface.";
+    } else {
+      l.report += fmt::format(" {} facets are curved, by up to {:.3g} m; {} edges are sharp.",
+                              surface->curved(), surface->bulge(), surface->sharp_edges());
+    }
+    if (drawn_coarser(c_, i, surface->mesh().vertices.size()))
+      l.report +=
+          fmt::format(" ParaView is shown {} of its {} vertices or fewer, as it moves; contact has all.",
+                      kDrawnVertices, surface->mesh().vertices.size());
+    if (v.sign == SignTest::tetrahedra || v.sign == SignTest::ray || v.sign == SignTest::solid_angle)
+      l.notes.push_back(
+          fmt::format("the inside test visits all {} triangles at every query; `sign: automatic` is faster",
+                      surface->mesh().triangles.size()));
+    return surface;
+  }
+  // After the last.
+  void check_leaders() const { io::check_leaders(c_, blunt_); }
+
+ private:
+  void announce(const std::string& what, const model::Volume& v) const {
+    if (news_.busy) news_.busy(what, io::reading_time(v.mesh));
+  }
+  // A file that a later volume has as well is kept.
+  io::LoadedMesh read(size_t i) {
+    const model::Volume& v = c_.volumes[i];
+    const auto kept = std::find_if(kept_.begin(), kept_.end(),
+                                   [&](const auto& k) { return same_file(c_.volumes[k.first], v); });
+    if (kept != kept_.end()) return kept->second;
+    announce(io::reading_text(v.mesh), v);
+    io::LoadedMesh loaded;
+    try {
+      loaded = io::read_mesh(v.mesh, v.scale, v.closed);
+    } catch (const InputError& e) {
+      c_.refuse("volumes." + v.name + ".mesh", e.what());
+    }
+    for (size_t k = i + 1; k < c_.volumes.size(); ++k)
+      if (same_file(c_.volumes[k], v)) {
+        kept_.emplace_back(i, loaded);
+        break;
+      }
+    return loaded;
+  }
+
+  const model::Case& c_;
+  const io::ReadingNews& news_;
+  std::vector<bool> blunt_;
+  std::vector<std::pair<size_t, io::LoadedMesh>> kept_;  // by the volume it was read for
+};
+
+// What the leading rank has, on all ranks of the host.
+void broadcast(MPI_Comm comm, std::string& text) {
+  auto n = static_cast<std::uint64_t>(text.size());
+  MPI_Bcast(&n, 1, MPI_UINT64_T, 0, comm);
+  text.resize(n);
+  MPI_Bcast(text.data(), static_cast<int>(n), MPI_CHAR, 0, comm);
+}
+void broadcast(MPI_Comm comm, LoadedVolume& l) {
+  broadcast(comm, l.report);
+  auto notes = static_cast<std::uint64_t>(l.notes.size());
+  MPI_Bcast(&notes, 1, MPI_UINT64_T, 0, comm);
+  l.notes.resize(notes);
+  for (std::string& n : l.notes) broadcast(comm, n);
+  std::string active(l.active.begin(), l.active.end());
+  broadcast(comm, active);
+  l.active.assign(active.begin(), active.end());
+}
+
+// What lines may reach, in the frame of a body at t = 0 before it moves: so much of a plane is drawn.
+// A line reaches its length from one held end, half its length from the middle between two.
+Box reach(const model::Case& c, const std::string& body_name) {
+  const int b = c.body_index(body_name);
+  const model::Body space, &body = b < 0 ? space : c.bodies[b];
+  const Quat turn = exp_so3(body.rotation).conjugate();
+  const auto local = [&](const Vec3& x) { return Vec3(turn * (x - body.position)); };
+  Box box;
+  for (const model::Line& line : c.lines) {
+    const double length = model::length_of(line);
+    Box own;
+    for (const Vec3& p : line.points) own.add(local(p));
+    int held = 0;
+    for (const model::End* e : {&line.end_a, &line.end_b})
+      if (e->kind != model::EndKind::free) own.add(local(model::end_position(c, *e))), ++held;
+    if (line.points.empty() && held > 0) {
+      const Vec3 middle = own.centre();
+      own.add(Box{middle, middle}.grown(held == 1 ? length : 0.5 * length));
+    }
+    box.add(own);
+  }
+  return box;
+}
+
+LoadedVolume load_shape(const model::Case& c, const model::Volume& v) {
+  LoadedVolume l;
+  l.surface = make_surface(*v.shape);
+  struct Kept {
+    TriangleMesh mesh;
+    MeshView view;
+  };
+  const auto kept = std::make_shared<Kept>();
+  kept->mesh = facets(*v.shape, reach(c, v.body));
+  kept->view = kept->mesh;
+  l.facets = {kept, &kept->view};
+  l.active.assign(l.facets->triangles.size(), true);
+  l.report = fmt::format("exact shape; {} triangles for pictures only", l.facets->triangles.size());
+  return l;
+}
+
+}  // namespace
+
+std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm, const io::ReadingNews& news) {
+  const Host host(comm);
+  Meshes meshes(c, news);
+  std::vector<LoadedVolume> out;
+  for (size_t i = 0; i < c.volumes.size(); ++i) {
+    const model::Volume& v = c.volumes[i];
+    LoadedVolume& l = out.emplace_back();
+    if (v.shape) {
+      try {
+        l = load_shape(c, v);
+      } catch (const std::invalid_argument& e) {
+        c.refuse("volumes." + v.name + ".shape", e.what());
+      }
+    } else {
+      auto surface = io::once_a_host(comm, host, [&] { return meshes.make(i, l); });
+      broadcast(host.comm(), l);
+      set_surface(l, v, std::move(surface));
+    }
+    l.name = v.name;
+  }
+  io::agreed(comm, [&] {
+    if (host.leads()) meshes.check_leaders();
+  });
+  return out;
+}
+
+std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes) {
+  std::vector<std::shared_ptr<const Surface>> out;
+  for (const auto& v : volumes) out.push_back(v.surface);
+  return out;
+}
+
+std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
+  std::vector<BodySkeleton> out(volumes.size());
+  for (const model::BodyPair& p : model::body_pairs(c))
+    if (out[p.a].features.empty())
+      out[p.a] = body_skeleton(c.volumes[p.a], *volumes[p.a].facets, volumes[p.a].active);
+  for (const model::BodyPair& p : model::body_pairs(c))
+    for (const size_t v : {p.a, p.b}) {
+      const auto& shape = c.volumes[v].shape;
+      if (!p.hides || !out[v].faces.empty() || (shape && std::holds_alternative<PlaneShape>(*shape)))
+        continue;
+      watch_faces(*volumes[v].facets, volumes[v].active, out[v]);
+    }
+  return out;
+}
+
+std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
+  std::vector<io::VolumeMesh> out;
+  for (size_t i = 0; i < volumes.size(); ++i) {
+    const MeshView& m = *volumes[i].facets;
+    out.push_back({volumes[i].name,
+                   c.body_index(c.volumes[i].body),
+                   m.vertices,
+                   m.triangles,
+                   {volumes[i].active.begin(), volumes[i].active.end()},
+                   volumes[i].facets});
+    io::VolumeMesh& v = out.back();
+    if (!drawn_coarser(c, i, v.vertices.size())) continue;
+    v.coarse = coarse_mesh(v.vertices, v.triangles, kDrawnVertices);
+    if (!v.active.empty())
+      for (const int t : v.coarse.from) v.coarse_active.push_back(v.active[t]);
+  }
+  return out;
+}
+
+}  // namespace hawser::run
