@@ -18,6 +18,8 @@ namespace {
 constexpr int kMostSteps = 256;  // kept by each rank
 constexpr double kMergeDiameters = 4;
 constexpr size_t kTouch = 11;
+// Beside those of the terms in a checkpoint.
+const std::string kRecords = "clash report";
 
 ClashSettings settings_of(const model::Case& c) {
   const model::ClashOutput& o = c.output.clashes;
@@ -49,13 +51,13 @@ bool ClashReport::wanted(const Subject& s) {
          (s.term<LineVolumeContact>() || s.term<LinePairs>() || s.term<BodyContactTerm>());
 }
 
-ClashReport::ClashReport(MPI_Comm comm, const Subject& subject)
-    : comm_(comm),
+ClashReport::ClashReport(const Subject& subject)
+    : comm_(subject.comm()),
       subject_(subject),
       contact_(subject.term<LineVolumeContact>()),
       line_pairs_(subject.term<LinePairs>()),
       body_contact_(subject.term<BodyContactTerm>()),
-      rank_(rank_of(comm)),
+      rank_(rank_of(comm_)),
       settings_(settings_of(subject.model)),
       log_(settings_) {
   const auto& volumes = subject_.model.volumes;
@@ -66,14 +68,14 @@ ClashReport::ClashReport(MPI_Comm comm, const Subject& subject)
   }
 }
 
-void ClashReport::step(double time) {
+void ClashReport::step(const Snapshot& s) {
   ActiveContacts touches;
   if (contact_) contact_->active_contacts(touches);
   for (ActiveContact& t : touches) t.volume = volumes_[t.volume];
   if (line_pairs_) line_pairs_->active_contacts(touches);
   if (body_contact_) body_contact_->active_contacts(touches);
   touches = put_together(std::move(touches), settings_.merge_length);
-  steps_.insert(steps_.end(), {time, static_cast<double>(touches.size())});
+  steps_.insert(steps_.end(), {s.step.time, static_cast<double>(touches.size())});
   for (const ActiveContact& t : touches) put(steps_, t);
   if (++waiting_ >= kMostSteps) collect();
 }
@@ -112,15 +114,18 @@ std::vector<double> ClashReport::of_all(const std::vector<double>& mine) const {
 }
 
 // A record belongs to a node of the rank that gives it; rank 0 need not own any.
-std::vector<HistoryRecord> ClashReport::save() {
+void ClashReport::save(io::Checkpoint& to) {
   collect();
   std::vector<double> values = of_all(rank_ == 0 ? log_.save() : std::vector<double>{});
-  if (!subject_.local().owns(subject_.local().find(0))) return {};
-  return {{0, 0, std::move(values)}};
+  io::CheckpointHistory& history = to.history[kRecords];
+  history.kinds = {{"clash log", {{"number", 1, ""}}}};
+  if (subject_.local().owns(subject_.local().find(0))) history.records = {{0, 0, std::move(values)}};
 }
 
-void ClashReport::restore(const std::vector<HistoryRecord>& records) {
-  const std::vector<double> values = of_all(records.empty() ? std::vector<double>{} : records.front().values);
+void ClashReport::restore(const io::Checkpoint& from) {
+  const auto at = from.history.find(kRecords);
+  const bool here = at != from.history.end() && !at->second.records.empty();
+  const std::vector<double> values = of_all(here ? at->second.records.front().values : std::vector<double>{});
   if (rank_ == 0 && !values.empty()) log_.restore(values);
 }
 

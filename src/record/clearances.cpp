@@ -22,21 +22,22 @@ constexpr size_t kAxis = 13;          // doubles of an element on its way to oth
 
 }  // namespace
 
-Clearances::Clearances(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                       std::vector<std::shared_ptr<const Surface>> surfaces)
-    : comm_(comm), case_(c), mesh_(mesh), surfaces_(std::move(surfaces)), seen_(c.output.clearances.size()) {}
+Clearances::Clearances(const Subject& subject)
+    : comm_(subject.comm()),
+      case_(subject.model),
+      mesh_(subject.local()),
+      surfaces_(subject.surfaces),
+      seen_(case_.output.clearances.size()) {}
 
-std::vector<io::ResultSeries> Clearances::series() const {
-  std::vector<io::ResultSeries> out;
+void Clearances::declare(Declarations& to) {
   for (const model::Clearance& k : case_.output.clearances) {
     io::ResultSeries s{k.name, {{"clearance", "m", 1}, {"arc_length", "m", 1}}};
     if (k.volume.empty())
       s.columns.push_back({"other_arc_length", "m", 1});
     else
       s.columns.push_back({"point", "m", 3});
-    out.push_back(std::move(s));
+    to.contents.series.push_back(std::move(s));
   }
-  return out;
 }
 
 double Clearances::arc(int element, double xi) const {
@@ -178,8 +179,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
   return best;
 }
 
-std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
-                                                  const std::vector<io::BodyPose>& poses) {
+void Clearances::rows(const Snapshot& s, Rows& to) {
   const auto& wanted = case_.output.clearances;
   std::vector<double> values, numbers;
   const auto add = [&](const Best& b) {
@@ -189,7 +189,7 @@ std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
   std::map<int, Tree> here, everywhere;  // of lines, of this rank and of all; each is made once
   const auto tree_of = [&](int line) -> const Tree& {
     const auto [t, fresh] = here.try_emplace(line);
-    if (fresh) t->second = Tree(own(line, at));
+    if (fresh) t->second = Tree(own(line, s.at));
     return t->second;
   };
   for (size_t k = 0; k < wanted.size(); ++k) {
@@ -204,19 +204,20 @@ std::vector<std::vector<double>> Clearances::rows(const Kinematics& at,
     size_t v = 0;
     while (case_.volumes[v].name != w.volume) ++v;
     const int body = case_.body_index(case_.volumes[v].body);
-    add(to_volume(tree_of(line).elements, *surfaces_[v], body < 0 ? io::BodyPose{} : poses[body], seen_[k]));
+    add(to_volume(tree_of(line).elements, *surfaces_[v], body < 0 ? io::BodyPose{} : s.poses()[body],
+                  seen_[k]));
   }
   smallest_of_ranks(comm_, values, numbers);
   const int rank = rank_of(comm_);
-  std::vector<std::vector<double>> out(values.size());
-  for (size_t k = 0; k < out.size() && rank == 0; ++k) {
+  for (size_t k = 0; k < values.size(); ++k) {
+    std::vector<double>& row = to.emplace_back();
+    if (rank != 0) continue;
     const double* n = numbers.data() + 4 * k;
-    out[k] = {values[k], n[0], n[1]};
-    if (!wanted[k].volume.empty()) out[k].insert(out[k].end(), {n[2], n[3]});
+    row = {values[k], n[0], n[1]};
+    if (!wanted[k].volume.empty()) row.insert(row.end(), {n[2], n[3]});
     // Nothing of the volume looks that way.
-    if (!std::isfinite(values[k])) std::fill(out[k].begin(), out[k].end(), std::nan(""));
+    if (!std::isfinite(values[k])) std::fill(row.begin(), row.end(), std::nan(""));
   }
-  return out;
 }
 
 }  // namespace hawser::record

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "hawser/model/doubts.hpp"
+#include "hawser/record/line_extremes.hpp"
 
 namespace hawser::record {
 namespace {
@@ -74,6 +75,41 @@ std::vector<ElementErrors::At> ElementErrors::gathered(const Kinematics& at, con
   bring(value(values.moment), [](At& a, double v) { a.moment = std::isnan(v) ? 0 : std::abs(v); });
   bring(value(values.pressed), [](At& a, double v) { a.pressed = v; });
   bring([&](size_t n) { return values.carried[n] ? 1.0 : 0.0; }, [](At& a, double v) { a.carried = v > 0; });
+  return out;
+}
+
+void ElementErrors::declare(Declarations& to) {
+  const std::vector<Field>& fields = to.contents.fields;
+  tension_ = find_field(fields, "effective_tension"), moment_ = find_field(fields, "bending_moment");
+  pressed_ = find_field(fields, "contact_normal_force");
+  for (const char* name : {"contact_normal_force", "line_contact_normal_force", "seabed_force"})
+    if (const int f = find_field(fields, name); f >= 0) touches_.emplace_back(f, fields[f].components);
+}
+
+void ElementErrors::output(const Snapshot& s) {
+  const auto of = [&](int f) {
+    return f < 0 ? std::span<const double>() : std::span<const double>(s.values[f]);
+  };
+  Values v{of(tension_), of(moment_), of(pressed_), {}};
+  v.carried.resize(mesh_.owned, false);
+  for (const auto& [f, components] : touches_)
+    for (size_t n = 0, c = static_cast<size_t>(components); n < v.carried.size(); ++n)
+      for (size_t k = 0; k < c; ++k)
+        if (s.values[f][n * c + k] != 0) v.carried[n] = true;
+  look(s.at, v);
+}
+
+std::vector<Finding> ElementErrors::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+  const auto bent = [&](const std::string& line) {
+    for (const auto& r : summary)
+      if (r.line == line && r.quantity == "max bending moment") return r.value;
+    return HUGE_VAL;
+  };
+  std::vector<Finding> out;
+  for (size_t i = 0; i < summary.size(); ++i)
+    if (const io::SummaryRow& r = summary[i]; is_largest_tension(case_, r))
+      for (std::string& w : warnings(case_.line_index(r.line), r.value, bent(r.line)))
+        out.push_back({std::move(w), i});
   return out;
 }
 

@@ -25,9 +25,8 @@ constexpr double kSamePlace = 1e-9;
 
 }  // namespace
 
-Histories::Histories(MPI_Comm comm, const Subject& subject, const EndForces& ends,
-                     std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields)
-    : comm_(comm), subject_(subject), ends_(ends) {
+void Histories::declare(Declarations& to) {
+  const std::vector<io::ResultField>& fields = to.contents.fields;
   const auto find = [&](const char* name) { return find_field(fields, name); };
   for (size_t f = 0; f < fields.size(); ++f) {
     if (fields[f].history == Field::History::yes) shown_.push_back(f);
@@ -39,8 +38,8 @@ Histories::Histories(MPI_Comm comm, const Subject& subject, const EndForces& end
   shear_ = find("shear_force"), torsion_ = find("torsion_moment"), moment_ = find("bending_moment");
   moment_2_ = find("bending_moment_2"), moment_3_ = find("bending_moment_3");
 
-  const auto add = [&fields](io::ResultSeries& to, const std::vector<size_t>& which) {
-    for (const size_t f : which) to.columns.push_back(fields[f]);
+  const auto add = [&fields](io::ResultSeries& series, const std::vector<size_t>& which) {
+    for (const size_t f : which) series.columns.push_back(fields[f]);
   };
   const model::Case& c = subject_.model;
   for (const auto& h : c.output.histories) {
@@ -56,11 +55,13 @@ Histories::Histories(MPI_Comm comm, const Subject& subject, const EndForces& end
       p = point_of(line, h.at);
       const double arc = std::clamp(h.at, 0.0, span.length);
       const bool at_end = std::min(arc, span.length - arc) <= kSamePlace * span.length;
-      if (at_end && p.nodes[0] >= 0) p.end = ends.end_at(p.nodes[0]);
+      if (at_end && p.nodes[0] >= 0) p.end = ends_.end_at(p.nodes[0]);
+      for (const Field& f : fields)
+        if (f.history != Field::History::no) to.every_step.insert(f.name);
       series.columns = {{"position", "m", 3}, {"velocity", "m/s", 3}};
       add(series, shown_);
       if (at_end)
-        for (const io::ResultField& f : end_fields)
+        for (const io::ResultField& f : to.contents.end_fields)
           series.columns.push_back({"end_" + f.name, f.unit, f.components});
       add(series, shown_last_);
       series.columns.push_back({"acceleration", "m/s2", 3});
@@ -73,8 +74,9 @@ Histories::Histories(MPI_Comm comm, const Subject& subject, const EndForces& end
   }
   std::vector<int> ranks;
   for (const Point& p : points_) ranks.push_back(p.nodes[0] >= 0 || p.nodes[1] >= 0);
-  all_reduce(comm_, MPI_SUM, ranks);
+  all_reduce(subject_.comm(), MPI_SUM, ranks);
   for (size_t i = 0; i < points_.size(); ++i) points_[i].shared = ranks[i] > 1 || !points_[i].volume.empty();
+  to.contents.series.insert(to.contents.series.end(), series_.begin(), series_.end());
 }
 
 Histories::Point Histories::point_of(int line, double arc) const {
@@ -116,13 +118,12 @@ double Histories::facing(int field, const SectionForce& s, const Quat& q, double
 
 // What node `side` of a point contributes. Where section forces jump at a node the point lies on one side of
 // it.
-std::vector<double> Histories::node_row(const Point& p, size_t side, const Kinematics& at,
-                                        const std::vector<std::vector<double>>& values,
-                                        const std::vector<std::vector<double>>& ends) const {
+std::vector<double> Histories::node_row(const Point& p, size_t side, const Snapshot& s) const {
+  const Kinematics& at = s.at;
   const size_t n = p.nodes[side];
   const bool between = p.weights[1] > 0;
   const EndForces::Place* place = p.places[side] >= 0 ? &ends_.places()[p.places[side]] : nullptr;
-  const auto of = [&](int field) { return values[field][n]; };
+  const auto of = [&](int field) { return s.values[field][n]; };
   std::vector<double> row;
   const auto vector = [&](const auto& v) { row.insert(row.end(), v.begin(), v.end()); };
   const auto show = [&](const std::vector<size_t>& fields) {
@@ -142,11 +143,11 @@ std::vector<double> Histories::node_row(const Point& p, size_t side, const Kinem
   vector(at.x[n]), vector(at.v[n]);
   show(shown_);
   if (p.end >= 0)
-    for (const auto& e : ends) vector(std::span(e).subspan(3 * static_cast<size_t>(p.end), 3));
+    for (const auto& e : s.ends) vector(std::span(e).subspan(3 * static_cast<size_t>(p.end), 3));
   show(shown_last_);
   vector(at.a[n]);
   if (p.end >= 0) {
-    const Vec3 along(ends[1].data() + 3 * p.end);
+    const Vec3 along(s.ends[1].data() + 3 * p.end);
     row.push_back(degrees(declination(along)));
     row.push_back(degrees(std::atan2(along.y(), along.x())));
   }
@@ -155,13 +156,11 @@ std::vector<double> Histories::node_row(const Point& p, size_t side, const Kinem
 }
 
 // Empty on ranks that own none of its nodes.
-std::vector<double> Histories::line_row(const Point& p, const Kinematics& at,
-                                        const std::vector<std::vector<double>>& values,
-                                        const std::vector<std::vector<double>>& ends) const {
+std::vector<double> Histories::line_row(const Point& p, const Snapshot& s) const {
   std::vector<double> row;
   for (size_t k = 0; k < 2; ++k) {
     if (p.nodes[k] < 0) continue;
-    const std::vector<double> part = node_row(p, k, at, values, ends);
+    const std::vector<double> part = node_row(p, k, s);
     row.resize(part.size());
     for (size_t i = 0; i < part.size(); ++i) row[i] += part[i];
   }
@@ -171,7 +170,7 @@ std::vector<double> Histories::line_row(const Point& p, const Kinematics& at,
 // Empty on ranks that do not own the body.
 std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
   const auto p = body_pose(subject_.bodies, subject_.local(), body, at);
-  const int rank = rank_of(comm_);
+  const int rank = rank_of(subject_.comm());
   if (!p || (!subject_.bodies.floats(body) && rank != 0)) return {};
   std::array<Vec3, 2> force{Vec3::Zero(), Vec3::Zero()};
   if (const auto* floating = subject_.term<RigidBodies>(); floating && subject_.model.floats(body))
@@ -194,14 +193,13 @@ std::vector<double> Histories::volume_row(const std::string& volume, const Kinem
   return row;
 }
 
-std::vector<std::vector<double>> Histories::rows(const Kinematics& at,
-                                                 const std::vector<std::vector<double>>& values,
-                                                 const std::vector<std::vector<double>>& ends) const {
-  std::vector<std::vector<double>> rows;
+void Histories::rows(const Snapshot& s, Rows& to) {
+  const size_t first = to.size();
   for (const Point& p : points_)
-    rows.push_back(p.body >= 0        ? body_row(p.body, at)
-                   : p.volume.empty() ? line_row(p, at, values, ends)
-                                      : volume_row(p.volume, at));
+    to.push_back(p.body >= 0        ? body_row(p.body, s.at)
+                 : p.volume.empty() ? line_row(p, s)
+                                    : volume_row(p.volume, s.at));
+  const std::span<std::vector<double>> rows(to.begin() + static_cast<std::ptrdiff_t>(first), to.end());
 
   // Ranks each have a part of what they share; the first rank writes the sum.
   std::vector<double> parts;
@@ -212,10 +210,10 @@ std::vector<std::vector<double>> Histories::rows(const Kinematics& at,
     rows[i].resize(columns);
     parts.insert(parts.end(), rows[i].begin(), rows[i].end());
   }
-  if (parts.empty()) return rows;
-  const int rank = rank_of(comm_);
+  if (parts.empty()) return;
+  const int rank = rank_of(subject_.comm());
   MPI_Reduce(rank == 0 ? MPI_IN_PLACE : parts.data(), parts.data(), static_cast<int>(parts.size()),
-             MPI_DOUBLE, MPI_SUM, 0, comm_);
+             MPI_DOUBLE, MPI_SUM, 0, subject_.comm());
   auto part = parts.begin();
   for (size_t i = 0; i < points_.size(); ++i) {
     if (!points_[i].shared) continue;
@@ -223,7 +221,6 @@ std::vector<std::vector<double>> Histories::rows(const Kinematics& at,
     part += static_cast<std::ptrdiff_t>(rows[i].size());
     if (rank != 0) rows[i].clear();
   }
-  return rows;
 }
 
 }  // namespace hawser::record

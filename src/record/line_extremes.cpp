@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hawser/base/gather.hpp"
+#include "hawser/record/row_warnings.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::record {
@@ -16,6 +17,8 @@ namespace {
 // Of its size, by which a value must be beyond that of an earlier step: what rests is at its extreme from the
 // start on, whatever rounding makes of it later.
 constexpr double kBeyond = 1e-9;
+// Less is round-off of a line without tension.
+constexpr double kNoStrain = 1e-9;
 
 // Of a table that people read: in the order that fields ask for.
 std::vector<size_t> shown(const std::vector<io::ResultField>& fields) {
@@ -33,24 +36,40 @@ std::string when_text(const model::Case& c, double time) {
   return c.statics.enabled && time == 0 ? "at rest" : fmt::format("t = {:.6g} s", time);
 }
 
-LineExtremes::LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local,
-                           const Feeders* feeders, const std::vector<io::ResultField>& fields)
-    : comm_(comm), local_(local), feeders_(feeders) {
-  for (const model::Line& line : c.lines) names_.push_back(line.name);
-  for (const size_t f : shown(fields))
+bool is_largest_tension(const model::Case& c, const io::SummaryRow& row) {
+  if (row.quantity != "max effective tension") return false;
+  double EA = 0;
+  for (const auto& s : c.line(row.line).sections) EA = std::max(EA, c.line_type(s.type).EA);
+  return row.value > kNoStrain * EA;
+}
+
+LineExtremes::LineExtremes(const Subject& subject, const Utilisation& utilisation)
+    : comm_(subject.comm()),
+      case_(subject.model),
+      local_(subject.local()),
+      feeders_(subject.term<Feeders>()),
+      utilisation_(utilisation) {
+  for (const model::Line& line : case_.lines) names_.push_back(line.name);
+}
+
+void LineExtremes::declare(Declarations& to) {
+  fields_ = to.contents.fields;
+  for (const size_t f : shown(fields_)) {
+    to.every_step.insert(fields_[f].name);
     for (const bool largest : {true, false}) {
-      if (!largest && !fields[f].smallest) continue;
-      const std::string name = (largest ? "max " : "min ") + fields[f].extreme;
+      if (!largest && !fields_[f].smallest) continue;
+      const std::string name = (largest ? "max " : "min ") + fields_[f].extreme;
       auto q = std::find_if(quantities_.begin(), quantities_.end(),
                             [&](const Quantity& other) { return other.name == name; });
       if (q == quantities_.end())
-        q = quantities_.insert(q, {name, fields[f].unit, {}, largest, std::vector<Extreme>(names_.size())});
+        q = quantities_.insert(q, {name, fields_[f].unit, {}, largest, std::vector<Extreme>(names_.size())});
       q->fields.push_back(f);
     }
+  }
 }
 
-void LineExtremes::add(double time, const std::vector<std::vector<double>>& values,
-                       const Utilisation& utilisation) {
+void LineExtremes::step(const Snapshot& s) {
+  const double time = s.step.time;
   const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>{};
   const auto is_inside = [&](const Node& node, size_t n) {
     const size_t line = node.line;
@@ -63,13 +82,20 @@ void LineExtremes::add(double time, const std::vector<std::vector<double>>& valu
       for (size_t n = 0; n < static_cast<size_t>(local_.owned); ++n) {
         const Node& node = local_.node(n);
         if (node.body >= 0) break;  // bodies come after the lines
-        if (!utilisation.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
-        const double v = values[f][n];
+        if (!utilisation_.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
+        const double v = s.values[f][n];
         if (std::isnan(v)) continue;  // no pipe
         Extreme& x = q.lines[node.line];
         const double slack = x.set && time > x.time ? kBeyond * std::abs(x.value) : 0;
         if (!x.set || (q.largest ? v > x.value + slack : v < x.value - slack)) x = {v, time, node.arc, true};
       }
+}
+
+std::vector<Finding> LineExtremes::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+  std::vector<Finding> out;
+  for (size_t i = 0; i < summary.size(); ++i)
+    for (std::string& text : row_warnings(case_, fields_, summary[i])) out.push_back({std::move(text), i});
+  return out;
 }
 
 std::vector<io::SummaryRow> LineExtremes::table() const {
@@ -84,7 +110,7 @@ std::vector<io::SummaryRow> LineExtremes::table() const {
   return rows;
 }
 
-void LineExtremes::save(io::Checkpoint& to) const {
+void LineExtremes::save(io::Checkpoint& to) {
   for (const io::SummaryRow& r : table()) {
     const std::string key = "extreme." + r.line + "." + r.quantity;
     to.scalars[key] = r.value, to.scalars[key + ".time"] = r.time, to.scalars[key + ".arc"] = r.arc_length;

@@ -33,24 +33,29 @@ const std::string kRest = "pipe codes: functional loads", kPulled = "pipe codes:
 
 }  // namespace
 
-PipeStrength::PipeStrength(const model::Case& c, const LocalMesh& local) : case_(c) {
-  for (const model::LineType& t : c.line_types) {
+PipeStrength::PipeStrength(const Subject& subject)
+    : case_(subject.model),
+      mesh_(subject.mesh()),
+      comm_(subject.comm()),
+      touchdowns_(subject.comm(), subject.model, subject.local()) {
+  if (!case_.supports.empty()) rollers_.emplace(subject);
+  for (const model::LineType& t : case_.line_types) {
     const bool judged = t.steel && t.kind == model::LineKind::beam;
     of_type_.push_back(judged ? static_cast<int>(codes_.size()) : -1);
     if (!judged) continue;
     codes_.emplace_back(*t.steel);
-    places_ |= t.conditions.supports != t.conditions.span || t.conditions.seabed != t.conditions.span;
+    by_place_ |= t.conditions.supports != t.conditions.span || t.conditions.seabed != t.conditions.span;
   }
-  const Mesh& mesh = *local.mesh;
+  const LocalMesh& local = subject.local();
   for (size_t n = 0; n < static_cast<size_t>(local.owned) && !codes_.empty(); ++n) {
-    const Node& node = mesh.nodes[local.global[n]];
+    const Node& node = mesh_.nodes[local.global[n]];
     auto& sides = sides_.emplace_back();
     if (node.body >= 0) continue;
-    const LineSpan& line = mesh.lines[node.line];
+    const LineSpan& line = mesh_.lines[node.line];
     for (const size_t side : {0u, 1u}) {
       const int i = local.global[n] - line.first_node - 1 + static_cast<int>(side);
       if (i < 0 || i >= line.elements) continue;
-      const int type = mesh.elements[line.first_element + i].type;
+      const int type = mesh_.elements[line.first_element + i].type;
       if (of_type_[type] >= 0) sides[side] = {type, node.arc, node.line};
     }
   }
@@ -71,19 +76,18 @@ void PipeStrength::add_fields(std::vector<Field>& fields) {
   pull_ = add("api_tension_pressure", "tension and pressure, API RP 1111", "API RP 1111");
 }
 
-bool PipeStrength::wants(std::string_view field) const {
-  return !codes_.empty() &&
-         (field == kTension || field == kMoment2 || field == kMoment3 || field == kCurvature);
+void PipeStrength::declare(Declarations& to) {
+  if (!codes_.empty()) to.every_step.insert({kTension, kMoment2, kMoment3, kCurvature});
 }
 
-PipeLoads PipeStrength::loads(const std::vector<std::vector<double>>& values, size_t node) const {
+PipeLoads PipeStrength::loads(const Values& values, size_t node) const {
   const auto of = [&](int field) { return values[field][node]; };
   return {of(moment_2_), of(moment_3_), of(tension_)};
 }
 
-void PipeStrength::rest(const std::vector<std::vector<double>>& values) {
+void PipeStrength::start(const Snapshot& s) {
   rest_.clear();
-  for (size_t n = 0; n < sides_.size() && bending_ >= 0; ++n) rest_.push_back(loads(values, n));
+  for (size_t n = 0; n < sides_.size() && bending_ >= 0; ++n) rest_.push_back(loads(s.values, n));
 }
 
 double PipeStrength::condition(const Side& side, const PipePlaces& places) const {
@@ -96,8 +100,33 @@ double PipeStrength::condition(const Side& side, const PipePlaces& places) const
   return in(places.supports) ? of.supports : in(places.seabed) ? of.seabed : of.span;
 }
 
-void PipeStrength::fill(std::vector<std::vector<double>>& values, const PipePlaces& places) {
+// Where the condition of a pipe depends on what carries it.
+PipePlaces PipeStrength::places(const Snapshot& s) const {
+  PipePlaces out;
+  if (!by_place_) return out;
+  if (rollers_) out.supports = rollers_->carrying(s);
+  if (!case_.environment.seabed.present) return out;
+  const std::vector<Touchdown> all = touchdowns_.find(s.at);
+  for (size_t l = 0; l < all.size(); ++l) {
+    const Touchdown& t = all[l];
+    std::array<double, 2>& lies = out.seabed.emplace_back(std::array{HUGE_VAL, -HUGE_VAL});
+    if (!t.from_a && t.laid > 0) lies = {-HUGE_VAL, HUGE_VAL};  // from end to end
+    if (!t.from_a) continue;
+    const double from = t.from_a->arc, to = t.from_b->arc, behind = mesh_.lines[l].length - to;
+    // A line that lies up to one of its ends has one touchdown point.
+    if (to > from)
+      lies = {from, to};
+    else if (std::abs(t.laid - behind) < std::abs(t.laid - from))
+      lies = {from, HUGE_VAL};
+    else
+      lies = {-HUGE_VAL, to};
+  }
+  return out;
+}
+
+void PipeStrength::fill(const Snapshot& s, Values& values) {
   if (bending_ < 0) return;
+  const PipePlaces carried = places(s);
   const model::Water& water = case_.environment.water;
   for (size_t n = 0; n < sides_.size(); ++n) {
     const double depth = water.present ? water.surface - values[0][3 * n + 2] : 0;
@@ -112,7 +141,7 @@ void PipeStrength::fill(std::vector<std::vector<double>>& values, const PipePlac
           type.contents_pressure + type.contents_density * case_.environment.gravity * depth;
       const double strain = 0.5 * codes.outer() * values[curvature_][n];
       if (!rest_.empty()) {
-        const double factor = condition(side, places);
+        const double factor = condition(side, carried);
         worst[0] = std::fmax(worst[0], codes.local_buckling(rest_[n], now, factor, outside, inside));
         pulled_ = std::max(pulled_, codes.pulled(rest_[n], now, factor));
       }
@@ -125,17 +154,17 @@ void PipeStrength::fill(std::vector<std::vector<double>>& values, const PipePlac
   }
 }
 
-std::vector<std::string> PipeStrength::warnings(MPI_Comm comm) const {
+std::vector<Finding> PipeStrength::findings(const std::vector<io::SummaryRow>&, const Audit&) {
   double most = pulled_;
-  all_reduce(comm, MPI_MAX, most);
+  all_reduce(comm_, MPI_MAX, most);
   if (!(most > kMostPulled)) return {};
   return {
-      fmt::format("the design tension of a pipe is {:.2g} of that at yield: DNV-ST-F101's formulas for "
-                  "combined loads hold to {:g}",
-                  most, kMostPulled)};
+      {fmt::format("the design tension of a pipe is {:.2g} of that at yield: DNV-ST-F101's formulas for "
+                   "combined loads hold to {:g}",
+                   most, kMostPulled)}};
 }
 
-void PipeStrength::save(io::Checkpoint& to) const {
+void PipeStrength::save(io::Checkpoint& to) {
   if (codes_.empty()) return;
   to.scalars[kPulled] = pulled_;
   io::CheckpointField& f = to.nodes[kRest];

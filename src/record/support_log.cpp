@@ -18,19 +18,6 @@
 namespace hawser::record {
 namespace {
 
-constexpr int kHalvings = 40;
-
-// Where an element, from 0 to 1 along it, goes through the plane through `at` across `along`.
-double on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
-  double low = 0, high = 1;
-  const bool grows = (shape.point(1) - at).dot(along) > 0;
-  for (int k = 0; k < kHalvings; ++k) {
-    const double middle = 0.5 * (low + high);
-    (((shape.point(middle) - at).dot(along) > 0) == grows ? high : low) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 // On the way of a line over its supports, in space: the end from which it goes overboard, which has the box
 // after it, and where it lies on each.
 struct Stop {
@@ -81,40 +68,6 @@ double above_the_others(const std::vector<Stop>& way, size_t k) {
 }
 
 }  // namespace
-
-std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-                                               const Kinematics& at, const std::vector<RigidPose>& poses) {
-  const double far = std::numeric_limits<double>::max();
-  std::vector<double> nearest, numbers;
-  for (size_t k = 0; k < c.supports.size(); ++k) {
-    const model::SupportBox& b = c.supports[k];
-    const int body = c.body_index(b.body), line = c.line_index(b.line);
-    const RigidPose pose = body < 0 ? RigidPose{} : poses[body];
-    const Vec3 place = pose.to_space(b.at), along = pose.rotation * b.along;
-    double best = far;
-    SupportCrossing found;
-    for (const LocalElement& e : mesh.elements) {
-      const Element& g = mesh.element(e);
-      if (!e.counted || g.line != line) continue;
-      const Vec3 &x1 = at.x[e.first], &x2 = at.x[e.second];
-      if (((x1 - place).dot(along) > 0) == ((x2 - place).dot(along) > 0)) continue;
-      const AxisShape shape(element_axis(at, g, e.first, e.second));
-      const double xi = on_plane(shape, place, along);
-      const Vec3 x = shape.point(xi) - place;
-      if (!(x.norm() < best)) continue;
-      best = x.norm();
-      found = {true, x.dot(pose.rotation * b.left()), x.dot(pose.rotation * b.up),
-               mesh.mesh->nodes[g.first].arc + xi * g.length};
-    }
-    nearest.push_back(best);
-    numbers.insert(numbers.end(), {found.offset, found.height, found.arc});
-  }
-  smallest_of_ranks(comm, nearest, numbers);
-  std::vector<SupportCrossing> out;
-  for (size_t k = 0; k < nearest.size(); ++k)
-    out.push_back({nearest[k] < far, numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]});
-  return out;
-}
 
 std::optional<Beneath> beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings,
                                         const std::vector<RigidPose>& poses) {
@@ -173,74 +126,34 @@ std::string overbent(const model::Case& c, const io::SummaryRow& row) {
       row.line, 1 / row.value, row.arc_length, when_text(c, row.time), 100 * strain);
 }
 
-SupportLog::SupportLog(MPI_Comm comm, const Subject& subject)
-    : comm_(comm),
-      subject_(subject),
-      contact_(subject.term<LineVolumeContact>()),
+SupportLog::SupportLog(const Subject& subject)
+    : subject_(subject),
+      rollers_(subject),
       off_(subject.model.supports.size(), false),
       carried_(off_),
-      lowest_(off_.size(), HUGE_VAL) {
-  const model::Case& c = subject_.model;
-  for (const model::SupportBox& b : c.supports) {
-    int v = 0;
-    while (contact_->volume_name(v) != c.volumes[b.first].name) ++v;
-    first_.push_back(v);
-  }
-}
+      lowest_(off_.size(), HUGE_VAL) {}
 
-std::vector<io::ResultSeries> SupportLog::series() const {
-  std::vector<io::ResultSeries> out;
+void SupportLog::declare(Declarations& to) {
   for (const model::SupportBox& b : subject_.model.supports) {
-    io::ResultSeries& s = out.emplace_back(io::ResultSeries{b.name, {{"force", "N", 3}}});
+    io::ResultSeries& s = to.contents.series.emplace_back(io::ResultSeries{b.name, {{"force", "N", 3}}});
     for (const std::string& roller : b.rollers) s.columns.push_back({roller + "_force", "N", 3});
     for (const char* name : {"height", "offset", "arc_length"}) s.columns.push_back({name, "m", 1});
   }
-  return out;
 }
 
-std::vector<SupportCrossing> SupportLog::crossings(const Kinematics& at,
-                                                   const std::vector<io::BodyPose>& poses) const {
-  std::vector<RigidPose> frames;
-  for (const io::BodyPose& p : poses) {
-    RigidPose& frame = frames.emplace_back();
-    frame.position = p.position, frame.rotation = p.rotation;
-  }
-  return support_crossings(comm_, subject_.model, subject_.local(), at, frames);
-}
-
-std::vector<std::array<double, 2>> SupportLog::carrying(const Kinematics& at,
-                                                        const std::vector<io::BodyPose>& poses) const {
+void SupportLog::step(const Snapshot& s) {
   const model::Case& c = subject_.model;
-  const std::vector<SupportCrossing> crosses = crossings(at, poses);
-  std::vector<Vec3> forces = contact_->forces_by_volume(at);
-  MPI_Allreduce(MPI_IN_PLACE, forces.data(), 3 * static_cast<int>(forces.size()), MPI_DOUBLE, MPI_SUM, comm_);
-  std::vector<std::array<double, 2>> out(c.lines.size(), {HUGE_VAL, -HUGE_VAL});
-  for (size_t k = 0; k < c.supports.size(); ++k) {
-    const model::SupportBox& b = c.supports[k];
-    const auto first = forces.begin() + first_[k];
-    if (!crosses[k].known ||
-        std::all_of(first, first + std::ssize(b.rollers), [](const Vec3& f) { return f == Vec3::Zero(); }))
-      continue;
-    auto& [from, to] = out[c.line_index(b.line)];
-    from = std::min(from, crosses[k].arc), to = std::max(to, crosses[k].arc);
-  }
-  return out;
-}
-
-std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
-                                                  const std::vector<io::BodyPose>& poses) {
-  const model::Case& c = subject_.model;
-  const std::vector<SupportCrossing> crosses = crossings(at, poses);
-  std::vector<Vec3> forces = contact_->forces_by_volume(at);
-  const int rank = rank_of(comm_);
+  const std::vector<SupportCrossing> crosses = rollers_.crossings(s);
+  std::vector<Vec3> forces = rollers_.forces(s.at);
+  const int rank = rank_of(subject_.comm());
   MPI_Reduce(rank == 0 ? MPI_IN_PLACE : forces.data(), forces.data(), 3 * static_cast<int>(forces.size()),
-             MPI_DOUBLE, MPI_SUM, 0, comm_);
-  std::vector<std::vector<double>> out(c.supports.size());
-  for (size_t k = 0; k < out.size() && rank == 0; ++k) {
+             MPI_DOUBLE, MPI_SUM, 0, subject_.comm());
+  rows_.assign(c.supports.size(), {});
+  for (size_t k = 0; k < rows_.size() && rank == 0; ++k) {
     const model::SupportBox& b = c.supports[k];
     const SupportCrossing& x = crosses[k];
-    std::vector<double>& row = out[k];
-    const auto of = [&](size_t i) -> const Vec3& { return forces[first_[k] + i]; };
+    std::vector<double>& row = rows_[k];
+    const auto of = [&](size_t i) -> const Vec3& { return forces[rollers_.first(k) + i]; };
     Vec3 sum = Vec3::Zero();
     for (size_t i = 0; i < b.rollers.size(); ++i) sum += of(i);
     row.assign(sum.begin(), sum.end());
@@ -253,13 +166,15 @@ std::vector<std::vector<double>> SupportLog::rows(const Kinematics& at,
     warnings_.push_back(fmt::format(
         "line {} is off the end of the rollers of support {} at t = {:.6g} s: {:.3g} m to the {} of its "
         "middle, and they reach {:.3g} m",
-        b.line, b.name, at.time, std::abs(x.offset), x.offset > 0 ? "left" : "right", b.half_width));
+        b.line, b.name, s.at.time, std::abs(x.offset), x.offset > 0 ? "left" : "right", b.half_width));
   }
-  return out;
 }
 
-std::vector<std::string> SupportLog::warnings() const {
-  std::vector<std::string> out = warnings_;
+void SupportLog::rows(const Snapshot&, Rows& to) { to.insert(to.end(), rows_.begin(), rows_.end()); }
+
+std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, const Audit&) {
+  std::vector<Finding> out;
+  for (const std::string& w : warnings_) out.push_back({w});
   const model::Case& c = subject_.model;
   for (size_t k = 0; k < lowest_.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
@@ -275,14 +190,14 @@ std::vector<std::string> SupportLog::warnings() const {
     // between, the next have been set a little high.
     if (further && !carried_[k] && lowest_[k] > diameter)
       out.push_back(
-          fmt::format("support {} never carries line {}, {} and lies on supports further on: raise it by "
-                      "'above_path', or leave it out",
-                      b.name, b.line,
-                      std::isfinite(lowest_[k]) ? fmt::format("which passes {:.3g} m above it", lowest_[k])
-                                                : std::string("which does not come by it")));
+          {fmt::format("support {} never carries line {}, {} and lies on supports further on: raise it by "
+                       "'above_path', or leave it out",
+                       b.name, b.line,
+                       std::isfinite(lowest_[k]) ? fmt::format("which passes {:.3g} m above it", lowest_[k])
+                                                 : std::string("which does not come by it"))});
     if (first && !any)
-      out.push_back(fmt::format(
-          "none of its supports ever carries line {}: are they drawn too low, or beside it?", b.line));
+      out.push_back({fmt::format(
+          "none of its supports ever carries line {}: are they drawn too low, or beside it?", b.line)});
   }
   return out;
 }

@@ -68,7 +68,7 @@ void Utilisation::add_fields(std::vector<Field>& fields) {
   if (bending_ && curvature_ >= 0) of_bending_ = static_cast<int>(fields.size()), fields.push_back(kBending);
 }
 
-void Utilisation::fill(std::vector<std::vector<double>>& values) const {
+void Utilisation::fill(const Snapshot&, Values& values) {
   const auto of = [&](int field) -> std::vector<double>& { return values[field]; };
   for (std::size_t n = 0; n < breaking_.size(); ++n) {
     if (of_tension_ >= 0)

@@ -57,7 +57,7 @@ double WaterErrors::Group::bears() const {
   return std::max({kWarned * force, kGood * weight, kMatters * tension});
 }
 
-void WaterErrors::step(const Kinematics& at) {
+void WaterErrors::look_at_some(const Kinematics& at) {
   if (at.step > 0 && ++steps_ < kSteps) return;
   steps_ = 0;
   look(at);
@@ -135,6 +135,12 @@ void WaterErrors::look(const Kinematics& at) {
       Group& g = groups_[i];
       g.error = whole.error[i], g.time = at.time, g.parts = parts[i], g.where = whole.where[i];
     }
+}
+
+std::vector<Finding> WaterErrors::findings(const std::vector<io::SummaryRow>&, const Audit&) {
+  std::vector<Finding> out;
+  for (std::string& w : warnings()) out.push_back({std::move(w)});
+  return out;
 }
 
 std::vector<std::string> WaterErrors::warnings() const {

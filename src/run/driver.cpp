@@ -352,7 +352,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
     tried = trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) {
       if (!std::exchange(rests, true))
         for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
-      water.step(at);
+      water.look_at_some(at);
     });
     for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
     fmt::print("{}\n", cost_sentence(tried));

@@ -18,6 +18,7 @@
 #include "hawser/model/longest_step.hpp"
 #include "hawser/model/switched.hpp"
 #include "hawser/record/support_log.hpp"
+#include "hawser/record/support_rollers.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/share_nodes.hpp"
 #include "hawser/solve/start_shape.hpp"

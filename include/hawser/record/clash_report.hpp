@@ -9,6 +9,7 @@
 
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/record/clash_log.hpp"
+#include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
 
 namespace hawser {
@@ -19,34 +20,30 @@ class LineVolumeContact;
 
 namespace hawser::record {
 
-class ClashReport {
+class ClashReport : public Recording, public HasClashes {
  public:
-  // True when the case wants a report and anything can touch in the simulation.
+  // True when the case wants a report and anything can touch.
   static bool wanted(const Subject& subject);
-  ClashReport(MPI_Comm comm, const Subject& subject);
+  // The subject outlives it.
+  explicit ClashReport(const Subject& subject);
 
-  // An accepted step, before the next one is prepared. Collective, but communicates only now and then.
-  void step(double time);
-  // Of rank 0: what an output is to hold. Collective.
-  io::ClashTables take();
-  // Of rank 0: what outputs have given the file so far. Another one begins with nothing.
-  const io::ClashesTold& told() const { return log_.told(); }
-  void begin_file() { log_.begin_file(); }
+  // Before the next step is prepared. Communicates only now and then.
+  void step(const Snapshot& s) override;
+  io::ClashTables take() override;
+  const io::ClashesTold& told() const override { return log_.told(); }
+  void begin_file() override { log_.begin_file(); }
+  // The clashes with the largest forces.
+  std::string table() const override;
 
-  // The share of a checkpoint, as records of the first node. Collective both; restore() wants all that is in
-  // the checkpoint.
-  static std::vector<HistoryKind> history() { return {{"clash log", {{"number", 1, ""}}}}; }
-  std::vector<HistoryRecord> save();
-  void restore(const std::vector<HistoryRecord>& records);
-
-  // The clashes with the largest forces in words; on rank 0, after take().
-  std::string table() const;
+  // As records of the first node.
+  void save(io::Checkpoint& to) override;
+  void restore(const io::Checkpoint& from) override;
 
  private:
   void collect();
   std::vector<double> of_all(const std::vector<double>& mine) const;
 
-  MPI_Comm comm_;
+  const MPI_Comm comm_;
   const Subject& subject_;
   const LineVolumeContact* contact_;     // null: none of its kind
   const LinePairs* line_pairs_;          // likewise

@@ -12,21 +12,21 @@
 #include "hawser/kernels/axis_clearance.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/record/recording.hpp"
 #include "hawser/state/kinematics.hpp"
 
 namespace hawser::record {
 
-class Clearances {
+class Clearances : public Recording {
  public:
-  // surfaces: one for each volume of the case.
-  Clearances(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
-             std::vector<std::shared_ptr<const Surface>> surfaces);
+  // The subject outlives it.
+  explicit Clearances(const Subject& subject);
 
-  // One for each of the case's: to a line `clearance`, `arc_length`, `other_arc_length`; to a volume
+  // A series for each of the case's: to a line `clearance`, `arc_length`, `other_arc_length`; to a volume
   // `clearance`, `arc_length` and the nearest `point` of its surface, space axes.
-  std::vector<io::ResultSeries> series() const;
-  // Their rows at a state, on rank 0 (elsewhere empty). poses: of the bodies of the case. Collective.
-  std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<io::BodyPose>& poses);
+  void declare(Declarations& to) override;
+  // On rank 0 (elsewhere empty).
+  void rows(const Snapshot& s, Rows& to) override;
 
  private:
   struct Best {
@@ -65,7 +65,7 @@ class Clearances {
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
-  std::vector<std::shared_ptr<const Surface>> surfaces_;
+  const std::vector<std::shared_ptr<const Surface>>& surfaces_;
   std::vector<std::vector<Seen>> seen_;  // by clearance, of own()
 };
 

@@ -5,17 +5,19 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/base/gather.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/record/recording.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::record {
 
-class ElementErrors {
+class ElementErrors : public Recording {
  public:
   // feeders: null where no line is fed. Collective.
   ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Feeders* feeders);
@@ -29,6 +31,10 @@ class ElementErrors {
   };
   // Collective.
   void look(const Kinematics& at, const Values& values);
+
+  void declare(Declarations& to) override;
+  void output(const Snapshot& s) override;
+  std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
   // What may be wrong by more than a line bears, a sentence each: the largest tension [N] and moment [N m] of
   // the run against which errors are judged.
@@ -68,6 +74,8 @@ class ElementErrors {
   GatherPlan plan_;
   std::vector<int> place_;  // node of the mesh, of each that is gathered
   std::vector<OfLine> lines_;
+  int tension_ = -1, moment_ = -1, pressed_ = -1;  // among the fields
+  std::vector<std::pair<int, int>> touches_;  // likewise with components: not zero where something touches
 };
 
 }  // namespace hawser::record

@@ -2,8 +2,6 @@
 // bodies.
 #pragma once
 
-#include <mpi.h>
-
 #include <array>
 #include <span>
 #include <string>
@@ -11,23 +9,19 @@
 
 #include "hawser/io/results.hpp"
 #include "hawser/record/end_forces.hpp"
+#include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
 
 namespace hawser::record {
 
-class Histories {
+class Histories : public Recording {
  public:
-  // fields: those of nodes; position and velocity come first. end_fields: those of ends of lines. Collective.
-  Histories(MPI_Comm comm, const Subject& subject, const EndForces& ends,
-            std::span<const io::ResultField> fields, std::span<const io::ResultField> end_fields);
+  // Subject and forces outlive it.
+  Histories(const Subject& subject, const EndForces& ends) : subject_(subject), ends_(ends) {}
 
-  // One for each history of the case, in its order.
-  const std::vector<io::ResultSeries>& series() const { return series_; }
-
-  // A row for each series, empty on all ranks but one. values: of the owned nodes, by field; ends: of the
-  // owned ends, by field of ends. Collective where ranks share a point or a volume.
-  std::vector<std::vector<double>> rows(const Kinematics& at, const std::vector<std::vector<double>>& values,
-                                        const std::vector<std::vector<double>>& ends) const;
+  // A series for each history of the case, in its order.
+  void declare(Declarations& to) override;
+  void rows(const Snapshot& s, Rows& to) override;
 
  private:
   // A point of a line between node `nodes[0]` and the next; at a node the second has no weight.
@@ -41,19 +35,14 @@ class Histories {
     bool shared = false;                // several ranks have a part of it
   };
   Point point_of(int line, double arc) const;
-  std::vector<double> node_row(const Point& p, size_t side, const Kinematics& at,
-                               const std::vector<std::vector<double>>& values,
-                               const std::vector<std::vector<double>>& ends) const;
-  std::vector<double> line_row(const Point& p, const Kinematics& at,
-                               const std::vector<std::vector<double>>& values,
-                               const std::vector<std::vector<double>>& ends) const;
+  std::vector<double> node_row(const Point& p, size_t side, const Snapshot& s) const;
+  std::vector<double> line_row(const Point& p, const Snapshot& s) const;
   std::vector<double> body_row(int body, const Kinematics& at) const;
   std::vector<double> volume_row(const std::string& volume, const Kinematics& at) const;
 
   // What a section force has of a field, on the side of a node that faces the point; `otherwise` of others.
   double facing(int field, const SectionForce& s, const Quat& q, double otherwise) const;
 
-  MPI_Comm comm_;
   const Subject& subject_;
   const EndForces& ends_;
   std::vector<size_t> shown_, shown_last_;  // fields of a point, before and after the columns of ends

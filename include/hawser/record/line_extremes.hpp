@@ -2,8 +2,6 @@
 // time and the place.
 #pragma once
 
-#include <mpi.h>
-
 #include <string>
 #include <vector>
 
@@ -11,6 +9,7 @@
 #include "hawser/io/results.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/record/recording.hpp"
 #include "hawser/record/utilisation.hpp"
 
 namespace hawser {
@@ -21,21 +20,22 @@ namespace hawser::record {
 
 // Of an extreme, "t = 2.5 s", or "at rest" where the run begins with its static equilibrium.
 std::string when_text(const model::Case& c, double time);
+// Whether a row of the summary is the largest tension of a line, and that is more than round-off.
+bool is_largest_tension(const model::Case& c, const io::SummaryRow& row);
 
-class LineExtremes {
+class LineExtremes : public Recording {
  public:
-  // fields: those of which add() gets the values; feeders: null where no line is fed.
-  LineExtremes(MPI_Comm comm, const model::Case& c, const LocalMesh& local, const Feeders* feeders,
-               const std::vector<io::ResultField>& fields);
+  // A utilisation that is not known does not count, nor what is inside a feeder. Both outlive it.
+  LineExtremes(const Subject& subject, const Utilisation& utilisation);
 
-  // An accepted step: values by field, of the owned nodes; a utilisation that is not known
-  // does not count, nor what is inside a feeder.
-  void add(double time, const std::vector<std::vector<double>>& values, const Utilisation& utilisation);
-  // The rows of all lines, those of a line together, the same on all ranks. Collective.
-  std::vector<io::SummaryRow> table() const;
-
-  void save(io::Checkpoint& to) const;  // collective
-  void restore(const io::Checkpoint& from);
+  void declare(Declarations& to) override;
+  void step(const Snapshot& s) override;
+  // The rows of all lines, those of a line together.
+  std::vector<io::SummaryRow> summary() override { return table(); }
+  // Of rows that are more than a line bears.
+  std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
+  void save(io::Checkpoint& to) override;
+  void restore(const io::Checkpoint& from) override;
 
  private:
   struct Extreme {
@@ -48,9 +48,14 @@ class LineExtremes {
     bool largest = true;
     std::vector<Extreme> lines;  // of this rank's nodes
   };
-  MPI_Comm comm_;
+  std::vector<io::SummaryRow> table() const;
+
+  const MPI_Comm comm_;
+  const model::Case& case_;
   const LocalMesh& local_;
-  const Feeders* feeders_;
+  const Feeders* feeders_;  // null: no line is fed
+  const Utilisation& utilisation_;
+  std::vector<Field> fields_;
   std::vector<std::string> names_;  // of lines
   std::vector<Quantity> quantities_;
 };

@@ -9,19 +9,20 @@
 #include "hawser/io/results.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/record/recording.hpp"
 
 namespace hawser::record {
 
-class Utilisation {
+class Utilisation : public Recording {
  public:
   Utilisation(const model::Case& c, const LocalMesh& local);
 
   // Adds `utilisation` and `bend_utilisation` behind the fields they are made from, each where a line type
   // says what it bears; bending where beams are.
-  void add_fields(std::vector<Field>& fields);
-  // values: by field and owned node. Of a node between two types the larger tension utilisation of both
+  void add_fields(std::vector<Field>& fields) override;
+  // Of a node between two types the larger tension utilisation of both
   // sides; the curvature there with the larger radius.
-  void fill(std::vector<std::vector<double>>& values) const;
+  void fill(const Snapshot& s, Values& values) override;
   // Whether the field is none of these, or says something at an owned node: what the type there bears is
   // known.
   bool known(int field, std::size_t node) const;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hawser/model/case.hpp"
+#include "hawser/record/recording.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/system.hpp"
 
@@ -17,18 +18,22 @@ class Hydrodynamics;
 
 namespace hawser::record {
 
-class WaterErrors {
+class WaterErrors : public Recording {
  public:
   // Case and system outlive it.
   WaterErrors(const model::Case& c, const System& system);
 
-  // At a state of the run; most steps are passed over, since waves are dear. Collective.
-  void step(const Kinematics& at);
+  // At a state of the run; most steps are passed over, since waves are expensive. Collective.
+  void look_at_some(const Kinematics& at);
   // At every one. Collective.
   void look(const Kinematics& at);
 
   // What may be wrong by more than results bear, a sentence each. Collective.
   std::vector<std::string> warnings() const;
+
+  void stage(const Snapshot& s) override { look(s.at); }
+  void step(const Snapshot& s) override { look_at_some(s.at); }
+  std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
  private:
   struct Where {                                   // the element of this rank with the largest error

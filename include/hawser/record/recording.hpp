@@ -1,0 +1,115 @@
+// What every recording of a run is: it declares what it keeps, sees every accepted step, and has rows in the
+// results file, numbers in checkpoints and findings at the end. The recorder knows recordings by this alone;
+// src/record/recordings.cpp lists them.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hawser/io/checkpoint.hpp"
+#include "hawser/io/results.hpp"
+#include "hawser/record/audit.hpp"
+#include "hawser/record/end_forces.hpp"
+#include "hawser/record/subject.hpp"
+
+namespace hawser::record {
+
+using Values = std::vector<std::vector<double>>;  // by field, of this rank's owned nodes or ends
+using Rows = std::vector<std::vector<double>>;    // one for each series; empty where another rank has it
+
+// An accepted state with what is known of it.
+class Snapshot {
+ public:
+  Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, const Values& of_nodes,
+           const Values& of_ends, const EndForces& forces, const Audit& energies)
+      : at(state),
+        step(info),
+        values(of_nodes),
+        ends(of_ends),
+        end_forces(forces),
+        audit(energies),
+        subject_(subject) {}
+
+  const Kinematics& at;
+  const StepInfo step;  // that led to it; of no length: none did
+  const Values &values, &ends;
+  const EndForces& end_forces;
+  const Audit& audit;
+  // Of the bodies of the case. Collective.
+  const std::vector<io::BodyPose>& poses() const {
+    if (!poses_) poses_ = body_poses(subject_.bodies, subject_.system, at);
+    return *poses_;
+  }
+
+ private:
+  const Subject& subject_;
+  mutable std::optional<std::vector<io::BodyPose>> poses_;
+};
+
+// What recordings put into the results file, and fields that they need at every step: others have their
+// values only at outputs.
+struct Declarations {
+  io::ResultContents contents;  // its fields are all there are; a recording adds series and the like
+  std::set<std::string> every_step;
+};
+
+// What a user must not overlook, and the row of the summary that it is about.
+struct Finding {
+  static constexpr size_t kWholeRun = static_cast<size_t>(-1);
+  std::string text;
+  size_t row = kWholeRun;
+};
+
+class Recording {
+ public:
+  virtual ~Recording() = default;
+
+  // Adds fields of nodes that are made from those before them; fill() computes their values.
+  virtual void add_fields(std::vector<Field>& fields) { (void)fields; }
+  virtual void fill(const Snapshot& s, Values& values) { (void)s, (void)values; }
+  // Once, when all fields are known. Collective.
+  virtual void declare(Declarations& to) { (void)to; }
+
+  // The rest of a stage of statics but the last; the equilibrium with which a run begins, before its first
+  // step. Collective, as are the others.
+  virtual void stage(const Snapshot& s) { (void)s; }
+  virtual void start(const Snapshot& s) { (void)s; }
+  virtual void step(const Snapshot& s) { (void)s; }
+  virtual void output(const Snapshot& s) { (void)s; }
+  // Adds a row for each series that it declared; after step(), of steps that histories keep.
+  virtual void rows(const Snapshot& s, Rows& to) { (void)s, (void)to; }
+  // Brings what the file has once, up to date.
+  virtual void write(io::ResultsFile& file) { (void)file; }
+
+  virtual void save(io::Checkpoint& to) { (void)to; }
+  virtual void restore(const io::Checkpoint& from) { (void)from; }
+
+  // At the end of a run: rows of the summary, the same on all ranks; then what was found, those about a row
+  // on all ranks alike.
+  virtual std::vector<io::SummaryRow> summary() { return {}; }
+  virtual std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
+    return (void)summary, (void)audit, std::vector<Finding>();
+  }
+};
+
+// Has clashes, for which the results file has tables of their own.
+class HasClashes {
+ public:
+  virtual ~HasClashes() = default;
+  // Of rank 0: what the next output is to hold. Collective.
+  virtual io::ClashTables take() = 0;
+  // Of rank 0: what outputs have given the file so far. Another one begins with nothing.
+  virtual const io::ClashesTold& told() const = 0;
+  virtual void begin_file() = 0;
+  // In words, on rank 0, after take(); empty: nothing touched.
+  virtual std::string table() const = 0;
+};
+
+// All recordings of a case, in the order of their series in the results file. Subject and forces outlive
+// them. Collective.
+std::vector<std::unique_ptr<Recording>> recordings(const Subject& subject, const EndForces& forces);
+
+}  // namespace hawser::record

@@ -1,0 +1,143 @@
+// The class NodeFields: which fields there are, which of them steps need, and what ends of lines change of
+// them.
+#include "hawser/record/node_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "hawser/math/declination.hpp"
+#include "hawser/terms/feeders.hpp"
+
+namespace hawser::record {
+namespace {
+
+// Of one side of a node, where they may differ (correct_ends).
+FieldSource tension_of_side(const char* name, const std::string& tension) {
+  return {{.name = name,
+           .unit = "N",
+           .history = Field::History::yes,
+           .statistics = true,
+           .extreme = "effective tension",
+           .smallest = true,
+           .order = 1},
+          [](const Kinematics&, std::span<double>) {},
+          tension};
+}
+
+// Of ends: the last is that of beams only.
+const io::ResultField kEnds[] = {{"force", "N", 3}, {"direction", "", 3}, {"moment", "N m", 3}};
+
+}  // namespace
+
+NodeFields::NodeFields(const Subject& subject)
+    : subject_(subject),
+      registry_(subject.system.fields()),
+      end_forces_(subject.system, subject.term<Feeders>()),
+      peaks_(subject.model, subject.system) {
+  fields_ = {{"position", "m", 3}, {"velocity", "m/s", 3}};
+  const auto& all = registry_.sources();
+  const std::string tension = "effective_tension", before = tension + "_before", after = tension + "_after";
+  if (std::any_of(all.begin(), all.end(), [&](const Field& f) { return f.name == tension; }))
+    for (const std::string& side : {before, after}) registry_.add(tension_of_side(side.c_str(), tension));
+  fields_.insert(fields_.end(), all.begin(), all.end());
+  peaks_.find(fields_);
+  const auto find = [&](const std::string& name) { return find_field(fields_, name); };
+  tension_ = find(tension), before_ = find(before), after_ = find(after);
+  declination_ = find("declination");
+  wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
+  moment_ = find("bending_moment"), moment_2_ = find("bending_moment_2"),
+  moment_3_ = find("bending_moment_3");
+  for (const FieldSource& f : registry_.sources()) onto_.push_back(f.onto.empty() ? -1 : find(f.onto));
+  for (size_t f = 0; f < fields_.size(); ++f)
+    if (fields_[f].carries) carriers_.push_back(static_cast<int>(f));
+  ends_.resize(moment_ >= 0 ? 3 : 2);
+  end_fields_.assign(kEnds, kEnds + ends_.size());
+}
+
+void NodeFields::begin(const std::set<std::string>& every_step) {
+  const size_t owned = subject_.local().owned;
+  for (const Field& f : fields_) values_.emplace_back(owned * static_cast<size_t>(f.components));
+  // Forces at ends need the tension and what carries a line.
+  for (const FieldSource& s : registry_.sources())
+    every_step_.push_back(s.carries || s.name == "effective_tension" || every_step.count(s.name) > 0);
+  const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
+  rest_apart_ = std::all_of(std::begin(corrected), std::end(corrected),
+                            [this](int f) { return f < 0 || every_step_[f - 2]; });
+}
+
+void NodeFields::fill(const Kinematics& at, bool all) {
+  const size_t owned = subject_.local().owned;
+  for (size_t n = 0; n < owned; ++n)
+    for (size_t k = 0; k < 3; ++k) {
+      values_[0][3 * n + k] = at.x[n][static_cast<Eigen::Index>(k)];
+      values_[1][3 * n + k] = at.v[n][static_cast<Eigen::Index>(k)];
+    }
+  for (size_t f = 0; f < every_step_.size(); ++f)
+    if (all || every_step_[f]) fill_field(f, at);
+  correct_ends(at);
+}
+
+bool NodeFields::complete(const Kinematics& at) {
+  if (!rest_apart_) return false;
+  for (size_t f = 0; f < every_step_.size(); ++f)
+    if (!every_step_[f]) fill_field(f, at);
+  return true;
+}
+
+void NodeFields::fill_field(size_t f, const Kinematics& at) {
+  if (onto_[f] >= 0) values_[f + 2] = values_[onto_[f]];
+  registry_.sources()[f].fill(at, values_[f + 2]);
+}
+
+// An element's tension is that of its middle, its moments leave out the load along it. At the ends of a line,
+// and where tension may jump, the values are those of the forces there (docs/theory/end-forces.md). The
+// wall's tension goes with the effective one: the pressures are those of the node already.
+void NodeFields::correct_ends(const Kinematics& at) {
+  const LocalMesh& local = subject_.local();
+  std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
+  for (const int f : carriers_)
+    for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
+      carried[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
+  if (!carriers_.empty()) subject_.system.spread(carried);
+  // A run in time that begins without statics has no step yet, but what acts is that of motion: waves.
+  Kinematics now = at;
+  if (!subject_.model.statics.enabled && subject_.model.dynamics.enabled && now.step == 0)
+    now.step = subject_.dynamics().control().proposal();
+  end_forces_.evaluate(now, carried);
+
+  for (auto& e : ends_) e.clear();
+  for (const EndForces::Place& p : end_forces_.places()) {
+    const size_t n = p.node;
+    const auto larger = [&p](auto&& of) {
+      const double a = of(p.sides[0]), b = of(p.sides[1]);
+      return std::abs(a) > std::abs(b) ? a : b;
+    };
+    const auto put = [&](int field, double value) {
+      return field < 0 ? 0 : std::exchange(values_[field][n], value);
+    };
+    put(before_, p.sides[0].tension()), put(after_, p.sides[1].tension());
+    const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
+    put(declination_, degrees(declination(p.end >= 0 ? p.at_end().direction : Vec3(first + second))));
+    const double tension = larger([](const SectionForce& s) { return s.tension(); });
+    const double middle = put(tension_, tension);
+    if (wall_ >= 0) values_[wall_][n] += tension - middle;
+    if (p.sides[0].beam || p.sides[1].beam) {
+      const auto moment = [&](int axis) {
+        return larger([&](const SectionForce& s) { return s.moment.dot(at.q[n] * Vec3::Unit(axis)); });
+      };
+      put(shear_, larger([](const SectionForce& s) { return s.shear(); }));
+      put(torsion_, moment(0)), put(moment_2_, moment(1)), put(moment_3_, moment(2));
+      put(moment_,
+          larger([&](const SectionForce& s) { return s.moment.cross(at.q[n] * Vec3::UnitX()).norm(); }));
+    }
+    if (p.end < 0) continue;
+    const SectionForce& s = p.at_end();
+    const Vec3 rows[] = {p.sign() * s.force, s.direction, p.sign() * s.moment};
+    for (size_t f = 0; f < ends_.size(); ++f) ends_[f].insert(ends_[f].end(), rows[f].begin(), rows[f].end());
+  }
+  peaks_.fill(now, values_);
+}
+
+}  // namespace hawser::record

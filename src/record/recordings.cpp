@@ -1,0 +1,49 @@
+// The list of all recordings: a new one is a class and a line here. Series stand in the results file in this
+// order, and runs that are continued go by it; findings of the whole run are reported in it.
+#include <utility>
+
+#include "hawser/record/clash_report.hpp"
+#include "hawser/record/clearances.hpp"
+#include "hawser/record/element_errors.hpp"
+#include "hawser/record/histories.hpp"
+#include "hawser/record/line_extremes.hpp"
+#include "hawser/record/pipe_strength.hpp"
+#include "hawser/record/recording.hpp"
+#include "hawser/record/statistics.hpp"
+#include "hawser/record/step_histories.hpp"
+#include "hawser/record/support_log.hpp"
+#include "hawser/record/tension_peaks.hpp"
+#include "hawser/record/utilisation.hpp"
+#include "hawser/record/water_errors.hpp"
+#include "hawser/terms/feeders.hpp"
+
+namespace hawser::record {
+
+std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndForces& forces) {
+  const model::Case& c = s.model;
+  std::vector<std::unique_ptr<Recording>> all;
+  const auto add = [&all](auto recording) -> auto& {
+    auto& added = *recording;
+    all.push_back(std::move(recording));
+    return added;
+  };
+  add(std::make_unique<Histories>(s, forces));
+  add(std::make_unique<Clearances>(s));
+  const Utilisation& utilisation = add(std::make_unique<Utilisation>(c, s.local()));
+  add(std::make_unique<ElementErrors>(s.comm(), c, s.local(), s.term<Feeders>()));
+  add(std::make_unique<TensionPeaks>(s));
+  add(std::make_unique<LineExtremes>(s, utilisation));
+  if (c.output.statistics) add(std::make_unique<Statistics>(s));
+  add(std::make_unique<WaterErrors>(c, s.system));
+  add(std::make_unique<PipeStrength>(s));
+  if (ClashReport::wanted(s)) add(std::make_unique<ClashReport>(s));
+  if (!c.supports.empty()) add(std::make_unique<SupportLog>(s));
+  if (c.output.touchdowns && c.environment.seabed.present) add(std::make_unique<TouchdownHistory>(s));
+  add(std::make_unique<LinkHistory>(s));
+  add(std::make_unique<FeederHistory>(s));
+  add(std::make_unique<EnergyHistory>(s));
+  add(std::make_unique<StepHistory>(s));
+  return all;
+}
+
+}  // namespace hawser::record

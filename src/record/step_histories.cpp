@@ -1,0 +1,112 @@
+// The columns of the short histories, and their rows. What all ranks know alike is written by the first.
+#include "hawser/record/step_histories.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/terms/feeders.hpp"
+#include "hawser/terms/links.hpp"
+
+namespace hawser::record {
+namespace {
+
+void add_on_first(const Subject& subject, std::vector<double> row, Rows& to) {
+  to.push_back(rank_of(subject.comm()) == 0 ? std::move(row) : std::vector<double>{});
+}
+
+}  // namespace
+
+TouchdownHistory::TouchdownHistory(const Subject& subject)
+    : subject_(subject), touchdowns_(subject.comm(), subject.model, subject.local()) {}
+
+void TouchdownHistory::declare(Declarations& to) {
+  for (const model::Line& line : subject_.model.lines)
+    to.contents.series.push_back({line.name + " touchdown",
+                                  {{"end_a_arc_length", "m", 1},
+                                   {"end_a_position", "m", 3},
+                                   {"end_b_arc_length", "m", 1},
+                                   {"end_b_position", "m", 3},
+                                   {"laid_length", "m", 1}}});
+}
+
+void TouchdownHistory::rows(const Snapshot& s, Rows& to) {
+  for (const Touchdown& t : touchdowns_.find(s.at)) {
+    std::vector<double> row;
+    for (const auto& p : {t.from_a, t.from_b}) {
+      row.push_back(p ? p->arc : std::nan(""));
+      for (int k = 0; k < 3; ++k) row.push_back(p ? p->position[k] : std::nan(""));
+    }
+    row.push_back(t.laid);
+    add_on_first(subject_, std::move(row), to);
+  }
+}
+
+LinkHistory::LinkHistory(const Subject& subject) : subject_(subject), links_(subject.term<Links>()) {}
+
+void LinkHistory::declare(Declarations& to) {
+  for (const model::Link& l : subject_.model.links)
+    to.contents.series.push_back(
+        {l.name + " link",
+         {{"tension", "N", 1}, {"length", "m", 1}, {"speed", "m/s", 1}, {"force", "N", 3}}});
+}
+
+void LinkHistory::rows(const Snapshot& s, Rows& to) {
+  for (size_t i = 0; i < subject_.model.links.size(); ++i) {
+    const Links::Now l = links_->now(i, s.at);
+    std::vector<double>& row = to.emplace_back();
+    if (!l.known) continue;
+    row = {l.force.along.tension, l.force.length, l.force.speed};
+    row.insert(row.end(), l.force.pull.begin(), l.force.pull.end());
+  }
+}
+
+FeederHistory::FeederHistory(const Subject& subject) : subject_(subject), feeders_(subject.term<Feeders>()) {}
+
+void FeederHistory::declare(Declarations& to) {
+  if (!feeders_) return;
+  for (const Feeder& f : feeders_->list())
+    to.contents.series.push_back(
+        {fmt::format("{} {} feed", subject_.model.lines[f.line].name, f.at_b ? "end_b" : "end_a"),
+         {{"paid_out", "m", 1}, {"feed_speed", "m/s", 1}, {"tension", "N", 1}, {"mouth_length", "m", 1}}});
+}
+
+void FeederHistory::rows(const Snapshot& s, Rows& to) {
+  if (!feeders_) return;
+  for (size_t k = 0; k < feeders_->list().size(); ++k) {
+    const Feeder& f = feeders_->list()[k];
+    add_on_first(subject_,
+                 {feeders_->outside(f) - f.outside_at_start, f.speed, s.end_forces.at_feeders()[k], f.length},
+                 to);
+  }
+}
+
+void EnergyHistory::declare(Declarations& to) {
+  io::ResultSeries energy{"energy", {}};
+  for (const char* name :
+       {"kinetic", "strain", "potential", "friction", "damping", "brought_in", "error", "unresolved"})
+    energy.columns.push_back({name, "J", 1});
+  to.contents.series.push_back(std::move(energy));
+}
+
+void EnergyHistory::rows(const Snapshot& s, Rows& to) {
+  const Energy& e = s.audit.now;
+  add_on_first(subject_,
+               {e.kinetic, e.strain, e.potential, e.friction, e.damping, s.audit.brought_in, s.audit.error,
+                e.unresolved},
+               to);
+}
+
+void StepHistory::declare(Declarations& to) {
+  to.contents.series.push_back(
+      {"solver", {{"step", "s", 1}, {"newton_iterations", "1", 1}, {"rejected", "1", 1}}});
+}
+
+void StepHistory::rows(const Snapshot& s, Rows& to) {
+  add_on_first(subject_,
+               {s.step.h, static_cast<double>(s.step.iterations), static_cast<double>(s.step.rejected)}, to);
+}
+
+}  // namespace hawser::record

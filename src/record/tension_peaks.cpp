@@ -1,0 +1,41 @@
+// The class TensionPeaks: folds come first, since the peak with which one straightens is an impact as well.
+#include "hawser/record/tension_peaks.hpp"
+
+#include "hawser/record/line_extremes.hpp"
+#include "hawser/terms/feeders.hpp"
+
+namespace hawser::record {
+
+TensionPeaks::TensionPeaks(const Subject& subject)
+    : subject_(subject),
+      folds_(subject.model, subject.local(), subject.term<Feeders>()),
+      snaps_(subject.model, subject.local()) {}
+
+void TensionPeaks::declare(Declarations& to) {
+  const char *before = "effective_tension_before", *after = "effective_tension_after";
+  before_ = find_field(to.contents.fields, before), after_ = find_field(to.contents.fields, after);
+  to.every_step.insert({before, after});
+}
+
+void TensionPeaks::step(const Snapshot& s) {
+  folds_.look(s.at, s.values[before_], s.values[after_]);
+  snaps_.look(s.step.time, s.step.h, s.values[before_], s.values[after_]);
+}
+
+std::vector<Finding> TensionPeaks::findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
+  const model::Case& c = subject_.model;
+  std::vector<Finding> out;
+  for (size_t i = 0; i < summary.size(); ++i) {
+    const io::SummaryRow& r = summary[i];
+    if (!is_largest_tension(c, r)) continue;
+    const int line = c.line_index(r.line);
+    std::string text = folds_.warning(subject_.comm(), line, r.line, r.value);
+    if (text.empty())
+      text =
+          snaps_.warning(subject_.comm(), line, r.line, r.value, !audit.note().empty(), c.dynamics.step > 0);
+    if (!text.empty()) out.push_back({std::move(text), i});
+  }
+  return out;
+}
+
+}  // namespace hawser::record
