@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_changes.hpp"
 #include "hawser/io/case_values.hpp"
@@ -16,7 +17,6 @@
 #include "hawser/io/yaml_document.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/cut_lines.hpp"
-#include "hawser/model/doubts.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {
@@ -65,11 +65,11 @@ void examine(Case& c) {
   for (const model::Issue& i : model::check(c)) c.refuse(i.key, i.text);
   check_bed(c);
   // What can change all results first, then what the reader has noted, then the rest.
-  using model::Effect;
-  std::vector<std::string> notes = model::doubt_notes(c, Effect::whole, Effect::whole);
+  using advice::Effect;
+  std::vector<std::string> notes = advice::input_notes(c, Effect::whole, Effect::whole);
   notes.insert(notes.end(), c.notes.begin(), c.notes.end());
   c.notes = std::move(notes);
-  for (std::string& n : model::doubt_notes(c, Effect::part)) c.notes.push_back(std::move(n));
+  for (std::string& n : advice::input_notes(c, Effect::part)) c.notes.push_back(std::move(n));
 }
 
 Case read_document(const std::string& text, const std::string& path, const ReadingNews& news, MPI_Comm comm,

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/io/case_values.hpp"
-#include "hawser/model/doubts.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
@@ -160,7 +160,7 @@ void finish_environment(const Value& v, const CaseSource& source, model::Environ
       refuse(*w, "over a bed of a grid or a mesh waves need 'depth' of the water, which is one for all");
     finish_waves(*w, source, e.water.waves);
     if (e.water.waves.kind == model::Waves::Kind::stokes) check_stokes(*w, e, notes);
-    if (!model::possible(e.water.waves)) return;
+    if (!advice::possible(e.water.waves)) return;
     check_steepness(e, notes);
     check_sea_steepness(*w, e, notes);
   }

@@ -6,11 +6,11 @@
 #include <map>
 #include <stdexcept>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/kernels/rao.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
-#include "hawser/model/doubts.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
@@ -171,7 +171,7 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
   const double yaw = body.drift ? body.drift->rotation.z() : 0;
   const double heading = model::heading(body);
   check_gaps(table, waves, heading + yaw, rao.where, notes);
-  if (model::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, rao.where, notes);
+  if (advice::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, rao.where, notes);
   check_phases(table, waves, heading + yaw, rao.where, notes);
   const RaoMotion motion(table, waves, body.position, heading, yaw);
   // The highest of many components is ten times that of the peak and hardly there.

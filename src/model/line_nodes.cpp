@@ -9,8 +9,8 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kSame = 1e-9;  // of an element
-constexpr double kApart = 0.1;  // of an element: nodes that are moved come no nearer to each other
+constexpr double kSamePlace = 1e-9;  // of an element
+constexpr double kApart = 0.1;       // of an element: nodes that are moved come no nearer to each other
 
 // A geometric progression.
 std::vector<double> plain_lengths(const Section& s) {
@@ -50,7 +50,7 @@ Moved moved_nodes(const std::vector<double>& at, double from, const std::vector<
     if (next->first == w.node || next->second - w.place < w.apart ||
         w.place - std::prev(next)->second < w.apart)
       continue;
-    out.emplace(w.node, w.off > kSame * w.apart ? w.place : at[w.node]);
+    out.emplace(w.node, w.off > kSamePlace * w.apart ? w.place : at[w.node]);
   }
   return out;
 }

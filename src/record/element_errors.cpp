@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "hawser/model/doubts.hpp"
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/record/line_extremes.hpp"
 
 namespace hawser::record {
@@ -207,7 +207,7 @@ void ElementErrors::look_at_lifts(const LineSpan& line, std::span<const At> node
       if (next.beam || after.beam || next.type != after.type) continue;
       if (mesh_.mesh->nodes[line.first_node + n + side].two_sided) continue;
       const double weight =
-          case_.environment.gravity * model::mass_in_water(case_, type(next), nodes[n].x.z());
+          case_.environment.gravity * advice::mass_in_water(case_, type(next), nodes[n].x.z());
       // The tension at a node is the mean of its elements'. From the node above, whose elements both hang,
       // follow those of the elements below it and so that of the one that lies.
       const At &lies = nodes[n], &low = nodes[n + side], &high = nodes[n + 2 * side];

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <utility>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/gather.hpp"
-#include "hawser/model/doubts.hpp"
 #include "hawser/record/audit_checkpoint.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/result_parts.hpp"
@@ -180,7 +180,7 @@ std::string Recorder::audit_warning() const {
   const model::Case& c = subject_.model;
   std::string striking;
   for (const model::Body& b : c.bodies) {
-    const model::StartSpeeds speed = model::start_speeds(c, b);
+    const advice::StartSpeeds speed = advice::start_speeds(c, b);
     if (striking.empty() && speed.motion + speed.drift > 0)
       striking = fmt::format("bodies.{}.{}", b.name, speed.motion > 0 ? "motion" : "motion.drift");
   }

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/doubts.hpp"
 #include "hawser/record/line_extremes.hpp"
 #include "hawser/record/support_log.hpp"
 #include "hawser/record/utilisation.hpp"
@@ -32,7 +32,7 @@ std::string compressed(const model::Case& c, const io::SummaryRow& r) {
       break;
     }
   if (type->kind != model::LineKind::beam) return {};
-  const double w = c.environment.gravity * std::abs(model::mass_in_water(c, *type, -HUGE_VAL));
+  const double w = c.environment.gravity * std::abs(advice::mass_in_water(c, *type, -HUGE_VAL));
   const double EI = std::min(type->EI2, type->EI3);
   const double strut = M_PI * M_PI * EI / std::pow(model::length_of(line), 2);
   const double buckles = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);

@@ -25,6 +25,7 @@ WRONG = [
     ("src/geometry/b.cpp", "#  include <petscmat.h>\n", "nothing but Eigen"),
     ("include/hawser/model/a.hpp", "#include <mpi.h>\n", "neither PETSc nor MPI"),
     ("include/hawser/model/b.hpp", '#include "hawser/base/error.hpp"\n', "error.hpp -> petscsys.h: model knows"),
+    ("src/advice/a.cpp", "#include <petscvec.h>\n", "advice knows neither PETSc nor MPI"),
     ("src/terms/a.cpp", '#include "../system/sink.hpp"\n', "nor a file beside it"),
     ("src/terms/b.cpp", '#include "hawser/shed/tool.hpp"\n', "no such room"),
     ("src/shed/tool.cpp", "#include <vector>\n", "not in a room"),

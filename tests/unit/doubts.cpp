@@ -1,6 +1,4 @@
 // What is possible but unusual in a case is told, and nothing of an ordinary one.
-#include "hawser/model/doubts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/longest_step.hpp"
 
@@ -46,8 +45,8 @@ std::vector<std::string> notes(const Changes& changes, const std::vector<std::st
     text.replace(at, from.size(), to);
   }
   const model::Case c = io::read_case_text(text, "slips.yaml", {}, MPI_COMM_SELF, set);
-  EXPECT_GE(c.notes.size(), doubt_notes(c).size());
-  return doubt_notes(c);
+  EXPECT_GE(c.notes.size(), advice::input_notes(c).size());
+  return advice::input_notes(c);
 }
 
 // One doubt, which holds this.
@@ -65,7 +64,7 @@ TEST(Doubts, NoneOfAnyShippedCase) {
     if (entry.path().extension() != ".yaml") continue;
     ++cases;
     const model::Case c = io::read_case(entry.path().string());
-    EXPECT_EQ(doubt_notes(c), std::vector<std::string>{});
+    EXPECT_EQ(advice::input_notes(c), std::vector<std::string>{});
   }
   EXPECT_GE(cases, 16);
 }

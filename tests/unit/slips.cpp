@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
-#include "hawser/model/doubts.hpp"
 
 namespace hawser::slips_test {
 namespace {

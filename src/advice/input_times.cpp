@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/body_motion.hpp"
-#include "hawser/model/doubts.hpp"
 #include "hawser/model/longest_step.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr double kSteps = 20,
@@ -51,7 +54,7 @@ bool is_member(const Case& c, const Line& line) {
   return rigid(line.end_a) || rigid(line.end_b);
 }
 
-void doubt_step(const Case& c, const Period& drive, std::vector<Doubt>& out) {
+void doubt_step(const Case& c, const Period& drive, std::vector<InputWarning>& out) {
   const double step = c.dynamics.step;
   if (!(step > 0)) return;
   if (drive.length > 0 && step > drive.length / kSteps) {
@@ -72,7 +75,7 @@ void doubt_step(const Case& c, const Period& drive, std::vector<Doubt>& out) {
                    9, Effect::resolution});
 }
 
-void doubt_outputs(const Case& c, const Period& drive, std::vector<Doubt>& out) {
+void doubt_outputs(const Case& c, const Period& drive, std::vector<InputWarning>& out) {
   const double every = c.output.every;
   if (every > c.dynamics.duration)
     out.push_back(
@@ -136,7 +139,7 @@ StartSpeeds start_speeds(const Case& c, const Body& b) {
 
 namespace {
 
-void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
+void doubt_start(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   const StartSpeeds speed = start_speeds(c, b);
   const auto doubt = [&](double first, const char* key) {
     if (first > 0)
@@ -151,7 +154,7 @@ void doubt_start(const Case& c, const Body& b, std::vector<Doubt>& out) {
 
 }  // namespace
 
-void doubt_releases(const Case& c, std::vector<Doubt>& out) {
+void doubt_releases(const Case& c, std::vector<InputWarning>& out) {
   for (std::size_t i = 0; i < c.events.size(); ++i) {
     const Action& r = c.events[i].action;
     if (r.kind != Action::Kind::release) continue;
@@ -172,7 +175,7 @@ namespace {
 // A jump of a feeder's speed stretches the element at its mouth at once, whose damper then pulls with v
 // beta EA/l: more, the shorter it is.
 void doubt_feed(const Case& c, const std::string& line, bool at_b, double jump, const std::string& key,
-                const char* remedy, std::vector<Doubt>& out) {
+                const char* remedy, std::vector<InputWarning>& out) {
   const Line& of = c.lines[c.line_index(line)];
   const LineType& type = c.line_type((at_b ? of.sections.back() : of.sections.front()).type);
   if (!(std::abs(jump) > kLeastJump) || !(type.stiffness_damping > 0)) return;
@@ -184,7 +187,7 @@ void doubt_feed(const Case& c, const std::string& line, bool at_b, double jump, 
        16, Effect::part});
 }
 
-void doubt_feeds(const Case& c, std::vector<Doubt>& out) {
+void doubt_feeds(const Case& c, std::vector<InputWarning>& out) {
   const auto starts = [](const Feed& f) {
     return f.tension == 0 && !f.speed.empty() ? f.speed.front().second : 0.0;
   };
@@ -205,7 +208,7 @@ void doubt_feeds(const Case& c, std::vector<Doubt>& out) {
 
 }  // namespace
 
-void doubt_times(const Case& c, std::vector<Doubt>& out) {
+void warn_of_times(const Case& c, std::vector<InputWarning>& out) {
   if (!c.dynamics.enabled) return;
   doubt_releases(c, out);
   doubt_feeds(c, out);
@@ -215,4 +218,4 @@ void doubt_times(const Case& c, std::vector<Doubt>& out) {
   for (const Body& b : c.bodies) doubt_start(c, b, out);
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/doubts.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 // What materials bear before they yield or break, and designs stay far below: steel wire and chain break at 1
@@ -28,7 +31,7 @@ double allowed_strain(const LineType& t) {
 
 // One doubt of the section that a tension [N] stretches or overloads.
 void bears(const Case& c, const Section& s, double tension, const std::string& key, const std::string& why,
-           std::vector<Doubt>& out) {
+           std::vector<InputWarning>& out) {
   const LineType& t = c.line_type(s.type);
   if (t.breaking_load > 0 && tension > t.breaking_load) {
     out.push_back({key,
@@ -45,7 +48,7 @@ void bears(const Case& c, const Section& s, double tension, const std::string& k
   }
 }
 
-void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
+void doubt_span(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   if (!is_held(line.end_a) || !is_held(line.end_b)) return;
   const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
   double length = length_of(line);  // what is outside of feeders
@@ -85,7 +88,7 @@ void doubt_span(const Case& c, const Line& line, std::vector<Doubt>& out) {
 
 // At the higher end of a line hangs at least what is between the heights of its ends, at the end of one that
 // hangs freely all of it that does not lie.
-void doubt_weight(const Case& c, const Line& line, std::vector<Doubt>& out) {
+void doubt_weight(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   const bool a = is_held(line.end_a), b = is_held(line.end_b);
   if ((!a && !b) || line.start == Start::points || line.start == Start::other_run) return;
   const Vec3 top = a && (!b || end_position(c, line.end_a).z() >= end_position(c, line.end_b).z())
@@ -110,7 +113,7 @@ void doubt_weight(const Case& c, const Line& line, std::vector<Doubt>& out) {
           fmt::format("its own weight over {:.4g} m of height", height), out);
 }
 
-void doubt_loads(const Case& c, const Line& line, std::vector<Doubt>& out) {
+void doubt_loads(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   for (const PointLoad& p : line.point_loads) {
     double end = 0;
     for (const Section& s : line.sections) {
@@ -127,7 +130,7 @@ void doubt_loads(const Case& c, const Line& line, std::vector<Doubt>& out) {
 
 }  // namespace
 
-void doubt_lines(const Case& c, std::vector<Doubt>& out) {
+void warn_of_lines(const Case& c, std::vector<InputWarning>& out) {
   for (const Line& line : c.lines) {
     doubt_span(c, line, out);
     doubt_weight(c, line, out);
@@ -135,4 +138,4 @@ void doubt_lines(const Case& c, std::vector<Doubt>& out) {
   }
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

@@ -6,10 +6,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/model/doubts.hpp"
+#include "hawser/advice/input_warnings.hpp"
 #include "unit_hint.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr int kTypeKinds = 30;  // the first of this file's kinds
@@ -18,12 +21,12 @@ bool between(double x, double least, double most) { return x >= least && x <= mo
 
 class Proportions {
  public:
-  Proportions(const Case& c, const LineType& t, std::vector<Doubt>& out)
+  Proportions(const Case& c, const LineType& t, std::vector<InputWarning>& out)
       : c_(c), t_(t), key_("line_types." + t.name), out_(out) {}
 
   void run() {
     // Where mass, diameter and EA do not fit each other already, the rest follows from that.
-    const auto known = [this](const Doubt& d) { return d.key == key_; };
+    const auto known = [this](const InputWarning& d) { return d.key == key_; };
     if (std::any_of(out_.begin(), out_.end(), known)) return;
     if (t_.kind == LineKind::beam) {
       bending();
@@ -175,13 +178,13 @@ class Proportions {
   const Case& c_;
   const LineType& t_;
   std::string key_;
-  std::vector<Doubt>& out_;
+  std::vector<InputWarning>& out_;
 };
 
 }  // namespace
 
-void warn_of_proportions(const Case& c, std::vector<Doubt>& out) {
+void warn_of_proportions(const Case& c, std::vector<InputWarning>& out) {
   for (const LineType& t : c.line_types) Proportions(c, t, out).run();
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

@@ -8,11 +8,14 @@
 #include <cmath>
 #include <string_view>
 
-#include "hawser/model/doubts.hpp"
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/schema.hpp"
 #include "unit_hint.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 // Of the size of a number, SI; 0 is never outside.
@@ -118,7 +121,7 @@ bool written_in_radians(const Value& v) {
 
 class Walk {
  public:
-  explicit Walk(std::vector<Doubt>& out) : out_(out) {}
+  explicit Walk(std::vector<InputWarning>& out) : out_(out) {}
 
   void visit(const Value& v, const std::string& path) {
     if (!v.given || !v.schema) return;
@@ -170,7 +173,7 @@ class Walk {
   }
 
   static constexpr int kRadians = 99, kFirst = 100;
-  std::vector<Doubt>& out_;
+  std::vector<InputWarning>& out_;
 };
 
 }  // namespace
@@ -201,8 +204,8 @@ bool possible(const Waves& w) {
   });
 }
 
-void warn_of_ranges(const Case& c, std::vector<Doubt>& out) {
+void warn_of_ranges(const Case& c, std::vector<InputWarning>& out) {
   if (c.tree) Walk(out).visit(*c.tree, "");
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

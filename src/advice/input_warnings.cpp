@@ -1,5 +1,5 @@
 // The doubts of all subjects as notes with the line of the file, many of one kind cut short.
-#include "hawser/model/doubts.hpp"
+#include "hawser/advice/input_warnings.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,9 @@
 
 #include "hawser/model/schema.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
 
 double mass_in_water(const Case& c, const LineType& type, double z) {
   const Water& w = c.environment.water;
@@ -17,33 +19,33 @@ double mass_in_water(const Case& c, const LineType& type, double z) {
   return type.mass_per_length - w.density * M_PI / 4 * type.displaced() * type.displaced();
 }
 
-std::vector<Doubt> doubts(const Case& c) {
-  std::vector<Doubt> out;
+std::vector<InputWarning> input_warnings(const Case& c) {
+  std::vector<InputWarning> out;
   warn_of_ranges(c, out);
   warn_of_surroundings(c, out);
-  doubt_line_types(c, out);
+  warn_of_line_types(c, out);
   warn_of_proportions(c, out);
-  doubt_lines(c, out);
+  warn_of_lines(c, out);
   warn_of_line_loads(c, out);
-  doubt_supports(c, out);
-  doubt_elements(c, out);
-  doubt_bodies(c, out);
+  warn_of_supports(c, out);
+  warn_of_elements(c, out);
+  warn_of_rotations(c, out);
   warn_of_bodies(c, out);
-  doubt_sea(c, out);
-  doubt_times(c, out);
+  warn_of_sea(c, out);
+  warn_of_times(c, out);
   return out;
 }
 
-std::vector<std::string> doubt_notes(const Case& c, Effect from, Effect to) {
+std::vector<std::string> input_notes(const Case& c, Effect from, Effect to) {
   constexpr int kTold = 3;  // of a kind
-  std::vector<Doubt> all = doubts(c);
+  std::vector<InputWarning> all = input_warnings(c);
   std::stable_sort(all.begin(), all.end(),
-                   [](const Doubt& a, const Doubt& b) { return a.effect < b.effect; });
-  std::erase_if(all, [&](const Doubt& d) { return d.effect < from || d.effect > to; });
+                   [](const InputWarning& a, const InputWarning& b) { return a.effect < b.effect; });
+  std::erase_if(all, [&](const InputWarning& d) { return d.effect < from || d.effect > to; });
   std::map<int, int> count, told;
-  for (const Doubt& d : all) ++count[d.kind];
+  for (const InputWarning& d : all) ++count[d.kind];
   std::vector<std::string> notes;
-  for (const Doubt& d : all) {
+  for (const InputWarning& d : all) {
     if (++told[d.kind] > kTold) continue;
     const int line = c.tree ? c.tree->line_of(d.key) : 0;
     std::string where = c.file;
@@ -57,4 +59,4 @@ std::vector<std::string> doubt_notes(const Case& c, Effect from, Effect to) {
   return notes;
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

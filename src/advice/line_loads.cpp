@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/doubts.hpp"
 #include "unit_hint.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr int kLoadKinds = 50;  // the first of this file's kinds
@@ -26,7 +29,7 @@ double density(const LineType& t) { return t.mass_per_length / (M_PI / 4 * t.dis
 
 class LineLoads {
  public:
-  LineLoads(const Case& c, const Line& line, std::vector<Doubt>& out)
+  LineLoads(const Case& c, const Line& line, std::vector<InputWarning>& out)
       : c_(c), line_(line), key_("lines." + line.name), out_(out) {
     for (const Section& s : line.sections)
       weight_ += c.environment.gravity * s.length * type(s).mass_per_length;
@@ -214,14 +217,14 @@ class LineLoads {
   const Case& c_;
   const Line& line_;
   std::string key_;
-  std::vector<Doubt>& out_;
+  std::vector<InputWarning>& out_;
   double weight_ = 0;  // N, in air
 };
 
 }  // namespace
 
-void warn_of_line_loads(const Case& c, std::vector<Doubt>& out) {
+void warn_of_line_loads(const Case& c, std::vector<InputWarning>& out) {
   for (const Line& line : c.lines) LineLoads(c, line, out).run();
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

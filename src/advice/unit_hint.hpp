@@ -8,13 +8,13 @@
 #include "hawser/model/case.hpp"
 #include "hawser/model/units.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
 
 // "; is it in kN? ('900 kN')" for the first unit that fits, by the SI value that the number then has. Empty:
 // none does, or the number has its unit.
-std::string unit_hint(const Value& v, Dimension d, const std::function<bool(double)>& fits);
+std::string unit_hint(const model::Value& v, model::Dimension d, const std::function<bool(double)>& fits);
 // The same of the value at these keys, one below the other: {"line_types", "chain", "EA"}.
-std::string unit_hint(const Case& c, const std::vector<std::string>& keys,
+std::string unit_hint(const model::Case& c, const std::vector<std::string>& keys,
                       const std::function<bool(double)>& fits);
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

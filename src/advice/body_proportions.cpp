@@ -5,18 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/body_motion.hpp"
-#include "hawser/model/doubts.hpp"
 #include "unit_hint.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr int kBodyKinds = 70;  // the first of this file's kinds
 
 class BodyProportions {
  public:
-  BodyProportions(const Case& c, const Body& b, std::vector<Doubt>& out)
+  BodyProportions(const Case& c, const Body& b, std::vector<InputWarning>& out)
       : c_(c), b_(b), key_("bodies." + b.name), out_(out) {}
 
   void run() {
@@ -160,13 +163,13 @@ class BodyProportions {
   const Case& c_;
   const Body& b_;
   std::string key_;
-  std::vector<Doubt>& out_;
+  std::vector<InputWarning>& out_;
 };
 
 }  // namespace
 
-void warn_of_bodies(const Case& c, std::vector<Doubt>& out) {
+void warn_of_bodies(const Case& c, std::vector<InputWarning>& out) {
   for (const Body& b : c.bodies) BodyProportions(c, b, out).run();
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

@@ -4,16 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/doubts.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr int kSeaKinds = 85;  // the first of this file's kinds
 
-void dry_bed(const Case& c, std::vector<Doubt>& out) {
+void dry_bed(const Case& c, std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   const Water& w = c.environment.water;
   if (!bed.present || c.lines.empty()) return;
@@ -37,7 +40,7 @@ void dry_bed(const Case& c, std::vector<Doubt>& out) {
 }
 
 // Waves break where they are as high as the water is deep.
-void shallow_waves(const Case& c, std::vector<Doubt>& out) {
+void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool spectrum = w.waves.kind == Waves::Kind::spectrum;
   if (!spectrum || !(w.depth > 0) || w.waves.height < 0.8 * w.depth) return;
@@ -50,7 +53,7 @@ void shallow_waves(const Case& c, std::vector<Doubt>& out) {
 
 // What a table of a spectrum adds up to: 4 sqrt(m0) m and its peak, against the steepest seas (DNV-RP-C205
 // 3.5.4, 1/15 at 8 s and below) and the longest swell.
-void spectrum_rows(const Case& c, std::vector<Doubt>& out) {
+void spectrum_rows(const Case& c, std::vector<InputWarning>& out) {
   const Waves& w = c.environment.water.waves;
   if (w.kind != Waves::Kind::table) return;
   double energy = 0;
@@ -73,7 +76,7 @@ void spectrum_rows(const Case& c, std::vector<Doubt>& out) {
 }
 
 // What starts over a time that the run does not reach, and motion that no run shows.
-void unseen_motion(const Case& c, std::vector<Doubt>& out) {
+void unseen_motion(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool waves = w.waves.kind != Waves::Kind::none;
   const auto ramp = [&](double length, const std::string& key) {
@@ -98,11 +101,11 @@ void unseen_motion(const Case& c, std::vector<Doubt>& out) {
 
 }  // namespace
 
-void warn_of_surroundings(const Case& c, std::vector<Doubt>& out) {
+void warn_of_surroundings(const Case& c, std::vector<InputWarning>& out) {
   dry_bed(c, out);
   shallow_waves(c, out);
   spectrum_rows(c, out);
   unseen_motion(c, out);
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

@@ -3,16 +3,19 @@
 
 #include <algorithm>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/math/so3.hpp"
-#include "hawser/model/doubts.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr double kTurned = 0.17;  // rad, about ten degrees
 
 // A rotation vector [rad] of a motion.
-void doubt_rotation(const Body& b, const Vec3& about, const char* motion, std::vector<Doubt>& out) {
+void doubt_rotation(const Body& b, const Vec3& about, const char* motion, std::vector<InputWarning>& out) {
   const double size = about.norm();
   if (!(size > 0)) return;
   const Vec3 space = about / size, own = exp_so3(b.rotation).conjugate() * space;
@@ -30,7 +33,7 @@ void doubt_rotation(const Body& b, const Vec3& about, const char* motion, std::v
 
 }  // namespace
 
-void doubt_bodies(const Case& c, std::vector<Doubt>& out) {
+void warn_of_rotations(const Case& c, std::vector<InputWarning>& out) {
   for (const Body& b : c.bodies) {
     if (const auto* h = std::get_if<HarmonicMotion>(&b.motion))
       doubt_rotation(b, h->rotation_amplitude, "harmonic", out);
@@ -43,4 +46,4 @@ void doubt_bodies(const Case& c, std::vector<Doubt>& out) {
   }
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/doubts.hpp"
 #include "hawser/model/line_nodes.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr double kApart = 0.1;   // of the element that it lies in
@@ -42,7 +45,7 @@ Place place_of(const Arcs& arcs, double at) {
 }
 
 void doubt_place(const Line& line, const Arcs& arcs, double at, const std::string& key,
-                 std::vector<Doubt>& out) {
+                 std::vector<InputWarning>& out) {
   const Place p = place_of(arcs, at);
   if (std::abs(p.node - at) > kApart * (p.to - p.from))
     out.push_back({key,
@@ -66,7 +69,7 @@ double tension_on_bed(const Case& c, const Line& line, double weight) {
 // On the bed a mass rests on the length of line that belongs to its node, about an element, however large it
 // is itself: it may sink in by more than its diameter. Not where the bed is out of reach.
 void doubt_sinking(const Case& c, const Line& line, const Arcs& arcs, const PointMass& m,
-                   std::vector<Doubt>& out) {
+                   std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   const Water& w = c.environment.water;
   const double weight = c.environment.gravity * (m.mass - (w.present ? w.density * m.volume : 0));
@@ -97,7 +100,7 @@ void doubt_sinking(const Case& c, const Line& line, const Arcs& arcs, const Poin
          24, Effect::part});
 }
 
-void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<Doubt>& out) {
+void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<InputWarning>& out) {
   const BendStiffener& b = line.bend_stiffeners[i];
   const double most = b.at + (b.towards_a ? -1 : 1) * b.rows.back().first, total = length_of(line),
                from = std::clamp(std::min(b.at, most), 0.0, total),
@@ -115,7 +118,7 @@ void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vec
 
 }  // namespace
 
-void doubt_elements(const Case& c, std::vector<Doubt>& out) {
+void warn_of_elements(const Case& c, std::vector<InputWarning>& out) {
   const auto places = fixed_places(c);
   for (std::size_t l = 0; l < c.lines.size(); ++l) {
     const Line& line = c.lines[l];
@@ -140,4 +143,4 @@ void doubt_elements(const Case& c, std::vector<Doubt>& out) {
     if (b.on && !b.on->drawn) elsewhere(b.on->line, b.on->at, "bodies." + b.name + ".on");
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

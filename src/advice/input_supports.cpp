@@ -1,10 +1,13 @@
 // Supports that bend their line more than pipes bear, and elements too long to show what rollers do to it.
 #include <fmt/format.h>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/doubts.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr double kStrain = 0.005;  // of the outer fibre; laying criteria of steel pipes are 0.2 to 0.35 %
@@ -26,7 +29,7 @@ Here section_at(const Case& c, const Line& line, bool from_a, double from) {
   return out;
 }
 
-void doubt_line(const Case& c, const Line& line, std::vector<Doubt>& out) {
+void doubt_line(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   const SupportBox* before = nullptr;
   const End* end = nullptr;
   double arc = 0;
@@ -65,8 +68,8 @@ void doubt_line(const Case& c, const Line& line, std::vector<Doubt>& out) {
 
 }  // namespace
 
-void doubt_supports(const Case& c, std::vector<Doubt>& out) {
+void warn_of_supports(const Case& c, std::vector<InputWarning>& out) {
   for (const Line& line : c.lines) doubt_line(c, line, out);
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

@@ -5,10 +5,13 @@
 
 #include <cmath>
 
-#include "hawser/model/doubts.hpp"
+#include "hawser/advice/input_warnings.hpp"
 #include "unit_hint.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
+
 namespace {
 
 constexpr double kHeavy = 8500, kLight = 100;  // kg/m³, mean density of a line with its bore
@@ -40,7 +43,7 @@ std::string density_hint(const Case& c, const LineType& t, double density, bool 
   return "; check both";
 }
 
-void doubt_contents(const LineType& t, std::vector<Doubt>& out) {
+void doubt_contents(const LineType& t, std::vector<InputWarning>& out) {
   const double density = t.contents_density;
   if (!(density > 0) || in_range(density, kLeastContents, kMostContents)) return;
   std::string hint = "is it meant?";
@@ -54,7 +57,7 @@ void doubt_contents(const LineType& t, std::vector<Doubt>& out) {
 }
 
 // A coating that is thicker than half of the pipe in it, by the keys of the file: the type has but the sums.
-bool doubt_coatings(const Case& c, const LineType& t, std::vector<Doubt>& out) {
+bool doubt_coatings(const Case& c, const LineType& t, std::vector<InputWarning>& out) {
   const Value* types = c.tree ? c.tree->find("line_types") : nullptr;
   const Value* type = types ? types->find(t.name) : nullptr;
   const Value* pipe = type ? type->find("pipe") : nullptr;
@@ -74,7 +77,7 @@ bool doubt_coatings(const Case& c, const LineType& t, std::vector<Doubt>& out) {
 }
 
 // Pipes that the formulas of the codes were not fitted to.
-void doubt_slenderness(const LineType& t, std::vector<Doubt>& out) {
+void doubt_slenderness(const LineType& t, std::vector<InputWarning>& out) {
   if (!t.steel) return;
   const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
   const auto doubt = [&](const std::string& what, const char* field) {
@@ -95,7 +98,7 @@ void doubt_slenderness(const LineType& t, std::vector<Doubt>& out) {
 
 }  // namespace
 
-void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
+void warn_of_line_types(const Case& c, std::vector<InputWarning>& out) {
   const bool water = c.environment.water.present;
   for (const LineType& t : c.line_types) {
     doubt_contents(t, out);
@@ -137,4 +140,4 @@ void doubt_line_types(const Case& c, std::vector<Doubt>& out) {
   }
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice

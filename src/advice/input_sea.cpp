@@ -7,12 +7,14 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/advice/input_warnings.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/model/doubts.hpp"
 
-namespace hawser::model {
+namespace hawser::advice {
+
+using namespace model;
 
 double lowest_reach(const Case& c, const Line& line) {
   const double length = length_of(line) + expansion_of(c, line);
@@ -50,7 +52,7 @@ constexpr double kBow = 0.01;       // of the length that lies
 // in very soft clay to 4200 in hard clay, at rest; rock and fast motion are stiffer, and mud is softer.
 constexpr double kSoftBed = 2e3, kStiffBed = 1e9;
 
-void doubt_depths(const Case& c, std::vector<Doubt>& out) {
+void doubt_depths(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
   if (!w.present || !bed.present || bed.surface || bed.slope > 0 || !(w.depth > 0)) return;
@@ -65,7 +67,8 @@ void doubt_depths(const Case& c, std::vector<Doubt>& out) {
 
 // An anchor above the water as far as the bed is below: a lost minus sign. One in the lower half of the
 // water, but well above the bed: another depth than that of the bed.
-void doubt_anchor(const Case& c, const Line& line, const End& e, const char* which, std::vector<Doubt>& out) {
+void doubt_anchor(const Case& c, const Line& line, const End& e, const char* which,
+                  std::vector<InputWarning>& out) {
   if (e.kind != EndKind::anchor) return;
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
@@ -87,7 +90,7 @@ void doubt_anchor(const Case& c, const Line& line, const End& e, const char* whi
                    6});
 }
 
-void doubt_bed_in_reach(const Case& c, std::vector<Doubt>& out) {
+void doubt_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
   double least = std::numeric_limits<double>::infinity();
@@ -117,7 +120,7 @@ Vec3 current_at(const Water& w, double depth) {
   return factor * (vector(u) + (depth - u.depth) / (l.depth - u.depth) * (vector(l) - vector(u)));
 }
 
-void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
+void doubt_current(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
   if (!c.statics.enabled || w.current.profile.empty() || w.current.ramp > 0 || !bed.present || bed.surface ||
@@ -152,7 +155,7 @@ void doubt_current(const Case& c, const Line& line, std::vector<Doubt>& out) {
        8, Effect::part});
 }
 
-void doubt_soil(const Case& c, std::vector<Doubt>& out) {
+void doubt_soil(const Case& c, std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   if (!bed.present || bed.force_table) return;
   const bool by_length = bed.basis == StiffnessBasis::per_length;
@@ -172,7 +175,7 @@ void doubt_soil(const Case& c, std::vector<Doubt>& out) {
 }
 
 // Nothing of a buoy is taken for granted, as it is of lines.
-void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector<Doubt>& out) {
+void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool moves = c.dynamics.enabled || !w.current.profile.empty();
   if (!w.present || !moves || m.drag_area > 0 || m.Ca > 0 || m.mass >= w.density * m.volume) return;
@@ -196,7 +199,7 @@ Waves::Row leading_wave(const Waves& w) {
 }
 
 // Linear waves are those of still water: the current neither stretches nor steepens them.
-void doubt_waves_on_current(const Case& c, std::vector<Doubt>& out) {
+void doubt_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
   constexpr double kMuch = 0.1;  // of the speed of the waves: a fifth of their length
   const Water& w = c.environment.water;
   const Waves::Row wave = leading_wave(w.waves);
@@ -219,7 +222,7 @@ void doubt_waves_on_current(const Case& c, std::vector<Doubt>& out) {
 
 }  // namespace
 
-void doubt_sea(const Case& c, std::vector<Doubt>& out) {
+void warn_of_sea(const Case& c, std::vector<InputWarning>& out) {
   doubt_soil(c, out);
   doubt_depths(c, out);
   doubt_bed_in_reach(c, out);
@@ -232,4 +235,4 @@ void doubt_sea(const Case& c, std::vector<Doubt>& out) {
   }
 }
 
-}  // namespace hawser::model
+}  // namespace hawser::advice
