@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include "hawser/base/error.hpp"
@@ -120,6 +121,7 @@ template <class Term, class... From>
 Term* Simulation::add(From&&... from) {
   auto term = std::make_unique<Term>(std::forward<From>(from)...);
   Term* out = term.get();
+  if constexpr (std::is_base_of_v<FedByFeeders, Term>) out->fed_by(feeders_);
   system_->add(std::move(term));
   return out;
 }
@@ -141,15 +143,14 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   notes_ = std::move(start.notes);
   const Kinematics at = start.state.view(0);
   bodies_->fix_drawn(comm, case_, at);
-  if (!case_.links.empty()) links_ = add<Links>(comm, case_, local(), bodies_, at);
+  if (!case_.links.empty()) add<Links>(comm, case_, local(), bodies_, at);
   if (feeders_) feeders_->clamp(start.ends), start.tied = feeders_->with_held(start.tied);
   const std::vector<int> held = held_nodes(case_, local(), feeders_, start.tied);
   add_seabed(at, held);
   add_contact(at, held, surfaces);
   add_bodies(std::move(surfaces), std::move(skeletons));
   if (auto between = make_line_pairs(comm, case_, local(), details_)) {
-    line_pairs_ = between.get();
-    line_pairs_->fed_by(feeders_);
+    between->fed_by(feeders_);
     system_->add(std::move(between));
   }
   if (feeders) system_->add(std::move(feeders));
@@ -175,9 +176,8 @@ void Simulation::distribute(MPI_Comm comm) {
 
 // What acts on lines alone: their stiffness and mass, loads and masses at nodes, springs at ends, the water.
 void Simulation::add_lines() {
-  structure_ = add<StructureTerm>(local(), case_);
-  structure_->fed_by(feeders_);
-  add<LineMassTerm>(local(), case_)->fed_by(feeders_);
+  add<StructureTerm>(local(), case_);
+  add<LineMassTerm>(local(), case_);
   bool loads = false, masses = false, springs = false;
   for (const auto& line : case_.lines) {
     loads |= !line.point_loads.empty(), masses |= !line.masses.empty();
@@ -186,14 +186,12 @@ void Simulation::add_lines() {
   if (loads) add<PointLoads>(local(), point_loads(case_, local()));
   if (masses) add<PointMasses>(local(), point_masses(case_, local()), case_.environment.gravity);
   if (springs) add<EndSprings>(local(), bodies_, end_springs(case_, local()));
-  if (!case_.environment.water.present) return;
-  water_ = add<Hydrodynamics>(local(), case_);
-  water_->fed_by(feeders_);
+  if (case_.environment.water.present) add<Hydrodynamics>(local(), case_);
 }
 
 void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& held) {
   if (!case_.environment.seabed.present) return;
-  seabed_ = add<SeabedTerm>(local(), case_, held);
+  add<SeabedTerm>(local(), case_, held);
   if (std::any_of(case_.lines.begin(), case_.lines.end(), [](const auto& l) { return !l.buried.empty(); }))
     add<BuriedTerm>(system_->comm(), local(), case_, start, held);
 }
@@ -222,21 +220,20 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
       }
   }
   if (volumes_.empty()) return;
-  contact_ = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held), comm,
-                                    case_.contact.method);
-  contact_->fed_by(feeders_);
-  contact_->leave_out(start_contact_.left_out);
-  for (int v = 0; v < contact_->volumes(); ++v) last_stiffness_.push_back(contact_->stiffness(v));
+  auto* contact = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held),
+                                         comm, case_.contact.method);
+  contact->leave_out(start_contact_.left_out);
+  for (int v = 0; v < contact->volumes(); ++v) last_stiffness_.push_back(contact->stiffness(v));
 }
 
 // Bodies with mass, the water they are in, and contact of bodies with each other.
 void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces,
                             std::vector<BodySkeleton> skeletons) {
   if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {
-    floating_ = add<RigidBodies>(case_, local(), bodies_);
+    add<RigidBodies>(case_, local(), bodies_);
     if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
                     [](const model::Body& b) { return b.mass && b.mass->in_water; }))
-      bodies_in_water_ = add<BodiesInWater>(case_, local());
+      add<BodiesInWater>(case_, local());
     if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
                     [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; }))
       add<PlatformWater>(system_->comm(), case_, local());
@@ -245,56 +242,57 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
   std::vector<BodyVolume> touching;
   for (size_t v = 0; v < case_.volumes.size(); ++v)
     touching.push_back({std::move(surfaces[v]), std::move(skeletons[v])});
-  body_contact_ = add<BodyContactTerm>(system_->comm(), case_, local(), bodies_, std::move(touching));
+  add<BodyContactTerm>(system_->comm(), case_, local(), bodies_, std::move(touching));
 }
 
 std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) const {
   return record::body_pose(*bodies_, local(), body, at);
 }
 
+SeabedTerm* Simulation::seabed() const { return system_->find<SeabedTerm>(); }
+const BodyContactTerm* Simulation::body_contact() const { return system_->find<BodyContactTerm>(); }
+const RigidBodies* Simulation::floating() const { return system_->find<RigidBodies>(); }
+
 record::Subject Simulation::subject(std::vector<std::shared_ptr<const Surface>> surfaces) {
   return {case_, *system_, *bodies_, std::move(surfaces), [this]() -> Dynamics& { return dynamics(); }};
 }
 
 // By the case: a rank without nodes has no friction of its own, and statics is collective.
-bool Simulation::lays_lines() const { return seabed_ && static_friction_.value_or(true) && any_laid_; }
+bool Simulation::lays_lines() const { return seabed() && static_friction_.value_or(true) && any_laid_; }
 
 // From the equilibrium with soft friction under the weight of what lay at the start to that with the law of
 // motion, by way of stiffer friction; where the slightest slip mobilises it, under the contact forces found.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
   settings.near = true;
+  SeabedTerm& bed = *seabed();
   const auto solve = [&] {
     const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
     report.iterations += more.iterations, report.escapes += more.escapes;
     report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
   };
   for (const double slip : {kFirstSlip / 30, 0.0}) {
-    seabed_->mobilise_by(slip);
-    if (case_.environment.seabed.full) seabed_->press_by_contact(state_.view(0));
+    bed.mobilise_by(slip);
+    if (case_.environment.seabed.full) bed.press_by_contact(state_.view(0));
     solve();
   }
-  seabed_->follow_contact(state_.view(0));
+  bed.follow_contact(state_.view(0));
   solve();
 }
 
 StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)> progress, bool falls) {
-  const auto enable_friction = [this](bool on) {
-    if (contact_) contact_->enable_friction(on);
-    if (line_pairs_) line_pairs_->enable_friction(on);
-    if (seabed_) seabed_->enable_friction(on);
-  };
-  enable_friction(false);
-  if (static_friction()) {
-    if (contact_) contact_->enable_friction(true);
-    if (line_pairs_) line_pairs_->enable_friction(true);
-  }
+  const std::vector<HasFriction*> with_friction = system_->with<HasFriction>();
+  const std::vector<RestrainedInStatics*> restrained = system_->with<RestrainedInStatics>();
+  LineVolumeContact* contact = this->contact();
+  LinePairs* line_pairs = this->line_pairs();
+  SeabedTerm* seabed = this->seabed();
+  // That of the bed begins where lines were laid.
+  for (HasFriction* t : with_friction) t->enable_friction(static_friction() && t != seabed);
   if (lays_lines()) {
-    seabed_->lay(laid_, state_.view(0), case_.environment.seabed.full);
-    seabed_->mobilise_by(kFirstSlip);
+    seabed->lay(laid_, state_.view(0), case_.environment.seabed.full);
+    seabed->mobilise_by(kFirstSlip);
   }
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
-  if (floating_) floating_->hold(true);
-  if (bodies_in_water_) bodies_in_water_->hold(true);
+  for (RestrainedInStatics* t : restrained) t->hold(true);
   StaticsSettings settings;
   settings.tolerance = case_.statics.tolerance;
   settings.max_iterations = case_.statics.max_iterations;
@@ -307,25 +305,24 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   settings.progress = std::move(progress);
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   if (lays_lines()) follow_contact(settings, report);
-  enable_friction(true);
-  if (bodies_in_water_) bodies_in_water_->hold(false);
-  if (floating_) {
-    floating_->hold(false);
+  for (HasFriction* t : with_friction) t->enable_friction(true);
+  for (RestrainedInStatics* t : restrained) t->hold(false);
+  if (!restrained.empty()) {
     for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) state_.v[n] = v[n], state_.w[n] = w[n];
     system_->spread(state_);
   }
-  if (contact_ || line_pairs_) system_->commit(state_.view(0));
-  if (body_contact_) body_contact_->watch(state_.view(0));
+  if (contact || line_pairs) system_->commit(state_.view(0));
+  if (auto* body_contact = system_->find<BodyContactTerm>()) body_contact->watch(state_.view(0));
   check_inside();
-  if (contact_)
-    if (const std::string why = first_text(system_->comm(), contact_->deeper_than_allowed(state_.view(0)));
+  if (contact)
+    if (const std::string why = first_text(system_->comm(), contact->deeper_than_allowed(state_.view(0)));
         !why.empty())
       throw SolveError("statics: " + why);
   for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
-  if (line_pairs_)
-    if (std::string note = shared_places_note(line_pairs_->shared(), *mesh_); !note.empty())
+  if (line_pairs)
+    if (std::string note = shared_places_note(line_pairs->shared(), *mesh_); !note.empty())
       notes_.push_back(std::move(note));
-  std::vector<double> slack = structure_->slack(state_.view(0));
+  std::vector<double> slack = structure().slack(state_.view(0));
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
@@ -341,9 +338,10 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
 
 std::vector<std::string> Simulation::tilting_warnings() const {
   std::vector<std::string> out;
-  if (!bodies_in_water_) return out;
+  const auto* in_water = system_->find<BodiesInWater>();
+  if (!in_water) return out;
   std::vector<double> cut(case_.bodies.size());
-  for (const int b : bodies_in_water_->in_surface(state_.view(0))) cut[static_cast<size_t>(b)] = 1;
+  for (const int b : in_water->in_surface(state_.view(0))) cut[static_cast<size_t>(b)] = 1;
   all_reduce(system_->comm(), MPI_SUM, cut);
   for (size_t b = 0; b < cut.size(); ++b)
     if (cut[b] > 0 && case_.bodies[b].mass->turning_stiffness.head<2>().minCoeff() == 0)
@@ -359,11 +357,12 @@ std::vector<std::string> Simulation::tilting_warnings() const {
 
 std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
   std::vector<std::string> out;
-  for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
+  const LineVolumeContact* contact = this->contact();
+  for (int v = 0; contact && v < contact->volumes(); ++v) {
     double& last = last_stiffness_[v];
-    if (contact_->stiffness(v) == last) continue;
-    out.push_back(raised_note(contact_->volume_name(v), last, contact_->stiffness(v), when));
-    last = contact_->stiffness(v);
+    if (contact->stiffness(v) == last) continue;
+    out.push_back(raised_note(contact->volume_name(v), last, contact->stiffness(v), when));
+    last = contact->stiffness(v);
   }
   return out;
 }
@@ -371,9 +370,9 @@ std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
 // By line and in one sum over the ranks.
 std::vector<std::string> Simulation::on_bed() const {
   std::vector<std::string> out;
-  if (!seabed_) return out;
+  if (!seabed()) return out;
   constexpr size_t kShown = 20;
-  std::vector<SeabedTerm::OnBed> lines = seabed_->on_bed(state_.view(0));
+  std::vector<SeabedTerm::OnBed> lines = seabed()->on_bed(state_.view(0));
   std::vector<double> sums;
   for (const SeabedTerm::OnBed& l : lines) sums.insert(sums.end(), {l.lies, l.laid, l.held, l.taken});
   all_reduce(system_->comm(), MPI_SUM, sums);
@@ -417,7 +416,7 @@ std::string Simulation::inside(int volume, const Kinematics& at) const {
 void Simulation::enable_contact(const model::Action& action) {
   for (size_t v = 0; v < volumes_.size(); ++v)
     if (model::switches(action, volumes_[v].settings))
-      volumes_[v].off = !action.enabled, contact_->enable(static_cast<int>(v), action.enabled);
+      volumes_[v].off = !action.enabled, contact()->enable(static_cast<int>(v), action.enabled);
 }
 
 std::string Simulation::inside(const model::Action& action, const Kinematics& at) const {
@@ -428,8 +427,7 @@ std::string Simulation::inside(const model::Action& action, const Kinematics& at
 }
 
 void Simulation::scale_current(double factor) {
-  if (water_) water_->scale_current(factor);
-  if (bodies_in_water_) bodies_in_water_->scale_current(factor);
+  for (InCurrent* t : system_->with<InCurrent>()) t->scale_current(factor);
 }
 
 DynamicsSettings Simulation::dynamics_settings() const {
@@ -458,7 +456,7 @@ DynamicsSettings Simulation::dynamics_settings() const {
 
 Dynamics& Simulation::dynamics() {
   if (!dynamics_) {
-    if (line_pairs_) line_pairs_->settle(false);
+    if (LinePairs* pairs = line_pairs()) pairs->settle(false);
     dynamics_ = std::make_unique<Dynamics>(*system_, dynamics_settings());
   }
   return *dynamics_;

@@ -26,9 +26,6 @@
 namespace hawser {
 class BodyContactTerm;
 class Feeders;
-class Hydrodynamics;
-class Links;
-class BodiesInWater;
 class RigidBodies;
 class SeabedTerm;
 }  // namespace hawser
@@ -52,20 +49,19 @@ class Simulation {
   const LocalMesh& local() const { return system_->mesh(); }
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
-  StructureTerm& structure() { return *structure_; }
-  LineVolumeContact* contact() { return contact_; }                      // with volumes; null: there are none
-  const BodyContactTerm* body_contact() const { return body_contact_; }  // null: no bodies touch
-  const RigidBodies* floating() const { return floating_; }              // null: no body has mass
+  // Force terms for those who ask them more than their role; null: the case has none.
+  StructureTerm& structure() const { return *system_->find<StructureTerm>(); }
+  LineVolumeContact* contact() const { return system_->find<LineVolumeContact>(); }
+  LinePairs* line_pairs() const { return system_->find<LinePairs>(); }
+  SeabedTerm* seabed() const;
+  const BodyContactTerm* body_contact() const;
+  const RigidBodies* floating() const;
+  // Of ends of lines; null: there are none.
+  Feeders* feeders() const { return feeders_; }
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
   // For what records it; surfaces: one for each volume of the case.
   record::Subject subject(std::vector<std::shared_ptr<const Surface>> surfaces = {});
-  Feeders* feeders() { return feeders_; }  // of lines' ends; null: there are none
-  const Feeders* feeders() const { return feeders_; }
-  const Hydrodynamics* water() const { return water_; }  // on lines; null: there is none
-  const Links* links() const { return links_; }    // springs and dampers of the case; null: there are none
-  SeabedTerm* seabed() { return seabed_; }         // null: there is none
-  LinePairs* line_pairs() { return line_pairs_; }  // null: lines do not touch lines
   State& state() { return state_; }
   Dynamics& dynamics();                                             // made at the first call
   const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
@@ -121,8 +117,6 @@ class Simulation {
   std::unique_ptr<Mesh> mesh_;
   std::shared_ptr<Bodies> bodies_;
   std::unique_ptr<System> system_;
-  StructureTerm* structure_ = nullptr;
-  LineVolumeContact* contact_ = nullptr;
   State state_;
   std::unique_ptr<Dynamics> dynamics_;
   std::vector<std::string> notes_, details_;
@@ -134,14 +128,7 @@ class Simulation {
   std::optional<bool> static_friction_;  // by a stage; none: as the case has it
   bool any_laid_ = false;                // of any line of the case it is known where it was laid
   std::vector<Vec3> laid_;               // m, where local nodes were laid on the bed; as in StartShape
-  Hydrodynamics* water_ = nullptr;
-  RigidBodies* floating_ = nullptr;
-  BodiesInWater* bodies_in_water_ = nullptr;
-  BodyContactTerm* body_contact_ = nullptr;
-  LinePairs* line_pairs_ = nullptr;
-  Feeders* feeders_ = nullptr;
-  Links* links_ = nullptr;
-  SeabedTerm* seabed_ = nullptr;
+  Feeders* feeders_ = nullptr;           // the terms that come before them ask them for lengths
 };
 
 }  // namespace hawser::run

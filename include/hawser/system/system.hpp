@@ -53,6 +53,14 @@ class System {
       if (T* found = dynamic_cast<T*>(term.get())) return found;
     return nullptr;
   }
+  // All that have that role.
+  template <class Role>
+  std::vector<Role*> with() const {
+    std::vector<Role*> out;
+    for (const auto& term : terms_)
+      if (Role* found = dynamic_cast<Role*>(term.get())) out.push_back(found);
+    return out;
+  }
   // Of an element of a line, all terms that act on it: see ActsOnElements.
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const {
     for (const ActsOnElements* t : on_elements_) t->element_force(at, e, f);

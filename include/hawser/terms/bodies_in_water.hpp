@@ -6,18 +6,22 @@
 #include "hawser/kernels/body_water.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
 
 namespace hawser {
 
-class BodiesInWater final : public ForceTerm, public ScalesResiduals {
+class BodiesInWater final : public ForceTerm,
+                            public ScalesResiduals,
+                            public RestrainedInStatics,
+                            public InCurrent {
  public:
   // Of the bodies of the case that this rank owns.
   BodiesInWater(const model::Case& c, const LocalMesh& mesh);
 
   // In statics no water acts on bodies that are held where they start (RigidBodies::hold).
-  void hold(bool on) { hold_ = on; }
-  void scale_current(double factor) { sea_.current_scale = factor; }
+  void hold(bool on) override { hold_ = on; }
+  void scale_current(double factor) override { sea_.current_scale = factor; }
 
   // Those of this rank's bodies that the surface cuts, by their index in the case.
   std::vector<int> in_surface(const Kinematics& at) const;

@@ -8,13 +8,18 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
 
 namespace hawser {
 
 class Feeders;
 
-class Hydrodynamics final : public ForceTerm, public ActsOnElements, public ScalesResiduals {
+class Hydrodynamics final : public ForceTerm,
+                            public ActsOnElements,
+                            public ScalesResiduals,
+                            public InCurrent,
+                            public FedByFeeders {
  public:
   struct Piece {
     LocalElement at;
@@ -30,9 +35,8 @@ class Hydrodynamics final : public ForceTerm, public ActsOnElements, public Scal
   Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls = {});
   Hydrodynamics(const LocalMesh& mesh, const model::Case& c);
 
-  // Pays lines out and hauls them in; null: nothing does.
-  void fed_by(Feeders* feeders) { feeders_ = feeders; }
-  void scale_current(double factor) { sea_.current_scale = factor; }
+  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
+  void scale_current(double factor) override { sea_.current_scale = factor; }
 
   // Whether the water has a velocity anywhere.
   bool moving() const { return !sea_.calm(); }

@@ -7,6 +7,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
@@ -18,7 +19,8 @@ class Feeders;
 class LineMassTerm final : public ForceTerm,
                            public ActsOnElements,
                            public MovesMasses,
-                           public ScalesResiduals {
+                           public ScalesResiduals,
+                           public FedByFeeders {
  public:
   struct Load {
     Vec3 per_length = Vec3::Zero();  // N/m of unstretched element length
@@ -38,8 +40,7 @@ class LineMassTerm final : public ForceTerm,
   // Masses and distributed loads of the case; gravity along -z.
   LineMassTerm(const LocalMesh& mesh, const model::Case& c);
 
-  // Pays lines out and hauls them in; null: nothing does.
-  void fed_by(const Feeders* feeders) { feeders_ = feeders; }
+  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
 
   std::string_view name() const override { return "mass"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;

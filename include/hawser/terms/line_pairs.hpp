@@ -17,6 +17,7 @@
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
 #include "hawser/terms/line_contact_element.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
@@ -48,23 +49,25 @@ double automatic_stiffness(const LinePairOptions::Automatic& a, const LinePairOp
 // points.
 double deepest_of(const std::vector<LinePairHistory>& points);
 
-class LinePairs final : public ForceTerm, public CouplesNodes, public LimitsSteps {
+class LinePairs final : public ForceTerm,
+                        public CouplesNodes,
+                        public LimitsSteps,
+                        public HasFriction,
+                        public FedByFeeders {
  public:
   // elements: one for each of Mesh::elements; radius 0 takes no part. std::invalid_argument for settings that
   // make no sense. Collective.
   LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
             LinePairOptions options);
 
-  // Of lines that are paid out and hauled in; they outlive this.
-  void fed_by(Feeders* feeders) { feeders_ = feeders; }
+  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
 
   // Where lines share a place, and how far from it they do not touch.
   const SharedPlaces& shared() const { return shared_; }
   // In statics the stretches without contact at shared places follow the shape, in motion they only shrink.
   void settle(bool settles) { settles_ = settles; }
 
-  // Off in the first stage of statics. While off no slip is kept.
-  void enable_friction(bool on) { friction_on_ = on; }
+  void enable_friction(bool on) override { friction_on_ = on; }
 
   std::string_view name() const override { return "line-line contact"; }
   bool recouple(const Kinematics& committed, double h) override;

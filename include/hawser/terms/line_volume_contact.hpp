@@ -12,6 +12,7 @@
 #include "hawser/terms/contact_work.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/line_volume_finder.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
@@ -20,7 +21,9 @@ class Feeders;
 class LineVolumeContact final : public ForceTerm,
                                 public CouplesNodes,
                                 public LimitsSteps,
-                                public RaisesStiffness {
+                                public RaisesStiffness,
+                                public HasFriction,
+                                public FedByFeeders {
  public:
   // elements: one for each of mesh.elements. Indices are checked, std::invalid_argument otherwise. A
   // stiffness per point counts once an element, at the nodes once a node. comm: of those who hold the lines.
@@ -28,8 +31,7 @@ class LineVolumeContact final : public ForceTerm,
                     std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
                     MPI_Comm comm = MPI_COMM_SELF, model::ContactMethod method = model::ContactMethod::line);
 
-  // Of lines that are paid out and hauled in; they outlive this.
-  void fed_by(const Feeders* feeders) { feeders_ = feeders; }
+  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
 
   std::string_view name() const override { return "line contact"; }
   bool recouple(const Kinematics& committed, double h) override;
@@ -53,8 +55,7 @@ class LineVolumeContact final : public ForceTerm,
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
-  // Off in the first stage of statics. While off no slip is kept.
-  void enable_friction(bool on);
+  void enable_friction(bool on) override;
   // Between steps, and the same on all ranks: whether lines touch a volume from then on.
   void enable(int volume, bool on) { volumes_.enable(volume, on); }
   // Before the first step, and the same on all ranks.

@@ -12,10 +12,11 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/bodies.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
-class RigidBodies final : public ForceTerm, public ScalesResiduals {
+class RigidBodies final : public ForceTerm, public ScalesResiduals, public RestrainedInStatics {
  public:
   // For the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
   RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);
@@ -23,7 +24,7 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals {
   // Statics holds a body that nothing holds: as if by a spring that would swing it once in 2 pi s, without
   // weight. Of those that find their own rest (below) only what nothing resists (a load that turns about its
   // sling) is kept from drifting.
-  void hold(bool on) { hold_ = on; }
+  void hold(bool on) override { hold_ = on; }
 
   // N and N m about its centre of mass, space axes: what lines and contact exert on a body of the case in a
   // state in balance, from what its own motion, springs and weight need. On the rank that owns it.

@@ -13,6 +13,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/line_neighbours.hpp"
+#include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/surface_contact_points.hpp"
 
 namespace hawser {
@@ -21,7 +22,7 @@ namespace model {
 struct Case;
 }
 
-class SeabedTerm final : public ForceTerm {
+class SeabedTerm final : public ForceTerm, public HasFriction {
  public:
   struct Plane {
     Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();
@@ -60,8 +61,7 @@ class SeabedTerm final : public ForceTerm {
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
-  // While off no slip is kept.
-  void enable_friction(bool on) { friction_ = on ? Friction::contact : Friction::none; }
+  void enable_friction(bool on) override { friction_ = on ? Friction::contact : Friction::none; }
   // Friction in statics acts from where the lines were laid, in two stages, until the first step in time.
   // First it is that under a normal force which does not follow the trial, so that it has a potential: the
   // weight of what lies at the start, then the contact force of the state that has been found. Then it is the

@@ -10,6 +10,7 @@
 #include "hawser/kernels/cable.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
@@ -22,7 +23,8 @@ struct Feeder;
 class StructureTerm final : public ForceTerm,
                             public ActsOnElements,
                             public CarriesTension,
-                            public ScalesResiduals {
+                            public ScalesResiduals,
+                            public FedByFeeders {
  public:
   struct Beam {
     LocalElement at;
@@ -65,8 +67,7 @@ class StructureTerm final : public ForceTerm,
   void restore(const std::vector<HistoryRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }
-  // Pays lines out and hauls them in; null: nothing does.
-  void fed_by(Feeders* feeders);
+  void fed_by(Feeders* feeders) override;
   // Before the mouth of a feeder goes over to a neighbour of its element: what is remembered goes with the
   // material. Collective.
   void hand_over(MPI_Comm comm, const Feeder& f, int mouth);
