@@ -1,8 +1,6 @@
 // How the energy balance of a run is updated at each step, the limits for energy that the time integration
-// has created or lost, and the sentences that report it at the end of a run.
+// has created or lost.
 #include "hawser/record/audit.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +9,8 @@ namespace hawser::record {
 namespace {
 // Shares of Audit::size(). Energy that is made feeds on itself; what is lost damps, and a run that is damped
 // a little is as good as one in thicker water.
-constexpr double kMadeTold = 0.01, kMadeWrong = 0.05, kLostTold = 0.05, kLostWrong = 0.20,
-                 kUnresolvedTold = 0.02;
+constexpr double kMadeReported = 0.01, kMadeWrong = 0.05, kLostReported = 0.05, kLostWrong = 0.20,
+                 kUnresolvedReported = 0.02;
 // Share of the largest energy of motion and strain so far: energy that steps made and nothing has dissipated
 // is still in the lines.
 constexpr double kRemainsWrong = 0.2;
@@ -20,27 +18,8 @@ constexpr double kRemainsWrong = 0.2;
 // Rounding and Newton's tolerance: of the strain energy that is there; and what is nothing to any line, J.
 constexpr double kRounding = 1e-6, kNothing = 1e-6;
 
-const char* words(Audit::Step::ContactWith with) {
-  switch (with) {
-    case Audit::Step::ContactWith::volume:
-      return "it touches a volume there";
-    case Audit::Step::ContactWith::line:
-      return "it touches a line there";
-    case Audit::Step::ContactWith::seabed:
-      return "it touches the seabed there";
-    case Audit::Step::ContactWith::nothing:
-      break;
-  }
-  return "its motion changes faster than the time steps resolve";
-}
-
-// Steps from t = 0 on in which a blow at the start does its harm.
-constexpr double kBlow = 6;
-
-// One that is surely short: a quarter of what was too long.
-std::string remedy(bool fixed, double step) {
-  return fmt::format("give dynamics.{}: {:.2g} s", fixed ? "step" : "max_step", step / 4);
-}
+// Steps from t = 0 on in which an impact at the start makes energy.
+constexpr double kImpactSteps = 6;
 
 }  // namespace
 
@@ -91,39 +70,22 @@ bool Audit::wrong() const {
 }
 
 std::string Audit::warning(bool fixed, const std::string& where, const std::string& striking) const {
-  if (!std::isfinite(error)) return "the energy is no number. The results are not to be used";
-  const double making = made.value / (kMadeTold * size()), losing = lost.value / (kLostTold * size());
+  if (!std::isfinite(error)) return advice::energy_is_no_number();
+  const double making = made.value / (kMadeReported * size()), losing = lost.value / (kLostReported * size());
   if (std::max(making, losing) <= 1 && !wrong()) return "";
-  std::string text;
-  const bool blow = !striking.empty() && worst.time <= kBlow * worst.length;
-  if (making > losing && blow)
-    text = fmt::format(
-        "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} "
-        "s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {} begins with a velocity and "
-        "strikes the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter step is no help",
-        made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
-        striking);
-  else if (making > losing)
-    text = fmt::format(
-        "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} "
-        "s that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: {}; {}",
-        made.value, made.time, 100 * made.value / size(), worst.length, worst.time, worst.value, where,
-        words(worst.with), remedy(fixed, worst.length));
-  else
-    text = fmt::format(
-        "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for what "
-        "moves; {}",
-        lost.value, lost.time, 100 * lost.value / size(), remedy(fixed, lost.step));
-  return wrong() ? text + ". The results are not to be used" : text;
+  const bool at_start_of_motion = worst.time <= kImpactSteps * worst.length;
+  const std::string text = making > losing
+                               ? advice::energy_made({made.value, made.time, size(), worst.value, worst.time,
+                                                      worst.length, worst.with, fixed},
+                                                     where, at_start_of_motion ? striking : "")
+                               : advice::energy_lost(lost.value, lost.time, size(), lost.step, fixed);
+  return wrong() ? text + advice::not_to_be_used() : text;
 }
 
 std::string Audit::note() const {
   const double size = std::max(std::abs(brought_in), there) + kRounding * held + kNothing;
-  if (now.unresolved < kUnresolvedTold * size) return "";
-  return fmt::format(
-      "{:.3g} J of axial vibration faster than the time steps resolve were dissipated ({:.2g} % of the most "
-      "that moved at a time); what is tightened at a blow may peak higher for less than a step",
-      now.unresolved, 100 * now.unresolved / size);
+  if (now.unresolved < kUnresolvedReported * size) return "";
+  return advice::vibration_damped(now.unresolved, size);
 }
 
 }  // namespace hawser::record

@@ -1,8 +1,6 @@
 // The class ElementErrors: four estimates of what long elements cost a line, by the formulas of
-// docs/theory/element-length.md, and the sentences about them.
+// docs/theory/element-length.md.
 #include "hawser/record/element_errors.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -30,12 +28,6 @@ constexpr double kGoodInside = 0.37;
 // The same where the forces on the node say what the moment is: at ends and under what is attached.
 double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
 constexpr double kGoodAtEnd = 2.1;
-
-// Of what is off by a share of the largest: the estimates are of small errors, and beyond that only say so.
-std::string off_by(double share) {
-  return share < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * share)
-                     : "by half of the largest and more";
-}
 
 int owned_line_nodes(const LocalMesh& mesh) {
   int n = 0;
@@ -251,38 +243,23 @@ void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> node
 std::vector<std::string> ElementErrors::warnings(int line, double largest_tension,
                                                  double largest_moment) const {
   const std::string& name = mesh_.mesh->lines[line].name;
-  const auto& [edge, sag, bend, lift] = lines_[line];
+  auto [edge, sag, bend, lift] = lines_[line];
   std::vector<std::string> out;
-  if (edge.error > kEdgeWarned * largest_tension)
-    out.push_back(fmt::format(
-        "line {} turns by {:.0f} degrees from one element to the next where it lies on a volume "
-        "(arc length {:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to "
-        "{:.2g} N, {:.0f} % of the largest: give it elements so short that it turns by no more "
-        "than {:.0f} degrees; over a sharp edge that is less than half its radius, or 'EI' makes it a beam, "
-        "which bends within its elements",
-        name, edge.turn * 180 / M_PI, edge.arc, edge.time, edge.error, 100 * edge.error / largest_tension,
-        kGoodTurn * 180 / M_PI));
-  if (sag.error > kWarned * largest_tension)
-    out.push_back(fmt::format(
-        "line {} sags between the nodes of its elements of {:.3g} m: it turns by {:.2g} degrees from one to "
-        "the next (arc length {:.4g} m, t = {:.4g} s), so that its tension is off {}: "
-        "give it elements of {:.2g} m there",
-        name, sag.length, sag.turn * 180 / M_PI, sag.arc, sag.time, off_by(sag.error / largest_tension),
-        sag.length * std::sqrt(kGood * largest_tension / sag.error)));
+  if (edge.error > kEdgeWarned * largest_tension) {
+    edge.recommended = kGoodTurn;
+    out.push_back(advice::turns_on_edge(name, edge, largest_tension));
+  }
+  if (sag.error > kWarned * largest_tension) {
+    sag.recommended = sag.length * std::sqrt(kGood * largest_tension / sag.error);
+    out.push_back(advice::sags_between_nodes(name, sag, largest_tension));
+  }
   // Half an element's weight is the most that may be wrong.
-  if (lift.error > kWarned * largest_tension)
-    out.push_back(fmt::format(
-        "line {} leaves the bed steeply within an element of {:.3g} m (arc length {:.4g} m), of which either "
-        "half may hang, so that its tension is off by about {:.2g} % of the largest: give it elements of "
-        "{:.2g} m there",
-        name, lift.length, lift.arc, 100 * lift.error / largest_tension,
-        2 * kGood * largest_tension / lift.weight));
+  if (lift.error > kWarned * largest_tension) {
+    lift.recommended = 2 * kGood * largest_tension / lift.weight;
+    out.push_back(advice::leaves_bed_within(name, lift, largest_tension));
+  }
   if (bend.error > kWarned * largest_moment)
-    out.push_back(fmt::format(
-        "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), "
-        "which elements of {:.3g} m miss {}: give it elements of {:.2g} m "
-        "there",
-        name, bend.decay, bend.arc, bend.time, bend.length, off_by(bend.error / largest_moment), bend.good));
+    out.push_back(advice::moment_between_nodes(name, bend, largest_moment));
   return out;
 }
 

@@ -1,7 +1,5 @@
-// The class Folds: which elements have folded, for how long that counts, and the sentence about it.
+// The class Folds: which elements have folded, and for how long that counts.
 #include "hawser/record/folds.hpp"
-
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -53,12 +51,7 @@ void Folds::look(const Kinematics& at, std::span<const double> before, std::span
 std::string Folds::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension) const {
   Worst w = worst_[line];
   if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
-  return fmt::format(
-      "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that with which an "
-      "element snaps taut that was folded to {:.0f} % of its length: how sharply the line bends there, and "
-      "this tension, depend on the length of its elements. Where it matters, give the line type its EI, "
-      "which keeps it from folding, and compare with half as long elements",
-      name, w.tension / 1000, w.arc, w.time, 100 * w.share);
+  return advice::folded_peak(name, w);
 }
 
 }  // namespace hawser::record

@@ -1,14 +1,12 @@
 // The class LineExtremes: which quantities are in the table, the comparison at every step, and the table.
 #include "hawser/record/line_extremes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "hawser/advice/limits.hpp"
 #include "hawser/base/gather.hpp"
-#include "hawser/record/row_warnings.hpp"
 #include "hawser/terms/feeders.hpp"
 
 namespace hawser::record {
@@ -31,10 +29,6 @@ std::vector<size_t> shown(const std::vector<io::ResultField>& fields) {
 }
 
 }  // namespace
-
-std::string when_text(const model::Case& c, double time) {
-  return c.statics.enabled && time == 0 ? "at rest" : fmt::format("t = {:.6g} s", time);
-}
 
 bool is_largest_tension(const model::Case& c, const io::SummaryRow& row) {
   if (row.quantity != "max effective tension") return false;
@@ -93,8 +87,20 @@ void LineExtremes::step(const Snapshot& s) {
 
 std::vector<Finding> LineExtremes::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
   std::vector<Finding> out;
-  for (size_t i = 0; i < summary.size(); ++i)
-    for (std::string& text : row_warnings(case_, fields_, summary[i])) out.push_back({std::move(text), i});
+  for (size_t i = 0; i < summary.size(); ++i) {
+    const io::SummaryRow& row = summary[i];
+    const advice::Extreme at{row.line, row.value, row.time, row.arc_length};
+    const auto add = [&](std::string text) {
+      if (!text.empty()) out.push_back({std::move(text), i});
+    };
+    const auto limited = std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) {
+      return !f.exceeded.empty() && row.quantity == "max " + f.extreme;
+    });
+    if (limited != fields_.end()) add(advice::overused(case_, at, limited->exceeded, label_of(*limited)));
+    if (row.quantity == "min effective tension") add(advice::buckles(case_, at));
+    if (row.quantity == "max curvature") add(advice::overbent(case_, at));
+    if (row.quantity == "max penetration") add(advice::too_deep(case_, at));
+  }
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/limits.hpp"
 #include "hawser/base/gather.hpp"
 
 namespace hawser::record {
@@ -158,10 +159,7 @@ std::vector<Finding> PipeStrength::findings(const std::vector<io::SummaryRow>&, 
   double most = pulled_;
   all_reduce(comm_, MPI_MAX, most);
   if (!(most > kMostPulled)) return {};
-  return {
-      {fmt::format("the design tension of a pipe is {:.2g} of that at yield: DNV-ST-F101's formulas for "
-                   "combined loads hold to {:g}",
-                   most, kMostPulled)}};
+  return {{advice::beyond_pipe_formulas(most)}};
 }
 
 void PipeStrength::save(io::Checkpoint& to) {

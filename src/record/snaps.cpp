@@ -1,11 +1,10 @@
-// The class Snaps: the largest tension of each line with its change in the steps beside it, and the sentence.
+// The class Snaps: the largest tension of each line with its change in the steps beside it.
 #include "hawser/record/snaps.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/peaks.hpp"
 #include "hawser/base/gather.hpp"
 
 namespace hawser::record {
@@ -83,22 +82,19 @@ std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, dou
   const bool steps = w.angle > kResolved, elements = w.rate * w.passage > kResolved,
              blow = w.tension - w.from > kBlow * w.tension && w.within < echo_[line];
   if (!steps && !elements && !(damped && blow)) return {};
-  std::string why;
-  if (steps)
-    why =
-        fmt::format("{:.0f} % of it come up in one step of {:.2g} s", 100 * (1 - std::cos(w.angle)), w.step);
-  else if (elements)
-    why = "it comes and goes faster than a wave passes three elements";
-  else
-    why = fmt::format("it comes up from {:.3g} kN within {:.2g} s, and the steps damp axial waves",
-                      w.from / 1000, w.within);
-  const double shorter = steps ? 0.5 * w.step * kResolved / w.angle : 0.5 * w.step;
-  return fmt::format(
-      "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that of a blow "
-      "which is not resolved: {}, so that it may be higher or lower, on another number of ranks as well. "
-      "Where "
-      "it matters, compare with dynamics.{}: {:.2g} s and elements half as long",
-      name, w.tension / 1000, w.arc, w.time, why, fixed ? "step" : "max_step", shorter);
+  using Cause = advice::ImpactPeak::Cause;
+  return advice::impact_peak(name, {.cause = steps      ? Cause::steps
+                                             : elements ? Cause::elements
+                                                        : Cause::damping,
+                                    .tension = w.tension,
+                                    .time = w.time,
+                                    .arc = w.arc,
+                                    .step = w.step,
+                                    .share = 1 - std::cos(w.angle),
+                                    .from = w.from,
+                                    .within = w.within,
+                                    .shorter = steps ? 0.5 * w.step * kResolved / w.angle : 0.5 * w.step,
+                                    .fixed = fixed});
 }
 
 }  // namespace hawser::record

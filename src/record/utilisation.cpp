@@ -1,11 +1,7 @@
 // The class Utilisation: what the types on either side of a node bear, and its share that is used.
 #include "hawser/record/utilisation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-
-#include "hawser/record/line_extremes.hpp"
 
 namespace hawser::record {
 namespace {
@@ -81,14 +77,6 @@ bool Utilisation::known(int field, std::size_t node) const {
   if (field < 0) return true;
   if (field == of_tension_) return breaking_[node][0] + breaking_[node][1] > 0;
   return field != of_bending_ || radius_[node] > 0;
-}
-
-std::string overused(const model::Case& c, const std::vector<Field>& fields, const io::SummaryRow& row) {
-  for (const Field& f : fields)
-    if (!f.exceeded.empty() && row.quantity == "max " + f.extreme && row.value > 1)
-      return fmt::format("line {} is {} at arc length {:.6g} m, {}: its {} is {:.3g}", row.line, f.exceeded,
-                         row.arc_length, when_text(c, row.time), label_of(f), row.value);
-  return {};
 }
 
 }  // namespace hawser::record

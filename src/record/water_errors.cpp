@@ -1,5 +1,4 @@
-// The class WaterErrors: the force of the flow on elements against that on their parts, and the sentence
-// about it.
+// The class WaterErrors: the force of the flow on elements against that on their parts, by group of lines.
 #include "hawser/record/water_errors.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "hawser/advice/long_elements.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 
@@ -148,23 +148,21 @@ std::vector<std::string> WaterErrors::warnings() const {
   for (const Group& g : groups_) {
     Where w = g.where;
     if (g.error <= g.bears() || !broadcast_largest(comm_, w.error, 0, w)) continue;
-    const std::string why = w.crossed                ? "within which the surface lies"
-                            : !water_->has_waves()   ? "between whose nodes the current is not linear"
-                            : !water_->has_current() ? "between whose nodes the waves are not linear"
-                                                     : "between whose nodes current and waves are not linear";
     const auto joined = std::count(group_.begin(), group_.end(), group_[w.line]);
-    const double percent = 100 * g.error / g.force;
     // Waves shorter than a line is thick are none of Morison's formula.
     const double good = std::max(w.length / g.parts, std::min(w.diameter, w.length));
-    found.emplace_back(
-        -percent,
-        fmt::format(
-            "line {} has elements of {:.3g} m at arc length {:.4g} m ({:.3g} m {} the still water, t = "
-            "{:.4g} s), {}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % "
-            "of their largest sum, {:.3g} kN: give it elements of {:.2g} m there",
-            mesh_.mesh->lines[w.line].name, w.length, w.arc, std::abs(w.z), w.z > 0 ? "above" : "below",
-            g.time, why, joined > 1 ? fmt::format("the {} lines that are joined there", joined) : "the line",
-            percent, percent < 9.95 ? 1 : 0, g.force / 1000, good));
+    found.emplace_back(-g.error / g.force, advice::long_in_flow({.line = mesh_.mesh->lines[w.line].name,
+                                                                 .length = w.length,
+                                                                 .arc = w.arc,
+                                                                 .z = w.z,
+                                                                 .time = g.time,
+                                                                 .crossed = w.crossed,
+                                                                 .in_current = water_->has_current(),
+                                                                 .in_waves = water_->has_waves(),
+                                                                 .joined = joined,
+                                                                 .force = g.force,
+                                                                 .error = g.error,
+                                                                 .recommended = good}));
   }
   constexpr size_t kMost = 3;  // of a farm of lines that are alike
   std::stable_sort(found.begin(), found.end(),

@@ -2,14 +2,13 @@
 // radius and automatic stiffness of each element.
 #include "hawser/run/line_pairs.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <tuple>
 
+#include "hawser/advice/line_pairs.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
@@ -154,14 +153,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
         most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
       }
     details.push_back(
-        fmt::format("contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
-                    "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false "
-                    "leaves such contact out",
-                    lines == 1 ? fmt::format("of line {} with itself", c.lines.front().name)
-                    : b.self   ? "between lines and of lines with themselves"
-                               : "between lines",
-                    most > least * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", least, most)
-                                              : fmt::format("{:.3g}", most)));
+        advice::chosen_pair_stiffness(least, most, lines == 1 ? c.lines.front().name : "", b.self));
   }
   return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
 }
@@ -176,13 +168,7 @@ std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {
   if (farthest < 0) return "";
   const auto name = [&](const Stretch& s) { return mesh.lines[mesh.nodes[s.node].line].name; };
   const std::string one = name(places.place(farthest).one), other = name(places.place(farthest).other);
-  return fmt::format(
-      "{} from one place, or from places nearer to each other than the contact radii, and {} only more than "
-      "{:.3g} m along from there, beyond where they are first apart{}",
-      one == other ? fmt::format("both ends of line {} go", one)
-                   : fmt::format("lines {} and {} go", one, other),
-      one == other ? "they touch each other" : "touch each other", places.within(farthest),
-      others > 0 ? fmt::format("; likewise {} more pair{}, over less", others, others > 1 ? "s" : "") : "");
+  return advice::apart_near_place(one, other, places.within(farthest), others);
 }
 
 }  // namespace hawser::run

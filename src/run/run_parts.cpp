@@ -8,6 +8,7 @@
 
 #include <ctime>
 
+#include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/case_json.hpp"
@@ -68,17 +69,13 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
   constexpr int kLong = 500;  // steps of dynamic relaxation; lines that come to rest take fewer
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
-  bool told = !sim.line_pairs();
+  bool reported = !sim.line_pairs();
   const StaticsReport s = sim.solve_statics(
       [&](const StaticsReport& now) {
         progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-        if (told || now.relaxation_steps < kLong) return;
-        told = true;
-        progress.say(
-            fmt::format("note: statics has not come to rest in {} steps of dynamic relaxation; if slack "
-                        "lines lie in folds that touch "
-                        "one another, 'contact: {{between_lines: false}}' leaves that out and may end it",
-                        kLong));
+        if (reported || now.relaxation_steps < kLong) return;
+        reported = true;
+        progress.say("note: " + advice::long_relaxation(kLong));
       },
       falls);
   for (size_t i = before; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
@@ -87,46 +84,11 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
       s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
       !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
   for (const std::string& line : sim.on_bed()) progress.say(line);
-  if (s.escapes > 0)
-    progress.say(fmt::format(
-        "note: statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest "
-        "in more than one shape, see whether this is the one meant, and say so by `start` if it is not",
-        s.escapes, s.escapes == 1 ? "um" : "a"));
+  if (s.escapes > 0) progress.say("note: " + advice::unstable_on_the_way(s.escapes));
   for (const std::string& w : sim.tilting_warnings()) progress.say("warning: " + w);
   if (s.negative_eigenvalues > 0)
-    progress.say(fmt::format("warning: the static equilibrium is unstable ({} negative eigenvalues)",
-                             s.negative_eigenvalues));
+    progress.say("warning: " + advice::unstable_at_rest(s.negative_eigenvalues));
   return s;
-}
-
-}  // namespace
-
-namespace {
-
-// What helps most often where statics fails, of what this case has not tried; docs/how-to/failing-runs.md.
-std::string to_try(const model::Case& c) {
-  std::vector<std::string> ways;
-  if (c.statics.relaxation == model::Relaxation::never)
-    ways.emplace_back("without 'dynamic_relaxation: never'");
-  else if (c.statics.relaxation == model::Relaxation::automatic)
-    ways.emplace_back("'statics: {dynamic_relaxation: always}'");
-  if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
-      !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)
-    ways.emplace_back("a 'ramp' of the current, which then begins in dynamics");
-  if (c.statics.contact_friction)
-    ways.emplace_back("'contact_friction: false'");
-  else if (c.environment.seabed.present && c.environment.seabed.full)
-    ways.emplace_back("'friction_in_statics: as_laid'");
-  for (const model::Line& line : c.lines)
-    if (line.starts_by_itself()) {
-      ways.push_back(fmt::format("'start: {{points: ...}}' of line {}, near where it will rest", line.name));
-      break;
-    }
-  if (c.contact.between_lines.enabled) ways.emplace_back("'contact: {between_lines: false}'");
-  constexpr size_t kMost = 3;
-  if (ways.size() > kMost) ways.resize(kMost);
-  return fmt::format("note: statics has failed; what may help: {}{}docs/how-to/failing-runs.md says more",
-                     fmt::join(ways, "; "), ways.empty() ? "" : "; ");
 }
 
 }  // namespace
@@ -138,7 +100,7 @@ StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
     events.come_to_rest([&](bool falls) { last = solve_one(sim, progress, falls); },
                         [&](const std::string& what) { progress.say(what); }, rested);
   } catch (const SolveError&) {
-    progress.say(to_try(sim.model()));
+    progress.say("note: " + advice::statics_failed(sim.model()));
     throw;
   }
   return last;

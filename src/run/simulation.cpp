@@ -10,6 +10,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "hawser/advice/statics.hpp"
+#include "hawser/advice/supports.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/mesh/partition.hpp"
@@ -18,7 +20,6 @@
 #include "hawser/model/check.hpp"
 #include "hawser/model/longest_step.hpp"
 #include "hawser/model/switched.hpp"
-#include "hawser/record/support_log.hpp"
 #include "hawser/record/support_rollers.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/share_nodes.hpp"
@@ -104,14 +105,10 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   v.basis = model::StiffnessBasis::per_length;
   v.normal_stiffness = best.per_length;
   volume.automatic = true, volume.most = std::max(most, best.per_length);
-  std::string note =
-      fmt::format("volume {}: normal stiffness {:.3g} N/m per m: {}", v.name, best.per_length, best.reason);
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
-  if (c.dynamics.enabled && step > 0 && bounce < 1.5 * step)
-    note += fmt::format(
-        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show its force",
-        bounce, step);
-  notes.push_back(note);
+  const bool too_short = c.dynamics.enabled && step > 0 && bounce < 1.5 * step;
+  notes.push_back(
+      advice::chosen_stiffness(v.name, best.per_length, best.reason, too_short ? bounce : 0, step));
 }
 
 }  // namespace
@@ -167,9 +164,7 @@ void Simulation::distribute(MPI_Comm comm) {
   const std::vector<int> owner = share_nodes(case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
-    notes_.push_back(
-        "one rank has all nodes, since lines that may touch themselves are not cut: the others do not make "
-        "the run faster; 'contact: {between_lines: {self: false}}' lets lines be cut");
+    notes_.push_back(advice::one_rank_has_all());
   system_ = std::make_unique<System>(comm, local_mesh(*mesh_, owner, rank, size));
   bodies_->in_state(case_, local());
 }
@@ -212,7 +207,7 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
     std::vector<RigidPose> poses;
     for (int b = 0; b < bodies_->size(); ++b) poses.push_back(bodies_->pose(b, start));
     const auto wrong =
-        record::beneath_supports(case_, record::support_crossings(comm, case_, local(), start, poses), poses);
+        advice::beneath_supports(case_, record::support_crossings(comm, case_, local(), start, poses), poses);
     if (wrong) try {
         case_.refuse(wrong->key, wrong->why);
       } catch (const InputError& e) {
@@ -326,13 +321,8 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)
     if (slack[l] > 0 && !case_.lines[l].end_a.feed && !case_.lines[l].end_b.feed)
-      notes_.push_back(fmt::format(
-          "lines.{}: {:.3g} m of it have no tension at rest and can lie in other places, of which {}",
-          mesh_->lines[l].name, slack[l],
-          settings.relaxation == RelaxationUse::when_newton_fails
-              ? "rounding may choose (so may the number of ranks): 'start' says which is meant, and "
-                "'statics: {dynamic_relaxation: always}' lets it fall into place"
-              : "it has fallen into one; 'start' says which is meant"));
+      notes_.push_back(advice::slack_at_rest(mesh_->lines[l].name, slack[l],
+                                             settings.relaxation != RelaxationUse::when_newton_fails));
   return report;
 }
 
@@ -345,13 +335,7 @@ std::vector<std::string> Simulation::tilting_warnings() const {
   all_reduce(system_->comm(), MPI_SUM, cut);
   for (size_t b = 0; b < cut.size(); ++b)
     if (cut[b] > 0 && case_.bodies[b].mass->turning_stiffness.head<2>().minCoeff() == 0)
-      out.push_back(
-          fmt::format("bodies.{}: it floats in the surface, and in_water has no stiffness of its waterplane "
-                      "against roll and "
-                      "pitch, so that their periods and amplitudes are wrong: give turning_stiffness, rho g "
-                      "times the second "
-                      "moments of area of the waterplane",
-                      case_.bodies[b].name));
+      out.push_back(advice::no_waterplane(case_.bodies[b].name));
   return out;
 }
 
@@ -385,12 +369,7 @@ std::vector<std::string> Simulation::on_bed() const {
       ++more;
       continue;
     }
-    std::string friction = "without friction in statics";
-    if (laid > 0)
-      friction =
-          fmt::format("where friction takes {:.4g} kN of tension and holds {:.4g} m with force to spare",
-                      1e-3 * taken, held);
-    out.push_back(fmt::format("lines.{}: {:.4g} m on the seabed, {}", mesh_->lines[l].name, lies, friction));
+    out.push_back(advice::lies_on_bed(mesh_->lines[l].name, lies, laid > 0, taken, held));
   }
   if (more > 0) out.push_back(fmt::format("{} more lines are on the seabed", more));
   return out;

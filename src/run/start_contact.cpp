@@ -1,5 +1,5 @@
-// Which stretches of lines lie inside a volume at the start, which of them are left out of contact near held
-// ends, and the warnings with what the user can do about the rest.
+// Which stretches of lines lie inside a volume at the start, and which of them are left out of contact near
+// held ends.
 #include "hawser/run/start_contact.hpp"
 
 #include <fmt/format.h>
@@ -8,13 +8,14 @@
 #include <map>
 #include <utility>
 
+#include "hawser/advice/start_contact.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::run {
 namespace {
 
-constexpr size_t kMostTold = 5;  // sentences of one kind
+constexpr size_t kMostReported = 5;  // sentences of one kind
 // Of the depth it started at: what is less deep lies on the surface, pressed into it by its own contact.
 constexpr double kLeft = 0.1;
 
@@ -60,36 +61,15 @@ std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalM
   return out;
 }
 
-std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
-
-// Next to a held end whose stretch without contact is too short, that; else where the line starts.
-std::string remedy(const model::Line& line, const Inside& s, double length) {
-  for (const bool b : {false, true}) {
-    const double within = line.end(b).no_contact_within.value_or(-1);
-    if (within >= 0 && (b ? s.to >= length - within - 1e-9 * length : s.from <= within + 1e-9 * length))
-      return fmt::format("'no_contact_within' of end_{} must be at least {:.3g} m to leave it out",
-                         b ? "b" : "a", b ? length - s.from : s.to);
-  }
-  if (line.start == model::Start::points) return "move the points of its 'start' out of it";
-  return "say where it lies outside of it with 'start: {points: [[x, y, z], ...]}'";
-}
-
-std::string where(const Inside& s) {
-  return fmt::format("from {:.4g} m to {:.4g} m of arc length, deepest at {:.4g} m, {:.3g} m inside at {}",
-                     s.from, s.to, s.at, s.depth, point(s.place));
-}
-
-std::string inside_text(const model::Line& line, const std::string& volume, const Inside& s, double length) {
-  const bool through = s.from > 0 && s.to < length;
-  return fmt::format("lines.{}: its start shape {} volume {} {}; {}", line.name,
-                     through ? "passes through" : "lies in", volume, where(s), remedy(line, s, length));
+advice::InsideVolume found(const Inside& s, const Mesh& mesh) {
+  return {s.from, s.to, s.at, s.depth, s.place, mesh.lines[s.line].length};
 }
 
 // No more of a kind than anyone reads.
 void shorten(std::vector<std::string>& sentences, const std::string& what) {
-  if (sentences.size() <= kMostTold) return;
-  const size_t more = sentences.size() - kMostTold;
-  sentences.resize(kMostTold);
+  if (sentences.size() <= kMostReported) return;
+  const size_t more = sentences.size() - kMostReported;
+  sentences.resize(kMostReported);
   sentences.push_back(fmt::format("and {} more {}", more, what));
 }
 
@@ -144,12 +124,8 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
       LeftOut& out = entry(s.line, s.volume);
       const double reach = (b ? length - s.from : s.to) + clearance(c, line, b, b ? s.rise_from : s.rise_to);
       (b ? out.end_b : out.end_a) = reach;
-      start.notes.push_back(fmt::format(
-          "lines.{}.end_{}: starts {} volume {}; the {:.3g} m of line up to where it is clear of it have no "
-          "contact with it ('no_contact_within' sets another length)",
-          line.name, b ? "b" : "a",
-          s.depth > 0 ? fmt::format("up to {:.3g} m inside", s.depth) : std::string("at the surface of"),
-          volumes[s.volume].settings.name, reach));
+      start.notes.push_back(
+          advice::left_out_at_end(line, b, volumes[s.volume].settings.name, s.depth, reach));
     }
   }
   for (const auto& [key, l] : of) start.left_out.push_back(l);
@@ -221,14 +197,8 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
     const bool own_a = own(line.end_a, static_cast<size_t>(v)),
                own_b = own(line.end_b, static_cast<size_t>(v));
     const bool under = own_a || own_b || chords[n].at(share_of(n, row[2])).z() >= row[6];
-    const std::string but = own_a || own_b ? fmt::format("its end {} is above it", own_a ? "A" : "B")
-                                           : fmt::format("the straight way between its ends passes {} it",
-                                                         under ? "over" : "under");
-    warnings.push_back(fmt::format(
-        "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, "
-        "while {}; if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
-        line.name, under ? "under" : "over", volume.name, row[3], row[2], point(Vec3(row[4], row[5], row[6])),
-        but));
+    warnings.push_back(advice::passes_volume(
+        line, volume.name, {under, row[3], row[2], Vec3(row[4], row[5], row[6]), own_a, own_b}));
   }
   shorten(warnings, "lines start like these");
   start.warnings.insert(start.warnings.end(), warnings.begin(), warnings.end());
@@ -254,7 +224,8 @@ std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& me
   std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, feeders, {volume});
   take_off(inside, left_out, *mesh.mesh);
   if (inside.empty()) return "";
-  return fmt::format("line {} is inside it {}", c.lines[inside.front().line].name, where(inside.front()));
+  return fmt::format("line {} is inside it {}", c.lines[inside.front().line].name,
+                     advice::where_inside(found(inside.front(), *mesh.mesh)));
 }
 
 StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
@@ -273,7 +244,7 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   take_off(out.inside, out.left_out, *mesh.mesh);
   for (const Inside& s : out.inside)
     out.warnings.push_back(
-        inside_text(c.lines[s.line], volumes[s.volume].settings.name, s, mesh.mesh->lines[s.line].length));
+        advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name, found(s, *mesh.mesh)));
   shorten(out.notes, "ends of lines start like these");
   shorten(out.warnings, "stretches of lines lie inside volumes");
   hang_past(comm, c, mesh, at, bodies, volumes, all, out);
@@ -292,11 +263,8 @@ std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& m
              s.depth > kLeft * o.depth;
     });
     if (!before) continue;
-    const model::Line& line = c.lines[s.line];
-    return fmt::format(
-        "lines.{}: starts inside volume {}, and {} {}; {}", line.name, volumes[s.volume].settings.name,
-        c.statics.enabled ? "statics leaves it there," : "there are no statics to move it out:", where(s),
-        remedy(line, s, mesh.mesh->lines[s.line].length));
+    return advice::stays_inside(c.lines[s.line], volumes[s.volume].settings.name, found(s, *mesh.mesh),
+                                c.statics.enabled);
   }
   return "";
 }

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "hawser/advice/limits.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/kernels/support_path.hpp"
-#include "hawser/record/support_log.hpp"
 
 namespace hawser::case_supports_test {
 namespace {
@@ -203,10 +203,10 @@ TEST(CaseSupports, WhatIsWrongIsToldWithItsRemedy) {
 // The strain at which the yield stress of pipe steel is defined: what was bent farther is no elastic pipe.
 TEST(CaseSupports, WhatWasBentBeyondYieldIsWarnedOf) {
   const model::Case c = read("{at: 5, type: flat" + kRoller + "}");
-  io::SummaryRow row{"max curvature", "pipe", 0.041, "1/m", 2, 12};
-  EXPECT_NE(record::overbent(c, row).find("0.51 % of strain"), std::string::npos) << record::overbent(c, row);
-  row.value = 0.039;
-  EXPECT_EQ(record::overbent(c, row), "");
+  advice::Extreme at{"pipe", 0.041, 2, 12};
+  EXPECT_NE(advice::overbent(c, at).find("0.51 % of strain"), std::string::npos) << advice::overbent(c, at);
+  at.value = 0.039;
+  EXPECT_EQ(advice::overbent(c, at), "");
 }
 
 TEST(CaseSupports, SharpBendsAndLongElementsAreDoubted) {

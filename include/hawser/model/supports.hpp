@@ -26,4 +26,12 @@ struct SupportBox {
   Vec3 left() const { return up.cross(along); }
 };
 
+// Where the axis of a line goes through the plane across the path at a box, as the box sees it, m.
+struct SupportCrossing {
+  bool known = false;  // nothing of the line goes through it
+  double offset = 0;   // to the left of the middle
+  double height = 0;   // above where a line that just touches the roller below has its axis
+  double arc = 0;      // unstretched, of the line from its end A
+};
+
 }  // namespace hawser::model

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "hawser/advice/energy.hpp"
 #include "hawser/system/force_term.hpp"
 
 namespace hawser::record {
@@ -30,8 +31,9 @@ struct Audit {
   struct Step {
     double value = 0, time = 0, length = 0;  // J; s, at its end; s
     int node = -1;                           // of the mesh, where the motion changed most; -1: not known
-    enum class ContactWith { nothing, volume, line, seabed } with = ContactWith::nothing;  // what acted there
-  } climb;  // the step that made most since the error was least
+    using ContactWith = advice::ContactWith;
+    ContactWith with = ContactWith::nothing;  // what acted there
+  } climb;                                    // the step that made most since the error was least
   struct Largest {
     double value = 0, time = 0, step = 0;  // J; s, at the end of the step; s, its length
   } made, lost;                            // since the error was least; against the start

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/advice/long_elements.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
@@ -41,15 +42,7 @@ class ElementErrors : public Recording {
   std::vector<std::string> warnings(int line, double largest_tension, double largest_moment) const;
 
  private:
-  // The worst so far of a line: the error in N or N m, and what was there.
-  struct Worst {
-    double error = 0, arc = 0, time = 0;
-    double turn = 0;    // rad, from one element to the next
-    double length = 0;  // m, of the element
-    double decay = 0;   // m, within which a moment falls off
-    double good = 0;    // m, of an element that shows it
-    double weight = 0;  // N/m, in water
-  };
+  using Worst = advice::LongElements;  // so far, of a line
   struct OfLine {
     Worst edge, sag, bend, lift;
   };

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/advice/peaks.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/state/kinematics.hpp"
@@ -33,9 +34,7 @@ class Folds {
     double until = 0;  // s, when the waves of its straightening have gone; infinite: not yet straight
     double echo = 0;   // s, of a wave along the line and back
   };
-  struct Worst {
-    double tension = 0, time = 0, arc = 0, share = 1;
-  };
+  using Worst = advice::FoldedPeak;
   const LocalMesh& mesh_;
   std::vector<Fold> folds_;   // by element of this rank
   std::vector<Worst> worst_;  // by line

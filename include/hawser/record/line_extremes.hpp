@@ -18,8 +18,6 @@ class Feeders;
 
 namespace hawser::record {
 
-// Of an extreme, "t = 2.5 s", or "at rest" where the run begins with its static equilibrium.
-std::string when_text(const model::Case& c, double time);
 // Whether a row of the summary is the largest tension of a line, and that is more than round-off.
 bool is_largest_tension(const model::Case& c, const io::SummaryRow& row);
 

@@ -1,9 +1,7 @@
 // Reactions of the supports of laid lines and where the lines pass them, at every accepted step; and lines
-// that are off the end of a roller or start beneath one.
+// that are off the end of a roller or never lie on it.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,19 +10,6 @@
 #include "hawser/record/support_rollers.hpp"
 
 namespace hawser::record {
-
-// A line that starts beneath the rollers that it should lie on, in one sentence with the remedy; its key is
-// that of the support that is out of line with its neighbours, if one is. nullopt: none does. poses: of the
-// bodies.
-struct Beneath {
-  std::string key, why;
-};
-std::optional<Beneath> beneath_supports(const model::Case& c, const std::vector<SupportCrossing>& crossings,
-                                        const std::vector<RigidPose>& poses);
-
-// That a line which is laid over supports was bent farther than steel stays elastic, of a row of the summary;
-// empty: it was not.
-std::string overbent(const model::Case& c, const io::SummaryRow& row);
 
 class SupportLog : public Recording {
  public:

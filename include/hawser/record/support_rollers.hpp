@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "hawser/model/supports.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
 
@@ -13,13 +14,8 @@ class LineVolumeContact;
 
 namespace hawser::record {
 
-// Where the axis of a line goes through the plane across the path at a box, as the box sees it, m.
-struct SupportCrossing {
-  bool known = false;  // nothing of the line goes through it
-  double offset = 0;   // to the left of the middle
-  double height = 0;   // above where a line that just touches the roller below has its axis
-  double arc = 0;      // unstretched, of the line from its end A
-};
+using model::SupportCrossing;
+
 // Of every box, of what is nearest to it. poses: of the bodies of the case. The same on all ranks.
 // Collective.
 std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,

@@ -34,7 +34,4 @@ class Utilisation : public Recording {
   int before_ = -1, after_ = -1, curvature_ = -1, of_tension_ = -1, of_bending_ = -1;  // among the fields
 };
 
-// A sentence where a row of the summary is of a utilisation among these fields, and more than 1; else empty.
-std::string overused(const model::Case& c, const std::vector<Field>& fields, const io::SummaryRow& row);
-
 }  // namespace hawser::record

@@ -1,0 +1,35 @@
+// Sentences about lines that start inside volumes or on the wrong side of them.
+#pragma once
+
+#include <string>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::advice {
+
+// A stretch of a line inside a volume, m of arc length and m.
+struct InsideVolume {
+  double from = 0, to = 0;    // of the stretch
+  double at = 0, depth = 0;   // where it is deepest, and how deep
+  Vec3 place = Vec3::Zero();  // of that, in space
+  double length = 0;          // of the line
+};
+std::string where_inside(const InsideVolume& s);
+std::string starts_inside(const model::Line& line, const std::string& volume, const InsideVolume& s);
+// statics: has not brought it out, or there is none.
+std::string stays_inside(const model::Line& line, const std::string& volume, const InsideVolume& s,
+                         bool statics);
+// At end A or B, `depth` [m] inside or at the surface, and so without contact over a length [m].
+std::string left_out_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
+                            double without);
+
+// A line that passes a volume, while its ends are on the other side.
+struct Passes {
+  bool under = false;                 // of the volume
+  double distance = 0, arc = 0;       // m, from it; m
+  Vec3 place = Vec3::Zero();          // m
+  bool own_a = false, own_b = false;  // the volume carries that end, which is above
+};
+std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p);
+
+}  // namespace hawser::advice

@@ -1,0 +1,32 @@
+// Sentences about static equilibrium: how it was found, what rests, what can be done where it is not found.
+#pragma once
+
+#include <string>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::advice {
+
+// m of a line that have no tension at rest. fell: they came to rest by dynamic relaxation.
+std::string slack_at_rest(const std::string& line, double length, bool fell);
+// A body in the surface whose stiffness against roll and pitch lacks that of its waterplane.
+std::string no_waterplane(const std::string& body);
+// What of a line lies on the seabed [m]; laid: with friction in statics, which takes N of tension and holds m
+// with force to spare.
+std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double held);
+// Equilibria that statics left on its way; eigenvalues below 0 of the one it found.
+std::string unstable_on_the_way(int equilibria);
+std::string unstable_at_rest(long eigenvalues);
+// So many steps of dynamic relaxation without rest.
+std::string long_relaxation(int steps);
+// What helps most often where statics fails, of what this case has not tried; docs/how-to/failing-runs.md.
+std::string statics_failed(const model::Case& c);
+
+// A normal stiffness [N/m per m] that was chosen, and why; bounce: s that one on it takes, where it is less
+// than steps of `step` [s] show; 0: it is not.
+std::string chosen_stiffness(const std::string& volume, double stiffness, const std::string& reason,
+                             double bounce, double step);
+// All nodes are on one of several ranks, since whole lines are not cut.
+std::string one_rank_has_all();
+
+}  // namespace hawser::advice

@@ -1,0 +1,31 @@
+// Sentences about supports of laid lines.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hawser/kernels/motion.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/model/supports.hpp"
+
+namespace hawser::advice {
+
+// A line that starts beneath the rollers that it should lie on, in one sentence with the remedy; its key is
+// that of the support that is out of line with its neighbours, if one is. nullopt: none does. poses: of the
+// bodies.
+struct Beneath {
+  std::string key, why;
+};
+std::optional<Beneath> beneath_supports(const model::Case& c,
+                                        const std::vector<model::SupportCrossing>& crossings,
+                                        const std::vector<RigidPose>& poses);
+
+// A line past the end of a box's rollers, at a time [s].
+std::string off_rollers(const model::SupportBox& box, const model::SupportCrossing& at, double time);
+// A box that never carries its line, which lies on others further on; height [m] of the line above it,
+// infinite: it did not cross it.
+std::string never_carries(const model::SupportBox& box, double height);
+std::string none_carries(const std::string& line);
+
+}  // namespace hawser::advice

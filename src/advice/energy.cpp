@@ -1,0 +1,61 @@
+// Sentences about the energy balance.
+#include "hawser/advice/energy.hpp"
+
+#include <fmt/format.h>
+
+namespace hawser::advice {
+namespace {
+
+const char* words(ContactWith with) {
+  switch (with) {
+    case ContactWith::volume:
+      return "it touches a volume there";
+    case ContactWith::line:
+      return "it touches a line there";
+    case ContactWith::seabed:
+      return "it touches the seabed there";
+    case ContactWith::nothing:
+      break;
+  }
+  return "its motion changes faster than the time steps resolve";
+}
+
+// One that is surely short: a quarter of what was too long.
+std::string remedy(bool fixed, double step) {
+  return fmt::format("give dynamics.{}: {:.2g} s", fixed ? "step" : "max_step", step / 4);
+}
+
+}  // namespace
+
+std::string energy_made(const EnergyMade& m, const std::string& where, const std::string& striking) {
+  const std::string made = fmt::format(
+      "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} s "
+      "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: ",
+      m.energy, m.by, 100 * m.energy / m.work, m.length, m.time, m.most, where);
+  if (!striking.empty())
+    return made + fmt::format(
+                      "{} begins with a velocity and strikes the lines, which are at rest; a 'ramp' in it "
+                      "starts it smoothly, a shorter step is no help",
+                      striking);
+  return made + fmt::format("{}; {}", words(m.with), remedy(m.fixed, m.length));
+}
+
+std::string energy_lost(double energy, double by, double work, double step, bool fixed) {
+  return fmt::format(
+      "the steps lost {:.3g} J by t = {:.6g} s, {:.3g} % of the work done: they are too long for what moves; "
+      "{}",
+      energy, by, 100 * energy / work, remedy(fixed, step));
+}
+
+std::string energy_is_no_number() { return "the energy is no number" + not_to_be_used(); }
+
+std::string not_to_be_used() { return ". The results are not to be used"; }
+
+std::string vibration_damped(double energy, double size) {
+  return fmt::format(
+      "{:.3g} J of axial vibration faster than the time steps resolve were dissipated ({:.2g} % of the most "
+      "that moved at a time); what is tightened at a blow may peak higher for less than a step",
+      energy, 100 * energy / size);
+}
+
+}  // namespace hawser::advice

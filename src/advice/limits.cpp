@@ -1,0 +1,97 @@
+// The limits beyond which an extreme is reported, and the sentences.
+#include "hawser/advice/limits.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/advice/input_warnings.hpp"
+#include "hawser/kernels/pipe_codes.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::advice {
+namespace {
+
+constexpr double kPinnedFoot = 1.0188;  // minus the first zero of the derivative of Airy's function
+
+}  // namespace
+
+std::string when_text(const model::Case& c, double time) {
+  return c.statics.enabled && time == 0 ? "at rest" : fmt::format("t = {:.6g} s", time);
+}
+
+std::string overused(const model::Case& c, const Extreme& at, const std::string& exceeded,
+                     const std::string& label) {
+  if (!(at.value > 1)) return {};
+  return fmt::format("line {} is {} at arc length {:.6g} m, {}: its {} is {:.3g}", at.line, exceeded, at.arc,
+                     when_text(c, at.time), label, at.value);
+}
+
+// A beam of weight w that stands on a pinned foot and is pulled further up, EI theta'' = w (z - z0) theta
+// with theta' = 0 at the foot, buckles there where the compression is that of the first zero of Ai', 1.019
+// (EI w²)^(1/3). Then its shape carries what presses, and its moments grow with it. A short one is a strut,
+// which its weight does not hold: Euler's pi² EI/L².
+std::string buckles(const model::Case& c, const Extreme& at) {
+  if (!(at.value < 0)) return {};
+  const model::Line& line = c.line(at.line);
+  double arc = 0;
+  const model::LineType* type = &c.line_type(line.sections.back().type);
+  for (const model::Section& s : line.sections)
+    if (at.arc <= (arc += s.length)) {
+      type = &c.line_type(s.type);
+      break;
+    }
+  if (type->kind != model::LineKind::beam) return {};
+  const double w = c.environment.gravity * std::abs(mass_in_water(c, *type, -HUGE_VAL));
+  const double EI = std::min(type->EI2, type->EI3);
+  const double strut = M_PI * M_PI * EI / std::pow(model::length_of(line), 2);
+  const double limit = std::max(kPinnedFoot * std::cbrt(EI * w * w), strut);
+  if (!(-at.value > limit)) return {};
+  return fmt::format(
+      "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; on a pinned foot "
+      "it buckles at about {:.2g} kN: does its upper end pull enough?",
+      at.line, -at.value / 1000, at.arc, when_text(c, at.time), limit / 1000);
+}
+
+std::string too_deep(const model::Case& c, const Extreme& at) {
+  const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
+  // What the case allows is none of its surprises.
+  double allowed = 0;
+  for (const model::Volume& v : c.volumes) allowed = std::max(allowed, v.allowed_penetration);
+  if (!(at.value > std::max(c.contact.warned_penetration * radius, 1.1 * allowed))) return {};
+  return fmt::format(
+      "line {} is {:.3g} m inside a volume (its radius is {:.3g} m) at arc length {:.6g} m, {}: {}", at.line,
+      at.value, radius, at.arc, when_text(c, at.time),
+      at.value > radius ? "contact goes no deeper than the radius: it is trapped inside, or the volume is "
+                          "too soft for a line as thin as this, which then needs a larger 'contact_diameter'"
+                        : "a normal_stiffness that is given can be raised; an automatic one is as high as "
+                          "the line's EA asks: is its tension more than it bears?");
+}
+
+std::string overbent(const model::Case& c, const Extreme& at) {
+  constexpr double kYielded =
+      0.005;  // total strain at which the yield stress of pipe steel is defined (API 5L)
+  const auto lies = [&](const model::SupportBox& b) { return b.line == at.line; };
+  if (std::none_of(c.supports.begin(), c.supports.end(), lies)) return "";
+  double diameter = 0;
+  for (const model::Section& s : c.line(at.line).sections)
+    if (const model::LineType& t = c.line_type(s.type); !t.plastic_bending)
+      diameter = std::max(diameter, t.outer_diameter);
+  const double strain = 0.5 * diameter * at.value;
+  if (!(strain > kYielded)) return "";
+  return fmt::format(
+      "line {} is bent to a radius of {:.3g} m at arc length {:.6g} m, {}, {:.2g} % of strain: steel yields "
+      "before, and this pipe is elastic; do the places and directions of its ends and supports fit, or does "
+      "it need 'plasticity'?",
+      at.line, 1 / at.value, at.arc, when_text(c, at.time), 100 * strain);
+}
+
+std::string beyond_pipe_formulas(double pulled) {
+  return fmt::format(
+      "the design tension of a pipe is {:.2g} of that at yield: DNV-ST-F101's formulas for combined loads "
+      "hold to {:g}",
+      pulled, kMostPulled);
+}
+
+}  // namespace hawser::advice

@@ -1,0 +1,29 @@
+// Sentences about contact of lines with lines.
+#include "hawser/advice/line_pairs.hpp"
+
+#include <fmt/format.h>
+
+namespace hawser::advice {
+
+std::string chosen_pair_stiffness(double least, double most, const std::string& only_line, bool themselves) {
+  return fmt::format(
+      "contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
+      "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false leaves such "
+      "contact out",
+      !only_line.empty() ? fmt::format("of line {} with itself", only_line)
+      : themselves       ? "between lines and of lines with themselves"
+                         : "between lines",
+      most > least * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", least, most) : fmt::format("{:.3g}", most));
+}
+
+std::string apart_near_place(const std::string& one, const std::string& other, double within, int more) {
+  return fmt::format(
+      "{} from one place, or from places nearer to each other than the contact radii, and {} only more than "
+      "{:.3g} m along from there, beyond where they are first apart{}",
+      one == other ? fmt::format("both ends of line {} go", one)
+                   : fmt::format("lines {} and {} go", one, other),
+      one == other ? "they touch each other" : "touch each other", within,
+      more > 0 ? fmt::format("; likewise {} more pair{}, over less", more, more > 1 ? "s" : "") : "");
+}
+
+}  // namespace hawser::advice

@@ -1,0 +1,67 @@
+// Sentences about elements that are too long.
+#include "hawser/advice/long_elements.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hawser::advice {
+namespace {
+
+// Of what is off by a share of the largest: the estimates are of small errors, and beyond that only say so.
+std::string off_by(double share) {
+  return share < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * share)
+                     : "by half of the largest and more";
+}
+
+}  // namespace
+
+std::string turns_on_edge(const std::string& line, const LongElements& at, double largest) {
+  return fmt::format(
+      "line {} turns by {:.0f} degrees from one element to the next where it lies on a volume (arc length "
+      "{:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to {:.2g} N, {:.0f} % of the "
+      "largest: give it elements so short that it turns by no more than {:.0f} degrees; over a sharp edge "
+      "that is less than half its radius, or 'EI' makes it a beam, which bends within its elements",
+      line, at.turn * 180 / M_PI, at.arc, at.time, at.error, 100 * at.error / largest,
+      at.recommended * 180 / M_PI);
+}
+
+std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest) {
+  return fmt::format(
+      "line {} sags between the nodes of its elements of {:.3g} m: it turns by {:.2g} degrees from one to "
+      "the next (arc length {:.4g} m, t = {:.4g} s), so that its tension is off {}: give it elements of "
+      "{:.2g} m there",
+      line, at.length, at.turn * 180 / M_PI, at.arc, at.time, off_by(at.error / largest), at.recommended);
+}
+
+std::string leaves_bed_within(const std::string& line, const LongElements& at, double largest) {
+  return fmt::format(
+      "line {} leaves the bed steeply within an element of {:.3g} m (arc length {:.4g} m), of which either "
+      "half may hang, so that its tension is off by about {:.2g} % of the largest: give it elements of "
+      "{:.2g} m there",
+      line, at.length, at.arc, 100 * at.error / largest, at.recommended);
+}
+
+std::string moment_between_nodes(const std::string& line, const LongElements& at, double largest) {
+  return fmt::format(
+      "the bending moment of line {} falls off within {:.3g} m at arc length {:.4g} m (t = {:.4g} s), which "
+      "elements of {:.3g} m miss {}: give it elements of {:.2g} m there",
+      line, at.decay, at.arc, at.time, at.length, off_by(at.error / largest), at.recommended);
+}
+
+std::string long_in_flow(const LongInFlow& at) {
+  const std::string why = at.crossed       ? "within which the surface lies"
+                          : !at.in_waves   ? "between whose nodes the current is not linear"
+                          : !at.in_current ? "between whose nodes the waves are not linear"
+                                           : "between whose nodes current and waves are not linear";
+  const double percent = 100 * at.error / at.force;
+  return fmt::format(
+      "line {} has elements of {:.3g} m at arc length {:.4g} m ({:.3g} m {} the still water, t = {:.4g} s), "
+      "{}, so that the forces of the flow on the elements of {} are off by about {:.{}f} % of their largest "
+      "sum, {:.3g} kN: give it elements of {:.2g} m there",
+      at.line, at.length, at.arc, std::abs(at.z), at.z > 0 ? "above" : "below", at.time, why,
+      at.joined > 1 ? fmt::format("the {} lines that are joined there", at.joined) : "the line", percent,
+      percent < 9.95 ? 1 : 0, at.force / 1000, at.recommended);
+}
+
+}  // namespace hawser::advice

@@ -1,0 +1,64 @@
+// Sentences about lines beside volumes at the start, with what helps.
+#include "hawser/advice/start_contact.hpp"
+
+#include <fmt/format.h>
+
+namespace hawser::advice {
+namespace {
+
+std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
+
+// Next to a held end whose stretch without contact is too short, that; else where the line starts.
+std::string remedy(const model::Line& line, const InsideVolume& s) {
+  const double length = s.length;
+  for (const bool b : {false, true}) {
+    const double within = line.end(b).no_contact_within.value_or(-1);
+    if (within >= 0 && (b ? s.to >= length - within - 1e-9 * length : s.from <= within + 1e-9 * length))
+      return fmt::format("'no_contact_within' of end_{} must be at least {:.3g} m to leave it out",
+                         b ? "b" : "a", b ? length - s.from : s.to);
+  }
+  if (line.start == model::Start::points) return "move the points of its 'start' out of it";
+  return "say where it lies outside of it with 'start: {points: [[x, y, z], ...]}'";
+}
+
+}  // namespace
+
+std::string where_inside(const InsideVolume& s) {
+  return fmt::format("from {:.4g} m to {:.4g} m of arc length, deepest at {:.4g} m, {:.3g} m inside at {}",
+                     s.from, s.to, s.at, s.depth, point(s.place));
+}
+
+std::string starts_inside(const model::Line& line, const std::string& volume, const InsideVolume& s) {
+  const bool through = s.from > 0 && s.to < s.length;
+  return fmt::format("lines.{}: its start shape {} volume {} {}; {}", line.name,
+                     through ? "passes through" : "lies in", volume, where_inside(s), remedy(line, s));
+}
+
+std::string stays_inside(const model::Line& line, const std::string& volume, const InsideVolume& s,
+                         bool statics) {
+  return fmt::format("lines.{}: starts inside volume {}, and {} {}; {}", line.name, volume,
+                     statics ? "statics leaves it there," : "there are no statics to move it out:",
+                     where_inside(s), remedy(line, s));
+}
+
+std::string left_out_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
+                            double without) {
+  return fmt::format(
+      "lines.{}.end_{}: starts {} volume {}; the {:.3g} m of line up to where it is clear of it have no "
+      "contact with it ('no_contact_within' sets another length)",
+      line.name, at_b ? "b" : "a",
+      depth > 0 ? fmt::format("up to {:.3g} m inside", depth) : std::string("at the surface of"), volume,
+      without);
+}
+
+std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p) {
+  const std::string but = p.own_a || p.own_b ? fmt::format("its end {} is above it", p.own_a ? "A" : "B")
+                                             : fmt::format("the straight way between its ends passes {} it",
+                                                           p.under ? "over" : "under");
+  return fmt::format(
+      "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, while "
+      "{}; if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
+      line.name, p.under ? "under" : "over", volume, p.distance, p.arc, point(p.place), but);
+}
+
+}  // namespace hawser::advice

@@ -1,0 +1,95 @@
+// Sentences about static equilibrium.
+#include "hawser/advice/statics.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
+
+namespace hawser::advice {
+
+std::string slack_at_rest(const std::string& line, double length, bool fell) {
+  return fmt::format(
+      "lines.{}: {:.3g} m of it have no tension at rest and can lie in other places, of which {}", line,
+      length,
+      fell ? "it has fallen into one; 'start' says which is meant"
+           : "rounding may choose (so may the number of ranks): 'start' says which is meant, and 'statics: "
+             "{dynamic_relaxation: always}' lets it fall into place");
+}
+
+std::string no_waterplane(const std::string& body) {
+  return fmt::format(
+      "bodies.{}: it floats in the surface, and in_water has no stiffness of its waterplane against roll and "
+      "pitch, so that their periods and amplitudes are wrong: give turning_stiffness, rho g times the second "
+      "moments of area of the waterplane",
+      body);
+}
+
+std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double held) {
+  std::string friction = "without friction in statics";
+  if (laid)
+    friction = fmt::format("where friction takes {:.4g} kN of tension and holds {:.4g} m with force to spare",
+                           1e-3 * taken, held);
+  return fmt::format("lines.{}: {:.4g} m on the seabed, {}", line, lies, friction);
+}
+
+std::string unstable_on_the_way(int equilibria) {
+  return fmt::format(
+      "statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest in more "
+      "than one shape, see whether this is the one meant, and say so by `start` if it is not",
+      equilibria, equilibria == 1 ? "um" : "a");
+}
+
+std::string unstable_at_rest(long eigenvalues) {
+  return fmt::format("the static equilibrium is unstable ({} negative eigenvalues)", eigenvalues);
+}
+
+std::string long_relaxation(int steps) {
+  return fmt::format(
+      "statics has not come to rest in {} steps of dynamic relaxation; if slack lines lie in folds that "
+      "touch one another, 'contact: {{between_lines: false}}' leaves that out and may end it",
+      steps);
+}
+
+std::string statics_failed(const model::Case& c) {
+  std::vector<std::string> ways;
+  if (c.statics.relaxation == model::Relaxation::never)
+    ways.emplace_back("without 'dynamic_relaxation: never'");
+  else if (c.statics.relaxation == model::Relaxation::automatic)
+    ways.emplace_back("'statics: {dynamic_relaxation: always}'");
+  if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
+      !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)
+    ways.emplace_back("a 'ramp' of the current, which then begins in dynamics");
+  if (c.statics.contact_friction)
+    ways.emplace_back("'contact_friction: false'");
+  else if (c.environment.seabed.present && c.environment.seabed.full)
+    ways.emplace_back("'friction_in_statics: as_laid'");
+  for (const model::Line& line : c.lines)
+    if (line.starts_by_itself()) {
+      ways.push_back(fmt::format("'start: {{points: ...}}' of line {}, near where it will rest", line.name));
+      break;
+    }
+  if (c.contact.between_lines.enabled) ways.emplace_back("'contact: {between_lines: false}'");
+  constexpr size_t kMost = 3;
+  if (ways.size() > kMost) ways.resize(kMost);
+  return fmt::format("statics has failed; what may help: {}{}docs/how-to/failing-runs.md says more",
+                     fmt::join(ways, "; "), ways.empty() ? "" : "; ");
+}
+
+std::string chosen_stiffness(const std::string& volume, double stiffness, const std::string& reason,
+                             double bounce, double step) {
+  std::string note =
+      fmt::format("volume {}: normal stiffness {:.3g} N/m per m: {}", volume, stiffness, reason);
+  if (bounce > 0)
+    note += fmt::format(
+        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show its force",
+        bounce, step);
+  return note;
+}
+
+std::string one_rank_has_all() {
+  return "one rank has all nodes, since lines that may touch themselves are not cut: the others do not make "
+         "the run faster; 'contact: {between_lines: {self: false}}' lets lines be cut";
+}
+
+}  // namespace hawser::advice

@@ -1,0 +1,126 @@
+// Where a line would lie on its supports, which of them is out of line with the others, and the sentences.
+#include "hawser/advice/supports.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/model/check.hpp"
+
+namespace hawser::advice {
+namespace {
+
+// On the way of a line over its supports, in space: the end from which it goes overboard, which has the box
+// after it, and where it lies on each.
+struct Stop {
+  Vec3 at, along, up;  // m; unit
+  const model::SupportBox* box;
+};
+
+std::vector<Stop> way_over_supports(const model::Case& c, const model::Line& line,
+                                    const std::vector<RigidPose>& poses) {
+  std::vector<Stop> way;
+  for (const model::SupportBox& b : c.supports) {
+    if (b.line != line.name) continue;
+    const auto pose_of = [&](const std::string& body) {
+      const int i = c.body_index(body);
+      return i < 0 ? RigidPose{} : poses[i];
+    };
+    const RigidPose pose = pose_of(b.body);
+    const Stop stop{pose.to_space(b.at), pose.rotation * b.along, pose.rotation * b.up, &b};
+    if (const model::End* end = way.empty() ? model::end_before(c, line, b) : nullptr) {
+      const Vec3 at = model::end_position(c, *end);
+      Vec3 along = (stop.at - at).normalized();
+      if (end->direction)
+        along = (end == &line.end_a ? 1.0 : -1.0) * (pose_of(end->body).rotation * *end->direction);
+      way.push_back({at, along, stop.up, &b});
+    }
+    way.push_back(stop);
+  }
+  return way;
+}
+
+// m, of a stop above where the others lead: the cubic through its two neighbours in their directions, at
+// either end of the way on from there as it turns between the nearest two. Of three at least.
+double above_the_others(const std::vector<Stop>& way, size_t k) {
+  const Stop& here = way[k];
+  if (k > 0 && k + 1 < way.size()) {
+    const Stop &a = way[k - 1], &b = way[k + 1];
+    const Vec3 chord = b.at - a.at;
+    const double d = chord.norm(), t = std::clamp((here.at - a.at).dot(chord) / (d * d), 0.0, 1.0), u = 1 - t;
+    const Vec3 there =
+        u * u * (1 + 2 * t) * a.at + t * t * (3 - 2 * t) * b.at + t * u * d * (u * a.along - t * b.along);
+    return (here.at - there).dot(here.up);
+  }
+  const bool first = k == 0;
+  const Stop &near = way[first ? 1 : k - 1], &next = way[first ? 2 : k - 2];
+  const double d = (here.at - near.at).norm(), turn = 0.5 * d / (near.at - next.at).norm();
+  const Vec3 along = (near.along + turn * (near.along - next.along)).normalized();
+  return (here.at - near.at - (first ? -d : d) * along).dot(here.up);
+}
+
+}  // namespace
+
+std::optional<Beneath> beneath_supports(const model::Case& c,
+                                        const std::vector<model::SupportCrossing>& crossings,
+                                        const std::vector<RigidPose>& poses) {
+  for (size_t k = 0; k < crossings.size(); ++k) {
+    const model::SupportBox& b = c.supports[k];
+    const model::SupportCrossing& x = crossings[k];
+    if (!x.known || std::abs(x.offset) > b.half_width || x.height > -b.rise) continue;
+    const model::Line& line = c.line(b.line);
+    const std::string wrong = fmt::format(
+        "starts on the wrong side of support '{}', {:.3g} m below where it would lie on its roller", b.name,
+        -x.height);
+    if (line.start != model::Start::automatic)
+      return Beneath{"lines." + line.name,
+                     wrong + "; give it no 'start', so that it starts on its supports, or points above them"};
+    const std::vector<Stop> way = way_over_supports(c, line, poses);
+    size_t odd = 0;
+    double off = 0;  // m
+    for (size_t i = 0; i < way.size() && way.size() > 2; ++i)
+      if (const double above = above_the_others(way, i); std::abs(above) > std::abs(off))
+        odd = i, off = above;
+    if (!(std::abs(off) > b.rise))
+      return Beneath{
+          b.key,
+          fmt::format("line {} {}; move the supports, or the end of the line, so that one leads to the other",
+                      line.name, wrong)};
+    const model::SupportBox& named = *way[odd].box;
+    const std::string cause =
+        odd > 0
+            ? fmt::format("support '{}' is {:.3g} m {} the way over its neighbours", named.name,
+                          std::abs(off), off > 0 ? "above" : "below")
+            : fmt::format(
+                  "the way over the supports begins {:.3g} m {} the end from which line {} goes overboard",
+                  std::abs(off), off > 0 ? "below" : "above", line.name);
+    return Beneath{named.key, fmt::format("{}, so that line {} {}; move {}", cause, line.name, wrong,
+                                          odd > 0 ? "it into line with them"
+                                                  : "them, or the end, so that one leads to the other")};
+  }
+  return {};
+}
+
+std::string off_rollers(const model::SupportBox& box, const model::SupportCrossing& at, double time) {
+  return fmt::format(
+      "line {} is off the end of the rollers of support {} at t = {:.6g} s: {:.3g} m to the {} of its "
+      "middle, and they reach {:.3g} m",
+      box.line, box.name, time, std::abs(at.offset), at.offset > 0 ? "left" : "right", box.half_width);
+}
+
+std::string never_carries(const model::SupportBox& box, double height) {
+  return fmt::format(
+      "support {} never carries line {}, {} and lies on supports further on: raise it by 'above_path', or "
+      "leave it out",
+      box.name, box.line,
+      std::isfinite(height) ? fmt::format("which passes {:.3g} m above it", height)
+                            : std::string("which does not come by it"));
+}
+
+std::string none_carries(const std::string& line) {
+  return fmt::format("none of its supports ever carries line {}: are they drawn too low, or beside it?",
+                     line);
+}
+
+}  // namespace hawser::advice
