@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <tuple>
 
@@ -116,42 +115,24 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
     options.tuned[ordered(c.line_index(t.first), c.line_index(t.second))] = t.settings;
   std::vector<LineContactElement> elements;
   elements.reserve(mesh.mesh->elements.size()), options.automatic.reserve(mesh.mesh->elements.size());
-  // Of each type that takes part, of its lines: the least and the most.
-  struct Kind {
-    double radius = 0;
-    LinePairOptions::Automatic least{HUGE_VAL, HUGE_VAL}, most;
-  };
-  std::map<int, Kind> kinds;
+  double least = HUGE_VAL, most = 0;  // N/m², of the types that take part
   for (const Element& e : mesh.mesh->elements) {
     const model::LineType& t = c.line_types[e.type];
     LineContactElement& element = elements.emplace_back();
     if (takes_part[e.line]) element.radius = 0.5 * t.contact_diameter;
     element.mass_per_length = t.mass_per_length;
-    StiffnessDemand d;
-    d.radius = 0.5 * t.contact_diameter;
-    d.weight = t.mass_per_length * c.environment.gravity;
-    d.length = mesh.mesh->lines[e.line].length;
-    d.EA = t.EA;
-    options.automatic.push_back(
-        {automatic_contact_stiffness(d).per_length, crossing_force(t.EA, d.weight * d.length)});
+    const double radius = 0.5 * t.contact_diameter;
+    element.cubic = cubic_stiffness(t.EA, radius);
+    options.automatic.push_back(stiffness_by_weight(t.mass_per_length, radius));
     if (!(element.radius > 0)) continue;
-    const LinePairOptions::Automatic& a = options.automatic.back();
-    Kind& kind = kinds[e.type];
-    kind.radius = element.radius;
-    kind.least = {std::min(kind.least.per_length, a.per_length), std::min(kind.least.crossing, a.crossing)};
-    kind.most = {std::max(kind.most.per_length, a.per_length), std::max(kind.most.crossing, a.crossing)};
+    least = std::min(least, options.automatic.back());
+    most = std::max(most, options.automatic.back());
   }
   const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
                            return t.settings.basis == model::StiffnessBasis::automatic;
                          });
   if (automatic) {
-    double least = HUGE_VAL, most = 0;
-    for (const auto& [first, i] : kinds)
-      for (const auto& [second, j] : kinds) {
-        least = std::min(least, automatic_stiffness(i.least, j.least, i.radius + j.radius));
-        most = std::max(most, automatic_stiffness(i.most, j.most, i.radius + j.radius));
-      }
     details.push_back(
         advice::chosen_pair_stiffness(least, most, lines == 1 ? c.lines.front().name : "", b.self));
   }

@@ -14,8 +14,9 @@ namespace hawser {
 namespace {
 
 constexpr double kLeast = 1, kMost = 10;  // m, of the radius of bending
-// Lines that cross: strain they are drawn with, and depth over the radii that it makes.
-constexpr double kDrawn = 0.01, kCrossing = 0.05;
+// Of lines on lines: a strain that few survive, and the part of the radius that a line which is stretched by
+// it and bent to its own radius is pressed in by.
+constexpr double kBreaking = 0.01, kDeepest = 0.25;
 constexpr double kHeldOut = 0.05;  // of the radius: penetration of the stiffness that is proposed
 
 std::string number(double v) {
@@ -86,11 +87,14 @@ std::string volume_in_the_way(const std::string& place, const model::Volume& v, 
                      : ": its normal_stiffness is too small for what presses, 'auto' finds one by itself");
 }
 
-double crossing_force(double EA, double weight_of_line) { return std::max(kDrawn * EA, weight_of_line); }
+double stiffness_by_weight(double mass_per_length, double radius) {
+  constexpr double kStandardGravity = 9.80665;  // m/s²; where there is none lines touch as well
+  return mass_per_length * kStandardGravity / (kAllowedPenetration * radius);
+}
 
-double crossing_stiffness(double force, double radii) {
-  const double depth = kCrossing * radii;
-  return 0.75 * force / (depth * std::sqrt(2 * radii * depth));
+// c (r/4)³ = 0.01 EA/r
+double cubic_stiffness(double EA, double radius) {
+  return kBreaking * EA / (radius * std::pow(kDeepest * radius, 3));
 }
 
 double bending_radius(const model::Volume& v, double line_radius) {

@@ -26,11 +26,6 @@ std::vector<double> radii(const std::vector<LineContactElement>& elements) {
 
 }  // namespace
 
-double automatic_stiffness(const LinePairOptions::Automatic& a, const LinePairOptions::Automatic& b,
-                           double radii) {
-  return std::max({a.per_length, b.per_length, crossing_stiffness(std::min(a.crossing, b.crossing), radii)});
-}
-
 LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
                      LinePairOptions options)
     : mesh_(mesh),
@@ -65,9 +60,12 @@ LinePairLaw LinePairs::law(int a, int b) const {
   law.radii = A.radius + B.radius;
   double share = 1;
   if (s.basis == model::StiffnessBasis::per_area) share = diameter;
-  law.normal.stiffness = s.basis == model::StiffnessBasis::automatic
-                             ? automatic_stiffness(options_.automatic[i], options_.automatic[j], law.radii)
-                             : s.normal_stiffness * share;
+  if (s.basis == model::StiffnessBasis::automatic) {
+    law.normal.stiffness = std::max(options_.automatic[i], options_.automatic[j]);
+    law.normal.cubic = std::min(A.cubic, B.cubic);
+  } else {
+    law.normal.stiffness = s.normal_stiffness * share;
+  }
   law.normal.smoothing = s.smoothing > 0 ? s.smoothing : 0.001 * diameter;
   law.normal.damping = contact_damping(
       s.relative_damping, law.normal.stiffness,

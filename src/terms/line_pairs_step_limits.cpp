@@ -91,8 +91,9 @@ double LinePairs::mass_per_length(const Pair& p) const {
 }
 
 // 1/omega of the two masses on the contact, s.
-double LinePairs::slowness(const Pair& p) const {
-  return std::sqrt(mass_per_length(p) / p.law.normal.stiffness);
+double LinePairs::slowness(const Pair& p, double speed) const {
+  const double m = mass_per_length(p), depth = deepest(p);
+  return std::sqrt(m / stiffness_of_impact(p.law.normal, depth, m, speed));
 }
 
 // kg. The interval that touches is at most one of the elements.
@@ -105,7 +106,7 @@ double LinePairs::mass(const Pair& p) const {
 void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   const std::vector<Rod> is = rods(trial);
   for (const Pair& p : pairs_) {
-    const double slow = slowness(p), ramp = p.law.normal.smoothing;
+    const double slow = slowness(p, 0), ramp = p.law.normal.smoothing;
     if (!p.counted || clipped(p) || follows(slow, trial.step) || (!p.history && !near(p, is))) continue;
     const AxisEnds a = ends(trial, p.a), b = ends(trial, p.b);
     const Nearest before = nearest_at_start(p),
@@ -144,8 +145,8 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.history) a.gap = -ramp - deepest(p);
-    to.add(impact_event(slowness(p), 2 * ramp, mass(p), a), element(p.key.first).line,
-           element(p.key.second).line);
+    to.add(impact_event(slowness(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
+           element(p.key.first).line, element(p.key.second).line);
   }
 }
 

@@ -89,5 +89,29 @@ output: {every: 0.5, histories: [{line: wire, at: end_a, name: top}]}
   }
 }
 
+// A chain is lowered, exactly upright, into a heap of its links, which lie on each other with friction.
+TEST(ContactEnergy, AChainIsHeapedUp) {
+  const std::string path = folder("heap"), file = path + "/case.yaml", out = path + "/case.h5";
+  write_case(file, R"(
+hawser: 1
+environment: {water: {depth: 50}, seabed: {depth: 50, damping: 1.0e4}}
+line_types: {c: {outer_diameter: 0.1, mass_per_length: 60, EA: 250 MN, bending: false, stiffness_damping: 0.01}}
+contact: {between_lines: {friction: 0.3}}
+bodies:
+  b: {motion: {table: {interpolation: monotone, rows: [[0, 0, 0, 0, 0, 0, 0], [2, 0, 0, 0, 0, 0, 0],
+      [14, 0, 0, -12, 0, 0, 0], [16, 0, 0, -12, 0, 0, 0]]}}}
+lines:
+  m: {sections: [{type: c, length: 49, elements: 98}], end_a: {body: b, at: [0, 0, 0]}, end_b: free}
+dynamics: {duration: 6}
+output: {every: 1}
+)");
+  run_on_all({file, out});
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const Results r = read(out);
+  const double made = largest(named(out, r, "energy", "error"));
+  printf("  energy made %.3f J, %zu steps\n", made, r.step_times.size());
+  EXPECT_LT(made, 25);  // a hundredth of m g h of what lies in the heap
+}
+
 }  // namespace
 }  // namespace hawser::runs::contact_energy

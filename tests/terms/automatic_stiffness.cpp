@@ -31,12 +31,12 @@ TEST(ContactStiffness, Automatic) {
   EXPECT_NEAR(contact_period(1e6, 273.4), 0.10389, 1e-5);
 }
 
-// A hundredth of the EA presses two lines that cross in by a twentieth of the radii.
-TEST(ContactStiffness, WhereLinesCross) {
-  const double reach = 0.15, force = crossing_force(2e6, 500), p = 0.05 * reach;
-  EXPECT_EQ(force, 2e4);
-  EXPECT_EQ(crossing_force(2e4, 500), 500);
-  EXPECT_NEAR(4.0 / 3 * crossing_stiffness(force, reach) * p * std::sqrt(2 * reach * p), force, 1e-9 * force);
+// By its weight a line is pressed in by 0.5 % of its radius, by 1 % of its EA bent to its radius by a
+// quarter.
+TEST(ContactStiffness, OfLinesOnLines) {
+  const double r = 0.05, s = 0.25 * r;
+  EXPECT_NEAR(stiffness_by_weight(60, r) * 0.005 * r, 60 * 9.80665, 1e-9);
+  EXPECT_NEAR(cubic_stiffness(250e6, r) * s * s * s, 2.5e6 / r, 1e-3);
 }
 
 }  // namespace

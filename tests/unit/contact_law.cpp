@@ -40,6 +40,24 @@ TEST(ContactLaw, DerivativesAndPotential) {
     }
 }
 
+// F = k s + c s³, through the knots of the ramp as well.
+TEST(ContactLaw, GrowsWithTheDepth) {
+  NormalLaw law{2e5, 0.01, 0};
+  law.cubic = 3e9;
+  EXPECT_DOUBLE_EQ(normal_force(law, -0.05, 0).force, 2e5 * 0.05 + 3e9 * 0.05 * 0.05 * 0.05);
+  for (double g : {-0.0100001, -0.0099999, 0.0099999, 0.004, -0.004, -0.03}) {
+    const double h = 1e-8;
+    const NormalForce f = normal_force(law, g, 0), p = normal_force(law, g + h, 0),
+                      m = normal_force(law, g - h, 0);
+    EXPECT_NEAR(f.by_gap, (p.force - m.force) / (2 * h), 1e-6 * 1e6);
+    EXPECT_NEAR(f.elastic, -(p.potential - m.potential) / (2 * h), 1e-4);
+  }
+  // A mass of 3 kg at 2 m/s stops at q, where the spring has its energy.
+  const double k = stiffness_of_impact(law, 0, 3, 2), q2 = (k - 2e5) / (3 * 3e9);
+  EXPECT_NEAR(2e5 * q2 / 2 + 3e9 * q2 * q2 / 4, 6, 1e-9);
+  EXPECT_NEAR(stiffness_of_impact(law, 0.2, 3, 2), 2e5 + 9e9 * 0.04, 1);
+}
+
 TEST(ContactLaw, NeverPulls) {
   const NormalLaw law{2e5, 0.01, 700};
   for (double g = -0.02; g < 0.02; g += 1e-4)

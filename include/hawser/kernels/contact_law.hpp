@@ -2,20 +2,23 @@
 // that fades in with the stiffness and never pulls.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/kernels/contact_force_table.hpp"
 
 namespace hawser {
 
-// Elastic force of the gap g (negative: penetration): 0 for g >= d, k (d - g)²/(4 d) on (-d, d), -k g below,
-// d the smoothing. d = 0: a linear spring; with damping, Kelvin-Voigt without tension.
+// Elastic force of the gap g (negative: penetration): F = k s + c s³ with the smoothed depth s: 0 for g >= d,
+// (d - g)²/(4 d) on (-d, d), -g below, d the smoothing. d = c = 0: a linear spring; with damping,
+// Kelvin-Voigt without tension.
 struct NormalLaw {
   double stiffness = 0;                      // N/m, k; of a table the largest slope
   double smoothing = 0;                      // m, d, half width of the ramp; 0 with a table
   double damping = 0;                        // N s/m, c at full stiffness
   const ContactForceTable* table = nullptr;  // instead of ramp and straight line; not owned
   double table_factor = 1;                   // of its forces
+  double cubic = 0;                          // N/m³, c; 0 with a table
   bool operator==(const NormalLaw&) const = default;
 };
 
@@ -27,36 +30,56 @@ struct NormalForce {
   double by_rate = 0;    // N s/m
 };
 
-// Gap g [m], its rate [m/s]. The damping force is -c e rate, where e = stiffness at g / k.
+// Gap g [m], its rate [m/s]. The damping force is -c e rate, where e = -ds/dg, of a table its slope / k.
 inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
   const double k = law.stiffness, d = law.smoothing;
   NormalForce r;
   if (g >= d) return r;
-  double fade = 1, fade_by_gap = 0;
+  double fade = 1, fade_by_gap = 0, slope = 0;
   if (law.table) {
     const ContactForceTable::Value v = law.table->at(-g);
     r.elastic = law.table_factor * v.force;
     r.potential = law.table_factor * v.potential;
     fade = law.table_factor * v.slope / k;
     fade_by_gap = -law.table_factor * v.bend / k;
-  } else if (g > -d) {
-    const double a = d - g;
-    fade = a / (2 * d);
-    fade_by_gap = -1 / (2 * d);
-    r.elastic = k * a * a / (4 * d);
-    r.potential = k * a * a * a / (12 * d);
+    slope = law.table_factor * v.slope;
   } else {
-    r.elastic = -k * g;
-    r.potential = k * (g * g / 2 + d * d / 6);
+    // V = k (integral of s) + c (integral of s³): k a³/(12 d) + c a⁷/(448 d³) on the ramp, a = d - g.
+    double depth, area, cubes;  // s; integrals of s and s³ from g to d
+    if (g > -d) {
+      const double a = d - g;
+      depth = a * a / (4 * d);
+      fade = a / (2 * d);
+      fade_by_gap = -1 / (2 * d);
+      area = a * a * a / (12 * d);
+      cubes = depth * depth * depth * a / 7;
+    } else {
+      depth = -g;
+      area = g * g / 2 + d * d / 6;
+      cubes = g * g * g * g / 4 + d * d * d * d / 28;
+    }
+    r.elastic = k * depth + law.cubic * depth * depth * depth;
+    r.potential = k * area + law.cubic * cubes;
+    slope = fade * (k + 3 * law.cubic * depth * depth);
   }
   r.force = r.elastic - law.damping * fade * rate;
   if (r.force <= 0) {
     r.force = 0;  // damping would pull
     return r;
   }
-  r.by_gap = -k * fade - law.damping * fade_by_gap * rate;
+  r.by_gap = -slope - law.damping * fade_by_gap * rate;
   r.by_rate = -law.damping * fade;
   return r;
+}
+
+// N/m: of the spring at the depth p [m] and of what comes there with the mass m [kg] and the speed u [m/s],
+// k + 3 c max(p, q)² with the depth q at which the spring holds its energy, k q²/2 + c q⁴/4 = m u²/2.
+inline double stiffness_of_impact(const NormalLaw& law, double p, double m, double u) {
+  const double k = law.stiffness, c = law.cubic;
+  if (!(c > 0)) return k;
+  // q² = (-k + sqrt(k² + 2 c m u²))/c
+  const double by_speed = 2 * m * u * u / (k + std::sqrt(k * k + 2 * c * m * u * u));
+  return k + 3 * c * std::max(p > 0 ? p * p : 0.0, by_speed);
 }
 
 // c = 2 zeta sqrt(k m): a contact spring of stiffness k [N/m] under the mass m [kg].

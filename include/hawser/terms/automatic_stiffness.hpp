@@ -43,13 +43,11 @@ std::string too_soft_for_line(const std::string& place, const model::Volume& v, 
 // what helps; too_soft: a stiffness that the case gives.
 std::string volume_in_the_way(const std::string& place, const model::Volume& v, bool too_soft);
 
-// N, what a line that crosses another is taken to be drawn over it with: a hundredth of its EA, which few
-// lines survive, or its weight if that is more.
-double crossing_force(double EA, double weight_of_line);
-
-// N/m², that lets a force press two lines that cross at right angles into each other by a twentieth of the
-// sum of their radii `radii` [m]. Crossing lines push with 4/3 k p sqrt(2 radii p) at the depth p.
-double crossing_stiffness(double force, double radii);
+// Lines on lines, of each of the two: F = k s + c s³ a metre at the depth s. k, N/m²: its own weight presses
+// in by 0.5 % of its radius [m]. c, N/m⁴: 1 % of EA [N], bent to its own radius, presses in by a quarter of
+// that.
+double stiffness_by_weight(double mass_per_length, double radius);
+double cubic_stiffness(double EA, double radius);
 
 // m, radius to which a shape bends the axis of a line of this radius that lies on it, at most 10 m (no line
 // is free of bends, on a plane neither); 0 for a mesh or a box: not known.

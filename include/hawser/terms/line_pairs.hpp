@@ -28,22 +28,14 @@ struct LinePairOptions {
   // by its basis (per length, per area), not automatic.
   model::LinePairSettings general;
   std::map<std::pair<int, int>, model::LinePairSettings> tuned;
-  // For pairs with basis `automatic`, of each element: its own stiffness, and what it may be drawn across
-  // another with (automatic_stiffness.hpp).
-  struct Automatic {
-    double per_length = 0, crossing = 0;  // N/m², N
-  };
-  std::vector<Automatic> automatic;
+  // N/m², of each element: the stiffness by its own weight, for pairs with basis `automatic`
+  // (automatic_stiffness.hpp).
+  std::vector<double> automatic;
   CandidateSettings candidates;
   // Of lines that take part; `whole` as for SharedPlaces.
   std::vector<SharedPlace> shared;
   std::vector<int> whole;
 };
-
-// N/m²: the larger of the two's own, or what the weaker one needs where they cross. radii: m, sum of the
-// radii.
-double automatic_stiffness(const LinePairOptions::Automatic& a, const LinePairOptions::Automatic& b,
-                           double radii);
 
 // Largest penetration, m: of the parabola through the deepest Gauss point and two beside it; 0 without
 // points.
@@ -190,7 +182,7 @@ class LinePairs final : public ForceTerm,
   Nearest nearest_at_start(const Pair& p) const { return nearest(p, p.chords, start(p.a), start(p.b)); }
   double acceleration(const Pair& pair, const Kinematics& at) const;
   double mass_per_length(const Pair& pair) const;
-  double slowness(const Pair& pair) const;
+  double slowness(const Pair& pair, double speed) const;
   double mass(const Pair& pair) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
   std::string where(const Pair& pair) const;
