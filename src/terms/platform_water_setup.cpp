@@ -33,10 +33,12 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.potential.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
   const model::Hydrostatics still = model::hydrostatics(m, sea_.density, sea_.gravity);
-  p.buoyancy = still.buoyancy;
-  p.potential.stiffness = still.stiffness + h.stiffness;
-  p.potential.constant << 0, 0, -1, -still.arm_y, still.arm_x, 0;
-  p.potential.constant *= still.buoyancy;
+  p.potential.stiffness = h.stiffness;
+  p.hydrostatics.stiffness = still.stiffness.block<3, 3>(2, 2);
+  p.hydrostatics.level = p.potential.place.z();
+  p.hydrostatics.buoyancy = still.buoyancy;
+  p.hydrostatics.arm_x = still.arm_x;
+  p.hydrostatics.arm_y = still.arm_y;
   p.damping = h.damping;
   p.quadratic = h.quadratic_damping;
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
@@ -45,7 +47,6 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   if (h.excitation && !sea_.waves.none())
     p.waves = PlatformWaves(sea_.waves.components(), heading, of_body(h.data->excitation),
                             of_body(h.data->drift), h.data->difference, h.second_order);
-  p.potential.constant -= p.waves.mean_drift();
   return p;
 }
 

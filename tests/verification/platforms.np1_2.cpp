@@ -214,5 +214,40 @@ bodies:
   EXPECT_NEAR(pitch, 2000 * 10 / (4e7 - 1e6 * 10 * 2), 1e-8);
 }
 
+// A ship with its centre of mass and its buoyancy ahead of its origin, turned by a moment on a spring: it
+// neither heels nor trims.
+TEST(Platforms, ShipYawsUpright) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "hawser_platform_yaw";
+  const std::string stem = (folder / "ship").string();
+  if (rank_of(PETSC_COMM_WORLD) == 0) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";
+    // V x_B = 1000 m³ 4 m.
+    std::ofstream(stem + ".hst") << "3 3 200\n3 5 -800\n5 3 -800\n4 4 900\n5 5 20000\n4 6 -4000\n";
+  }
+  MPI_Barrier(PETSC_COMM_WORLD);
+  const std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000}}}}
+bodies:
+  ship:
+    floating:
+      mass: 1e6
+      centre_of_mass: [4, 0, 2]
+      inertia: [1e8, 1e9, 1e9]
+      hydrodynamics:
+        wamit: {}
+        stiffness: [[1e6, 0, 0, 0, 0, 0], [0, 1e6, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0],
+                    [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e8]]
+      loads: [{{moment: [0, 0, 1e8]}}]
+)",
+                                       stem);
+  const model::Case c = io::read_case_text(text, testing::TempDir() + "ship.yaml");
+  Simulation s(PETSC_COMM_WORLD, c);
+  s.solve_statics();
+  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(of([&](size_t n) { return log_so3(s.state().q[n])[k]; }), k == 2 ? 1 : 0, 1e-10) << k;
+}
+
 }  // namespace
 }  // namespace hawser::test::platforms

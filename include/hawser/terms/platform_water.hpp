@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hawser/kernels/platform_frame.hpp"
+#include "hawser/kernels/platform_hydrostatics.hpp"
 #include "hawser/kernels/platform_waves.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
 #include "hawser/mesh/local_mesh.hpp"
@@ -47,12 +48,12 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
     int node = 0, local = -1, block = -1;  // of the mesh; local ones
     bool owned = false;
     Vec3 arm = Vec3::Zero();  // m, body's origin from the centre of mass, body axes
-    PlatformPotential potential;
+    PlatformHydrostatics hydrostatics;
+    PlatformPotential potential;  // of the stiffness that is added
     Mat6 damping = Mat6::Zero();
     Vec6 quadratic = Vec6::Zero();
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
-    double buoyancy = 0;              // N
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
     Power power;                             // of the last accepted state
   };
