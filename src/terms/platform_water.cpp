@@ -176,6 +176,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       F -= now.waves;
     } else {
       for (size_t i = 0; i < n; ++i) F.segment<6>(6 * i) -= g.platforms[i].waves.mean_drift();
+      if (g.harmonic_damping.size() > 0) by_rate = g.harmonic_damping;
     }
     F += g.added_mass * acceleration;
     for (size_t i = 0; i < n; ++i) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/kernels/table_places.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
@@ -52,12 +53,13 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
 
 void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies) {
   Group g;
-  std::vector<int> rows;  // of the files' matrices
+  std::vector<int>& rows = g.rows;
   for (const int body : bodies) {
     g.platforms.push_back(platform(c, body));
     for (int k = 0; k < 6; ++k) rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
   }
-  const model::HydrodynamicData& data = *c.bodies[bodies.front()].mass->hydrodynamics->data;
+  g.data = c.bodies[bodies.front()].mass->hydrodynamics->data;
+  const model::HydrodynamicData& data = *g.data;
   g.added_mass = data.infinite(rows, rows);
   const size_t n = rows.size(), frequencies = data.omega.size();
   const auto most = [&](size_t i, size_t j) {
@@ -76,6 +78,27 @@ void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodi
           rows[static_cast<size_t>(g.entries[e].first)], rows[static_cast<size_t>(g.entries[e].second)]);
   if (!g.entries.empty()) g.memory = RadiationMemory(data.omega, damping);
   groups_.push_back(std::move(g));
+}
+
+void PlatformWater::oscillate(double omega) {
+  for (Group& g : groups_) {
+    const model::HydrodynamicData& data = *g.data;
+    if (!(omega > 0)) {
+      g.added_mass = data.infinite(g.rows, g.rows);
+      g.harmonic_damping.resize(0, 0);
+      continue;
+    }
+    const auto [low, high, share] = frequency_place(data.omega, omega);
+    const auto between = [&, low = low, high = high, share = share](const std::vector<Eigen::MatrixXd>& of) {
+      return Eigen::MatrixXd((1 - share) * of[low](g.rows, g.rows) + share * of[high](g.rows, g.rows));
+    };
+    g.added_mass = between(data.added_mass);
+    g.harmonic_damping = between(data.damping);
+    if (omega < data.omega.front()) g.harmonic_damping *= omega / data.omega.front();
+    if (omega > data.omega.back()) g.harmonic_damping.setZero();
+    for (size_t i = 0; i < g.platforms.size(); ++i)
+      g.harmonic_damping.block<6, 6>(6 * i, 6 * i) += g.platforms[i].damping;
+  }
 }
 
 }  // namespace hawser

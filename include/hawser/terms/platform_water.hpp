@@ -13,6 +13,8 @@
 #include "hawser/kernels/platform_waves.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/hydrodynamic_data.hpp"
+#include "hawser/system/depends_on_frequency.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/sea.hpp"
 
@@ -20,7 +22,10 @@ namespace hawser {
 
 // Bodies that have coefficients of the same files are one group and radiate on each other. Every rank that
 // owns one of a group computes all of it; the owner of a body counts its energy.
-class PlatformWater final : public ForceTerm, public CouplesNodes, public ScalesResiduals {
+class PlatformWater final : public ForceTerm,
+                            public CouplesNodes,
+                            public ScalesResiduals,
+                            public DependsOnFrequency {
  public:
   PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
@@ -34,6 +39,9 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
+  // Added mass and damping of the rows next to it, straight between them; B = 0 at omega = 0 and beyond the
+  // last row.
+  void oscillate(double omega) override;
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;
   // Collective: a rank has the records of its own bodies, and needs the velocities of all of a group.
@@ -74,7 +82,10 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
     std::vector<Platform> platforms;
     std::vector<std::pair<int, int>> entries;  // rows and columns of what `memory` has, row <= column
     RadiationMemory memory;
-    Eigen::MatrixXd added_mass;
+    Eigen::MatrixXd added_mass;        // as `oscillate` has chosen it
+    Eigen::MatrixXd harmonic_damping;  // of that frequency; empty: time integration
+    std::shared_ptr<const model::HydrodynamicData> data;
+    std::vector<int> rows;  // of the data's matrices
     std::deque<Past> past;
     bool here = false;  // this rank owns one of its bodies
     mutable AtTime now;
