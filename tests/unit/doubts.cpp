@@ -367,6 +367,15 @@ TEST(Doubts, RotationsOfATurnedBody) {
 // 1154 kN and three elements of chain of 33 kN press on 100 kN/m³ times 0.25 m over 2 sqrt(H/k) = 15 m, with
 // the H of 1.4 MN that the chain has there without the mass: 3.3 m. Runs of a chain of 310 m to a point 240 m
 // away and 100 m up with 50 t at 100 m, elements of 5 m: 3.9 m (told 4.3), 20 t: 1.87 m (1.9).
+// A body that moves by its own equations gives way to a line that is too short.
+TEST(Doubts, NoTensionOfALineToABodyThatGivesWay) {
+  const Changes shorter = {{"length: 760", "length: 715"},
+                           {"{motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",
+                            "{floating: {mass: 1e6, inertia: [1e8, 1e8, 1e8]}}"}};
+  for (const std::string& note : notes(shorter))
+    EXPECT_EQ(note.find("means a tension"), std::string::npos) << note;
+}
+
 TEST(Doubts, MassesThatSinkIntoTheBed) {
   const auto clump = [](const std::string& volume) {
     return Changes{{"elements: 76}]",
