@@ -29,6 +29,7 @@ std::vector<Doubt> doubts(const Case& c) {
   doubt_elements(c, out);
   doubt_bodies(c, out);
   warn_of_bodies(c, out);
+  doubt_platforms(c, out);
   doubt_sea(c, out);
   doubt_times(c, out);
   return out;

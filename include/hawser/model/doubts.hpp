@@ -50,6 +50,8 @@ void doubt_supports(const Case& c, std::vector<Doubt>& out);
 void doubt_elements(const Case& c, std::vector<Doubt>& out);
 // Rotations about axes of space that are other axes of the body.
 void doubt_bodies(const Case& c, std::vector<Doubt>& out);
+// Of platforms: inertia that no body has, currents and waves of which their coefficients know nothing.
+void doubt_platforms(const Case& c, std::vector<Doubt>& out);
 // Depths of water and bed, soil that is none, ends far from the bed, and currents that push aside what lies
 // on it or that would change the waves.
 void doubt_sea(const Case& c, std::vector<Doubt>& out);
