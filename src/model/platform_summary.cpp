@@ -1,10 +1,12 @@
 // What `hawser check` says of a platform: its weight and buoyancy, stability, added mass and periods.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hawser/model/case.hpp"
 #include "hawser/model/platform.hpp"
+#include "hawser/model/platform_memory.hpp"
 #include "hawser/model/platform_periods.hpp"
 
 namespace hawser::model {
@@ -42,6 +44,10 @@ std::string platform_text(const Case& c, const Body& b) {
                    data.excitation.empty() ? ", no wave forces"
                                            : fmt::format(", wave forces of {} directions",
                                                          data.excitation.front().directions().size()));
+  for (const std::vector<int>& group : radiating_groups(c))
+    if (std::find(group.begin(), group.end(), c.body_index(b.name)) != group.end())
+      s += fmt::format("    memory of the waves that it makes: {:.3g} s\n",
+                       platform_memory(c, group).memory.length());
   return s;
 }
 

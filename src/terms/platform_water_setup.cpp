@@ -1,21 +1,14 @@
 // What the class PlatformWater is made of: groups of bodies by their files, stiffness and buoyancy of each.
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
 #include "hawser/kernels/table_places.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/model/platform_memory.hpp"
 #include "hawser/terms/platform_water.hpp"
 
 namespace hawser {
-namespace {
-
-// Entries of the damping matrix below this share of those on the diagonal are none.
-constexpr double kNoEntry = 1e-6;
-
-}  // namespace
-
 PlatformWater::PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh)
     : comm_(comm), mesh_(mesh), sea_(sea_of(c)) {
   for (const std::vector<int>& bodies : model::radiating_groups(c)) add_group(c, bodies);
@@ -53,30 +46,13 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
 
 void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies) {
   Group g;
-  std::vector<int>& rows = g.rows;
-  for (const int body : bodies) {
-    g.platforms.push_back(platform(c, body));
-    for (int k = 0; k < 6; ++k) rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
-  }
+  for (const int body : bodies) g.platforms.push_back(platform(c, body));
   g.data = c.bodies[bodies.front()].mass->hydrodynamics->data;
-  const model::HydrodynamicData& data = *g.data;
-  g.added_mass = data.infinite(rows, rows);
-  const size_t n = rows.size(), frequencies = data.omega.size();
-  const auto most = [&](size_t i, size_t j) {
-    double largest = 0;
-    for (const Eigen::MatrixXd& B : data.damping) largest = std::max(largest, std::abs(B(rows[i], rows[j])));
-    return largest;
-  };
-  for (size_t i = 0; i < n; ++i)
-    for (size_t j = i; j < n; ++j)
-      if (most(i, j) > kNoEntry * std::sqrt(most(i, i) * most(j, j)))
-        g.entries.emplace_back(static_cast<int>(i), static_cast<int>(j));
-  Eigen::MatrixXd damping(frequencies, g.entries.size());
-  for (size_t k = 0; k < frequencies; ++k)
-    for (size_t e = 0; e < g.entries.size(); ++e)
-      damping(static_cast<int>(k), static_cast<int>(e)) = data.damping[k](
-          rows[static_cast<size_t>(g.entries[e].first)], rows[static_cast<size_t>(g.entries[e].second)]);
-  if (!g.entries.empty()) g.memory = RadiationMemory(data.omega, damping);
+  model::PlatformMemory waves = model::platform_memory(c, bodies);
+  g.rows = std::move(waves.rows);
+  g.entries = std::move(waves.entries);
+  g.memory = std::move(waves.memory);
+  g.added_mass = g.data->infinite(g.rows, g.rows);
   groups_.push_back(std::move(g));
 }
 
