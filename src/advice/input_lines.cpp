@@ -61,7 +61,9 @@ void doubt_span(const Case& c, const Line& line, std::vector<InputWarning>& out)
   const Section& weakest = *std::min_element(
       line.sections.begin(), line.sections.end(),
       [&](const Section& a, const Section& b) { return c.line_type(a.type).EA < c.line_type(b.type).EA; });
-  if (chord > loose)
+  // A body that moves by its own equations gives way.
+  const auto gives = [&](const End& e) { return e.kind == EndKind::body && c.floats(c.body_index(e.body)); };
+  if (chord > loose && !gives(line.end_a) && !gives(line.end_b))
     bears(c, weakest, (chord - loose) / give, key,
           fmt::format("a length of {:.6g} m over a distance of {:.6g} m between its ends", loose, chord),
           out);

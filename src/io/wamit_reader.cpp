@@ -335,16 +335,20 @@ HydrodynamicData read_wamit(const std::string& stem, const WamitUnits& units, Se
   }
   constexpr double kAskew = 0.05;
   double askew = has_infinite ? asymmetry(data.infinite) : 0;
-  for (Eigen::MatrixXd& m : data.added_mass) {
-    askew = std::max(askew, asymmetry(m));
-    make_symmetric(m);
+  std::string worst = "at infinite frequency";
+  for (size_t k = 0; k < data.omega.size(); ++k) {
+    if (const double here = asymmetry(data.added_mass[k]); here > askew) {
+      askew = here;
+      worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
+    }
+    make_symmetric(data.added_mass[k]);
   }
   for (Eigen::MatrixXd& m : data.damping) make_symmetric(m);
   if (askew > kAskew)
     notes.push_back(
-        fmt::format("{}.1: added mass differs from its transpose by up to {:.2g} % of the diagonal; "
-                    "the mean of both is used",
-                    stem, 100 * askew));
+        fmt::format("{}.1: added mass differs from its transpose by up to {:.2g} % of the diagonal, "
+                    "{}; the mean of both is used",
+                    stem, 100 * askew, worst));
   if (has_infinite)
     make_symmetric(data.infinite);
   else

@@ -40,8 +40,8 @@ PlatformPull platform_pull(const PlatformPotential& V, const Vec3& r, const Rigi
   const Vec3 theta = log_so3(Quat(V.axes).conjugate() * s.q);
   Vec6 displacement;
   displacement << Ht * (s.x + s.q * r - V.place), theta;
-  const Vec6 pull = V.stiffness * displacement, F = pull + V.constant;
-  out.potential = displacement.dot(0.5 * pull + V.constant);
+  const Vec6 F = V.stiffness * displacement;
+  out.potential = 0.5 * displacement.dot(F);
   const Mat3 T = inverse_right_jacobian(theta);
   Mat6 P;
   P << Ht, -Q * hat(r), Mat3::Zero(), T;

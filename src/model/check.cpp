@@ -146,7 +146,10 @@ void check_floating(const Case& c, const Issues& issue) {
     if (!b.mass) continue;
     any = true;
     const Vec3 moments = eigenpairs(b.mass->tensor()).values;
-    if (!(moments[0] > 0) || moments[2] > (1 + 1e-9) * (moments[0] + moments[1]))
+    // Radii of gyration of ships are estimates: of platforms the sum is a warning only
+    // (advice/input_platforms.cpp).
+    const bool beyond = !b.mass->hydrodynamics && moments[2] > (1 + 1e-9) * (moments[0] + moments[1]);
+    if (!(moments[0] > 0) || beyond)
       issue("bodies." + b.name + ".floating.inertia",
             "no body has the principal moments {:.6g}, {:.6g}, {:.6g} kg m²: each must be above 0 and at "
             "most the sum of the other two",

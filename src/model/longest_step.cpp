@@ -8,6 +8,7 @@
 
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/platform_periods.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::model {
@@ -145,13 +146,15 @@ double taut_stiffness(const Case& c, const Body& b) {
   return sum;
 }
 
-// The periods of bodies that move by their own equations: on springs, on taut lines, on links and in the
-// surface, of which the share `part` is a step.
+// The periods of bodies that move by their own equations: on springs, on taut lines, on links, in the surface
+// and by the coefficients of platforms, of which the share `part` is a step.
 void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own) {
   const std::string fraction = part == kOfFree ? "a sixtieth" : "a twentieth";
+  const auto has_period = [&](Shortest& to, double period, const std::string& what) {
+    to.of(period / part, fraction + " of the period of body " + what);
+  };
   const auto oscillates = [&](Shortest& to, double mass, double stiffness, const std::string& what) {
-    if (stiffness > 0)
-      to.of(2 * M_PI * std::sqrt(mass / stiffness) / part, fraction + " of the period of body " + what);
+    if (stiffness > 0) has_period(to, 2 * M_PI * std::sqrt(mass / stiffness), what);
   };
   for (const Body& b : c.bodies) {
     if (!b.mass) continue;
@@ -163,6 +166,12 @@ void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own
       oscillates(afloat, mass, c.environment.water.density * c.environment.gravity * w.volume / w.height,
                  b.name + " in the surface");
     }
+    if (b.mass->hydrodynamics) {
+      const PlatformPeriods periods = platform_periods(c, b);
+      has_period(afloat, periods.heave, b.name + " in heave");
+      has_period(afloat, periods.roll, b.name + " in roll");
+      has_period(afloat, periods.pitch, b.name + " in pitch");
+    }
     // What is driven follows such a line as if it were a bar.
     if (part == kOfFree) oscillates(own, mass, taut_stiffness(c, b), b.name + " on its lines");
   }
@@ -170,6 +179,14 @@ void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
       if (const int body = c.body_index(e->body); c.floats(body))
         oscillates(own, c.bodies[body].mass->mass, l.law.most_stiffness(), e->body + " on link " + l.name);
+}
+
+// Turns that bodies begin with, of those that move by their own equations.
+void add_spin(const Case& c, Shortest& to) {
+  for (const Body& b : c.bodies)
+    if (b.mass)
+      to.of(2 * M_PI / b.mass->angular_velocity.norm() / kOfPeriod,
+            "a hundredth of a turn of body " + b.name + " with the velocity that it begins with");
 }
 
 void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortest& drags) {
@@ -265,6 +282,7 @@ LongestStep longest_step(const Case& c) {
   Shortest afloat;
   const bool driven_by_motion = to.best().length > 0;
   add_free_bodies(c, driven_by_motion ? kOfOwn : kOfFree, driven_by_motion ? own : afloat, own);
+  add_spin(c, afloat);
   add_factor(c.environment.water.current.time_factor, "the current", to);
   add_ramps(c, to);
   to.of(c.output.every, "the time between outputs");

@@ -1,33 +1,15 @@
 // What `hawser check` says of a platform: its weight and buoyancy, stability, added mass and periods.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "hawser/kernels/table_places.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/platform.hpp"
+#include "hawser/model/platform_memory.hpp"
+#include "hawser/model/platform_periods.hpp"
 
 namespace hawser::model {
-namespace {
-
-// Between the rows; beyond them as there.
-double added_mass(const HydrodynamicData& data, int mode, double omega) {
-  const auto [low, high, share] = frequency_place(data.omega, omega);
-  return (1 - share) * data.added_mass[low](mode, mode) + share * data.added_mass[high](mode, mode);
-}
-
-// s, of one freedom by itself: T = 2 pi sqrt((M + A(2 pi/T))/C); 0: nothing pulls it back.
-double period(const HydrodynamicData& data, int mode, double mass, double stiffness) {
-  if (!(stiffness > 0)) return 0;
-  double omega = std::sqrt(stiffness / (mass + data.infinite(mode, mode)));
-  constexpr int kIterations = 50;
-  for (int i = 0; i < kIterations; ++i)
-    omega = 0.5 * (omega + std::sqrt(stiffness / (mass + added_mass(data, mode, omega))));
-  return 2 * M_PI / omega;
-}
-
-}  // namespace
-
 std::string platform_text(const Case& c, const Body& b) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
@@ -53,20 +35,19 @@ std::string platform_text(const Case& c, const Body& b) {
     added += fmt::format("{}{:.4g}", k > 0 ? ", " : "", data.infinite(first + k, first + k));
   s += fmt::format("    added mass at infinite frequency{}: {} (kg, kg m²)\n",
                    data.infinite_estimated ? ", estimated" : "", added);
-  const Mat3 inertia = m.tensor();
-  const Vec3& x = m.centre;
-  const double about_x = inertia(0, 0) + m.mass * (x.y() * x.y() + x.z() * x.z());
-  const double about_y = inertia(1, 1) + m.mass * (x.x() * x.x() + x.z() * x.z());
-  const double periods[] = {period(data, first + 2, m.mass, still.stiffness(2, 2)),
-                            period(data, first + 3, about_x, roll), period(data, first + 4, about_y, pitch)};
+  const PlatformPeriods periods = platform_periods(c, b);
   const auto text = [](double T) { return T > 0 ? fmt::format("{:.4g} s", T) : std::string("none"); };
-  s += fmt::format("    periods without lines and coupling: heave {}, roll {}, pitch {}\n", text(periods[0]),
-                   text(periods[1]), text(periods[2]));
+  s += fmt::format("    periods without lines and coupling: heave {}, roll {}, pitch {}\n",
+                   text(periods.heave), text(periods.roll), text(periods.pitch));
   s += fmt::format("    coefficients of {} frequencies, {:.4g} to {:.4g} s{}\n", data.omega.size(),
                    2 * M_PI / data.omega.back(), 2 * M_PI / data.omega.front(),
                    data.excitation.empty() ? ", no wave forces"
                                            : fmt::format(", wave forces of {} directions",
                                                          data.excitation.front().directions().size()));
+  for (const std::vector<int>& group : radiating_groups(c))
+    if (std::find(group.begin(), group.end(), c.body_index(b.name)) != group.end())
+      s += fmt::format("    memory of the waves that it makes: {:.3g} s\n",
+                       platform_memory(c, group).memory.length());
   return s;
 }
 

@@ -76,15 +76,23 @@ Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& v
 
 double period_of(const NaturalMode& mode) { return 2 * M_PI / std::sqrt(mode.squared); }
 
+// Whether the modes have damping ratios: they come with the added mass of each frequency.
+bool has_platforms(const model::Case& c) {
+  return std::any_of(c.bodies.begin(), c.bodies.end(),
+                     [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; });
+}
+
 std::string row(MPI_Comm comm, const Simulation& sim, int number, const NaturalMode& mode,
                 const Extent& translation, const Extent& rotation) {
   const Mesh& mesh = sim.mesh();
   const bool turns = translation.node < 0;
   const Extent& p = turns ? rotation : translation;
-  const std::string when =
-      mode.squared > kFreeMotion
-          ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
-          : fmt::format("{:>12} {:>14}", mode.squared < -kFreeMotion ? "unstable" : "free", "-");
+  const bool vibrates = mode.squared > kFreeMotion;
+  std::string when =
+      vibrates ? fmt::format("{:>12.5g} {:>14.5g}", period_of(mode), 1 / period_of(mode))
+               : fmt::format("{:>12} {:>14}", mode.squared < -kFreeMotion ? "unstable" : "free", "-");
+  if (has_platforms(sim.model()))
+    when += vibrates ? fmt::format(" {:>13.3g}", mode.damping_ratio) : fmt::format(" {:>13}", "-");
   std::string where = mesh.place(p.node);
   const Carried with = carried(comm, sim, turns ? mode.rotation : mode.shape, p.size);
   if (with.body >= 0 && mesh.nodes[p.node].body < 0) {
@@ -186,8 +194,9 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   const StaticsReport statics = solve_statics(sim, events, progress);
   const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);
   progress.end();
-  std::string table = fmt::format("{:>4} {:>12} {:>14}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",
-                                  "x, y, z there", "largest at");
+  std::string table =
+      fmt::format("{:>4} {:>12} {:>14}{}  {:^17}  {}\n", "mode", "period [s]", "frequency [Hz]",
+                  has_platforms(c) ? " damping ratio" : "", "x, y, z there", "largest at");
   for (size_t i = 0; i < found.size(); ++i)
     table += row(comm, sim, static_cast<int>(i) + 1, found[i], largest(comm, sim.local(), found[i].shape),
                  largest(comm, sim.local(), found[i].rotation));

@@ -1,4 +1,5 @@
-// Stiffness and mass as matrices of free components, and their lowest eigenpairs by shift and invert.
+// Stiffness and mass as matrices of free components, and their lowest eigenpairs by shift and invert; mass
+// and damping of the frequency of each mode.
 #include "hawser/solve/natural_modes.hpp"
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "hawser/base/handle.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/stability.hpp"
+#include "hawser/system/depends_on_frequency.hpp"
 
 namespace hawser {
 namespace {
@@ -103,8 +105,28 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
   }
 }
 
+struct Eigenpair {
+  double squared = 0;  // rad²/s²
+  VecHandle vector;
+  double damping_ratio = 0;
+};
+
+void sort(std::vector<Eigenpair>& pairs) {
+  std::stable_sort(pairs.begin(), pairs.end(),
+                   [](const Eigenpair& a, const Eigenpair& b) { return a.squared < b.squared; });
+}
+
+// By the factors of MUMPS.
+void solve_directly(KSP ksp) {
+  check(KSPSetType(ksp, KSPPREONLY));
+  PC pc = nullptr;
+  check(KSPGetPC(ksp, &pc));
+  check(PCSetType(pc, PCLU));
+  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+}
+
 // Those that converge, of the `count` nearest to the target, lowest first.
-std::vector<NaturalMode> nearest_modes(System& system, const Kinematics& at, Mat K, Mat M, int count) {
+std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, int count) {
   Solver solver;
   check(EPSCreate(system.comm(), solver.out()));
   EPS eps = solver.get();
@@ -120,28 +142,86 @@ std::vector<NaturalMode> nearest_modes(System& system, const Kinematics& at, Mat
   check(STSetType(st, STSINVERT));
   KSP ksp = nullptr;
   check(STGetKSP(st, &ksp));
-  check(KSPSetType(ksp, KSPPREONLY));
-  PC pc = nullptr;
-  check(KSPGetPC(ksp, &pc));
-  check(PCSetType(pc, PCLU));
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  solve_directly(ksp);
   check(EPSSetFromOptions(eps));
   check(EPSSolve(eps));
   PetscInt found = 0;
   check(EPSGetConverged(eps, &found));
-  std::vector<NaturalMode> out;
-  const VecHandle u = system.create_vector();
-  std::vector<double> local;
+  std::vector<Eigenpair> out;
   for (PetscInt i = 0; i < found; ++i) {
-    NaturalMode mode;
-    check(EPSGetEigenpair(eps, i, &mode.squared, nullptr, u.get(), nullptr));
-    system.gather(u.get(), local);
-    move_nodes(system, at, local, mode);
-    out.push_back(std::move(mode));
+    Eigenpair pair;
+    pair.vector = system.create_vector();
+    check(EPSGetEigenpair(eps, i, &pair.squared, nullptr, pair.vector.get(), nullptr));
+    out.push_back(std::move(pair));
   }
-  std::stable_sort(out.begin(), out.end(),
-                   [](const NaturalMode& a, const NaturalMode& b) { return a.squared < b.squared; });
+  sort(out);
   return out;
+}
+
+std::vector<DependsOnFrequency*> frequency_dependent(const System& system) {
+  std::vector<DependsOnFrequency*> out;
+  for (const auto& term : system.terms())
+    if (auto* t = dynamic_cast<DependsOnFrequency*>(term.get())) out.push_back(t);
+  return out;
+}
+
+// u . A u; `work` is overwritten.
+double form(Mat A, Vec u, Vec work) {
+  double out = 0;
+  check(MatMult(A, u, work));
+  check(VecDot(u, work, &out));
+  return out;
+}
+
+// Inverse iteration (Wilkinson 1965, section 9.47) with the mass of the frequency found so far: from the mode
+// of another mass to that of its own, omega = sqrt(u . K u/u . M(omega) u).
+void settle(System& system, const Kinematics& at, Mat K, const std::vector<DependsOnFrequency*>& terms,
+            Eigenpair& pair) {
+  constexpr double kSettled = 1e-9;  // of omega²
+  constexpr double kBeside = 1e-4;   // of omega², from which K - shift M is regular
+  constexpr int kPlain = 10, kMostOften = 60;
+  const auto oscillate = [&](double omega) {
+    for (DependsOnFrequency* t : terms) t->oscillate(omega);
+  };
+  Vec u = pair.vector.get();
+  const VecHandle work = system.create_vector();
+  MatHandle M;
+  for (int i = 0; i < kMostOften && pair.squared > kFreeMotion; ++i) {
+    oscillate(std::sqrt(pair.squared));
+    M = symmetric(system, at, {0, 0, 1}, 0);
+    MatHandle shifted;
+    check(MatDuplicate(K, MAT_COPY_VALUES, shifted.out()));
+    const double beside = form(K, u, work.get()) / form(M.get(), u, work.get()) * (1 - kBeside);
+    check(MatAXPY(shifted.get(), -beside, M.get(), DIFFERENT_NONZERO_PATTERN));
+    KspHandle ksp;
+    check(KSPCreate(system.comm(), ksp.out()));
+    check(KSPSetOperators(ksp.get(), shifted.get(), shifted.get()));
+    solve_directly(ksp.get());
+    check(MatMult(M.get(), u, work.get()));
+    check(KSPSolve(ksp.get(), work.get(), u));
+    check(VecNormalize(u, nullptr));
+    const double before = pair.squared;
+    pair.squared = form(K, u, work.get()) / form(M.get(), u, work.get());
+    if (std::abs(pair.squared - before) < kSettled * pair.squared) break;
+    // Where the mass changes so fast that omega goes to and fro.
+    if (i > kPlain) pair.squared = 0.5 * (pair.squared + before);
+  }
+  if (M) {
+    const MatHandle C = symmetric(system, at, {0, 1, 0}, 0);
+    pair.damping_ratio =
+        form(C.get(), u, work.get()) / (2 * std::sqrt(std::abs(pair.squared)) * form(M.get(), u, work.get()));
+  }
+  oscillate(0);
+}
+
+NaturalMode mode_of(const System& system, const Kinematics& at, const Eigenpair& pair) {
+  NaturalMode mode;
+  mode.squared = pair.squared;
+  mode.damping_ratio = pair.damping_ratio;
+  std::vector<double> local;
+  system.gather(pair.vector.get(), local);
+  move_nodes(system, at, local, mode);
+  return mode;
 }
 
 // How many eigenvalues of K - lambda M lie below `squared`, by Sylvester's law of inertia (Parlett 1980,
@@ -154,15 +234,14 @@ int eigenvalues_below(Mat K, Mat M, double squared) {
 }
 
 // Whether between the target and the first gap behind the `count` lowest of these modes there are no others.
-bool complete(Mat K, Mat M, const std::vector<NaturalMode>& modes, size_t count) {
+bool complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count) {
   size_t last = count - 1;
   const auto gap = [&](size_t i) { return modes[i + 1].squared - modes[i].squared; };
   while (last + 1 < modes.size() && !(gap(last) > kGap * std::abs(modes[last + 1].squared))) ++last;
   if (last + 1 >= modes.size()) return false;
   const double end = modes[last].squared + 0.5 * gap(last);
-  const auto found = std::count_if(modes.begin(), modes.end(), [&](const NaturalMode& m) {
-    return m.squared > kTarget && m.squared < end;
-  });
+  const auto found = std::count_if(
+      modes.begin(), modes.end(), [&](const Eigenpair& m) { return m.squared > kTarget && m.squared < end; });
   const int above = eigenvalues_below(K, M, end), below = eigenvalues_below(K, M, kTarget);
   return above < 0 || below < 0 || found >= above - below;
 }
@@ -180,7 +259,7 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
   // A Krylov space meets each direction of a repeated eigenvalue, of equal lines, by rounding only: some may
   // be missing at first.
   for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
-    std::vector<NaturalMode> modes = nearest_modes(system, at, K.get(), M.get(), static_cast<int>(ask));
+    std::vector<Eigenpair> modes = nearest_modes(system, K.get(), M.get(), static_cast<int>(ask));
     const size_t wanted = count;
     if (modes.size() < wanted)
       throw SolveError("modes: {} of {} eigenvalues have converged: ask for fewer", modes.size(), count);
@@ -191,7 +270,13 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
       continue;
     }
     modes.resize(wanted);
-    return modes;
+    if (const auto terms = frequency_dependent(system); !terms.empty()) {
+      for (Eigenpair& pair : modes) settle(system, at, K.get(), terms, pair);
+      sort(modes);
+    }
+    std::vector<NaturalMode> out;
+    for (const Eigenpair& pair : modes) out.push_back(mode_of(system, at, pair));
+    return out;
   }
 }
 

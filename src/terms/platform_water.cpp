@@ -120,7 +120,8 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
     if (p.waves.none()) continue;
     const Vec3 origin = p.potential.place + p.potential.axes * p.file_origin;
     const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
-    now.waves.segment<6>(6 * static_cast<Eigen::Index>(i)) = ramp * f.first + ramp * ramp * f.slow;
+    now.waves.segment<6>(6 * static_cast<Eigen::Index>(i)) =
+        ramp * f.first + ramp * ramp * f.slow + p.waves.mean_drift();
   }
   return now;
 }
@@ -173,17 +174,23 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       const AtTime& now = at_time(g, trial.time);
       damping(g, now, rate, F, assembler.wants_tangent() ? &by_rate : nullptr);
       F -= now.waves;
+    } else {
+      for (size_t i = 0; i < n; ++i) F.segment<6>(6 * i) -= g.platforms[i].waves.mean_drift();
+      if (g.harmonic_damping.size() > 0) by_rate = g.harmonic_damping;
     }
     F += g.added_mass * acceleration;
     for (size_t i = 0; i < n; ++i) {
       const Platform& p = g.platforms[i];
       const int blocks[2] = {p.block, p.block + 1};
-      PlatformPull pull = platform_pull(p.potential, p.arm, floating_state(trial, p.local));
+      const RigidBodyState s = floating_state(trial, p.local);
+      const PlatformPull still = hydrostatic_pull(p.hydrostatics, p.arm, s);
+      const PlatformPull added = platform_pull(p.potential, p.arm, s);
       const Vec6 own = F.segment<6>(6 * static_cast<Eigen::Index>(i));
       const Vec6 f = motion[i].G.transpose() * own;
-      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
-      pull.K += platform_force_slope(motion[i], p.arm, own);
-      assembler.add(blocks, pull.f.data(), pull.K.data(), nullptr, nullptr);
+      const Mat6 slope = platform_force_slope(motion[i], p.arm, own);
+      assembler.add(blocks, f.data(), slope.data(), nullptr, nullptr);
+      assembler.add(blocks, still.f.data(), still.K.data(), nullptr, nullptr);
+      assembler.add(blocks, added.f.data(), added.K.data(), nullptr, nullptr);
       if (!assembler.wants_tangent()) continue;
       for (size_t j = 0; j < n; ++j) {
         const Mat6 A = motion[i].G.transpose() * g.added_mass.block<6, 6>(6 * i, 6 * j);
@@ -245,7 +252,9 @@ Energy PlatformWater::energy(const Kinematics& at) const {
       if (!p.owned) continue;
       const auto first = 6 * static_cast<Eigen::Index>(i);
       e.kinetic += 0.5 * rate.segment<6>(first).dot(momentum.segment<6>(first));
-      e.potential += platform_pull(p.potential, p.arm, floating_state(at, p.local)).potential;
+      const RigidBodyState s = floating_state(at, p.local);
+      e.potential += hydrostatic_pull(p.hydrostatics, p.arm, s).potential;
+      e.potential += platform_pull(p.potential, p.arm, s).potential;
       e.damping += p.damping_work;
       e.work += p.wave_work;
       e.by_water += p.wave_work;
@@ -258,7 +267,7 @@ double PlatformWater::dead_load() const {
   double sum = 0;
   for (const Group& g : groups_)
     for (const Platform& p : g.platforms)
-      if (p.owned) sum += p.buoyancy;
+      if (p.owned) sum += p.hydrostatics.buoyancy;
   return sum;
 }
 
@@ -271,8 +280,10 @@ double PlatformWater::round_off(const Kinematics& at, double h) const {
       const Platform& p = g.platforms[i];
       if (!p.owned) continue;
       const auto first = 6 * static_cast<Eigen::Index>(i);
-      const double stiffness = p.potential.stiffness.topLeftCorner<3, 3>().diagonal().maxCoeff();
-      const double turning = p.potential.stiffness.bottomRightCorner<3, 3>().diagonal().maxCoeff();
+      Vec6 stiff = p.potential.stiffness.diagonal();
+      stiff.segment<3>(2) += p.hydrostatics.stiffness.diagonal();
+      const double stiffness = stiff.head<3>().maxCoeff();
+      const double turning = stiff.tail<3>().maxCoeff();
       sum += std::pow(4 * eps * stiffness * at.x[p.local].norm(), 2) + std::pow(4 * eps * turning, 2);
       if (!(h > 0)) continue;
       const double mass = g.added_mass.block<3, 3>(first, first).diagonal().maxCoeff();

@@ -1,20 +1,14 @@
 // What the class PlatformWater is made of: groups of bodies by their files, stiffness and buoyancy of each.
-#include <algorithm>
-#include <cmath>
+#include <utility>
 
+#include "hawser/kernels/table_places.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/model/platform_memory.hpp"
 #include "hawser/terms/platform_water.hpp"
 
 namespace hawser {
-namespace {
-
-// Entries of the damping matrix below this share of those on the diagonal are none.
-constexpr double kNoEntry = 1e-6;
-
-}  // namespace
-
 PlatformWater::PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh)
     : comm_(comm), mesh_(mesh), sea_(sea_of(c)) {
   for (const std::vector<int>& bodies : model::radiating_groups(c)) add_group(c, bodies);
@@ -33,10 +27,12 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.potential.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
   const model::Hydrostatics still = model::hydrostatics(m, sea_.density, sea_.gravity);
-  p.buoyancy = still.buoyancy;
-  p.potential.stiffness = still.stiffness + h.stiffness;
-  p.potential.constant << 0, 0, -1, -still.arm_y, still.arm_x, 0;
-  p.potential.constant *= still.buoyancy;
+  p.potential.stiffness = h.stiffness;
+  p.hydrostatics.stiffness = still.stiffness.block<3, 3>(2, 2);
+  p.hydrostatics.level = p.potential.place.z();
+  p.hydrostatics.buoyancy = still.buoyancy;
+  p.hydrostatics.arm_x = still.arm_x;
+  p.hydrostatics.arm_y = still.arm_y;
   p.damping = h.damping;
   p.quadratic = h.quadratic_damping;
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
@@ -45,36 +41,40 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   if (h.excitation && !sea_.waves.none())
     p.waves = PlatformWaves(sea_.waves.components(), heading, of_body(h.data->excitation),
                             of_body(h.data->drift), h.data->difference, h.second_order);
-  p.potential.constant -= p.waves.mean_drift();
   return p;
 }
 
 void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodies) {
   Group g;
-  std::vector<int> rows;  // of the files' matrices
-  for (const int body : bodies) {
-    g.platforms.push_back(platform(c, body));
-    for (int k = 0; k < 6; ++k) rows.push_back(6 * (c.bodies[body].mass->hydrodynamics->body - 1) + k);
-  }
-  const model::HydrodynamicData& data = *c.bodies[bodies.front()].mass->hydrodynamics->data;
-  g.added_mass = data.infinite(rows, rows);
-  const size_t n = rows.size(), frequencies = data.omega.size();
-  const auto most = [&](size_t i, size_t j) {
-    double largest = 0;
-    for (const Eigen::MatrixXd& B : data.damping) largest = std::max(largest, std::abs(B(rows[i], rows[j])));
-    return largest;
-  };
-  for (size_t i = 0; i < n; ++i)
-    for (size_t j = i; j < n; ++j)
-      if (most(i, j) > kNoEntry * std::sqrt(most(i, i) * most(j, j)))
-        g.entries.emplace_back(static_cast<int>(i), static_cast<int>(j));
-  Eigen::MatrixXd damping(frequencies, g.entries.size());
-  for (size_t k = 0; k < frequencies; ++k)
-    for (size_t e = 0; e < g.entries.size(); ++e)
-      damping(static_cast<int>(k), static_cast<int>(e)) = data.damping[k](
-          rows[static_cast<size_t>(g.entries[e].first)], rows[static_cast<size_t>(g.entries[e].second)]);
-  if (!g.entries.empty()) g.memory = RadiationMemory(data.omega, damping);
+  for (const int body : bodies) g.platforms.push_back(platform(c, body));
+  g.data = c.bodies[bodies.front()].mass->hydrodynamics->data;
+  model::PlatformMemory waves = model::platform_memory(c, bodies);
+  g.rows = std::move(waves.rows);
+  g.entries = std::move(waves.entries);
+  g.memory = std::move(waves.memory);
+  g.added_mass = g.data->infinite(g.rows, g.rows);
   groups_.push_back(std::move(g));
+}
+
+void PlatformWater::oscillate(double omega) {
+  for (Group& g : groups_) {
+    const model::HydrodynamicData& data = *g.data;
+    if (!(omega > 0)) {
+      g.added_mass = data.infinite(g.rows, g.rows);
+      g.harmonic_damping.resize(0, 0);
+      continue;
+    }
+    const auto [low, high, share] = frequency_place(data.omega, omega);
+    const auto between = [&, low = low, high = high, share = share](const std::vector<Eigen::MatrixXd>& of) {
+      return Eigen::MatrixXd((1 - share) * of[low](g.rows, g.rows) + share * of[high](g.rows, g.rows));
+    };
+    g.added_mass = between(data.added_mass);
+    g.harmonic_damping = between(data.damping);
+    if (omega < data.omega.front()) g.harmonic_damping *= omega / data.omega.front();
+    if (omega > data.omega.back()) g.harmonic_damping.setZero();
+    for (size_t i = 0; i < g.platforms.size(); ++i)
+      g.harmonic_damping.block<6, 6>(6 * i, 6 * i) += g.platforms[i].damping;
+  }
 }
 
 }  // namespace hawser

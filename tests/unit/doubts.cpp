@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -361,6 +362,48 @@ TEST(Doubts, RotationsOfATurnedBody) {
   expect_doubt(turned("30", table), "bodies.vessel.motion.table: turns the body about (1, 0, 0) in space");
   EXPECT_EQ(notes(turned("0", roll)), std::vector<std::string>{});
   EXPECT_EQ(notes(turned("90", yaw)), std::vector<std::string>{});
+}
+
+// A body that moves by its own equations gives way to a line that is too short.
+TEST(Doubts, NoTensionOfALineToABodyThatGivesWay) {
+  const Changes shorter = {{"length: 760", "length: 715"},
+                           {"{motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",
+                            "{floating: {mass: 1e6, inertia: [1e8, 1e8, 1e8]}}"}};
+  for (const std::string& note : notes(shorter))
+    EXPECT_EQ(note.find("means a tension"), std::string::npos) << note;
+}
+
+// Notes of a hemisphere of 5 m by its coefficients, with wave forces of 5 and 6 s.
+std::vector<std::string> notes_of_platform(const std::string& environment, const std::string& inertia) {
+  const fs::path folder = fs::path(testing::TempDir()) / "hawser_doubts_platform";
+  fs::create_directories(folder);
+  for (const char* ending : {"1", "hst"})
+    fs::copy_file(std::string(HAWSER_SOURCE_DIR "/tests/data/hemisphere.") + ending,
+                  folder / (std::string("float.") + ending), fs::copy_options::overwrite_existing);
+  std::ofstream(folder / "float.3") << "5 0 3 1 0 1 0\n6 0 3 1 0 1 0\n";
+  const std::string text = "hawser: 1\nenvironment: {gravity: 9.81, water: {density: 1000, depth: 100}" +
+                           environment +
+                           "}\nbodies:\n  float: {floating: {mass: 261800, inertia: " + inertia +
+                           ", hydrodynamics: {wamit: " + (folder / "float").string() +
+                           ", length_scale: 5}}}\nstatics: false\ndynamics: {duration: 20}\n";
+  return advice::input_notes(io::read_case_text(text, "float.yaml", {}, MPI_COMM_SELF));
+}
+
+TEST(Doubts, Platforms) {
+  const std::string sphere = "[2.6e6, 2.6e6, 2.6e6]";
+  EXPECT_EQ(notes_of_platform("", sphere), std::vector<std::string>{});
+  const auto expect = [](const std::vector<std::string>& found, const std::string& part) {
+    ASSERT_EQ(found.size(), 1U) << part << "\n" << testing::PrintToString(found);
+    EXPECT_NE(found.front().find(part), std::string::npos) << part << "\n" << found.front();
+  };
+  expect(notes_of_platform("", "[1e6, 2e6, 3.03e6]"),
+         "bodies.float.floating.inertia: the largest principal moment, 3.03e+06 kg m², is 1 % above");
+  expect(notes_of_platform(", current: {speed: 1}", sphere),
+         "bodies.float.floating.hydrodynamics: the current acts on lines and not on this body");
+  EXPECT_EQ(notes_of_platform(", waves: {regular: {height: 0.1, period: 5}}", sphere),
+            std::vector<std::string>{});
+  expect(notes_of_platform(", waves: {stokes: {height: 0.1, period: 5}}", sphere),
+         "bodies.float.floating.hydrodynamics: its coefficients are those of linear waves");
 }
 
 // 1154 kN and three elements of chain of 33 kN press on 100 kN/m³ times 0.25 m over 2 sqrt(H/k) = 15 m, with

@@ -1,9 +1,10 @@
-// The longest automatic step from tables of motion, and of bodies that swing freely.
+// The longest automatic step from tables of motion, of bodies that swing or spin freely, and of platforms.
 #include "hawser/model/longest_step.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace hawser::longest_step_test {
@@ -132,6 +133,42 @@ TEST(LongestStep, OfALoadOnARope) {
   crane.name = "crane";
   crane.motion = heave;
   EXPECT_NEAR(model::longest_step(c).length, 0.3, 1e-9);
+}
+
+// Nothing drives it: a sixtieth of the shortest period of heave, roll and pitch, here roll with
+// (J + A44)/(C44 - m g zG).
+TEST(LongestStep, OfAPlatformResolvesItsPeriods) {
+  const auto data = std::make_shared<model::HydrodynamicData>();
+  data->omega = {0.5, 1};
+  data->infinite = Eigen::MatrixXd::Identity(6, 6);
+  data->infinite(2, 2) = 5e5;
+  data->infinite(3, 3) = 4e6;
+  data->added_mass = {data->infinite, data->infinite};
+  data->hydrostatic = Eigen::MatrixXd::Zero(6, 6);
+  data->hydrostatic(2, 2) = 1e5;
+  data->hydrostatic(3, 3) = 6e7;
+  data->hydrostatic(4, 4) = 2e7;
+  model::Case c;
+  c.dynamics.duration = 1e5;
+  c.output.every = 1e4;
+  c.environment.gravity = 10;
+  model::BodyMass& m = c.bodies.emplace_back().mass.emplace();
+  m.mass = 1e6;
+  m.centre = {0, 0, 1};
+  m.inertia = {1e7, 3e7, 3e7};
+  m.hydrodynamics.emplace().data = data;
+  const double period = 2 * M_PI * std::sqrt((1e7 + 1e6 + 4e6) / (6e7 - 1e7));
+  EXPECT_NEAR(model::longest_step(c).length, period / 60, 1e-9);
+}
+
+TEST(LongestStep, OfASpinIsAHundredthOfATurn) {
+  model::Case c;
+  c.dynamics.duration = 1e5;
+  c.output.every = 1e4;
+  model::BodyMass& m = c.bodies.emplace_back().mass.emplace();
+  m.mass = 2;
+  m.angular_velocity = {0, 0, -60};
+  EXPECT_NEAR(model::longest_step(c).length, 2 * M_PI / 60 / 100, 1e-12);
 }
 
 }  // namespace

@@ -35,7 +35,6 @@ PlatformPotential potential() {
   V.place = Vec3(0.1, 0.4, -0.2);
   const Mat6 half = Mat6::Random();
   V.stiffness = half * half.transpose() + 3 * Mat6::Identity();
-  V.constant << 1, -2, -30, 4, 5, 0.5;
   return V;
 }
 

@@ -62,6 +62,24 @@ TEST(RadiationMemory, IntegralsAreThoseOfTheRetardation) {
   EXPECT_EQ(G[0], later[0]);
 }
 
+// A harmonic motion has the damping omega int_0^length G' sin(omega t) dt by the memory. Far below the peak,
+// at 0.4 % of it, a memory that ends where K is 0.1 % of K(0) gives 4 % too much.
+TEST(RadiationMemory, IsLongEnoughForLittleDamping) {
+  const auto B = [](double omega) { return std::pow(omega, 4) * std::exp(-2 * omega); };
+  std::vector<double> omega;
+  for (int k = 1; k < 400; ++k) omega.push_back(0.02 * k);
+  Eigen::MatrixXd damping(omega.size(), 1);
+  for (size_t k = 0; k < omega.size(); ++k) damping(static_cast<int>(k), 0) = B(omega[k]);
+  const RadiationMemory m(omega, damping);
+  const double h = 0.01, slow = 0.2;
+  double found = 0, G = 0, rate = 0;
+  for (double t = 0.5 * h; t < m.length(); t += h) {
+    m.integrals(t, &G, &rate);
+    found += h * slow * std::sin(slow * t) * rate;
+  }
+  EXPECT_NEAR(found, B(slow), 0.02 * B(slow));
+}
+
 TEST(RadiationMemory, RefusesFrequenciesThatDoNotGrow) {
   EXPECT_THROW(RadiationMemory({1, 1}, Eigen::MatrixXd::Ones(2, 1)), std::invalid_argument);
   EXPECT_THROW(RadiationMemory({0, 1}, Eigen::MatrixXd::Ones(2, 1)), std::invalid_argument);

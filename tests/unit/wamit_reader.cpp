@@ -116,6 +116,17 @@ TEST_F(WamitReader, RefusesWithFileAndLine) {
   EXPECT_NE(refusal().find("body.1: there is no such file"), std::string::npos) << refusal();
 }
 
+TEST_F(WamitReader, NamesThePeriodOfSkewAddedMass) {
+  std::string text = "0 1 1 0.5\n0 2 2 0.5\n";
+  for (const char* period : {"6.283185307179586", "3.141592653589793"})
+    for (const char* entry : {" 1 1 0.5 1", " 2 2 0.5 1"}) text += std::string(period) + entry + "\n";
+  text += "3.141592653589793 1 2 0.1 0\n3.141592653589793 2 1 0.2 0\n";
+  write(".1", text);
+  read();
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("by up to 20 % of the diagonal, at 3.142 s"), std::string::npos) << notes[0];
+}
+
 // Damping (1, 2; 2, 1) has the eigenvalues 3 and -1, of which the second is left out: (1.5, 1.5; 1.5, 1.5).
 TEST_F(WamitReader, LeavesOutNegativeDamping) {
   std::string text = "0 1 1 0.5\n0 2 2 0.5\n";

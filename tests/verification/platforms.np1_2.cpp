@@ -9,6 +9,7 @@
 #include "hawser/base/gather.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
+#include "hawser/solve/natural_modes.hpp"
 #include "verification/dynamics_rig.hpp"
 
 namespace hawser::test::platforms {
@@ -212,6 +213,75 @@ bodies:
   const double pitch = of([&](size_t n) { return log_so3(s.state().q[n]).y(); });
   EXPECT_NEAR(middle - 2 * std::cos(pitch), -2000.0 / 2e6, 1e-8);
   EXPECT_NEAR(pitch, 2000 * 10 / (4e7 - 1e6 * 10 * 2), 1e-8);
+}
+
+// A ship with its centre of mass and its buoyancy ahead of its origin, turned by a moment on a spring: it
+// neither heels nor trims.
+TEST(Platforms, ShipYawsUpright) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "hawser_platform_yaw";
+  const std::string stem = (folder / "ship").string();
+  if (rank_of(PETSC_COMM_WORLD) == 0) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";
+    // V x_B = 1000 m³ 4 m.
+    std::ofstream(stem + ".hst") << "3 3 200\n3 5 -800\n5 3 -800\n4 4 900\n5 5 20000\n4 6 -4000\n";
+  }
+  MPI_Barrier(PETSC_COMM_WORLD);
+  const std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000}}}}
+bodies:
+  ship:
+    floating:
+      mass: 1e6
+      centre_of_mass: [4, 0, 2]
+      inertia: [1e8, 1e9, 1e9]
+      hydrodynamics:
+        wamit: {}
+        stiffness: [[1e6, 0, 0, 0, 0, 0], [0, 1e6, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0],
+                    [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e8]]
+      loads: [{{moment: [0, 0, 1e8]}}]
+)",
+                                       stem);
+  const model::Case c = io::read_case_text(text, testing::TempDir() + "ship.yaml");
+  Simulation s(PETSC_COMM_WORLD, c);
+  s.solve_statics();
+  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(of([&](size_t n) { return log_so3(s.state().q[n])[k]; }), k == 2 ? 1 : 0, 1e-10) << k;
+}
+
+// A float of 1000 kg with A = 800 - 300 omega, B = 50 omega and C chosen so that omega = 0.8:
+// C = omega² (m + A), zeta = B/(2 omega (m + A)).
+TEST(Platforms, ModesHaveTheAddedMassOfTheirFrequency) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "hawser_platform_modes";
+  const std::string stem = (folder / "float").string();
+  constexpr double kOmega = 0.8, kMoving = 1000 + 800 - 300 * kOmega;
+  if (rank_of(PETSC_COMM_WORLD) == 0) {
+    std::filesystem::create_directories(folder);
+    std::ofstream radiation(stem + ".1"), stiffness(stem + ".hst");
+    radiation << "0 3 3 0.2\n";
+    for (const double omega : {0.4, 1.2})
+      radiation << fmt::format("{:.17g} 3 3 {:.17g} {:.17g}\n", 2 * M_PI / omega, (800 - 300 * omega) / 1000,
+                               0.05);
+    stiffness << fmt::format("3 3 {:.17g}\n4 4 0.4\n5 5 0.5\n", kOmega * kOmega * kMoving / 1e4);
+  }
+  MPI_Barrier(PETSC_COMM_WORLD);
+  const std::string text = fmt::format(R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000}}}}
+bodies:
+  float: {{floating: {{mass: 1000, inertia: [400, 400, 400], hydrodynamics: {{wamit: {}}}}}}}
+)",
+                                       stem);
+  Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "float.yaml"));
+  s.solve_statics();
+  bool found = false;
+  for (const NaturalMode& mode : hawser::natural_modes(s.system(), s.state().view(0), 6)) {
+    if (mode.squared < kFreeMotion || mode.squared > 5) continue;  // drift and yaw; roll and pitch
+    found = true;
+    EXPECT_NEAR(mode.squared, kOmega * kOmega, 1e-8);
+    EXPECT_NEAR(mode.damping_ratio, 50 * kOmega / (2 * kOmega * kMoving), 1e-8);
+  }
+  EXPECT_TRUE(found);
 }
 
 }  // namespace

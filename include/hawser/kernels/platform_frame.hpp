@@ -24,14 +24,12 @@ Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s);
 Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F);
 
 // Forces with a potential of the displacement xi = (H^T (p - place), log(H^T R)):
-//   V = xi . C xi / 2 + xi . constant
-// C: N/m, N, N m/rad, symmetric; constant: N, N m. On the unknowns they act as P^T (C xi + constant), with
-// P = d xi / d (x, rotation).
+//   V = xi . C xi / 2
+// C: N/m, N, N m/rad, symmetric. On the unknowns they act as P^T C xi, with P = d xi / d (x, rotation).
 struct PlatformPotential {
   Mat3 axes = Mat3::Identity();  // H
   Vec3 place = Vec3::Zero();     // m, of the point where xi = 0
   Mat6 stiffness = Mat6::Zero();
-  Vec6 constant = Vec6::Zero();
 };
 struct PlatformPull {
   double potential = 0;   // J

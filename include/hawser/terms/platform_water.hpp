@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "hawser/kernels/platform_frame.hpp"
+#include "hawser/kernels/platform_hydrostatics.hpp"
 #include "hawser/kernels/platform_waves.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/model/hydrodynamic_data.hpp"
+#include "hawser/system/depends_on_frequency.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/sea.hpp"
 
@@ -19,7 +22,10 @@ namespace hawser {
 
 // Bodies that have coefficients of the same files are one group and radiate on each other. Every rank that
 // owns one of a group computes all of it; the owner of a body counts its energy.
-class PlatformWater final : public ForceTerm, public CouplesNodes, public ScalesResiduals {
+class PlatformWater final : public ForceTerm,
+                            public CouplesNodes,
+                            public ScalesResiduals,
+                            public DependsOnFrequency {
  public:
   PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
@@ -33,6 +39,9 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
+  // Added mass and damping of the rows next to it, straight between them; B = 0 at omega = 0 and beyond the
+  // last row.
+  void oscillate(double omega) override;
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;
   // Collective: a rank has the records of its own bodies, and needs the velocities of all of a group.
@@ -47,12 +56,12 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
     int node = 0, local = -1, block = -1;  // of the mesh; local ones
     bool owned = false;
     Vec3 arm = Vec3::Zero();  // m, body's origin from the centre of mass, body axes
-    PlatformPotential potential;
+    PlatformHydrostatics hydrostatics;
+    PlatformPotential potential;  // of the stiffness that is added
     Mat6 damping = Mat6::Zero();
     Vec6 quadratic = Vec6::Zero();
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
-    double buoyancy = 0;              // N
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
     Power power;                             // of the last accepted state
   };
@@ -73,7 +82,10 @@ class PlatformWater final : public ForceTerm, public CouplesNodes, public Scales
     std::vector<Platform> platforms;
     std::vector<std::pair<int, int>> entries;  // rows and columns of what `memory` has, row <= column
     RadiationMemory memory;
-    Eigen::MatrixXd added_mass;
+    Eigen::MatrixXd added_mass;        // as `oscillate` has chosen it
+    Eigen::MatrixXd harmonic_damping;  // of that frequency; empty: time integration
+    std::shared_ptr<const model::HydrodynamicData> data;
+    std::vector<int> rows;  // of the data's matrices
     std::deque<Past> past;
     bool here = false;  // this rank owns one of its bodies
     mutable AtTime now;

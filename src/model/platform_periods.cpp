@@ -1,0 +1,46 @@
+// Periods of heave, roll and pitch with the added mass of their own frequency.
+#include "hawser/model/platform_periods.hpp"
+
+#include <cmath>
+
+#include "hawser/kernels/table_places.hpp"
+#include "hawser/model/platform.hpp"
+
+namespace hawser::model {
+namespace {
+
+// Between the rows; beyond them as there.
+double added_mass(const HydrodynamicData& data, int mode, double omega) {
+  const auto [low, high, share] = frequency_place(data.omega, omega);
+  return (1 - share) * data.added_mass[low](mode, mode) + share * data.added_mass[high](mode, mode);
+}
+
+double period(const HydrodynamicData& data, int mode, double mass, double stiffness) {
+  if (!(stiffness > 0)) return 0;
+  double omega = std::sqrt(stiffness / (mass + data.infinite(mode, mode)));
+  constexpr int kIterations = 50;
+  for (int i = 0; i < kIterations; ++i)
+    omega = 0.5 * (omega + std::sqrt(stiffness / (mass + added_mass(data, mode, omega))));
+  return 2 * M_PI / omega;
+}
+
+}  // namespace
+
+PlatformPeriods platform_periods(const Case& c, const Body& b) {
+  const BodyMass& m = *b.mass;
+  const BodyHydrodynamics& h = *m.hydrodynamics;
+  const Hydrostatics still = hydrostatics(m, c.environment.water.density, c.environment.gravity);
+  const double by_weight = m.mass * c.environment.gravity * m.centre.z();
+  const Mat3 inertia = m.tensor();
+  const Vec3 square = m.mass * m.centre.cwiseAbs2();
+  const int first = 6 * (h.body - 1);
+  PlatformPeriods out;
+  out.heave = period(*h.data, first + 2, m.mass, still.stiffness(2, 2));
+  out.roll =
+      period(*h.data, first + 3, inertia(0, 0) + square.y() + square.z(), still.stiffness(3, 3) - by_weight);
+  out.pitch =
+      period(*h.data, first + 4, inertia(1, 1) + square.x() + square.z(), still.stiffness(4, 4) - by_weight);
+  return out;
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,98 @@
+// Hydrostatics of a platform by heave and tilt: the gradient of the potential, its tangent, and yaw.
+#include "hawser/kernels/platform_hydrostatics.hpp"
+
+#include <gtest/gtest.h>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser::platform_hydrostatics_test {
+namespace {
+
+const Vec3 kArm(-3.9, 0.4, -2.5);
+
+PlatformHydrostatics hydrostatics() {
+  PlatformHydrostatics V;
+  V.stiffness << 9, -1, 20, -1, 70, 3, 20, 3, 900;
+  V.level = -0.2;
+  V.buoyancy = 30;
+  V.arm_x = 3.9;
+  V.arm_y = -0.4;
+  return V;
+}
+
+// A body of which the rotation is `tilt` and then a turn about the vertical.
+RigidBodyState state(const Vec3& tilt, double yaw, const Vec6& by = Vec6::Zero()) {
+  RigidBodyState s;
+  s.x = Vec3(0.3, -0.2, 0.5) + by.head<3>();
+  s.q = exp_so3(yaw * Vec3::UnitZ()) * exp_so3(tilt) * exp_so3(by.tail<3>());
+  return s;
+}
+
+template <class F>
+auto slope(F f, const Vec6& d) {
+  const double e = 1e-3;
+  return ((8 * (f(e * d) - f(-e * d)) - (f(2 * e * d) - f(-2 * e * d))) / (12 * e)).eval();
+}
+
+// Upright, on both sides of where the series of alpha/sin alpha ends (0.451 rad), and beyond a right angle.
+TEST(PlatformHydrostatics, PullIsTheGradientOfItsPotentialWithItsTangent) {
+  const PlatformHydrostatics V = hydrostatics();
+  for (const Vec3& tilt : {Vec3(0, 0, 0), Vec3(0.05, -0.1, 0), Vec3(0.44, 0.05, 0), Vec3(0.2, 0.42, 0),
+                           Vec3(-0.9, 0.6, 0), Vec3(1, 1.5, 0)}) {
+    const double yaw = 2.2;
+    const PlatformPull pull = hydrostatic_pull(V, kArm, state(tilt, yaw));
+    using One = Eigen::Matrix<double, 1, 1>;
+    for (int k = 0; k < 6; ++k) {
+      const Vec6 d = Vec6::Unit(k);
+      const auto potential = [&](const Vec6& u) {
+        return One(hydrostatic_pull(V, kArm, state(tilt, yaw, u)).potential);
+      };
+      const auto force = [&](const Vec6& u) { return hydrostatic_pull(V, kArm, state(tilt, yaw, u)).f; };
+      EXPECT_NEAR(pull.f.dot(d), slope(potential, d)[0], 1e-7) << tilt.transpose() << ", " << k;
+      EXPECT_LT((pull.K * d - slope(force, d)).norm(), 1e-7) << tilt.transpose() << ", " << k;
+    }
+  }
+}
+
+// A tilt alone costs what a stiffness by the rotation vector costs.
+TEST(PlatformHydrostatics, TiltIsTheRotationVector) {
+  const PlatformHydrostatics V = hydrostatics();
+  for (const Vec3& tilt : {Vec3(0.1, -0.2, 0), Vec3(0.7, 1.1, 0)}) {
+    const RigidBodyState s = state(tilt, 0);
+    const Vec3 O = s.x + s.q * kArm;
+    const Vec3 eta(O.z() - V.level, tilt.x(), tilt.y());
+    const double buoy = (O + s.q * Vec3(V.arm_x, V.arm_y, 0)).z() - V.level;
+    const double expected = 0.5 * eta.dot(V.stiffness * eta) - V.buoyancy * buoy;
+    EXPECT_NEAR(hydrostatic_pull(V, kArm, s).potential, expected, 1e-12 * std::abs(expected));
+  }
+}
+
+// Forces turn with the body, and none turns it about the vertical.
+TEST(PlatformHydrostatics, YawIsFree) {
+  const PlatformHydrostatics V = hydrostatics();
+  const Vec3 tilt(0.2, -0.3, 0);
+  const PlatformPull straight = hydrostatic_pull(V, kArm, state(tilt, 0));
+  for (const double yaw : {0.5, 1.5, 3.0, -2.5}) {
+    const RigidBodyState s = state(tilt, yaw);
+    const PlatformPull turned = hydrostatic_pull(V, kArm, s);
+    EXPECT_NEAR(turned.potential, straight.potential, 1e-12 * std::abs(straight.potential));
+    EXPECT_LT((turned.f - straight.f).norm(), 1e-12 * straight.f.norm());
+    const Vec3 moment = s.q * Vec3(turned.f.tail<3>());  // about the centre of mass
+    EXPECT_NEAR(moment.z(), 0, 1e-12 * moment.norm());
+  }
+}
+
+// Upright under its centre of mass buoyancy has no moment, at any yaw.
+TEST(PlatformHydrostatics, OffsetBuoyancyTurnsWithTheBody) {
+  PlatformHydrostatics V = hydrostatics();
+  for (const double yaw : {0.0, 1.0, 2.0, 3.0}) {
+    const RigidBodyState s = state(Vec3::Zero(), yaw);
+    V.level = s.x.z() + kArm.z();
+    const PlatformPull pull = hydrostatic_pull(V, kArm, s);
+    EXPECT_NEAR(pull.f[2], -V.buoyancy, 1e-12);
+    EXPECT_LT(pull.f.tail<3>().norm(), 1e-12);
+  }
+}
+
+}  // namespace
+}  // namespace hawser::platform_hydrostatics_test
