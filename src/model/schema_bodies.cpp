@@ -135,6 +135,9 @@ Key six_by_six(const char* name, Mat6 BodyHydrodynamics::*matrix, std::string ab
 
 Key body_hydrodynamics() {
   using H = BodyHydrodynamics;
+  const auto by_freedom = [](H& h, const Value& v) {
+    for (int i = 0; i < 6; ++i) h.quadratic_damping[i] = v.items[i].number;
+  };
   return map(
       {"hydrodynamics", &BodyMass::hydrodynamics},
       {text({"wamit", &H::wamit},
@@ -172,7 +175,7 @@ Key body_hydrodynamics() {
        six_by_six("damping", &H::damping,
                   "linear damping added about the body's origin: six rows of six, N s/m, N s, N m s"),
        list(
-           {"quadratic_damping", &H::quadratic_damping}, number("", none, at_least(0)),
+           {"quadratic_damping", by<H>(by_freedom)}, number("", none, at_least(0)),
            "for each of the six velocities v of its origin the force is this times |v| v: N s²/m² and N m s²",
            items(6, 6))},
       "the sea acts on it by the coefficients of a diffraction program "
