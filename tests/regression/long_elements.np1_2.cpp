@@ -5,8 +5,8 @@
 namespace hawser::runs::long_elements {
 namespace {
 
-// A chain from the bed to a fairlead that heaves until it snaps taut. Slack it folds: impacts of it on itself would cut
-// the steps.
+// A chain from the bed to a fairlead that heaves until it snaps taut. Slack it folds: impacts of it on itself
+// would cut the steps.
 const char* const kChain = R"(hawser: 1
 environment: {water: {depth: 50}, seabed: {depth: 50, friction: 0.5}}
 line_types:
