@@ -38,24 +38,24 @@ std::vector<InputWarning> input_warnings(const Case& c) {
 }
 
 std::vector<std::string> input_notes(const Case& c, Effect from, Effect to) {
-  constexpr int kTold = 3;  // of a kind
+  constexpr int kReported = 3;  // of a kind
   std::vector<InputWarning> all = input_warnings(c);
   std::stable_sort(all.begin(), all.end(),
                    [](const InputWarning& a, const InputWarning& b) { return a.effect < b.effect; });
   std::erase_if(all, [&](const InputWarning& d) { return d.effect < from || d.effect > to; });
-  std::map<int, int> count, told;
+  std::map<int, int> count, reported;
   for (const InputWarning& d : all) ++count[d.kind];
   std::vector<std::string> notes;
   for (const InputWarning& d : all) {
-    if (++told[d.kind] > kTold) continue;
+    if (++reported[d.kind] > kReported) continue;
     const int line = c.tree ? c.tree->line_of(d.key) : 0;
     std::string where = c.file;
     if (line > 0) where += fmt::format(":{}", line);
     if (line == kBySet) where += " with --set";
-    const int more = count[d.kind] - kTold;
-    notes.push_back(
-        fmt::format("{}: {}: {}{}", where, d.key, d.text,
-                    told[d.kind] == kTold && more > 0 ? fmt::format(" (and {} more like it)", more) : ""));
+    const int more = count[d.kind] - kReported;
+    notes.push_back(fmt::format(
+        "{}: {}: {}{}", where, d.key, d.text,
+        reported[d.kind] == kReported && more > 0 ? fmt::format(" (and {} more like it)", more) : ""));
   }
   return notes;
 }

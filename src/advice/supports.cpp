@@ -62,9 +62,9 @@ double above_the_others(const std::vector<Stop>& way, size_t k) {
 
 }  // namespace
 
-std::optional<Beneath> beneath_supports(const model::Case& c,
-                                        const std::vector<model::SupportCrossing>& crossings,
-                                        const std::vector<RigidPose>& poses) {
+std::optional<BelowSupport> below_supports(const model::Case& c,
+                                           const std::vector<model::SupportCrossing>& crossings,
+                                           const std::vector<RigidPose>& poses) {
   for (size_t k = 0; k < crossings.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
     const model::SupportCrossing& x = crossings[k];
@@ -74,16 +74,19 @@ std::optional<Beneath> beneath_supports(const model::Case& c,
         "starts on the wrong side of support '{}', {:.3g} m below where it would lie on its roller", b.name,
         -x.height);
     if (line.start != model::Start::automatic)
-      return Beneath{"lines." + line.name,
-                     wrong + "; give it no 'start', so that it starts on its supports, or points above them"};
+      return BelowSupport{
+          "lines." + line.name,
+          wrong + "; give it no 'start', so that it starts on its supports, or points above them"};
     const std::vector<Stop> way = way_over_supports(c, line, poses);
     size_t odd = 0;
     double off = 0;  // m
     for (size_t i = 0; i < way.size() && way.size() > 2; ++i)
-      if (const double above = above_the_others(way, i); std::abs(above) > std::abs(off))
-        odd = i, off = above;
+      if (const double above = above_the_others(way, i); std::abs(above) > std::abs(off)) {
+        odd = i;
+        off = above;
+      }
     if (!(std::abs(off) > b.rise))
-      return Beneath{
+      return BelowSupport{
           b.key,
           fmt::format("line {} {}; move the supports, or the end of the line, so that one leads to the other",
                       line.name, wrong)};
@@ -95,9 +98,9 @@ std::optional<Beneath> beneath_supports(const model::Case& c,
             : fmt::format(
                   "the way over the supports begins {:.3g} m {} the end from which line {} goes overboard",
                   std::abs(off), off > 0 ? "below" : "above", line.name);
-    return Beneath{named.key, fmt::format("{}, so that line {} {}; move {}", cause, line.name, wrong,
-                                          odd > 0 ? "it into line with them"
-                                                  : "them, or the end, so that one leads to the other")};
+    return BelowSupport{named.key, fmt::format("{}, so that line {} {}; move {}", cause, line.name, wrong,
+                                               odd > 0 ? "it into line with them"
+                                                       : "them, or the end, so that one leads to the other")};
   }
   return {};
 }

@@ -22,11 +22,11 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
   if (h.data->excitation.empty()) return;
   const WaveForceTable& table = h.data->excitation[static_cast<size_t>(h.body) - 1];
   const double g = c.environment.gravity, omega = table.lowest();
-  const Hydrostatics still = hydrostatics(*b.mass, c.environment.water.density, g);
+  const PlatformHydrostatics still = hydrostatics(*b.mass, c.environment.water.density, g);
   const double size = std::cbrt(still.buoyancy / (c.environment.water.density * g));
   if (g == 0 || omega * omega / g * size > kLongWaves) return;
   const ComplexVec6 X = table.at(omega, 0);
-  const double C33 = still.stiffness(2, 2), heave = std::abs(X[2]) / C33;
+  const double C33 = still.stiffness(0, 0), heave = std::abs(X[2]) / C33;
   if (!(C33 > 0)) return;
   const double surge = std::arg(X[0]);
   if (std::abs(std::remainder(surge + M_PI / 2, 2 * M_PI)) < kPhase && std::abs(X[0]) > 0.02 * std::abs(X[2]))

@@ -19,7 +19,7 @@ constexpr double kNoEntry = 1e-6;
 
 }  // namespace
 
-Hydrostatics hydrostatics(const BodyMass& m, double density, double gravity) {
+PlatformHydrostatics hydrostatics(const BodyMass& m, double density, double gravity) {
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const int first = 6 * (h.body - 1);
   Mat6 C = h.data->hydrostatic.block<6, 6>(first, first);
@@ -30,15 +30,20 @@ Hydrostatics hydrostatics(const BodyMass& m, double density, double gravity) {
     C(3, 5) -= moment.x();
     C(4, 5) -= moment.y();
   }
-  Hydrostatics out;
+  PlatformHydrostatics out;
   out.buoyancy = h.volume > 0 ? density * gravity * h.volume : m.mass * gravity;
   const double noise = kMeshNoise * std::cbrt(out.buoyancy / (density * gravity));
   const auto arm = [&](double x) { return std::abs(x) < noise ? 0 : x; };
   out.arm_x = arm(-C(3, 5) / out.buoyancy);
   out.arm_y = arm(-C(4, 5) / out.buoyancy);
   const Mat3 upright = C.block<3, 3>(2, 2);
-  out.stiffness.block<3, 3>(2, 2) = 0.5 * (upright + upright.transpose());
+  out.stiffness = 0.5 * (upright + upright.transpose());
   return out;
+}
+
+Vec3 restoring(const BodyMass& m, const PlatformHydrostatics& still, double gravity) {
+  const double by_weight = m.mass * gravity * m.centre.z();
+  return still.stiffness.diagonal() - Vec3(0, by_weight, by_weight);
 }
 
 std::vector<std::vector<int>> radiating_groups(const Case& c) {

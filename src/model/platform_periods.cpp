@@ -29,17 +29,15 @@ double period(const HydrodynamicData& data, int mode, double mass, double stiffn
 PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
-  const Hydrostatics still = hydrostatics(m, c.environment.water.density, c.environment.gravity);
-  const double by_weight = m.mass * c.environment.gravity * m.centre.z();
+  const double g = c.environment.gravity;
+  const Vec3 stiffness = restoring(m, hydrostatics(m, c.environment.water.density, g), g);
   const Mat3 inertia = m.tensor();
   const Vec3 square = m.mass * m.centre.cwiseAbs2();
   const int first = 6 * (h.body - 1);
   PlatformPeriods out;
-  out.heave = period(*h.data, first + 2, m.mass, still.stiffness(2, 2));
-  out.roll =
-      period(*h.data, first + 3, inertia(0, 0) + square.y() + square.z(), still.stiffness(3, 3) - by_weight);
-  out.pitch =
-      period(*h.data, first + 4, inertia(1, 1) + square.x() + square.z(), still.stiffness(4, 4) - by_weight);
+  out.heave = period(*h.data, first + 2, m.mass, stiffness[0]);
+  out.roll = period(*h.data, first + 3, inertia(0, 0) + square.y() + square.z(), stiffness[1]);
+  out.pitch = period(*h.data, first + 4, inertia(1, 1) + square.x() + square.z(), stiffness[2]);
   return out;
 }
 

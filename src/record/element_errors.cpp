@@ -72,7 +72,8 @@ std::vector<ElementErrors::At> ElementErrors::gathered(const Kinematics& at, con
 
 void ElementErrors::declare(Declarations& to) {
   const std::vector<Field>& fields = to.contents.fields;
-  tension_ = find_field(fields, "effective_tension"), moment_ = find_field(fields, "bending_moment");
+  tension_ = find_field(fields, "effective_tension");
+  moment_ = find_field(fields, "bending_moment");
   pressed_ = find_field(fields, "contact_normal_force");
   for (const char* name : {"contact_normal_force", "line_contact_normal_force", "seabed_force"})
     if (const int f = find_field(fields, name); f >= 0) touches_.emplace_back(f, fields[f].components);

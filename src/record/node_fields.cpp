@@ -44,10 +44,15 @@ NodeFields::NodeFields(const Subject& subject)
   fields_.insert(fields_.end(), all.begin(), all.end());
   peaks_.find(fields_);
   const auto find = [&](const std::string& name) { return find_field(fields_, name); };
-  tension_ = find(tension), before_ = find(before), after_ = find(after);
+  tension_ = find(tension);
+  before_ = find(before);
+  after_ = find(after);
   declination_ = find("declination");
-  wall_ = find("wall_tension"), shear_ = find("shear_force"), torsion_ = find("torsion_moment");
-  moment_ = find("bending_moment"), moment_2_ = find("bending_moment_2"),
+  wall_ = find("wall_tension");
+  shear_ = find("shear_force");
+  torsion_ = find("torsion_moment");
+  moment_ = find("bending_moment");
+  moment_2_ = find("bending_moment_2");
   moment_3_ = find("bending_moment_3");
   for (const FieldSource& f : registry_.sources()) onto_.push_back(f.onto.empty() ? -1 : find(f.onto));
   for (size_t f = 0; f < fields_.size(); ++f)
@@ -117,7 +122,8 @@ void NodeFields::correct_ends(const Kinematics& at) {
     const auto put = [&](int field, double value) {
       return field < 0 ? 0 : std::exchange(values_[field][n], value);
     };
-    put(before_, p.sides[0].tension()), put(after_, p.sides[1].tension());
+    put(before_, p.sides[0].tension());
+    put(after_, p.sides[1].tension());
     const Vec3 &first = p.sides[0].direction, &second = p.sides[1].direction;
     put(declination_, degrees(declination(p.end >= 0 ? p.at_end().direction : Vec3(first + second))));
     const double tension = larger([](const SectionForce& s) { return s.tension(); });
@@ -128,7 +134,9 @@ void NodeFields::correct_ends(const Kinematics& at) {
         return larger([&](const SectionForce& s) { return s.moment.dot(at.q[n] * Vec3::Unit(axis)); });
       };
       put(shear_, larger([](const SectionForce& s) { return s.shear(); }));
-      put(torsion_, moment(0)), put(moment_2_, moment(1)), put(moment_3_, moment(2));
+      put(torsion_, moment(0));
+      put(moment_2_, moment(1));
+      put(moment_3_, moment(2));
       put(moment_,
           larger([&](const SectionForce& s) { return s.moment.cross(at.q[n] * Vec3::UnitX()).norm(); }));
     }

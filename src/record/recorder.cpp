@@ -43,7 +43,7 @@ Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, const i
   if (clashes_ && !append) clashes_->begin_file();
   file_ = std::make_unique<io::ResultsFile>(
       append ? io::ResultsFile::resume(subject_.comm(), path, std::move(contents), std::move(owned),
-                                       from->time, clashes_ ? clashes_->told() : io::ClashesTold{})
+                                       from->time, clashes_ ? clashes_->reported() : io::ClashesTold{})
              : io::ResultsFile::create(subject_.comm(), path, std::move(contents), std::move(owned)));
 }
 

@@ -26,7 +26,8 @@ io::ResultWaves result_waves(const model::Case& c) {
   const WaveField waves = model::wave_field(c.environment);
   for (const WaveComponent& w : waves.components())
     out.components.push_back({w.amplitude, w.omega, w.number, w.x, w.y, w.phase});
-  out.level = c.environment.water.surface, out.ramp = c.environment.water.waves.ramp;
+  out.level = c.environment.water.surface;
+  out.ramp = c.environment.water.waves.ramp;
   return out;
 }
 

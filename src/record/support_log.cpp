@@ -64,7 +64,9 @@ std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, co
     bool first = true, any = false, further = false;  // of the line's boxes
     for (size_t j = 0; j < lowest_.size(); ++j) {
       if (c.supports[j].line != b.line) continue;
-      first = first && j >= k, any = any || carried_[j], further = further || (j > k && carried_[j]);
+      first = first && j >= k;
+      any = any || carried_[j];
+      further = further || (j > k && carried_[j]);
     }
     // What lies clear of the last ones is laid as it is meant to be; by less than a diameter over one
     // between, the next have been set a little high.

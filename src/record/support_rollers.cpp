@@ -79,7 +79,8 @@ std::vector<SupportCrossing> SupportRollers::crossings(const Snapshot& s) const 
   std::vector<RigidPose> frames;
   for (const io::BodyPose& p : s.poses()) {
     RigidPose& frame = frames.emplace_back();
-    frame.position = p.position, frame.rotation = p.rotation;
+    frame.position = p.position;
+    frame.rotation = p.rotation;
   }
   return support_crossings(subject_.comm(), subject_.model, subject_.local(), s.at, frames);
 }
@@ -98,7 +99,8 @@ std::vector<std::array<double, 2>> SupportRollers::carrying(const Snapshot& s) c
         std::all_of(first, first + std::ssize(b.rollers), [](const Vec3& f) { return f == Vec3::Zero(); }))
       continue;
     auto& [from, to] = out[c.line_index(b.line)];
-    from = std::min(from, crosses[k].arc), to = std::max(to, crosses[k].arc);
+    from = std::min(from, crosses[k].arc);
+    to = std::max(to, crosses[k].arc);
   }
   return out;
 }

@@ -13,7 +13,8 @@ TensionPeaks::TensionPeaks(const Subject& subject)
 
 void TensionPeaks::declare(Declarations& to) {
   const char *before = "effective_tension_before", *after = "effective_tension_after";
-  before_ = find_field(to.contents.fields, before), after_ = find_field(to.contents.fields, after);
+  before_ = find_field(to.contents.fields, before);
+  after_ = find_field(to.contents.fields, after);
   to.every_step.insert({before, after});
 }
 

@@ -138,7 +138,10 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
       all_reduce(comm, MPI_MAX, agreed);
     }
     const bool stop = agreed[0] != 0;
-    if (output || stop) recorder.output(d.kinematics()), output_at = record::next_multiple(info.time, every);
+    if (output || stop) {
+      recorder.output(d.kinematics());
+      output_at = record::next_multiple(info.time, every);
+    }
     // What was shown is the state before it, what is saved the one after.
     for (const std::string& e : events.apply_due()) progress.say(e);
     feeder_nodes.hand_over();

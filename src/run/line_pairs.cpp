@@ -114,28 +114,28 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   for (const auto& t : b.pairs)
     options.tuned[ordered(c.line_index(t.first), c.line_index(t.second))] = t.settings;
   std::vector<LineContactElement> elements;
-  elements.reserve(mesh.mesh->elements.size()), options.automatic.reserve(mesh.mesh->elements.size());
+  elements.reserve(mesh.mesh->elements.size());
+  options.automatic.reserve(mesh.mesh->elements.size());
   double least = HUGE_VAL, most = 0;  // N/m², of the types that take part
   for (const Element& e : mesh.mesh->elements) {
     const model::LineType& t = c.line_types[e.type];
     LineContactElement& element = elements.emplace_back();
-    if (takes_part[e.line]) element.radius = 0.5 * t.contact_diameter;
-    element.mass_per_length = t.mass_per_length;
     const double radius = 0.5 * t.contact_diameter;
-    element.cubic = cubic_stiffness(t.EA, radius);
-    options.automatic.push_back(stiffness_by_weight(t.mass_per_length, radius));
+    if (takes_part[e.line]) element.radius = radius;
+    element.mass_per_length = t.mass_per_length;
+    options.automatic.push_back(
+        {stiffness_by_weight(t.mass_per_length, radius), cubic_stiffness(t.EA, radius)});
     if (!(element.radius > 0)) continue;
-    least = std::min(least, options.automatic.back());
-    most = std::max(most, options.automatic.back());
+    least = std::min(least, options.automatic.back().linear);
+    most = std::max(most, options.automatic.back().linear);
   }
   const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
                            return t.settings.basis == model::StiffnessBasis::automatic;
                          });
-  if (automatic) {
+  if (automatic)
     details.push_back(
         advice::chosen_pair_stiffness(least, most, lines == 1 ? c.lines.front().name : "", b.self));
-  }
   return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
 }
 

@@ -21,10 +21,13 @@ namespace hawser::run {
 
 io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks) {
   io::RunInfo info;
-  info.case_text = c.text, info.case_path = c.path;
+  info.case_text = c.text;
+  info.case_path = c.path;
   info.case_read = io::case_json(c);
   info.changes = fmt::format("{}", fmt::join(c.changes, "\n"));
-  info.version = kVersion, info.options = petsc_options, info.ranks = ranks;
+  info.version = kVersion;
+  info.options = petsc_options;
+  info.ranks = ranks;
   info.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   return info;
 }

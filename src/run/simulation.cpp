@@ -192,7 +192,7 @@ void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& hel
 }
 
 // Contact of lines with volumes, and what is told of how they start beside them. InputError where lines start
-// beneath the supports that they are to lie on.
+// below the supports that they are to lie on.
 void Simulation::add_contact(const Kinematics& start, const std::vector<int>& held,
                              const std::vector<std::shared_ptr<const Surface>>& surfaces) {
   const MPI_Comm comm = system_->comm();
@@ -207,7 +207,7 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
     std::vector<RigidPose> poses;
     for (int b = 0; b < bodies_->size(); ++b) poses.push_back(bodies_->pose(b, start));
     const auto wrong =
-        advice::beneath_supports(case_, record::support_crossings(comm, case_, local(), start, poses), poses);
+        advice::below_supports(case_, record::support_crossings(comm, case_, local(), start, poses), poses);
     if (wrong) try {
         case_.refuse(wrong->key, wrong->why);
       } catch (const InputError& e) {
@@ -394,8 +394,10 @@ std::string Simulation::inside(int volume, const Kinematics& at) const {
 
 void Simulation::enable_contact(const model::Action& action) {
   for (size_t v = 0; v < volumes_.size(); ++v)
-    if (model::switches(action, volumes_[v].settings))
-      volumes_[v].off = !action.enabled, contact()->enable(static_cast<int>(v), action.enabled);
+    if (model::switches(action, volumes_[v].settings)) {
+      volumes_[v].off = !action.enabled;
+      contact()->enable(static_cast<int>(v), action.enabled);
+    }
 }
 
 std::string Simulation::inside(const model::Action& action, const Kinematics& at) const {

@@ -158,10 +158,11 @@ std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, int cou
   return out;
 }
 
-std::vector<DependsOnFrequency*> frequency_dependent(const System& system) {
-  std::vector<DependsOnFrequency*> out;
-  for (const auto& term : system.terms())
-    if (auto* t = dynamic_cast<DependsOnFrequency*>(term.get())) out.push_back(t);
+// K - by M.
+MatHandle shifted(Mat K, Mat M, double by) {
+  MatHandle out;
+  check(MatDuplicate(K, MAT_COPY_VALUES, out.out()));
+  check(MatAXPY(out.get(), -by, M, DIFFERENT_NONZERO_PATTERN));
   return out;
 }
 
@@ -189,13 +190,11 @@ void settle(System& system, const Kinematics& at, Mat K, const std::vector<Depen
   for (int i = 0; i < kMostOften && pair.squared > kFreeMotion; ++i) {
     oscillate(std::sqrt(pair.squared));
     M = symmetric(system, at, {0, 0, 1}, 0);
-    MatHandle shifted;
-    check(MatDuplicate(K, MAT_COPY_VALUES, shifted.out()));
     const double beside = form(K, u, work.get()) / form(M.get(), u, work.get()) * (1 - kBeside);
-    check(MatAXPY(shifted.get(), -beside, M.get(), DIFFERENT_NONZERO_PATTERN));
+    const MatHandle A = shifted(K, M.get(), beside);
     KspHandle ksp;
     check(KSPCreate(system.comm(), ksp.out()));
-    check(KSPSetOperators(ksp.get(), shifted.get(), shifted.get()));
+    check(KSPSetOperators(ksp.get(), A.get(), A.get()));
     solve_directly(ksp.get());
     check(MatMult(M.get(), u, work.get()));
     check(KSPSolve(ksp.get(), work.get(), u));
@@ -226,12 +225,7 @@ NaturalMode mode_of(const System& system, const Kinematics& at, const Eigenpair&
 
 // How many eigenvalues of K - lambda M lie below `squared`, by Sylvester's law of inertia (Parlett 1980,
 // section 3-3); -1: not known.
-int eigenvalues_below(Mat K, Mat M, double squared) {
-  MatHandle shifted;
-  check(MatDuplicate(K, MAT_COPY_VALUES, shifted.out()));
-  check(MatAXPY(shifted.get(), -squared, M, DIFFERENT_NONZERO_PATTERN));
-  return negative_pivots(shifted.get());
-}
+int eigenvalues_below(Mat K, Mat M, double squared) { return negative_pivots(shifted(K, M, squared).get()); }
 
 // Whether between the target and the first gap behind the `count` lowest of these modes there are no others.
 bool complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count) {
@@ -270,7 +264,7 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
       continue;
     }
     modes.resize(wanted);
-    if (const auto terms = frequency_dependent(system); !terms.empty()) {
+    if (const auto terms = system.with<DependsOnFrequency>(); !terms.empty()) {
       for (Eigenpair& pair : modes) settle(system, at, K.get(), terms, pair);
       sort(modes);
     }

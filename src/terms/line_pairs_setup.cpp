@@ -61,8 +61,9 @@ LinePairLaw LinePairs::law(int a, int b) const {
   double share = 1;
   if (s.basis == model::StiffnessBasis::per_area) share = diameter;
   if (s.basis == model::StiffnessBasis::automatic) {
-    law.normal.stiffness = std::max(options_.automatic[i], options_.automatic[j]);
-    law.normal.cubic = std::min(A.cubic, B.cubic);
+    const LinePairOptions::Automatic &a_own = options_.automatic[i], &b_own = options_.automatic[j];
+    law.normal.stiffness = std::max(a_own.linear, b_own.linear);
+    law.normal.cubic = std::min(a_own.cubic, b_own.cubic);
   } else {
     law.normal.stiffness = s.normal_stiffness * share;
   }

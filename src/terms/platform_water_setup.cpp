@@ -26,13 +26,9 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.file_origin = -h.in_file;
   p.potential.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
-  const model::Hydrostatics still = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.potential.stiffness = h.stiffness;
-  p.hydrostatics.stiffness = still.stiffness.block<3, 3>(2, 2);
+  p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.hydrostatics.level = p.potential.place.z();
-  p.hydrostatics.buoyancy = still.buoyancy;
-  p.hydrostatics.arm_x = still.arm_x;
-  p.hydrostatics.arm_y = still.arm_y;
   p.damping = h.damping;
   p.quadratic = h.quadratic_damping;
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {

@@ -19,13 +19,17 @@ inline AxisEnds element(bool beam, const Vec3& a, const Vec3& b, int seed, doubl
   AxisEnds e;
   e.beam = beam;
   e.length = 1.01 * (b - a).norm();
-  e.x1 = a, e.x2 = b;
-  e.v1 = noise3(seed, 1), e.v2 = noise3(seed, 2);
+  e.x1 = a;
+  e.x2 = b;
+  e.v1 = noise3(seed, 1);
+  e.v2 = noise3(seed, 2);
   if (!beam) return e;
   e.tangent = Vec3(0.8, 0.6, 0);
   const Quat along = minimal_rotation(e.tangent, b - a);
-  e.q1 = exp_so3(bend * noise3(seed, 3)) * along, e.q2 = exp_so3(bend * noise3(seed, 4)) * along;
-  e.w1 = noise3(seed, 5), e.w2 = noise3(seed, 6);
+  e.q1 = exp_so3(bend * noise3(seed, 3)) * along;
+  e.q2 = exp_so3(bend * noise3(seed, 4)) * along;
+  e.w1 = noise3(seed, 5);
+  e.w2 = noise3(seed, 6);
   return e;
 }
 

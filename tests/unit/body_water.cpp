@@ -6,9 +6,12 @@
 #include "hawser/kernels/wetting.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/math/symmetric.hpp"
+#include "support/difference.hpp"
 
 namespace hawser::body_water_test {
 namespace {
+
+using test::slope;
 
 BodyInWater module() {
   BodyInWater b;
@@ -42,13 +45,6 @@ BodyWaterResidual residual(const BodyInWater& b, const RigidBodyState& s, bool t
   body_water(b, s, sea(s.x.z() + (s.q * b.centre).z()), sea(s.x.z() + (s.q * b.drag_centre).z()), tangent,
              convex, r);
   return r;
-}
-
-// Fourth-order difference of f along d.
-template <class F>
-Vec6 slope(F f, const Vec6& d) {
-  const double e = 1e-3;
-  return (8 * (f(e * d) - f(-e * d)) - (f(2 * e * d) - f(-2 * e * d))) / (12 * e);
 }
 
 // Half wet, at the edge of it, wholly wet.

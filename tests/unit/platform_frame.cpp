@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "hawser/math/so3.hpp"
+#include "support/difference.hpp"
 
 namespace hawser::platform_frame_test {
 namespace {
+
+using test::slope;
 
 const Vec3 kArm(1.3, -0.7, 2.1);
 
@@ -21,12 +24,6 @@ RigidBodyState state(const Vec6& place = Vec6::Zero(), const Vec6& rate = Vec6::
   s.a = Vec3(0.2, 0.5, -0.1) + acceleration.head<3>();
   s.alpha = Vec3(-0.4, 0.3, 0.7) + acceleration.tail<3>();
   return s;
-}
-
-template <class F>
-auto slope(F f, const Vec6& d) {
-  const double e = 1e-3;
-  return ((8 * (f(e * d) - f(-e * d)) - (f(2 * e * d) - f(-2 * e * d))) / (12 * e)).eval();
 }
 
 PlatformPotential potential() {

@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include "hawser/math/so3.hpp"
+#include "support/difference.hpp"
 
 namespace hawser::platform_hydrostatics_test {
 namespace {
+
+using test::slope;
 
 const Vec3 kArm(-3.9, 0.4, -2.5);
 
@@ -26,12 +29,6 @@ RigidBodyState state(const Vec3& tilt, double yaw, const Vec6& by = Vec6::Zero()
   s.x = Vec3(0.3, -0.2, 0.5) + by.head<3>();
   s.q = exp_so3(yaw * Vec3::UnitZ()) * exp_so3(tilt) * exp_so3(by.tail<3>());
   return s;
-}
-
-template <class F>
-auto slope(F f, const Vec6& d) {
-  const double e = 1e-3;
-  return ((8 * (f(e * d) - f(-e * d)) - (f(2 * e * d) - f(-2 * e * d))) / (12 * e)).eval();
 }
 
 // Upright, on both sides of where the series of alpha/sin alpha ends (0.451 rad), and beyond a right angle.

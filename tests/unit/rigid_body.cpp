@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "hawser/math/so3.hpp"
+#include "support/difference.hpp"
 
 namespace hawser::rigid_body_test {
 namespace {
+
+using test::slope;
 
 RigidBodyData barge() {
   RigidBodyData b;
@@ -32,13 +35,6 @@ RigidPose resting() {
   p.position = Vec3(0.1, 0.2, -0.1), p.rotation = exp_so3(Vec3(-0.2, 0.3, 0.4));
   p.velocity = Vec3(0.3, 0, 0.1), p.angular_velocity = Vec3(0.2, -0.1, 0.3);
   return p;
-}
-
-// Fourth-order difference of f along d.
-template <class F>
-auto slope(F f, const Vec6& d) {
-  const double e = 1e-3;
-  return ((8 * (f(e * d) - f(-e * d)) - (f(2 * e * d) - f(-2 * e * d))) / (12 * e)).eval();
 }
 
 TEST(RigidBody, TangentsAreDerivatives) {

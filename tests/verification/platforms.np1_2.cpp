@@ -41,6 +41,19 @@ std::vector<std::vector<Vec3>> run(const model::Case& c, double until, double ev
   return out;
 }
 
+// Files of a barge of little added mass and damping, and of that hydrostatic stiffness: their path without
+// endings.
+std::string coefficients(const std::string& name, const std::string& stiffness) {
+  const std::string stem = testing::TempDir() + name;
+  if (rank_of(PETSC_COMM_WORLD) == 0) {
+    std::filesystem::create_directories(std::filesystem::path(stem).parent_path());
+    std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";
+    std::ofstream(stem + ".hst") << stiffness;
+  }
+  MPI_Barrier(PETSC_COMM_WORLD);
+  return stem;
+}
+
 // A hemisphere of 5 m and 261.8 t in 1000 kg/m³ that starts 1 m above its rest, for 10 s.
 model::Case hemisphere(double step) {
   const std::string text = fmt::format(R"(hawser: 1
@@ -185,14 +198,7 @@ TEST(Platforms, StepsMayChange) {
 // At rest: heave by a force F/C33, and pitch by its arm, F x/(C55 - m g zG) for small angles; the weight acts
 // by itself.
 TEST(Platforms, RestsUnderLoad) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "hawser_platform_load";
-  const std::string stem = (folder / "barge").string();
-  if (rank_of(PETSC_COMM_WORLD) == 0) {
-    std::filesystem::create_directories(folder);
-    std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";
-    std::ofstream(stem + ".hst") << "3 3 200\n4 4 900\n5 5 4000\n";
-  }
-  MPI_Barrier(PETSC_COMM_WORLD);
+  const std::string stem = coefficients("hawser_platform_load/barge", "3 3 200\n4 4 900\n5 5 4000\n");
   const std::string text = fmt::format(R"(hawser: 1
 environment: {{gravity: 10, water: {{density: 1000}}}}
 bodies:
@@ -218,15 +224,9 @@ bodies:
 // A ship with its centre of mass and its buoyancy ahead of its origin, turned by a moment on a spring: it
 // neither heels nor trims.
 TEST(Platforms, ShipYawsUpright) {
-  const auto folder = std::filesystem::path(testing::TempDir()) / "hawser_platform_yaw";
-  const std::string stem = (folder / "ship").string();
-  if (rank_of(PETSC_COMM_WORLD) == 0) {
-    std::filesystem::create_directories(folder);
-    std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";
-    // V x_B = 1000 m³ 4 m.
-    std::ofstream(stem + ".hst") << "3 3 200\n3 5 -800\n5 3 -800\n4 4 900\n5 5 20000\n4 6 -4000\n";
-  }
-  MPI_Barrier(PETSC_COMM_WORLD);
+  // V x_B = 1000 m³ 4 m.
+  const std::string stem = coefficients("hawser_platform_yaw/ship",
+                                        "3 3 200\n3 5 -800\n5 3 -800\n4 4 900\n5 5 20000\n4 6 -4000\n");
   const std::string text = fmt::format(R"(hawser: 1
 environment: {{gravity: 10, water: {{density: 1000}}}}
 bodies:

@@ -16,7 +16,7 @@ enum class Effect { whole, part, resolution };
 struct InputWarning {
   std::string key;   // dotted, as in the file
   std::string text;  // what was found there, and what is usual
-  int kind = 0;      // of the same kind only the first few are told
+  int kind = 0;      // of the same kind only the first few are reported
   Effect effect = Effect::whole;
 };
 

@@ -11,15 +11,15 @@
 
 namespace hawser::advice {
 
-// A line that starts beneath the rollers that it should lie on, in one sentence with the remedy; its key is
-// that of the support that is out of line with its neighbours, if one is. nullopt: none does. poses: of the
-// bodies.
-struct Beneath {
+// A line that starts below the rollers that it should lie on: one sentence with the remedy, and its key,
+// which is that of the support that is out of line with its neighbours, if one is. nullopt: none does. poses:
+// of the bodies.
+struct BelowSupport {
   std::string key, why;
 };
-std::optional<Beneath> beneath_supports(const model::Case& c,
-                                        const std::vector<model::SupportCrossing>& crossings,
-                                        const std::vector<RigidPose>& poses);
+std::optional<BelowSupport> below_supports(const model::Case& c,
+                                           const std::vector<model::SupportCrossing>& crossings,
+                                           const std::vector<RigidPose>& poses);
 
 // A line past the end of a box's rollers, at a time [s].
 std::string off_rollers(const model::SupportBox& box, const model::SupportCrossing& at, double time);

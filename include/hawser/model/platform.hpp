@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/kernels/platform_hydrostatics.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/model/hydrodynamic_data.hpp"
 
@@ -39,15 +40,13 @@ struct BodyLoad {
   bool follows = false;                              // axes of the body; else of space
 };
 
-// Hydrostatics of the pressure alone, about the body's origin: weight acts by itself. Files with gravity have
-// -m g zG in C44 and C55, m g xG in C46 and m g yG in C56 (WAMIT manual 7, section 4.2).
-struct Hydrostatics {
-  Mat6 stiffness = Mat6::Zero();  // symmetric
-  double buoyancy = 0;            // N
-  double arm_x = 0, arm_y = 0;    // m, of the centre of buoyancy from the body's origin
-};
-// Of a body with hydrodynamics; density of the water [kg/m³], gravity [m/s²].
-Hydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
+// Hydrostatics of the pressure alone, about the body's origin, with level 0: weight acts by itself. Files
+// with gravity have -m g zG in C44 and C55, m g xG in C46 and m g yG in C56 (WAMIT manual 7, section 4.2). Of
+// a body with hydrodynamics; density of the water [kg/m³], gravity [m/s²].
+PlatformHydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
+// Stiffness of heave [N/m], roll and pitch [N m/rad] of that body with its weight, C - m g z_G of the
+// rotations.
+Vec3 restoring(const BodyMass& body, const PlatformHydrostatics& still, double gravity);
 
 // Shares of a sea's energy that a table does not cover: at directions (seen from the bow) that it has no rows
 // near, and at periods shorter and longer than its own. heading: rad, of the body.

@@ -43,9 +43,9 @@ std::string too_soft_for_line(const std::string& place, const model::Volume& v, 
 // what helps; too_soft: a stiffness that the case gives.
 std::string volume_in_the_way(const std::string& place, const model::Volume& v, bool too_soft);
 
-// Lines on lines, of each of the two: F = k s + c s³ a metre at the depth s. k, N/m²: its own weight presses
-// in by 0.5 % of its radius [m]. c, N/m⁴: 1 % of EA [N], bent to its own radius, presses in by a quarter of
-// that.
+// Automatic stiffness between lines: a force F = k s + c s³ a metre at the penetration s. k [N/m²] is chosen
+// so that the line's own weight, by standard gravity, penetrates by 0.5 % of its radius [m]; c [N/m⁴] so that
+// 1 % of its EA [N], bent to its own radius, penetrates by a quarter of that radius.
 double stiffness_by_weight(double mass_per_length, double radius);
 double cubic_stiffness(double EA, double radius);
 

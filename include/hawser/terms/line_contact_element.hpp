@@ -8,7 +8,6 @@ namespace hawser {
 struct LineContactElement {
   double radius = 0;           // m, half the contact diameter; 0: the element takes no part
   double mass_per_length = 0;  // kg/m: the effective mass of relative_damping
-  double cubic = 0;            // N/m⁴, of an automatic stiffness of lines on lines: F = k s + c s³ a metre
   std::array<bool, 2> held{};  // its ends: by a support or a body
   bool rolling = false;        // of a beam: friction acts at the line's surface and turns it about its axis
 };

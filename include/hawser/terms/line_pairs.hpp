@@ -28,9 +28,12 @@ struct LinePairOptions {
   // by its basis (per length, per area), not automatic.
   model::LinePairSettings general;
   std::map<std::pair<int, int>, model::LinePairSettings> tuned;
-  // N/m², of each element: the stiffness by its own weight, for pairs with basis `automatic`
+  // k and c of F = k s + c s³ a metre, of each element, for pairs with basis `automatic`
   // (automatic_stiffness.hpp).
-  std::vector<double> automatic;
+  struct Automatic {
+    double linear = 0, cubic = 0;  // N/m², N/m⁴
+  };
+  std::vector<Automatic> automatic;
   CandidateSettings candidates;
   // Of lines that take part; `whole` as for SharedPlaces.
   std::vector<SharedPlace> shared;
