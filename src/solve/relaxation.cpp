@@ -26,8 +26,8 @@ constexpr double kFirst = 0.002;    // of the longest line, that the first step 
 constexpr double kHeaviest = 1e12;  // mass over that of the start at which nothing moves any more
 // So many steps, tried again or not, that bring no node by this share of the longest line and do not take
 // half of the imbalance: what lies in a heap creeps on for ever.
-constexpr int kWatched = 200;
-constexpr double kCreep = 3e-4;
+constexpr int kWatched = 50;
+constexpr double kCreep = 1e-4;
 
 // The pseudo-time's step is 1, so velocities are increments and the mass is a stiffness: N/m at positions,
 // N m at rotations.

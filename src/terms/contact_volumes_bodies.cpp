@@ -18,6 +18,12 @@ void ContactVolumes::pose(const Kinematics& at, std::vector<RigidPose>& poses) c
   for (int b = 0; b < n; ++b) poses[b + 1] = bodies_->pose(b, at);
 }
 
+std::vector<RigidPose> ContactVolumes::poses(const Kinematics& at) const {
+  std::vector<RigidPose> poses;
+  pose(at, poses);
+  return poses;
+}
+
 // Of a body that is met on this rank.
 RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
   return bodies_->pose(this->at(volume).body, at);
@@ -36,8 +42,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
   bodies_->exchange_poses(comm_, committed);
   std::vector<std::array<int, 3>> wide;
   bool missing = false;
-  std::vector<RigidPose> poses;
-  pose(committed, poses);
+  const std::vector<RigidPose> poses = this->poses(committed);
   const Mesh& mesh = *mesh_.mesh;
   for (const LocalElement& e : mesh_.elements) {
     if (!e.counted) continue;

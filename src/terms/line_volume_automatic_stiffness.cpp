@@ -75,7 +75,9 @@ bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
   for (const Pair& pair : pairs_) {
     double& there = wanted[pair.volume];
     const double stiffer = kStiffer * volumes_.settings(pair.volume).normal_stiffness;
-    if (there < stiffer && volumes_.automatic(pair.volume) && is_drawn_in(trial, pair)) there = stiffer;
+    if (there >= stiffer || !volumes_.automatic(pair.volume)) continue;
+    const AxisShape shape(ends(trial, pair.element));
+    if (is_drawn_in(pair, shape, volumes_.pose_of(pair.volume, trial))) there = stiffer;
   }
   if (!volumes_.raise(wanted)) return false;
   renew_laws();

@@ -85,15 +85,18 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
 // In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
 Energy LineVolumeContact::energy(const Kinematics& at) const {
   Energy e;
+  const std::vector<RigidPose> poses = volumes_.poses(at);
   for (const Pair& p : pairs_) {
     if (!local(p).counted) continue;
     if (at.step > 0) {
       for (const AxisContactPoint& q : p.points) e.strain += q.weight * q.potential;
       continue;
     }
-    Pair pair = p;
     const AxisShape shape(ends(at, p.element));
-    for (const QuadraturePoint& there : finder_.find(pair, shape, volumes_.pose_of(p.volume, at)).quadrature)
+    const RigidPose& pose = poses[volumes_.body(p.volume)];
+    if (LineVolumeFinder::is_clear(p, shape, pose)) continue;
+    Pair pair = p;
+    for (const QuadraturePoint& there : finder_.find(pair, shape, pose).quadrature)
       if (p.in_contact(there.at))
         e.strain +=
             there.weight * normal_force(p.law(there.xi).normal, there.at.distance - p.radius, 0).potential;

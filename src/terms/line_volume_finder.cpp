@@ -83,8 +83,12 @@ class LineVolumeFinder::Gap {
   std::optional<AxisGap> middle_;
 };
 
+bool LineVolumeFinder::is_clear(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) {
+  return pair.clearance.left(bezier_in(pose, shape)) > 0;
+}
+
 bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const {
-  if (!(pair.clearance.left(bezier_in(pose, shape)) > 0)) return false;
+  if (!is_clear(pair, shape, pose)) return false;
   pair.found.clear();
   pair.near = {};
   return true;

@@ -2,6 +2,7 @@
 // other side: nothing acted on it, so the step is taken again, shorter.
 #include <algorithm>
 #include <array>
+#include <optional>
 
 #include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
@@ -28,9 +29,17 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
   if (!rests)
     if (std::string why = deeper_than_allowed(trial); !why.empty())
       return {Verdict::Kind::shorter, std::move(why)};
+  const std::vector<RigidPose> poses = volumes_.poses(trial);
+  std::optional<AxisShape> shape;
+  int element = -1;  // of the shape: the pairs of an element follow each other
   for (const Pair& pair : pairs_) {
-    const bool drawn = rests && is_drawn_in(trial, pair);
-    if (!drawn && !tunnels(trial, pair)) continue;
+    if (pair.element != element) {
+      element = pair.element;
+      shape.emplace(ends(trial, element));
+    }
+    const RigidPose& pose = poses[volumes_.body(pair.volume)];
+    const bool drawn = rests && is_drawn_in(pair, *shape, pose);
+    if (!drawn && !tunnels(pair, *shape, pose, rests)) continue;
     if (!rests) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
     const int node = mesh_.global[local(pair).first];
     return {Verdict::Kind::shorter, volume_in_the_way(mesh_.mesh->place(node), volumes_.settings(pair.volume),
@@ -42,10 +51,8 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
 // Where contact is too soft the axis of a line can reach the surface. Once it is inside, the nearest facet
 // may be on the far side of the volume, and contact would push the line out there. An element that is inside
 // at the start of the step may leave on any side.
-bool LineVolumeContact::is_drawn_in(const Kinematics& trial, const Pair& pair) const {
+bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (finder_.by_gap() || is_held(pair)) return false;
-  const AxisShape shape(ends(trial, pair.element));
-  const RigidPose pose = volumes_.pose_of(pair.volume, trial);
   return !(pair.clearance.left(bezier_in(pose, shape)) > 0) && is_inside(pair, shape, pose) &&
          !is_inside(pair, pair.start.shape, pair.start.pose);
 }
@@ -68,13 +75,11 @@ bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, cons
 // Most are far away, or move less than they are thick. What is looked for at the nodes only passes between
 // them as it likes, and a gap spring sees no surface. In statics, where a search creeps where it is blocked,
 // shorter ways count as well.
-bool LineVolumeContact::tunnels(const Kinematics& trial, const Pair& pair) const {
+bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
+                                bool rests) const {
   if (finder_.by_gap()) return false;
   const double radius = pair.radius;
-  const bool rests = !(trial.step > 0);
   const double least = rests ? kCreeps * radius : radius;
-  const AxisShape shape(ends(trial, pair.element));
-  const RigidPose pose = volumes_.pose_of(pair.volume, trial);
   const BezierAxis from = part_of(pair, pair.start.shape, pair.start.pose), to = part_of(pair, shape, pose);
   if (from.way_to(to) <= std::max(least, LineVolumeFinder::clearance_at_start(pair))) return false;
   if (rests && (!volumes_.has_back(pair.volume) || is_inside(pair, pair.start.shape, pair.start.pose)))

@@ -72,6 +72,9 @@ class ContactVolumes {
   const RigidPose& start_pose(int volume) const { return start_poses_[body(volume)]; }
   const RigidPose& trial_pose(int volume) const { return poses_[body(volume)]; }
   RigidPose pose_of(int volume, const Kinematics& at) const;
+  // Of all bodies that carry volumes, by body(volume).
+  std::vector<RigidPose> poses(const Kinematics& at) const;
+  size_t body(int volume) const { return static_cast<size_t>(at(volume).body + 1); }
   // Whether it rides on a body that floats, so that what acts on the line acts on the body as well.
   bool floats(int volume) const { return bodies_->floats(at(volume).body); }
   FloatingFrame floating_frame(int volume, const Kinematics& at) const;
@@ -110,7 +113,6 @@ class ContactVolumes {
  private:
   const ContactVolume& at(int volume) const { return volumes_[volume]; }
   // Into the poses: space first, then the bodies in their order.
-  size_t body(int volume) const { return static_cast<size_t>(at(volume).body + 1); }
   void pose(const Kinematics& at, std::vector<RigidPose>& poses) const;
 
   const LocalMesh& mesh_;

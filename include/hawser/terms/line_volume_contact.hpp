@@ -133,8 +133,8 @@ class LineVolumeContact final : public ForceTerm,
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
-  bool tunnels(const Kinematics& trial, const Pair& pair) const;
-  bool is_drawn_in(const Kinematics& trial, const Pair& pair) const;
+  bool tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose, bool rests) const;
+  bool is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }

@@ -29,6 +29,7 @@ class LineVolumeFinder {
   const ContactQuadrature& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // Whether the axis is out of touch for sure; then nothing is found.
   bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
+  static bool is_clear(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose);
   // m: of the tube about the axis at the start of the step in which nothing is met.
   static double clearance_at_start(const LineVolumePair& pair);
   // The surface, or one facet group of it, from the point xi of a pair, which is at y.
