@@ -22,7 +22,8 @@ Key pipe() {
                map("", {number("E", pressure, "modulus of elasticity", above(0), required),
                         number("density", density, "of the wall", above(0), required),
                         number("poisson", none, "Poisson's ratio", in_range(0, 0.5), or_else("0.3"))})},
-              "of the wall: one of those of the [guide](case-file.md#pipes-hoses-and-umbilicals), or its "
+              "of the wall: one of those of the [guide](case-file/line-types.md#pipes-hoses-and-umbilicals), "
+              "or its "
               "numbers",
               or_else("steel")),
        word("grade", {"X42", "X46", "X52", "X56", "X60", "X65", "X70", "X80"},

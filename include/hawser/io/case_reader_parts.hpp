@@ -64,8 +64,8 @@ void finish_environment(const model::Value& v, const CaseSource& source, model::
                         std::vector<std::string>& notes);
 
 // `pipe` and `weight` of a line type: mass, diameters and stiffnesses from the walls of a pipe
-// (docs/user-guide/case-file.md), mass and displaced diameter from weights per length. Keys that say the same
-// once more are refused.
+// (docs/user-guide/case-file/line-types.md), mass and displaced diameter from weights per length. Keys that
+// say the same once more are refused.
 void read_pipe(const model::Value& v, bool uneven_bed, model::LineType& t);
 void read_weight(const model::Value& v, double gravity, model::LineType& t);
 // What a line type is in water: contents and marine growth are added to its mass.
