@@ -27,16 +27,17 @@ std::string remedy(bool fixed, double step) {
 
 }  // namespace
 
-std::string energy_made(const EnergyMade& m, const std::string& where, const std::string& striking) {
+std::string energy_made(const EnergyMade& m, const std::string& where,
+                        const std::string& initial_velocity_key) {
   const std::string made = fmt::format(
       "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} s "
       "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: ",
       m.energy, m.by, 100 * m.energy / m.work, m.length, m.time, m.most, where);
-  if (!striking.empty())
+  if (!initial_velocity_key.empty())
     return made + fmt::format(
                       "{} begins with a velocity and strikes the lines, which are at rest; a 'ramp' in it "
                       "starts it smoothly, a shorter step is no help",
-                      striking);
+                      initial_velocity_key);
   return made + fmt::format("{}; {}", words(m.with), remedy(m.fixed, m.length));
 }
 

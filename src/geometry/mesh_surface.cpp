@@ -33,9 +33,9 @@ struct MeshSurface::Data {
   ConstArray<detail::Defects::Hole> holes;
   BoxTree hole_tree;  // of boxes around them
   Box bounds;
-  double small = 0;          // m, lengths below are rounding or need a bound
-  WindingTree winding;       // where defects or features without a pseudonormal need it, else empty
-  std::vector<bool> unsure;  // facets near which the winding number decides; empty: none
+  double small = 0;             // m, lengths below are rounding or need a bound
+  WindingTree winding;          // where defects or features without a pseudonormal need it, else empty
+  std::vector<bool> undecided;  // facets near which the winding number decides; empty: none
   int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
   bool convex = false;  // one facet group everywhere
@@ -52,7 +52,7 @@ struct MeshSurface::Data {
     BoxTree::pack(self.hole_tree, p);
     p.value(self.bounds), p.value(self.small);
     WindingTree::pack(self.winding, p);
-    p.flags(self.unsure);
+    p.flags(self.undecided);
     p.value(self.curved), p.value(self.sharp), p.value(self.internal), p.value(self.bulge);
     p.value(self.convex);
   }
@@ -85,7 +85,7 @@ struct MeshSurface::Data {
   Mat3 curvature_at_vertex(int triangle, int corner, double length, const SurfacePoint& s) const;
   // Whether y is behind the surface at its closest point c, with the pseudonormal there.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
-    if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)])
+    if (!undecided.empty() && undecided[static_cast<std::size_t>(c.triangle)])
       return winding.inside(mesh(), over_flat(c, y));
     if (c.feature == Feature::face && !facets.curved(c.triangle))
       return pseudonormal.dot(y - facets.corner(c.triangle, 0)) < 0;
@@ -155,7 +155,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   mesh = {};
   d.normals = detail::Pseudonormals(d.facets, topo);
   if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
-  d.unsure = std::move(defects.unsure);
+  d.undecided = std::move(defects.undecided);
   // Internal facets are no part of the surface; `met` are the active ones that are.
   std::vector<bool> outer, met = active;
   if (d.internal > 0) {

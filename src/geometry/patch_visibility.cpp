@@ -57,16 +57,16 @@ double one_sided_visibility(const MeshView& mesh, const WindingTree& tree, std::
 
 double enclosing(const MeshView& mesh, const WindingTree& tree, std::span<const int> triangles,
                  double margin) {
-  double area = 0, good = 0;
+  double area = 0, visible = 0;
   const std::size_t step = triangles.size() / 20000 + 1;
   for (std::size_t k = 0; k < triangles.size(); k += step) {
     const int t = triangles[k];
     const double a = mesh.area_vector(t).norm();
     const double middle = tree.winding_number(mesh, mesh.centroid(t), 3, t);
     area += a;
-    if (middle > margin && middle < 1 - margin) good += a;
+    if (middle > margin && middle < 1 - margin) visible += a;
   }
-  return area > 0 ? good / area : 0;
+  return area > 0 ? visible / area : 0;
 }
 
 }  // namespace hawser::detail

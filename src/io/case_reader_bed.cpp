@@ -11,7 +11,7 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/mesh_reader.hpp"
-#include "hawser/io/once_a_host.hpp"
+#include "hawser/io/shared_on_host.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/schema.hpp"
@@ -107,7 +107,7 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
 
 std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const CaseSource& source) {
   const std::string path = source.input(v["file"].text);
-  return once_a_host(source.comm, Host(source.comm), [&] {
+  return shared_on_host(source.comm, Host(source.comm), [&] {
     try {
       TriangleMesh sheet = read_sheet(path, v["scale"].number);
       const size_t top = sheet.triangles.size();

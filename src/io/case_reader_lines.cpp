@@ -119,17 +119,17 @@ void finish_target(const Value& v, const Value& sections, model::LengthTarget& t
 void finish_start(const Value& line, const Value* whole, OtherRuns& others, model::Case& c, model::Line& l) {
   const Value& start = line["start"];
   if (whole && !start.given) {
-    l.left = others.shape(*whole, l.name, false);
-    if (!l.left) {
+    l.previous_shape = others.shape(*whole, l.name, false);
+    if (!l.previous_shape) {
       c.notes.push_back(line.where + ": is not in " + (*whole)["from"].text + ", and starts by itself");
       return;
     }
     l.start = model::Start::other_run;
-    check_left_shape(l, (*whole)["from"], line.where, others.parted(), c.notes);
+    check_previous_shape(l, (*whole)["from"], line.where, others.parted(), c.notes);
   } else if (start.has("from")) {
     l.start = model::Start::other_run;
-    l.left = others.shape(start, start.has("line") ? start["line"].text : l.name, true);
-    check_left_shape(l, start["from"], start.where, others.parted(), c.notes);
+    l.previous_shape = others.shape(start, start.has("line") ? start["line"].text : l.name, true);
+    check_previous_shape(l, start["from"], start.where, others.parted(), c.notes);
   }
 }
 

@@ -33,7 +33,7 @@ bool both_sides(const std::vector<RaoTable::Row>& rows) {
 
 RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& source,
                     std::vector<std::string>& notes) {
-  const auto [at, rows] = read_given_rows(rao, source);
+  const auto [at, rows] = read_input_rows(rao, source);
   const double sign = rao["phase"].is("lead") ? 1 : -1;
   std::vector<RaoTable::Row> table;
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -72,16 +72,16 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
 // A table of 0 to 180 deg has a neighbour of 180 at 360: what goes to 270 is half of both, and nothing rolls.
 void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                 std::vector<std::string>& notes) {
-  size_t astray = 0;
+  size_t uncovered = 0;
   DirectionGap gap;
   double direction = 0;
   for (const WaveComponent& w : waves.components()) {
     const double to = std::atan2(w.y, w.x) - bow;
     const DirectionGap b = table.neighbours(to);
     if (b.to - b.from <= kWideGap * kDegree * (1 + 1e-9)) continue;
-    if (astray++ == 0) gap = b, direction = to;
+    if (uncovered++ == 0) gap = b, direction = to;
   }
-  if (astray == 0) return;
+  if (uncovered == 0) return;
   // Into the gap, however many times round.
   direction = gap.from + std::fmod(std::fmod(direction - gap.from, 2 * M_PI) + 2 * M_PI, 2 * M_PI);
   notes.push_back(
@@ -89,9 +89,9 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
                   "and {:.4g} deg, the table's next directions: give rows between them, or 'symmetry: "
                   "port_starboard' if the table is that of one side",
                   key,
-                  astray == 1 ? fmt::format("the wave goes to {:.4g} deg", direction / kDegree)
-                              : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts",
-                                            astray, direction / kDegree),
+                  uncovered == 1 ? fmt::format("the wave goes to {:.4g} deg", direction / kDegree)
+                                 : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts",
+                                               uncovered, direction / kDegree),
                   gap.from / kDegree, gap.to / kDegree));
 }
 
@@ -131,7 +131,7 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
 // has not.
 void check_phases(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                   std::vector<std::string>& notes) {
-  constexpr double kTold = 0.01;  // of the sea's energy
+  constexpr double kReportedShare = 0.01;  // of the sea's energy
   std::map<RaoTable::Turn, double> found;
   double all = 0;
   for (const WaveComponent& w : waves.components()) {
@@ -139,7 +139,7 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
     all += energy;
     for (const RaoTable::Turn& t : table.turns(w.omega, std::atan2(w.y, w.x) - bow)) found[t] += energy;
   }
-  std::erase_if(found, [&](const auto& f) { return f.second < kTold * all; });
+  std::erase_if(found, [&](const auto& f) { return f.second < kReportedShare * all; });
   if (found.empty()) return;
   const auto& [t, energy] = *std::max_element(
       found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -42,10 +42,10 @@ std::string describe(const Checkpoint& c, int nodes_total) {
   return out.str();
 }
 
-void agree(MPI_Comm comm, bool good, const std::string& names) {
+void agree(MPI_Comm comm, bool valid, const std::string& names) {
   std::uint64_t hash = checkpoint_sum(names, 0, 0);
   // If the largest hash and the largest complement belong to one value, all ranks have it.
-  std::uint64_t most[3] = {hash, ~hash, good ? 0u : 1u};
+  std::uint64_t most[3] = {hash, ~hash, valid ? 0u : 1u};
   MPI_Allreduce(MPI_IN_PLACE, most, 3, MPI_UINT64_T, MPI_MAX, comm);
   if (most[0] != ~most[1]) throw std::logic_error("checkpoint: names differ between ranks");
   if (most[2]) throw std::logic_error("checkpoint: values do not belong to the owned nodes");
@@ -143,15 +143,15 @@ bool fits(const CheckpointHistory& history, const HistoryRecord& r) {
 // its records and the records by node: node, kind, key, length, values.
 CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_total,
                                const std::vector<int>& owned) {
-  bool good = true;
+  bool valid = true;
   for (const auto& [name, field] : c.nodes)
-    good =
-        good && (field.make || field.values.size() == owned.size() * static_cast<size_t>(field.components));
+    valid =
+        valid && (field.make || field.values.size() == owned.size() * static_cast<size_t>(field.components));
   CheckpointRoom room;
   for (const auto& [name, history] : c.history) {
     const auto look = [&, &history = history](const std::vector<HistoryRecord>& records) {
       for (const auto& r : records) {
-        good = good && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
+        valid = valid && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
         room.size += kRecordHead + static_cast<long long>(r.values.size());
       }
     };
@@ -160,7 +160,7 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
     for (int n = 0; history.make && n < nodes_total; n += some) look(history.make({n, n + some}));
   }
   room.index = describe(c, nodes_total);
-  agree(comm, good, room.index);
+  agree(comm, valid, room.index);
   all_reduce(comm, MPI_SUM, room.size);
   room.size += 1 + std::ssize(c.scalars) + std::ssize(c.history);
   for (const auto& [name, field] : c.nodes)

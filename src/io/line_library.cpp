@@ -127,8 +127,8 @@ std::string line_library_markdown() {
   const Value& all = library();
   for (std::size_t i = 0; i < all.items.size(); ++i) {
     const Value& e = all.items[i];
-    const auto column = [&e](const char* key, const char* otherwise = "outer_diameter") {
-      return formula(e.has(key) ? e[key] : e[otherwise]);
+    const auto column = [&e](const char* key, const char* fallback = "outer_diameter") {
+      return formula(e.has(key) ? e[key] : e[fallback]);
     };
     const std::string breaks = column("breaking_load");
     s += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", all.keys[i],

@@ -315,7 +315,7 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
 }
 
 ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultContents contents,
-                                std::vector<int> owned, double time, const ClashesTold& told) {
+                                std::vector<int> owned, double time, const ReportedClashes& reported) {
   ResultProgress progress;
   const int rank = rank_of(comm);
   std::string error;
@@ -341,10 +341,10 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
                     had.slot_text,
                     progress.sequence,
                     0,
-                    static_cast<long long>(told.open.size())};
+                    static_cast<long long>(reported.open.size())};
   // A run that failed left with its last output also what ended later; older checkpoints do not know what
   // went to another file.
-  if (n[0] > 0 && !progress.clashes.empty()) n[5] = std::min(told.ended, progress.clashes[n[0] - 1]);
+  if (n[0] > 0 && !progress.clashes.empty()) n[5] = std::min(reported.ended, progress.clashes[n[0] - 1]);
   MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);
   progress.output_times.resize(n[0]);
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
@@ -356,7 +356,7 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
     for (const double t : progress.output_times) m.xdmf->add(t);
   m.sequence = n[4];
   m.clashes = n[5];
-  const ClashTables clashes{{}, told.open};
+  const ClashTables clashes{{}, reported.open};
   const ResultLast kept{clashes};
   m.build({std::max<long long>(m.contents.expected_outputs, n[0] + 1),
            std::max<long long>(m.contents.expected_steps, n[1] + 1),

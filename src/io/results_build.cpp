@@ -411,7 +411,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
     std::remove(made.c_str());
     throw WriteError(text);
   }
-  if (from.empty()) keep_results(path);
+  if (from.empty()) back_up_results(path);
   put_in_place(made, path);
 }
 

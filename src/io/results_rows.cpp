@@ -56,21 +56,21 @@ void SharedFile::close() {
 
 void SharedFile::note(const std::exception& e) {
   ours_ = dynamic_cast<const std::logic_error*>(&e) || dynamic_cast<const InputError*>(&e);
-  const bool told = ours_ || dynamic_cast<const WriteError*>(&e);
-  trouble_ = told ? e.what() : cannot_write(path_, e.what());
+  const bool reported = ours_ || dynamic_cast<const WriteError*>(&e);
+  error_ = reported ? e.what() : cannot_write(path_, e.what());
 }
 
 void SharedFile::agree() {
   const int size = ranks_of(comm_);
-  int who = trouble_.empty() ? size : rank_;
+  int who = error_.empty() ? size : rank_;
   all_reduce(comm_, MPI_MIN, who);
   if (who == size) return;
-  auto length = static_cast<int>(trouble_.size());
+  auto length = static_cast<int>(error_.size());
   MPI_Bcast(&length, 1, MPI_INT, who, comm_);
-  trouble_.resize(length);
-  MPI_Bcast(trouble_.data(), length, MPI_CHAR, who, comm_);
+  error_.resize(length);
+  MPI_Bcast(error_.data(), length, MPI_CHAR, who, comm_);
   MPI_Bcast(&ours_, 1, MPI_C_BOOL, who, comm_);
-  const std::string text = std::exchange(trouble_, "");
+  const std::string text = std::exchange(error_, "");
   if (ours_) throw std::runtime_error(text);
   throw WriteError(text);
 }

@@ -99,7 +99,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void open(Value::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (stack_.size() >= kDeepest) model::fail(file_, line_of(mark), path(), "is nested too deeply");
-    if (wants_key()) no_key(line_of(mark));
+    if (expects_key()) no_key(line_of(mark));
     Frame f;
     f.value.kind = kind;
     f.value.line = line_of(mark);
@@ -128,7 +128,7 @@ class TreeBuilder final : public YAML::EventHandler {
     add(std::move(v));
   }
 
-  bool wants_key() const {
+  bool expects_key() const {
     return !stack_.empty() && stack_.back().value.kind == Value::Kind::map && !stack_.back().has_key;
   }
   [[noreturn]] void no_key(int line) const {

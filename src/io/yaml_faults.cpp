@@ -60,12 +60,12 @@ class Lines {
   bool inside() const { return !open_.empty(); }
   bool quoted() const { return inside() && (open_.back().kind == '"' || open_.back().kind == '\''); }
 
-  void blame(std::size_t line, std::string text) {
+  void fault(std::size_t line, std::string text) {
     if (!unfit_) unfit_ = {number(line), std::move(text)};
   }
   void left_open() {
     if (quoted() && !open_quote_) open_quote_ = {open_.back().line, open_.back().kind};
-    blame(open_.back().line, fmt::format("the {} {} that opens in this line is not closed",
+    fault(open_.back().line, fmt::format("the {} {} that opens in this line is not closed",
                                          quoted() ? "quote" : "bracket", open_.back().kind));
     open_.clear();
   }
@@ -123,13 +123,13 @@ class Lines {
     const std::size_t next = raw.find_first_not_of(" \t\r", at + 1);
     if (next == std::string::npos || std::string_view(",]}:#").find(raw[next]) != std::string_view::npos)
       return;
-    blame(lines_.size(), fmt::format("the quote {} ends in the middle of a text: within such quotes write {}",
+    fault(lines_.size(), fmt::format("the quote {} ends in the middle of a text: within such quotes write {}",
                                      raw[at], raw[at] == '"' ? "\\\"" : "''"));
   }
 
   void close(char c) {
     if (inside() && open_.back().kind == (c == ']' ? '[' : '{')) return open_.pop_back();
-    blame(lines_.size(), !inside() ? fmt::format("the bracket '{}' closes none that is open", c)
+    fault(lines_.size(), !inside() ? fmt::format("the bracket '{}' closes none that is open", c)
                                    : fmt::format("the bracket '{}' does not close the '{}' of line {}", c,
                                                  open_.back().kind, number(open_.back().line)));
   }

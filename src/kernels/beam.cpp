@@ -170,10 +170,12 @@ HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, co
   }
   for (int i = 0; i < 3; ++i) Hpp.r[i] += diagonal[i] * unit(i);
   Mat Hpy = transpose(Hyp);
-  if (s.gives > 0) {
-    const ByLength felt = by_length(s, o), all = s.plastic ? with_bends(s, r, o, felt) : felt;
-    const Row n = s.gives * all.n, m = s.gives * all.m;
-    Hyy += outer(-n, felt.n), Hyp += outer(-n, felt.m), Hpy += outer(-m, felt.n), Hpp += outer(-m, felt.m);
+  if (s.length_by_force > 0) {
+    const ByLength with_bending = by_length(s, o),
+                   all = s.plastic ? with_bends(s, r, o, with_bending) : with_bending;
+    const Row n = s.length_by_force * all.n, m = s.length_by_force * all.m;
+    Hyy += outer(-n, with_bending.n), Hyp += outer(-n, with_bending.m), Hpy += outer(-m, with_bending.n),
+        Hpp += outer(-m, with_bending.m);
   }
 
   const Row q = cross(o.n, o.y);

@@ -29,7 +29,7 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   o.t = o.l > 0 ? Vec3(d / o.l) : Vec3(0, 0, 0);
   o.strain = (o.l - s.length) / s.length - s.free_strain;
   o.dv = e.v2 - e.v1;
-  o.rate = (o.t.dot(o.dv) - s.grows * o.l / s.length) / s.length;
+  o.rate = (o.t.dot(o.dv) - s.length_rate * o.l / s.length) / s.length;
   o.tension = 0;
   o.damped = false;
   o.springs = 1;
@@ -134,7 +134,7 @@ void cable_mean(const CableSection& s, const CableStart& from, const CableStep& 
   const double across = m.tension > 0 ? m.tension / (from.length + m.l) : 0;
   out.force = m.tension * m.n;
   // d strain = (dl - (l/L) dL) / L
-  const Vec3 along = (m.slope / s.length * (1 - m.l / s.length * s.follows)) * m.t;
+  const Vec3 along = (m.slope / s.length * (1 - m.l / s.length * s.length_by_chord)) * m.t;
   out.k = m.n * along.transpose() - (across * m.n) * m.t.transpose();
   out.k.diagonal().array() += across;
   out.c.setZero();
@@ -177,7 +177,8 @@ void cable_pull(const CableSection& s, const CableEnds& e, double slack, CablePu
   Vec3 along = (stiff - across) * o.t;
   // rate = (t.dv - L' l/L)/L turns with the chord: its gradient is (dv - t (t.dv))/(l L) - L' t/L²
   if (o.damped)
-    along += (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv)) - (ea * s.beta * s.grows / s.length) * o.t;
+    along +=
+        (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv)) - (ea * s.beta * s.length_rate / s.length) * o.t;
   const Vec3 damped = (o.damped ? ea * s.beta : 0.0) * o.t;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) {

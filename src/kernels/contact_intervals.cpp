@@ -140,9 +140,9 @@ class Scan {
       (X.gap < 0 ? in : out) = x;
       double next = x - X.gap / X.slope;
       // Newton must stay inside and at least halve its step; else the bracket is halved.
-      const bool good = (next - in) * (next - out) < 0 && std::abs(next - x) < 0.5 * last;
+      const bool inside = (next - in) * (next - out) < 0 && std::abs(next - x) < 0.5 * last;
       if (std::isfinite(next) && std::abs(next - x) <= kRoot) return std::clamp(next, 0.0, 1.0);
-      if (!good) next = 0.5 * (in + out);
+      if (!inside) next = 0.5 * (in + out);
       last = std::abs(next - x);
       if (last <= kRoot) return next;
       x = next;

@@ -41,7 +41,7 @@ namespace {
 
 // Force and moment about the centre of mass, body axes.
 std::array<Vec3, 2> load_in_body(const RigidBodyLoad& load, const RigidBodyState& s) {
-  const Quat to_body = load.follows ? Quat::Identity() : s.q.conjugate();
+  const Quat to_body = load.body_fixed ? Quat::Identity() : s.q.conjugate();
   const Vec3 F = to_body * load.force;
   return {F, load.arm.cross(F) + to_body * load.moment};
 }
@@ -53,18 +53,18 @@ void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResid
   const auto [F, moment] = load_in_body(load, s);
   to.applied.head<3>() -= s.q * F;
   to.applied.tail<3>() -= moment;
-  if (load.follows)
+  if (load.body_fixed)
     to.K.topRightCorner<3, 3>() += s.q.toRotationMatrix() * hat(F);
   else
     to.K.bottomRightCorner<3, 3>() -= hat(load.arm) * hat(F) + hat(s.q.conjugate() * load.moment);
 }
 
 double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
-  return load.follows ? 0 : -load.force.dot(s.x + s.q * load.arm);
+  return load.body_fixed ? 0 : -load.force.dot(s.x + s.q * load.arm);
 }
 
 double load_power(const RigidBodyLoad& load, const RigidBodyState& s) {
-  if (!load.follows) return load.moment.dot(s.q * s.w);
+  if (!load.body_fixed) return load.moment.dot(s.q * s.w);
   return (s.q * load.force).dot(s.v) + (load.arm.cross(load.force) + load.moment).dot(s.w);
 }
 

@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t kVector = 8;
 // At a depth d motion has exp(-k d) + exp(-k (2 h - d)) of what it has, less the second, in the mean water
-// level: at most 2 exp(-k d), a component's with k d above this less than kLeftOut of it.
-const double kUnfelt = std::log(2 / WaveSums::kLeftOut);
+// level: at most 2 exp(-k d), a component's with k d above this less than kNegligible of it.
+const double kNegligibleExponent = std::log(2 / WaveSums::kNegligible);
 // exp of minus it is below rounding.
 constexpr double kNothing = 37;
 
 // Sine and cosine of an angle in quarter turns, whose reduction to an eighth of a turn is exact in them. By
-// Taylor's series to below (pi/4)^15/15! = 2e-14, beside which kLeftOut is large.
+// Taylor's series to below (pi/4)^15/15! = 2e-14, beside which kNegligible is large.
 struct SineCosine {
   double sine, cosine;
 };
@@ -76,7 +76,9 @@ std::size_t WaveSums::up_to(double most) const {
   return (static_cast<std::size_t>(end - number_.begin()) + kVector - 1) / kVector * kVector;
 }
 
-std::size_t WaveSums::felt(double z) const { return z < 0 ? up_to(kUnfelt / -z) : number_.size(); }
+std::size_t WaveSums::significant_components(double z) const {
+  return z < 0 ? up_to(kNegligibleExponent / -z) : number_.size();
+}
 
 HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n, Phases& out) const {
   out.sine.resize(n), out.cosine.resize(n);
@@ -88,7 +90,7 @@ HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n,
 // felt.
 HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
                                         Vec3& acceleration) const {
-  const std::size_t n = std::min(felt(z), at.sine.size());
+  const std::size_t n = std::min(significant_components(z), at.sine.size());
   const double above = std::max(depth_ + z, 0.0);  // the bed
   const std::size_t shallow = depth_ > 0 ? std::min(n, up_to(kNothing / std::max(2 * above, 1e-9))) : 0;
   const double *sine = at.sine.data(), *cosine = at.cosine.data();

@@ -37,16 +37,17 @@ WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
 // How many components, the longest waves first, are summed for a place at the height z. At the bed those that
 // are felt there are enough: the motion depends on the elevation eta only by Wheeler's stretching, which
 // moves the place by h (h + z)/(h + eta)² d eta when eta changes by d eta, and the motion exp(kz) of any
-// component then changes by at most 1/(e |z|) times that. This is bounded by WaveSums::kLeftOut for what is
-// left out. Everywhere else all components are summed, since a tall body below needs the elevation above it.
+// component then changes by at most 1/(e |z|) times that. This is bounded by WaveSums::kNegligible for what
+// is left out. Everywhere else all components are summed, since a tall body below needs the elevation above
+// it.
 std::size_t WaveField::components_summed(double z) const {
   const double height = sums_.height_beyond(0), h = depth_;
   if (stretching_ != Stretching::wheeler || !(h > height) || !(z < -height)) return sums_.size();
   const double highest = h * (z + height) / (h - height);  // under the deepest trough
   const double moves = h * std::abs(h + z) / ((h - height) * (h - height));
-  const std::size_t n = sums_.felt(highest);
+  const std::size_t n = sums_.significant_components(highest);
   const double change = moves * sums_.height_beyond(n) / (M_E * -highest);
-  return change <= WaveSums::kLeftOut ? n : sums_.size();
+  return change <= WaveSums::kNegligible ? n : sums_.size();
 }
 
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {

@@ -146,7 +146,7 @@ class EventOrder {
                        [&](const Volume& v) { return switches(event().action, v); }))
         issue("contact.volume", "there is no volume, support or group of supports '{}'{}",
               event().action.volume, did_you_mean(event().action.volume, names));
-    std::set<std::pair<std::size_t, std::size_t>> told;  // once for all rollers of a group
+    std::set<std::pair<std::size_t, std::size_t>> reported;  // once for all rollers of a group
     for (const Volume& v : c_.volumes) {
       std::vector<std::size_t> events;
       for (std::size_t k = 0; k < c_.events.size(); ++k)
@@ -158,7 +158,7 @@ class EventOrder {
       for (std::size_t k = 1; k < events.size(); ++k) {
         i_ = events[k];
         if (c_.events[events[k]].action.enabled == c_.events[events[k - 1]].action.enabled &&
-            told.insert({events[k], events[k - 1]}).second)
+            reported.insert({events[k], events[k - 1]}).second)
           issue("contact", "contact with volume '{}' is {} by the event before already", v.name,
                 event().action.enabled ? "on" : "off");
       }

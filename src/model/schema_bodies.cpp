@@ -188,7 +188,7 @@ Key body_loads() {
                        vec3({"moment", &BodyLoad::moment}, moment, "moment", or_else(kZero)),
                        vec3({"at", &BodyLoad::at}, length, "where the force acts, in the body's frame",
                             or_else(kZero)),
-                       word({"axes", &BodyLoad::follows}, {{"space", false}, {"body", true}},
+                       word({"axes", &BodyLoad::body_fixed}, {{"space", false}, {"body", true}},
                             "of force and moment: they stay, or turn with the body", or_else("space"))}),
               "constant forces on it, in statics too: thrust of a turbine or of thrusters");
 }

@@ -8,8 +8,8 @@ namespace {
 constexpr const char* kFromPipe = "none: needed unless `library` or `pipe`";
 constexpr const char* kStiffness = "none: needed unless `bending: false` or `pipe`";
 
-Key condition(const char* where, double PipeConditions::*factor, const char* about, auto otherwise) {
-  return number({where, within(&LineType::conditions, factor)}, none, about, in_range(0.5, 2), otherwise);
+Key condition(const char* where, double PipeConditions::*factor, const char* about, auto fallback) {
+  return number({where, within(&LineType::conditions, factor)}, none, about, in_range(0.5, 2), fallback);
 }
 
 Key pipe() {

@@ -69,7 +69,8 @@ bool Audit::wrong() const {
          lost.value > kLostWrong * size();
 }
 
-std::string Audit::warning(bool fixed, const std::string& where, const std::string& striking) const {
+std::string Audit::warning(bool fixed, const std::string& where,
+                           const std::string& initial_velocity_key) const {
   if (!std::isfinite(error)) return advice::energy_is_no_number();
   const double making = made.value / (kMadeReported * size()), losing = lost.value / (kLostReported * size());
   if (std::max(making, losing) <= 1 && !wrong()) return "";
@@ -77,7 +78,7 @@ std::string Audit::warning(bool fixed, const std::string& where, const std::stri
   const std::string text = making > losing
                                ? advice::energy_made({made.value, made.time, size(), worst.value, worst.time,
                                                       worst.length, worst.with, fixed},
-                                                     where, at_start_of_motion ? striking : "")
+                                                     where, at_start_of_motion ? initial_velocity_key : "")
                                : advice::energy_lost(lost.value, lost.time, size(), lost.step, fixed);
   return wrong() ? text + advice::not_to_be_used() : text;
 }

@@ -180,8 +180,8 @@ std::vector<io::ClashRow> ClashLog::open() const {
 }
 
 io::ClashTables ClashLog::take() {
-  told_ = {told_.ended + static_cast<long long>(ended_.size()), open()};
-  return {std::exchange(ended_, {}), told_.open};
+  reported_ = {reported_.ended + static_cast<long long>(ended_.size()), open()};
+  return {std::exchange(ended_, {}), reported_.open};
 }
 
 std::vector<io::ClashRow> ClashLog::largest(size_t most) const {
@@ -235,7 +235,7 @@ class Take {
 
 std::vector<double> ClashLog::save() const {
   std::vector<double> v{time_, static_cast<double>(ended_count_)};
-  v.reserve(kRow * (open_.size() + ended_.size() + largest_.size() + told_.open.size()) + 8);
+  v.reserve(kRow * (open_.size() + ended_.size() + largest_.size() + reported_.open.size()) + 8);
   for (const auto* rows : {&ended_, &largest_}) {
     v.push_back(static_cast<double>(rows->size()));
     for (const io::ClashRow& r : *rows) put(v, r);
@@ -247,9 +247,9 @@ std::vector<double> ClashLog::save() const {
     v.push_back(static_cast<double>(o.places.size()));
     for (const auto& [from, to] : o.places) v.insert(v.end(), {from, to});
   }
-  v.push_back(static_cast<double>(told_.ended));
-  v.push_back(static_cast<double>(told_.open.size()));
-  for (const io::ClashRow& r : told_.open) put(v, r);
+  v.push_back(static_cast<double>(reported_.ended));
+  v.push_back(static_cast<double>(reported_.open.size()));
+  for (const io::ClashRow& r : reported_.open) put(v, r);
   return v;
 }
 
@@ -271,10 +271,10 @@ void ClashLog::restore(const std::vector<double>& values) {
       o.places.emplace_back(from, take.number());
     }
   }
-  told_ = {ended_count_ - static_cast<long long>(ended_.size()), open()};
+  reported_ = {ended_count_ - static_cast<long long>(ended_.size()), open()};
   if (take.done()) return;  // an older file
-  told_ = {static_cast<long long>(take.number()), {}};
-  for (size_t n = take.count(); n > 0; --n) told_.open.push_back(take.row());
+  reported_ = {static_cast<long long>(take.number()), {}};
+  for (size_t n = take.count(); n > 0; --n) reported_.open.push_back(take.row());
 }
 
 }  // namespace hawser::record

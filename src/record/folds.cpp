@@ -28,7 +28,7 @@ Folds::Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders
   }
 }
 
-void Folds::look(const Kinematics& at, std::span<const double> before, std::span<const double> after) {
+void Folds::update(const Kinematics& at, std::span<const double> before, std::span<const double> after) {
   for (size_t i = 0; i < folds_.size(); ++i) {
     Fold& f = folds_[i];
     if (f.echo == 0) continue;

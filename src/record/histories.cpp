@@ -106,14 +106,14 @@ Histories::Point Histories::point_of(int line, double arc) const {
   return p;
 }
 
-double Histories::facing(int field, const SectionForce& s, const Quat& q, double otherwise) const {
-  if (field < 0 || !s.beam) return otherwise;
+double Histories::facing(int field, const SectionForce& s, const Quat& q, double fallback) const {
+  if (field < 0 || !s.beam) return fallback;
   if (field == shear_) return s.shear();
   if (field == torsion_) return s.moment.dot(q * Vec3::UnitX());
   if (field == moment_) return s.moment.cross(q * Vec3::UnitX()).norm();
   if (field == moment_2_) return s.moment.dot(q * Vec3::UnitY());
   if (field == moment_3_) return s.moment.dot(q * Vec3::UnitZ());
-  return otherwise;
+  return fallback;
 }
 
 // What node `side` of a point contributes. Where section forces jump at a node the point lies on one side of

@@ -132,21 +132,21 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
     const bool save = info.time >= checkpoint_at - slack || last;
     // Whether somebody asked to stop, and whether a checkpoint is due by the clock, is agreed on where
     // everybody meets anyhow.
-    int agreed[2] = {0, 0};
+    int rethrow_on_all_ranks[2] = {0, 0};
     if (output || save) {
-      agreed[0] = stop_requested, agreed[1] = rank == 0 && checkpoints.due();
-      all_reduce(comm, MPI_MAX, agreed);
+      rethrow_on_all_ranks[0] = stop_requested, rethrow_on_all_ranks[1] = rank == 0 && checkpoints.due();
+      all_reduce(comm, MPI_MAX, rethrow_on_all_ranks);
     }
-    const bool stop = agreed[0] != 0;
+    const bool stop = rethrow_on_all_ranks[0] != 0;
     if (output || stop) {
       recorder.output(d.kinematics());
       output_at = record::next_multiple(info.time, every);
     }
     // What was shown is the state before it, what is saved the one after.
     for (const std::string& e : events.apply_due()) progress.say(e);
-    feeder_nodes.hand_over();
+    feeder_nodes.transfer_node();
     if (save || stop) {
-      if (last || stop || checkpoint_every > 0 || agreed[1]) save_state();
+      if (last || stop || checkpoint_every > 0 || rethrow_on_all_ranks[1]) save_state();
       checkpoint_at = checkpoint_every > 0 ? record::next_multiple(info.time, checkpoint_every) : output_at;
     }
     stopped = stop && !last;
@@ -186,13 +186,13 @@ int run(MPI_Comm comm, const RunOptions& options) {
   const int rank = rank_of(comm), size = ranks_of(comm);
   const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
   Progress progress(speak);
-  model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
+  model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
   const OutputPlace place(comm, c.output.file, options.restart, c.inputs);
   c.output.file = place.path();
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
-  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   const double end =
@@ -299,8 +299,8 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const int rank = rank_of(comm);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   Progress progress(rank == 0);
-  model::Case c = io::read_case(case_path, news(progress), comm, changes);
-  const std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  model::Case c = io::read_case(case_path, read_progress(progress), comm, changes);
+  const std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   if (rank != 0) return 0;
   progress.end();
   const double begun = cpu_time();
@@ -355,7 +355,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
     tried = trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) {
       if (!std::exchange(rests, true))
         for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
-      water.look_at_some(at);
+      water.update_sampled(at);
     });
     for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
     fmt::print("{}\n", cost_sentence(tried));

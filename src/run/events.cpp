@@ -77,8 +77,8 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
     case Cause::Kind::paid_out: {
       const Feeders& feeders = *sim_.feeders();
       const Feeder& f = feeders.list()[h.feeder];
-      if (!feeders.at_mouth(f)) return -HUGE_VAL;
-      return feeders.outside(f) - f.length + feeders.mouth(f, at, true).length - f.outside_at_start;
+      if (!feeders.at_feed_point(f)) return -HUGE_VAL;
+      return feeders.outside(f) - f.length + feeders.feed_point(f, at, true).length - f.outside_at_start;
     }
     case Cause::Kind::near:
       return own ? actions_.away(h.what.action, at) : -HUGE_VAL;
@@ -185,7 +185,7 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
                                  stage.empty() ? fmt::format("t = {:.6g} s", at.time) : "stage " + stage,
                                  a.subject(), a.participle(), how));
   if (a.kind != Action::Kind::release) return;
-  for (const LeftOut& out : sim_.left_out()) {
+  for (const ExcludedEnds& out : sim_.excluded_ends()) {
     const double length = a.at_b ? out.end_b : out.end_a;
     if (out.line == sim_.model().line_index(a.line) && length > 0)
       messages.push_back(
@@ -258,7 +258,8 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
   for (bool more = !left.empty(); more;) {
     more = false;
     for (auto& [f, length] : left) {
-      const double most = sim_.feeders()->element_length(*f, f->mouth), by = std::clamp(length, -most, most);
+      const double most = sim_.feeders()->element_length(*f, f->feed_point),
+                   by = std::clamp(length, -most, most);
       feeder_nodes.shift(*f, by);
       more |= (length -= by) != 0;
     }

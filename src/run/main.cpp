@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/base/singleton.hpp"
 #include "hawser/io/line_library.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/model/schema.hpp"
@@ -35,7 +35,7 @@ using hawser::run::RunOptions;
 struct Petsc {
   int rank = 0;
   Petsc(int argc, char** argv) {
-    hawser::start_alone();
+    hawser::start_singleton();
     PetscInitialize(&argc, &argv, nullptr, nullptr);
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
     PetscPopSignalHandler();

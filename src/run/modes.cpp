@@ -173,7 +173,7 @@ void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volu
 int modes(MPI_Comm comm, const ModesOptions& options) {
   const int rank = rank_of(comm);
   Progress progress(rank == 0 && !options.quiet);
-  model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
+  model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   const std::filesystem::path beside(c.path);
   const std::string wanted = options.output.empty()
                                  ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
@@ -182,7 +182,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   if (!c.statics.enabled)
     throw InputError(c.path +
                      ": statics: modes are about the static equilibrium, which this case leaves out");
-  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   c = with_targets_met(comm, std::move(c), volumes, progress);
   if (!options.added_mass)
     for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;

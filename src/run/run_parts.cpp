@@ -44,7 +44,7 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
 
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
                              Progress& progress, const std::string& restart,
-                             const std::function<void()>& looked) {
+                             const std::function<void()>& on_iteration) {
   if (!has_targets(c)) return c;
   MetTargets met;
   try {
@@ -54,7 +54,7 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
                     comm, c, volumes,
                     [&](const StaticsReport& now) {
                       progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-                      if (looked) looked();
+                      if (on_iteration) on_iteration();
                     },
                     [&](const std::string& trial) { progress.busy(trial, 0); });
   } catch (const SolveError&) {
@@ -87,7 +87,7 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
       s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
       !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
   for (const std::string& line : sim.on_bed()) progress.say(line);
-  if (s.escapes > 0) progress.say("note: " + advice::unstable_on_the_way(s.escapes));
+  if (s.escapes > 0) progress.say("note: " + advice::unstable_equilibria_left(s.escapes));
   for (const std::string& w : sim.tilting_warnings()) progress.say("warning: " + w);
   if (s.negative_eigenvalues > 0)
     progress.say("warning: " + advice::unstable_at_rest(s.negative_eigenvalues));
@@ -109,7 +109,7 @@ StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
   return last;
 }
 
-io::ReadingNews news(Progress& progress) {
+io::ReadProgress read_progress(Progress& progress) {
   return {[&progress](const std::string& title) { progress.say(title); },
           [&progress](const std::string& what, double seconds) { progress.busy(what, seconds); }};
 }

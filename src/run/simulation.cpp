@@ -217,7 +217,7 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
   if (volumes_.empty()) return;
   auto* contact = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held),
                                          comm, case_.contact.method);
-  contact->leave_out(start_contact_.left_out);
+  contact->exclude_ends(start_contact_.excluded_ends);
   for (int v = 0; v < contact->volumes(); ++v) last_stiffness_.push_back(contact->stiffness(v));
 }
 
@@ -385,11 +385,11 @@ void Simulation::check_inside() const {
 std::string Simulation::inside(int volume, const Kinematics& at) const {
   ContactVolume v = volumes_[volume];
   v.off = false;
-  std::vector<LeftOut> left_out;
-  for (LeftOut l : start_contact_.left_out)
-    if (l.volume == volume) l.volume = 0, left_out.push_back(l);
+  std::vector<ExcludedEnds> excluded_ends;
+  for (ExcludedEnds l : start_contact_.excluded_ends)
+    if (l.volume == volume) l.volume = 0, excluded_ends.push_back(l);
   bodies_->exchange_poses(system_->comm(), at);
-  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, left_out);
+  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, excluded_ends);
 }
 
 void Simulation::enable_contact(const model::Action& action) {

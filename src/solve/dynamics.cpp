@@ -80,8 +80,8 @@ void Dynamics::build() {
 
 void Dynamics::prepare(double h, const State* end) {
   const auto couple = [&](const State& s) { return system_.couple(s.view(last_step_), h); };
-  if ((end ? couple(straight_way(system_.mesh(), committed_.s, *end, h)) : couple(committed_.s)) ==
-      Coupled::anew) {
+  if ((end ? couple(straight_path(system_.mesh(), committed_.s, *end, h)) : couple(committed_.s)) ==
+      CouplingChange::layout_changed) {
     build();
     system_.spread(committed_.s);
     system_.spread(committed_.ax);
@@ -165,13 +165,13 @@ int Dynamics::try_step(double h) {
   alpha_mean_carried(alpha_, mean_, carried_);
   alpha_predict(system_.mesh(), system_.tied_nodes(), h, committed_, local_u_);
   put(local_u_);
-  system_.forget_stiffening();
+  system_.revert_stiffness();
   tries_.info.iterations = 0;
   for (int round = 0;; ++round) {
     solve_once();
     if (!tries_.solved) break;
     load(u_.get());
-    if (!system_.stiffen(trial_.s.view(h_))) break;
+    if (!system_.raise_stiffness(trial_.s.view(h_))) break;
     tries_.solved = round < kMostRaises;
     if (!tries_.solved) break;
   }

@@ -15,8 +15,8 @@ constexpr double kFarthest = 0.1;  // m and rad that a node may settle by; where
 
 }  // namespace
 
-void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
-                         const std::function<std::vector<TiedNode>()>& nodes) {
+void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change,
+                             const std::function<std::vector<TiedNode>()>& nodes) {
   // Where an event has just happened no step went before, and the forces are those that the next one begins
   // with (see start), not those of statics.
   const double h = last_step_ > 0 ? last_step_ : control_.proposal();

@@ -57,8 +57,8 @@ class Relaxation : StaticTrial {
       if (mass_ == 0) mass_ = least = first_mass(report.norms);
       if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least ||
           !std::isfinite(report.norms.relative()) || creeps(report))
-        give_up(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", report.steps,
-                            imbalance(system_, r_.get(), report.norms)));
+        throw_no_equilibrium(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}",
+                                         report.steps, imbalance(system_, r_.get(), report.norms)));
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {
@@ -68,7 +68,7 @@ class Relaxation : StaticTrial {
       }
       ++report.steps;
       take();
-      if (++free > kFree) in_the_way_.clear();
+      if (++free > kFree) blocked_by_.clear();
       if (iterations <= kEasyIterations) weigh(kLighter);
       if (settings_.friction) {
         system_.commit(state_.view(0));

@@ -31,7 +31,7 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
 }
 
 // Puts the held node to where the element between it and the free one has this length.
-void at_mouth(Mesh& mesh, const LineSpan& span, int held, int free, double length) {
+void at_feed_point(Mesh& mesh, const LineSpan& span, int held, int free, double length) {
   const auto node = [&](int i) -> Node& { return mesh.nodes[span.first_node + i]; };
   mesh.elements[span.first_element + std::min(held, free)].length = length;
   node(held).arc = node(free).arc + (held < free ? -length : length);
@@ -75,8 +75,8 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
   if (line.end_b.feed) b = fed_start(mesh, span, true, line.end_b.feed->stock);
   const int first = a.inside, last = span.nodes - 1 - b.inside;
   Mesh outside = mesh;
-  if (line.end_a.feed) at_mouth(outside, span, first, first + 1, a.length);
-  if (line.end_b.feed) at_mouth(outside, span, last, last - 1, b.length);
+  if (line.end_a.feed) at_feed_point(outside, span, first, first + 1, a.length);
+  if (line.end_b.feed) at_feed_point(outside, span, last, last - 1, b.length);
   const LineStretch rest = stretch_of(line, outside, span, first, last);
   LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
   const auto clamp = [&](const model::End& e, Vec3& tangent) {

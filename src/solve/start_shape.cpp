@@ -57,8 +57,8 @@ bool opposite_is_below_ground(const model::Case& c, bool at_b, const Vec3& x, co
 }
 
 // Says that an end is clamped against the way that the line takes there by itself.
-void doubt_direction(const model::Case& c, const model::Line& line, bool at_b, const Vec3& x, const Vec3& own,
-                     const Vec3& given, std::vector<std::string>& notes) {
+void warn_of_direction(const model::Case& c, const model::Line& line, bool at_b, const Vec3& x,
+                       const Vec3& own, const Vec3& given, std::vector<std::string>& notes) {
   const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
   if (turn < kAgainst || opposite_is_below_ground(c, at_b, x, given)) return;
   const Vec3& d = *line.end(at_b).direction;
@@ -92,8 +92,8 @@ void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, L
     const Vec3 given = start_pose(c, bodies, e).rotation * e.direction->normalized();
     Vec3& tangent = at_b ? shape.tangent.back() : shape.tangent.front();
     if (line.starts_by_itself())
-      doubt_direction(c, line, at_b, at_b ? shape.x.back() : shape.x.front(), tangent.normalized(), given,
-                      notes);
+      warn_of_direction(c, line, at_b, at_b ? shape.x.back() : shape.x.front(), tangent.normalized(), given,
+                        notes);
     tangent = given;
   };
   clamp_direction(false), clamp_direction(true);

@@ -96,7 +96,8 @@ void StaticSearch::approach() {
 void StaticSearch::descend(double tolerance) {
   tolerance_ = tolerance, shift_ = kFirstShift, cut_ = 0, begun_ = report_.iterations;
   const SNESConvergedReason reason = solve();
-  if (reason < 0) give_up(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
+  if (reason < 0)
+    throw_no_equilibrium(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
 }
 
 SNESConvergedReason StaticSearch::check_step(int iteration) {
@@ -155,7 +156,7 @@ bool StaticSearch::advance(Vec y) {
   }
   // Cut short again and again by what lines would pass through: they come ever nearer, and there is no way
   // on.
-  if (!blocked) in_the_way_.clear();
+  if (!blocked) blocked_by_.clear();
   cut_ += blocked;
   if ((!taken && shift_ > 1e6) || cut_ > kMostCut) {
     residual();

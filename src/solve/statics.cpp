@@ -89,7 +89,7 @@ StaticsReport against_friction(System& system, const StaticsSettings& settings, 
   for (int round = 0;; ++round) {
     const RelaxationReport rest = relax(system, r, state);
     report.iterations += rest.iterations, report.relaxation_steps += rest.steps, report.norms = rest.norms;
-    if (!system.stiffen(state.view(0))) return report;
+    if (!system.raise_stiffness(state.view(0))) return report;
     if (round == kMostRaises) throw SolveError(kUnsettled);
     start.again(state);
   }
@@ -102,7 +102,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
     return StaticSearch(system, settings, state).run(settings.near);
   if (settings.near) try {
       return StaticSearch(system, settings, state).run(true);
-    } catch (const InTheWay&) {
+    } catch (const PathBlocked&) {
       throw;
     } catch (const SolveError&) {
       start.again(state);
@@ -119,7 +119,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
     start.again(state);
     try {
       return search(!fall);
-    } catch (const InTheWay&) {
+    } catch (const PathBlocked&) {
       throw;
     } catch (const SolveError& second) {
       throw SolveError("{}; after that, {}", first.what(), second.what());
@@ -131,7 +131,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
 StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
                                 State& state) {
   StaticsReport report = first_equilibrium(system, settings, start, state);
-  for (int round = 0; system.stiffen(state.view(0)); ++round) {
+  for (int round = 0; system.raise_stiffness(state.view(0)); ++round) {
     if (round == kMostRaises) throw SolveError(kUnsettled);
     const StaticsReport more = StaticSearch(system, settings, state).run(true);
     report.iterations += more.iterations, report.escapes += more.escapes;
@@ -146,7 +146,7 @@ StaticsReport outside_volumes(System& system, const StaticsSettings& settings, S
   const Start start(system, state);
   for (;;) try {
       return stiff_equilibrium(system, settings, start, state);
-    } catch (const StiffenedOnTheWay&) {
+    } catch (const StiffnessRaised&) {
       start.again(state);
     }
 }

@@ -41,7 +41,7 @@ void StepControl::follow_impact(double t, double period) {
   ringing_ = period, calm_ = t + kFollowed * period;
 }
 
-void StepControl::begin_anew() {
+void StepControl::reset_to_first_step() {
   if (limited()) proposal_ = std::max(std::min(proposal_, s_.first), s_.shortest);
   wait_ = 0;
 }

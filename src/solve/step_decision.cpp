@@ -104,10 +104,10 @@ Dynamics::Decision Dynamics::decide() {
                          trial_.s.time, why);
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
-    case Verdict::Kind::prepare_anew:
+    case Verdict::Kind::prepare_again:
       // How old a list of candidates is must not show in the steps: a restart makes a new one.
-      if (!tries_.prepared_anew) {
-        tries_.prepared_anew = true;
+      if (!tries_.prepared_again) {
+        tries_.prepared_again = true;
         prepare(h_, &trial_.s);
         return {false, next_try()};
       }

@@ -17,7 +17,7 @@ void retract(const LocalMesh& mesh, const State& from, const double* u, State& t
   }
 }
 
-State straight_way(const LocalMesh& mesh, const State& from, const State& to, double h) {
+State straight_path(const LocalMesh& mesh, const State& from, const State& to, double h) {
   State way = from;
   for (size_t n = 0; n < way.x.size(); ++n) {
     way.v[n] = (to.x[n] - from.x[n]) / h, way.a[n] = Vec3::Zero();

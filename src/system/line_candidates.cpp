@@ -86,19 +86,19 @@ void LineCandidates::gather() {
   local_.clear(), built_.clear(), list_.clear();
   local_.reserve(mesh_.elements.size()), built_.reserve(mesh_.elements.size());
   for (const LocalElement& e : mesh_.elements)
-    if (radius_[e.global] > 0 && !left_out(e.global)) local_.push_back(e);
+    if (radius_[e.global] > 0 && !is_in_feeder(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
   bend_.resize(built_.size());
   // Most boxes that overlap are those of neighbours along a line: these are told from their numbers alone.
   constexpr size_t kMost = 15;
-  unseen_.assign(built_.size(), 0);
+  excluded_after_.assign(built_.size(), 0);
   for (size_t i = 0; i < built_.size(); ++i)
     for (size_t j = i + 1; j < std::min(built_.size(), i + 1 + kMost) && never(built_[i], built_[j]); ++j)
-      ++unseen_[i];
+      ++excluded_after_[i];
   locate();
 }
 
-bool LineCandidates::leave_out(std::vector<std::array<int, 2>> inside) {
+bool LineCandidates::set_elements_in_feeders(std::vector<std::array<int, 2>> inside) {
   if (inside == inside_) return false;
   inside_ = std::move(inside);
   gather();
@@ -113,7 +113,7 @@ std::array<int, 2> LineCandidates::outside(int line) const {
   return {l.first_element + inside[0], l.first_element + l.elements - 1 - inside[1]};
 }
 
-bool LineCandidates::left_out(int element) const {
+bool LineCandidates::is_in_feeder(int element) const {
   if (inside_.empty()) return false;
   const auto [first, last] = outside(mesh_.mesh->elements[element].line);
   return element < first || element > last;
@@ -191,20 +191,20 @@ bool LineCandidates::covers(const Kinematics& trial) const {
 bool LineCandidates::update(const Kinematics& committed, double h) {
   const bool known = builds_ > 0 && !outdated_ && !shares_less();
   // Without time having passed: at the end of the way, or, when it was not gone, at its start.
-  int good[2] = {known && holds(committed, 0, part(committed.time)),
-                 known && !(committed.time > made_) && holds(committed, 0, 0)};
+  int usable[2] = {known && holds(committed, 0, part(committed.time)),
+                   known && !(committed.time > made_) && holds(committed, 0, 0)};
   if (h > 0) {
-    const bool foreseen = known && holds(committed, h, part(committed.time + h));
-    for (int& g : good) g = g && foreseen;
+    const bool predicted = known && holds(committed, h, part(committed.time + h));
+    for (int& g : usable) g = g && predicted;
   }
-  all_reduce(comm_, MPI_MIN, good);
-  if (good[0] || good[1]) return false;
+  all_reduce(comm_, MPI_MIN, usable);
+  if (usable[0] || usable[1]) return false;
   ++builds_;
   outdated_ = false;
   if (settings_.shared)
     for (size_t k = 0; k < within_.size(); ++k)
       within_[k] = kShared * settings_.shared->within(static_cast<int>(k));
-  foresee(committed, h);
+  predict(committed, h);
   std::vector<std::pair<int, int>> found = search();
   if (found == list_) return false;
   list_ = std::move(found);
@@ -213,7 +213,7 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
 
 // The paths are parabolas in time. Those that bend (a line that is swung, a long step) are foreseen for fewer
 // steps, so that the bend is no more than a skin; for one step at least, whatever it takes.
-void LineCandidates::foresee(const Kinematics& committed, double h) {
+void LineCandidates::predict(const Kinematics& committed, double h) {
   made_ = committed.time;
   double steps = settings_.steps;
   const auto go = [&] {
@@ -255,7 +255,7 @@ std::vector<std::pair<int, int>> LineCandidates::search() const {
   for (const auto& [first, second] : overlapping_pairs(boxes)) {
     const size_t i = first, j = second;
     if (i >= own) continue;  // and so is the second
-    if (j - i <= unseen_[i]) continue;
+    if (j - i <= excluded_after_[i]) continue;
     const SweptAxis *p = axis_of(i), *q = axis_of(j);
     if (p->element > q->element) std::swap(p, q);  // on every rank the same answer to the last bit
     if (!excluded(*p, *q) && near(middle(*p), middle(*q))) out.emplace_back(p->element, q->element);

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "hawser/base/gather.hpp"
-#include "hawser/base/steady.hpp"
+#include "hawser/base/rank_independent.hpp"
 #include "hawser/math/so3.hpp"
 #include "logged.hpp"
 
@@ -190,10 +190,10 @@ ResidualNorms System::norms(Vec r) const {
   for (size_t l = 0; l < sums_ / 2; ++l) {
     const double* own = s.data() + 2 * l;
     const double* scale = own + sums_;
-    const ResidualNorms n{steady(std::sqrt(own[0])),
-                          steady(std::sqrt(own[1])),
-                          steady(std::sqrt(scale[0])),
-                          steady(std::sqrt(scale[1])),
+    const ResidualNorms n{rank_independent(std::sqrt(own[0])),
+                          rank_independent(std::sqrt(own[1])),
+                          rank_independent(std::sqrt(scale[0])),
+                          rank_independent(std::sqrt(scale[1])),
                           round_off_,
                           longest_element_,
                           l < mesh_.mesh->lines.size() ? mesh_.mesh->lines[l].length : 1};
@@ -245,23 +245,23 @@ double System::dead_load() const {
   double sum = 0;
   for (const ScalesResiduals* t : scale_residuals_) sum += t->dead_load();
   all_reduce(comm_, MPI_SUM, sum);
-  return steady(sum);
+  return rank_independent(sum);
 }
 
-bool System::stiffen(const Kinematics& equilibrium) {
+bool System::raise_stiffness(const Kinematics& equilibrium) {
   bool again = false;
-  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen(equilibrium) || again;
+  for (RaisesStiffness* t : raise_stiffness_) again = t->raise_stiffness(equilibrium) || again;
   return again;
 }
 
-bool System::stiffen_in_the_way(const Kinematics& trial) {
+bool System::raise_stiffness_where_blocked(const Kinematics& trial) {
   bool again = false;
-  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen_in_the_way(trial) || again;
+  for (RaisesStiffness* t : raise_stiffness_) again = t->raise_stiffness_where_blocked(trial) || again;
   return again;
 }
 
-void System::forget_stiffening() {
-  for (RaisesStiffness* t : raise_stiffness_) t->forget_stiffening();
+void System::revert_stiffness() {
+  for (RaisesStiffness* t : raise_stiffness_) t->revert_stiffness();
 }
 
 void System::prepare(const Kinematics& committed, double h) {
@@ -276,7 +276,7 @@ void System::expect(const Kinematics& committed, double h) {
   double square = 0;
   for (const ScalesResiduals* t : scale_residuals_) square += t->round_off(committed, h);
   all_reduce(comm_, MPI_SUM, square);
-  round_off_ = steady(std::sqrt(square));
+  round_off_ = rank_independent(std::sqrt(square));
 }
 
 void System::commit(const Kinematics& accepted) {

@@ -37,10 +37,10 @@ void System::with_frames(Couplings& c) const {
   for (const auto& [a, b] : pairs) join(frame(a), b), join(a, frame(b)), join(frame(a), frame(b));
 }
 
-Coupled System::couple(const Kinematics& committed, double h) {
+CouplingChange System::couple(const Kinematics& committed, double h) {
   bool same = true;
   for (CouplesNodes* t : couple_nodes_) same &= !t->recouple(committed, h);
-  if (all(comm_, same)) return Coupled::as_before;
+  if (all(comm_, same)) return CouplingChange::unchanged;
   Couplings wanted;
   for (const CouplesNodes* t : couple_nodes_) t->couple(wanted);
   with_frames(wanted);
@@ -55,7 +55,7 @@ Coupled System::couple(const Kinematics& committed, double h) {
     reghost_ties();
   }
   for (CouplesNodes* t : couple_nodes_) t->update_ghosts();
-  return fits ? Coupled::otherwise : Coupled::anew;
+  return fits ? CouplingChange::pattern_changed : CouplingChange::layout_changed;
 }
 
 void System::spread(State& s) const {

@@ -35,7 +35,7 @@ BodiesInWater::Places BodiesInWater::places(const Wet& b, const RigidBodyState& 
 
 BodiesInWater::Places BodiesInWater::wave_places(const Wet& b, const Kinematics& at) const {
   const double since = at.time - start_time_;
-  if (!(since > 0)) return b.looked;
+  if (!(since > 0)) return b.wave_place;
   return {b.start.centre + since * b.speed.centre, b.start.drag + since * b.speed.drag};
 }
 
@@ -87,7 +87,7 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
   for (Wet& b : list_) {
     const RigidBodyState s = floating_state(committed, b.node);
     b.start = places(b, s);
-    if (!(committed.step > 0) || !b.has_looked) b.looked = b.start, b.has_looked = true;
+    if (!(committed.step > 0) || !b.has_wave_place) b.wave_place = b.start, b.has_wave_place = true;
     b.speed = {s.v + s.q * s.w.cross(b.data.centre), s.v + s.q * s.w.cross(b.data.drag_centre)};
     b.known = false;
   }
@@ -100,7 +100,7 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
 }
 
 void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool tangent = assembler.wants_tangent();
+  const bool tangent = assembler.needs_tangent();
   BodyWaterResidual r;
   for (const Wet& b : list_) {
     if (idle(b)) continue;
@@ -121,7 +121,7 @@ void BodiesInWater::commit(const Kinematics& accepted) {
     const Flow now = flow(b, accepted);
     if (accepted.step > 0 && b.flowed) b.work += work(b.flow, now);
     b.flow = now, b.flowed = true;
-    b.looked = wave_places(b, accepted), b.has_looked = true;
+    b.wave_place = wave_places(b, accepted), b.has_wave_place = true;
   }
   start_time_ = accepted.time;
 }
@@ -174,18 +174,19 @@ std::vector<HistoryKind> BodiesInWater::history() const { return {history_kind<K
 std::vector<HistoryRecord> BodiesInWater::records(NodeRange of) const {
   std::vector<HistoryRecord> out;
   for (const Wet& b : list_)
-    if (of.has(b.global)) out.push_back(record_of(b.global, 0, Kept{b.work, b.looked.centre, b.looked.drag}));
+    if (of.has(b.global))
+      out.push_back(record_of(b.global, 0, Kept{b.work, b.wave_place.centre, b.wave_place.drag}));
   return out;
 }
 
 // A state that is gone on from has been looked at already.
 void BodiesInWater::restore(const std::vector<HistoryRecord>& records) {
   for (Wet& b : list_) {
-    b.work = 0, b.known = b.flowed = b.has_looked = false;
+    b.work = 0, b.known = b.flowed = b.has_wave_place = false;
     for (const HistoryRecord& r : records) {
       if (r.node != b.global) continue;
       const Kept kept = entry<Kept>(r);
-      b.work = kept.work, b.looked = {kept.centre, kept.drag}, b.has_looked = true;
+      b.work = kept.work, b.wave_place = {kept.centre, kept.drag}, b.has_wave_place = true;
     }
   }
 }

@@ -76,8 +76,8 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
 }
 
 bool BodyContactTerm::recouple(const Kinematics&, double) {
-  const bool first = !told_;
-  told_ = true;
+  const bool first = !coupled_;
+  coupled_ = true;
   return first;
 }
 
@@ -207,7 +207,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
-    const bool tangent = assembler.wants_tangent();
+    const bool tangent = assembler.needs_tangent();
     const Sum s = contact(p, both(p, trial), {true, tangent, false});
     if (!s.active) continue;
     // Rows and columns of bodies with unknowns.

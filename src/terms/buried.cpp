@@ -90,7 +90,7 @@ double BuriedTerm::turn_to(const Kinematics& at, double share) {
 
 // Where the line turns back with its springs, so that less than a quarter of what was to be gained is, it
 // goes half as far.
-bool BuriedTerm::stiffen(const Kinematics& equilibrium) {
+bool BuriedTerm::raise_stiffness(const Kinematics& equilibrium) {
   if (equilibrium.step > 0) return false;
   double turn = turn_to(equilibrium, share_);
   all_reduce(comm_, MPI_MAX, turn);
@@ -104,7 +104,7 @@ void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const BuriedForce s = pull(p, trial);
     const Vec3 residual = -s.force;
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s.stiffness;
-    assembler.add({&p.block, 1}, residual.data(), assembler.wants_tangent() ? K.data() : nullptr, nullptr,
+    assembler.add({&p.block, 1}, residual.data(), assembler.needs_tangent() ? K.data() : nullptr, nullptr,
                   nullptr);
   }
 }

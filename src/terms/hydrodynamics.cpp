@@ -36,7 +36,7 @@ Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
   return sea_.waves.none() || !(at.step > 0) ? still : still + waves(at)[node];
 }
 
-void Hydrodynamics::look_at_water(const Kinematics& at) const {
+void Hydrodynamics::update_water(const Kinematics& at) const {
   water_.resize(moving() ? at.x.size() : 1);
   if (!moving()) water_.front().surface = sea_.surface;
   for (size_t n = 0; moving() && n < at.x.size(); ++n) water_[n] = water(at, n);
@@ -61,7 +61,7 @@ WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& 
 void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
   double f[12], K[144], C[144], M[144];
-  const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
+  const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   const int first = mesh_.block[i], second = mesh_.block[j];
   const int beam[] = {first, first + 1, second, second + 1}, cable[] = {first, second};
@@ -88,8 +88,8 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
 
 void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
   see_feeders(trial, false);
-  look_at_water(trial);
-  const bool tangent = assembler.wants_tangent();
+  update_water(trial);
+  const bool tangent = assembler.needs_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
   for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, assembler);
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -109,7 +109,7 @@ void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 Hydrodynamics::Flow Hydrodynamics::flow(const Kinematics& at) const {
-  look_at_water(at);
+  update_water(at);
   Flow out;
   out.force.assign(static_cast<size_t>(mesh_.chain_blocks), Vec3::Zero()), out.place = out.force;
   for (int n = 0; n < mesh_.chain; ++n) {
@@ -178,9 +178,9 @@ void Hydrodynamics::commit(const Kinematics& accepted) {
   if (accepted.step > 0 && !flow_.place.empty()) work_ += work(flow_, now);
   flow_ = std::move(now);
   if (sea_.waves.none()) return;
-  std::vector<Vec3> looked(accepted.x.size());
-  for (size_t n = 0; n < looked.size(); ++n) looked[n] = wave_place(accepted, n);
-  place_.swap(looked);
+  std::vector<Vec3> places(accepted.x.size());
+  for (size_t n = 0; n < places.size(); ++n) places[n] = wave_place(accepted, n);
+  place_.swap(places);
   start_time_ = accepted.time;
 }
 

@@ -95,7 +95,7 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& 
   const unsigned wet = assembler.convex() ? 0 : submerged(q.sections, m);
   double f[4][6], J[4][36];
   const Weights& w = assembler.weights();
-  if (wet && assembler.wants_tangent())
+  if (wet && assembler.needs_tangent())
     submerged_tangent(q.sections, m, moving(), w.K, w.C, w.M, f, J);
   else if (wet)
     submerged_force(q.sections, m, moving(), f);

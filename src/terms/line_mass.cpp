@@ -101,7 +101,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
       assembler.add_masses(a, b, f, m.own, m.shared);
-    } else if (assembler.wants_tangent()) {
+    } else if (assembler.needs_tangent()) {
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
       assembler.add(blocks, f, K, C, M);
     } else {

@@ -26,8 +26,8 @@ double deepest_of(const std::vector<LinePairHistory>& points) {
 }
 
 bool LinePairs::recouple(const Kinematics& committed, double h) {
-  if (feeders_ && candidates_.leave_out(feeders_->inside())) {
-    shared_.leave_out(feeders_->inside());
+  if (feeders_ && candidates_.set_elements_in_feeders(feeders_->inside())) {
+    shared_.set_elements_in_feeders(feeders_->inside());
     listed_ = false;
   }
   shared_.update(committed, settles_);
@@ -147,7 +147,7 @@ AttachedForces LinePairs::forces(const Pair& pair, const PairAxis& A, const Pair
 }
 
 void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool tangent = assembler.wants_tangent();
+  const bool tangent = assembler.needs_tangent();
   const AxisContactMode mode{trial.step > 0, tangent, assembler.convex()};
   double f[24], K[576], C[576];
   const std::vector<Rod> is = rods(trial);

@@ -35,7 +35,7 @@ double rounded_up(double v) {
 
 Verdict LinePairs::check_step(const Kinematics& trial) const {
   if (!candidates_.covers(trial))
-    return {Verdict::Kind::prepare_anew, "lines move farther in it than the contact search covers"};
+    return {Verdict::Kind::prepare_again, "lines move farther in it than the contact search covers"};
   if (start_.size() != candidates_.segments().size()) return {};  // not prepared: nothing to compare with
   const std::vector<Rod> is = rods(trial);
   const Pair* through = nullptr;
@@ -91,7 +91,7 @@ double LinePairs::mass_per_length(const Pair& p) const {
 }
 
 // 1/omega of the two masses on the contact, s.
-double LinePairs::slowness(const Pair& p, double speed) const {
+double LinePairs::inverse_frequency(const Pair& p, double speed) const {
   const double m = mass_per_length(p), depth = deepest(p);
   return std::sqrt(m / stiffness_of_impact(p.law.normal, depth, m, speed));
 }
@@ -106,8 +106,9 @@ double LinePairs::mass(const Pair& p) const {
 void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   const std::vector<Rod> is = rods(trial);
   for (const Pair& p : pairs_) {
-    const double slow = slowness(p, 0), ramp = p.law.normal.smoothing;
-    if (!p.counted || clipped(p) || follows(slow, trial.step) || (!p.history && !near(p, is))) continue;
+    const double slow = inverse_frequency(p, 0), ramp = p.law.normal.smoothing;
+    if (!p.counted || clipped(p) || resolves_contact(slow, trial.step) || (!p.history && !near(p, is)))
+      continue;
     const AxisEnds a = ends(trial, p.a), b = ends(trial, p.b);
     const Nearest before = nearest_at_start(p),
                   after = nearest(p, closest_points_of_segments(a.x1, a.x2, b.x1, b.x2), a, b);
@@ -145,7 +146,7 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.history) a.gap = -ramp - deepest(p);
-    to.add(impact_event(slowness(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
+    to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
            element(p.key.first).line, element(p.key.second).line);
   }
 }

@@ -37,7 +37,7 @@ double LineVolumeContact::still_part(const Pair& pair, const Kinematics& at, dou
              : 0;
 }
 
-bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
+bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
   volumes_.pose_trial(equilibrium);
   std::vector<double> wanted = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {
@@ -69,7 +69,7 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
   return true;
 }
 
-bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
+bool LineVolumeContact::raise_stiffness_where_blocked(const Kinematics& trial) {
   constexpr double kStiffer = 4;
   std::vector<double> wanted = volumes_.stiffnesses();
   for (const Pair& pair : pairs_) {
@@ -82,8 +82,8 @@ bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
   return true;
 }
 
-void LineVolumeContact::forget_stiffening() {
-  if (volumes_.forget_raise()) renew_laws();
+void LineVolumeContact::revert_stiffness() {
+  if (volumes_.revert_raise()) renew_laws();
 }
 
 std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) const {

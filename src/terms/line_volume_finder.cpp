@@ -29,7 +29,7 @@ void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
 
 bool touched_all_along(const LineVolumePair& pair, int group) {
   double touched = 0;
-  for (const AxisContactPoint& p : pair.past(group)) touched += p.weight;
+  for (const AxisContactPoint& p : pair.previous(group)) touched += p.weight;
   return touched > kAll * pair.length;
 }
 

@@ -7,11 +7,12 @@ namespace hawser {
 namespace {
 
 // Slip is interpolated between the points of one interval.
-void take_slip(const std::vector<AxisContactPoint>& past, double xi, ContactStart& s, ContactRates* rates) {
+void take_slip(const std::vector<AxisContactPoint>& previous, double xi, ContactStart& s,
+               ContactRates* rates) {
   const auto after =
-      std::find_if(past.begin(), past.end(), [&](const AxisContactPoint& p) { return p.xi > xi; });
-  const AxisContactPoint* b = after != past.end() ? &*after : nullptr;
-  const AxisContactPoint* a = after != past.begin() ? &*(after - 1) : nullptr;
+      std::find_if(previous.begin(), previous.end(), [&](const AxisContactPoint& p) { return p.xi > xi; });
+  const AxisContactPoint* b = after != previous.end() ? &*after : nullptr;
+  const AxisContactPoint* a = after != previous.begin() ? &*(after - 1) : nullptr;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
   if (!a && !b) return;
   if (!a || !b) {
@@ -42,9 +43,10 @@ ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int group, doub
     const Vec3 bend = back * shape.bend(xi);
     rates->start_tangent = (bend - s.tangent * s.tangent.dot(bend)) / slope.norm();
   }
-  const std::vector<AxisContactPoint>& past = pair.past(group);
-  if (std::any_of(past.begin(), past.end(), [&](const auto& p) { return p.from <= xi && xi <= p.to; })) {
-    take_slip(past, xi, s, rates);
+  const std::vector<AxisContactPoint>& previous = pair.previous(group);
+  if (std::any_of(previous.begin(), previous.end(),
+                  [&](const auto& p) { return p.from <= xi && xi <= p.to; })) {
+    take_slip(previous, xi, s, rates);
     return s;
   }
   const double within = 2 * shape.slope_bound() + pair.length;

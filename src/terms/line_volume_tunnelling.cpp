@@ -33,8 +33,9 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
     if (!drawn && !tunnels(trial, pair)) continue;
     if (!rests) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
     const int node = mesh_.global[local(pair).first];
-    return {Verdict::Kind::shorter, volume_in_the_way(mesh_.mesh->place(node), volumes_.settings(pair.volume),
-                                                      drawn && !volumes_.automatic(pair.volume))};
+    return {Verdict::Kind::shorter,
+            volume_blocks_path(mesh_.mesh->place(node), volumes_.settings(pair.volume),
+                               drawn && !volumes_.automatic(pair.volume))};
   }
   return {};
 }

@@ -56,8 +56,8 @@ bool Links::owned(int node) const {
 }
 
 bool Links::recouple(const Kinematics&, double) {
-  const bool first = !told_;
-  told_ = true;
+  const bool first = !coupled_;
+  coupled_ = true;
   return first;
 }
 

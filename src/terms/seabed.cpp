@@ -25,7 +25,7 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
     return trial.gap < smoothing;
   }
   trial.gap = smoothing + beyond;
-  Seen& seen = seen_[place(p)];
+  Cache& seen = cache_[place(p)];
   if (seen.clear - (1 + 1e-9) * (x - seen.centre).norm() > beyond) return false;
   const double look = std::max(2 * beyond, 0.5 * element_[p.node]);
   const auto s = surface_->query(x, contact_distance(p) + look, seen.hint);
@@ -129,7 +129,7 @@ void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const 
 }
 
 void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
+  const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
     Mat3 stiffer = Mat3::Zero();  // N/m, by what friction's tangent is stiffer than its derivative

@@ -47,7 +47,7 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
       p->node = e.first, p->second = e.second, p->element = static_cast<int>(i), p->counted = e.counted;
     }
   starts_.resize(points_.size());
-  if (surface_) seen_.resize(points_.size());
+  if (surface_) cache_.resize(points_.size());
 }
 
 namespace {
@@ -160,7 +160,7 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held)
     : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
   surface_ = c.environment.seabed.surface, table_ = c.environment.seabed.force_table;
-  if (surface_) bounds_ = surface_->bounds(), seen_.resize(points_.size());
+  if (surface_) bounds_ = surface_->bounds(), cache_.resize(points_.size());
 }
 
 }  // namespace hawser

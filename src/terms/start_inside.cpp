@@ -65,13 +65,13 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
         return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
       };
       const LineSpan& span = mesh.mesh->lines[g.line];
-      const int mouth = feeders ? feeders->fed_end(e.global) : -1;
+      const int feed_point = feeders ? feeders->fed_end(e.global) : -1;
       const auto is_end = [&](int end) {
-        return mouth == end ||
+        return feed_point == end ||
                (end ? g.second == span.first_node + span.nodes - 1 : g.first == span.first_node);
       };
       const auto arc = [&](double xi) {
-        if (xi == mouth) return mouth ? span.length : 0;
+        if (xi == feed_point) return feed_point ? span.length : 0;
         return arc_at(*mesh.mesh, g, xi);
       };
       const auto add = [&](double from, double to) {
@@ -100,9 +100,10 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
   return out;
 }
 
-std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
-                               const std::vector<ContactVolume>& volumes, const LookedFor& looked_for) {
-  std::vector<Past> out;
+std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinematics& at,
+                                             const Bodies& bodies, const std::vector<ContactVolume>& volumes,
+                                             const ExpectedPlace& expected_place) {
+  std::vector<OnWrongSide> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
     if (volumes[v].off) continue;
     const Surface& surface = *volumes[v].surface;
@@ -112,7 +113,7 @@ std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, cons
       const Node& node = mesh.node(n);
       if (node.body >= 0) continue;
       const Vec3 x = at.x[n];
-      const std::optional<Vec3> there = looked_for(node, v, x);
+      const std::optional<Vec3> there = expected_place(node, v, x);
       if (!there) continue;
       const Vec3 from = pose.to_body(x), to = pose.to_body(*there);
       Box way;

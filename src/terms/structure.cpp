@@ -96,7 +96,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   see_feeders(trial);
   const CableStep step{trial.step, trial.mean.filter};
   const bool in_step = trial.mean.weight != 1;
-  if (assembler.wants_tangent()) {
+  if (assembler.needs_tangent()) {
     double f[12], K[144], C[144];
     for (const Beam& b : beams_) {
       if (b.idle) continue;
@@ -334,7 +334,7 @@ void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, d
 // At rest nothing is paid out, whatever follows.
 CableSection StructureTerm::shown(const Cable& c, const Kinematics& at) {
   CableSection s = c.section;
-  if (!(at.step > 0)) s.grows = 0;
+  if (!(at.step > 0)) s.length_rate = 0;
   return s;
 }
 

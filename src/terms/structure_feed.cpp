@@ -27,8 +27,8 @@ BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
 std::vector<RememberedCell> inside(const Feeders& feeders, const Feeder& f,
                                    const std::vector<double>& values) {
   const size_t n = values.size() / (2 * kBendingPlaces);
-  const double first = feeders.element_length(f, f.mouth),
-               second = first + feeders.element_length(f, std::max(f.mouth - 1, 0));
+  const double first = feeders.element_length(f, f.feed_point),
+               second = first + feeders.element_length(f, std::max(f.feed_point - 1, 0));
   std::vector<RememberedCell> out;
   for (const RememberedCell& c : remembered_cells(0, first, values.data(), n)) out.push_back(c);
   for (const RememberedCell& c : remembered_cells(first, second, values.data() + kBendingPlaces * n, n))
@@ -51,12 +51,12 @@ void StructureTerm::see_feeders(const Kinematics& at, bool accepted) {
   if (!feeders_) return;
   for (Cable& c : cables_)
     if (const auto rest = feeders_->rest(c.at.global, at, true))
-      c.idle = rest->idle, c.section.length = rest->length, c.section.follows = rest->follows,
-      c.section.grows = at.step > 0 ? rest->grows : 0;  // statics holds the feeder
+      c.idle = rest->idle, c.section.length = rest->length, c.section.length_by_chord = rest->length_by_chord,
+      c.section.length_rate = at.step > 0 ? rest->length_rate : 0;  // statics holds the feeder
   for (Beam& b : beams_) {
     const auto rest = feeders_->rest(b.at.global, at, true);
     if (!rest) continue;
-    b.idle = rest->idle, b.section.length = rest->length, b.section.gives = rest->gives;
+    b.idle = rest->idle, b.section.length = rest->length, b.section.length_by_force = rest->length_by_force;
     if (!b.section.plastic) continue;
     b.reference.set = set_.data() + b.memory;
     if (rest->feeder < 0) continue;
@@ -133,7 +133,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
   return work;
 }
 
-void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
+void StructureTerm::transfer_node(MPI_Comm comm, const Feeder& f, int feed_point) {
   if (!yields_) return;
   const size_t k = &f - feeders_->list().data();
   const size_t n = fed_.empty() ? 0 : fed_[k].inside.size() / (2 * kBendingPlaces);
@@ -149,7 +149,7 @@ void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
   // On all ranks: of the mouth, of the element after it and of the two before, by label, and what is inside.
   std::vector<double> all(5 * size, 0);
   const auto part = [&](size_t i) { return all.data() + i * size; };
-  const int elements[] = {f.mouth, f.mouth + 1, f.mouth - 2};
+  const int elements[] = {f.feed_point, f.feed_point + 1, f.feed_point - 2};
   for (size_t i = 0; i < 3; ++i)
     if (const Beam* b = beam(elements[i]); b && b->at.counted) {
       const std::vector<double> values = turned(set_.data() + b->memory, n, f.at_b);
@@ -167,17 +167,17 @@ void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
   for (const RememberedCell& c : remembered_cells(0, f.length, part(0), n)) cells.push_back(c);
   std::vector<double> now(size);
   std::vector<double>& kept = fed_[k].inside;
-  if (mouth < f.mouth) {  // divided: the free part, and what is at the mouth now
-    const double whole = feeders_->element_length(f, f.mouth);
-    remember_cells(cells, n, 0, whole, now.data()), keep(f.mouth, now);
-    remember_cells(cells, n, whole, f.length, now.data()), keep(mouth, now);
+  if (feed_point < f.feed_point) {  // divided: the free part, and what is at the mouth now
+    const double whole = feeders_->element_length(f, f.feed_point);
+    remember_cells(cells, n, 0, whole, now.data()), keep(f.feed_point, now);
+    remember_cells(cells, n, whole, f.length, now.data()), keep(feed_point, now);
     std::copy_n(part(4), size, kept.begin());
     std::copy_n(part(2), size, kept.begin() + static_cast<std::ptrdiff_t>(size));
   } else {  // joined with the one after it, whose material has labels below 0
-    const double length = feeders_->element_length(f, f.mouth + 1);
+    const double length = feeders_->element_length(f, f.feed_point + 1);
     for (const RememberedCell& c : remembered_cells(-length, 0, part(1), n)) cells.push_back(c);
-    remember_cells(cells, n, -length, f.length, now.data()), keep(mouth, now);
-    keep(f.mouth - 1, {part(4), part(4) + size});
+    remember_cells(cells, n, -length, f.length, now.data()), keep(feed_point, now);
+    keep(f.feed_point - 1, {part(4), part(4) + size});
     std::fill_n(kept.begin(), size, 0.0);
     std::copy_n(part(3), size, kept.begin() + static_cast<std::ptrdiff_t>(size));
   }

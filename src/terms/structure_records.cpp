@@ -66,7 +66,7 @@ std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
   for (size_t k = 0; k < fed_.size(); ++k) {
     if (fed_[k].inside.empty()) continue;
     const Feeder& f = feeders_->list()[k];
-    for (const int i : {f.mouth, f.mouth + 1})
+    for (const int i : {f.feed_point, f.feed_point + 1})
       if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && wanted(n))
         out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
   }

@@ -310,11 +310,11 @@ dynamics: {duration: 4}
   printf("largest tension of the upper part %.4g kN, at rest %.4g kN\n", r.summary.at(0) / 1000,
          at_rest / 1000);
   EXPECT_LT(r.summary.at(0), 1.05 * at_rest);
-  std::string told;
+  std::string message;
   const auto written = io::h5::open_read(path + "/whole.h5");
-  for (const std::string& m : io::h5::read_texts(written, "messages")) told += m + "\n";
-  EXPECT_NE(told.find("largest tension of line hoist part 2"), std::string::npos) << told;
-  EXPECT_EQ(told.find("largest tension of line hoist ("), std::string::npos) << told;
+  for (const std::string& m : io::h5::read_texts(written, "messages")) message += m + "\n";
+  EXPECT_NE(message.find("largest tension of line hoist part 2"), std::string::npos) << message;
+  EXPECT_EQ(message.find("largest tension of line hoist ("), std::string::npos) << message;
 }
 
 }  // namespace

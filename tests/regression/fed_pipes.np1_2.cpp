@@ -187,7 +187,7 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
   ASSERT_EQ(r.output_times, r.step_times);
-  const auto mouth = named(file, r, "pipe_end_a_feed", "mouth_length");
+  const auto feed_point = named(file, r, "pipe_end_a_feed", "mouth_length");
   const auto& x = r.fields.at("position");
   const size_t nodes = 61;
   double moved = 0;
@@ -204,7 +204,7 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
       for (size_t k = 0; k < r.output_times.size(); ++k) {
         size_t free = 1;
         while ((x[3 * (nodes * k + free)] == x[3 * nodes * k])) ++free;
-        const double feeder = static_cast<double>(free) - mouth[k];  // material there; elements of 1 m
+        const double feeder = static_cast<double>(free) - feed_point[k];  // material there; elements of 1 m
         const double s = feeder + static_cast<double>(i);
         double now = std::nan("");
         if (s < static_cast<double>(nodes - 1)) {
@@ -217,7 +217,7 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
             !std::isnan(now) && !std::isnan(last))
           sum += 0.5 * h * (last + now), time += h;
         last = now;
-        moved = std::max(moved, std::abs(mouth[k] - mouth[0]));
+        moved = std::max(moved, std::abs(feed_point[k] - feed_point[0]));
       }
       if (least == HUGE_VAL) {
         EXPECT_TRUE(std::isnan(found[6 * i])) << field << i;
@@ -320,13 +320,13 @@ TEST(FedPipes, RefuseWhatTheyCannotDo) {
     write_case(input, kCantilever, edits);
     run::RunOptions o;
     o.case_path = input, o.output = path + "/bad.h5", o.quiet = true;
-    std::string told;
+    std::string message;
     try {
       run::run(MPI_COMM_WORLD, o);
     } catch (const std::exception& e) {
-      told = e.what();
+      message = e.what();
     }
-    EXPECT_NE(told.find(text), std::string::npos) << text << ": " << told;
+    EXPECT_NE(message.find(text), std::string::npos) << text << ": " << message;
   }
 }
 

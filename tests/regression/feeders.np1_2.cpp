@@ -403,8 +403,8 @@ TEST(Feeders, RefuseWhatTheyCannotDo) {
   };
   for (const auto& [edits, text] : bad) {
     write_case(input, kWeight, edits);
-    const std::string told = refusal(input, path + "/bad.h5");
-    EXPECT_NE(told.find(text), std::string::npos) << text << ": " << told;
+    const std::string message = refusal(input, path + "/bad.h5");
+    EXPECT_NE(message.find(text), std::string::npos) << text << ": " << message;
   }
 }
 

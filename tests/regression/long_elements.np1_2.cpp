@@ -50,7 +50,7 @@ dynamics: {duration: 15, step: 0.05}
 output: {every: 5}
 )";
 
-std::string told(const std::string& path) {
+std::string message(const std::string& path) {
   io::h5::quiet();
   const io::h5::Id file = io::h5::open_read(path);
   std::string out;
@@ -68,8 +68,8 @@ struct LongElements : testing::Test {
     run_on_all({input, path + "/all.h5"});
     run_on_one({input, path + "/one.h5"});
     if (rank_of(MPI_COMM_WORLD) != 0) return "";
-    const std::string all = told(path + "/all.h5");
-    EXPECT_EQ(all, told(path + "/one.h5"));
+    const std::string all = message(path + "/all.h5");
+    EXPECT_EQ(all, message(path + "/one.h5"));
     return all;
   }
   std::string run(const std::string& heave, const std::string& elements, const std::string& step) {

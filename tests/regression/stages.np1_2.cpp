@@ -174,7 +174,8 @@ contact: {between_lines: false}
 
 TEST(Stages, BadInput) {
   const std::string path = folder("stages-bad"), input = path + "/case.yaml";
-  const auto told = [&](const std::string& event, const std::string& more, const std::string& stock = "20") {
+  const auto message = [&](const std::string& event, const std::string& more,
+                           const std::string& stock = "20") {
     write_case(input,
                line("bending: false", "clamped: false",
                     "stages: [given, moved]\nevents:\n  - " + event + "\n" + more),
@@ -184,16 +185,16 @@ TEST(Stages, BadInput) {
   const auto has = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
-  has(told("{feed: {line: rope, end: end_a, paid_out: 25}, stage: moved}", ""),
+  has(message("{feed: {line: rope, end: end_a, paid_out: 25}, stage: moved}", ""),
       "-5 m would be left inside then");
-  has(told("{feed: {line: rope, end: end_a, paid_out: -85}, stage: moved}", ""),
+  has(message("{feed: {line: rope, end: end_a, paid_out: -85}, stage: moved}", ""),
       "-5 m would be left outside then");
-  has(told("{feed: {line: rope, end: end_a, paid_out: 5}, time: 1}", "dynamics: {duration: 2}\n"),
+  has(message("{feed: {line: rope, end: end_a, paid_out: 5}, time: 1}", "dynamics: {duration: 2}\n"),
       "in time a feeder has a 'speed'");
-  has(told("{feed: {line: rope, end: end_a, paid_out: 5, speed: 1}, stage: moved}", ""),
+  has(message("{feed: {line: rope, end: end_a, paid_out: 5, speed: 1}, stage: moved}", ""),
       "give one of 'speed', 'tension' and 'paid_out'");
-  has(told("{current: {factor: 0.5}, stage: moved}", ""), "the water has no current that could be scaled");
-  has(told("{friction: {enabled: false}, time: 1}", "dynamics: {duration: 2}\n"),
+  has(message("{current: {factor: 0.5}, stage: moved}", ""), "the water has no current that could be scaled");
+  has(message("{friction: {enabled: false}, time: 1}", "dynamics: {duration: 2}\n"),
       "in a 'stage' of statics only");
 }
 

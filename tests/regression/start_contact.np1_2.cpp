@@ -228,9 +228,9 @@ TEST(StartContact, HangingUnderAVolumeIsTold) {
                     {"STATICS", ""}};
   write_case(path, kBollard, under);
   Ready r = ready(path);
-  const std::string told = join(r.sim->warnings());
-  EXPECT_HAS(told, "lines.sling: its start shape passes under volume bar, ");
-  EXPECT_HAS(told,
+  const std::string message = join(r.sim->warnings());
+  EXPECT_HAS(message, "lines.sling: its start shape passes under volume bar, ");
+  EXPECT_HAS(message,
              "while the straight way between its ends passes over it; if it is to lie there, say so with");
   // From below there is nothing to lie on.
   Edits below = under;

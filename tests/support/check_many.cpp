@@ -9,12 +9,12 @@
 #include <iostream>
 #include <string>
 
-#include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/singleton.hpp"
 #include "hawser/run/driver.hpp"
 
 int main(int argc, char** argv) {
-  hawser::start_alone();
+  hawser::start_singleton();
   if (PetscInitialize(&argc, &argv, nullptr, nullptr)) return 1;
   PetscPopSignalHandler();
   std::FILE* const answers = fdopen(dup(STDOUT_FILENO), "w");

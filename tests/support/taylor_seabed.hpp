@@ -44,10 +44,10 @@ inline std::shared_ptr<const HeightGrid> hilly() {
   return std::make_shared<const HeightGrid>(x, x, z);
 }
 
-// A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
-// table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in the
-// first stage of statics, with friction under a normal force that does not follow the trial; with points half
-// way along the elements as well, which come to be between their nodes' situations.
+// A seabed under the nodes, sloping or of a grid, each node in its own situation (kHistory): with a spring or
+// a table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in
+// the first stage of statics, with friction under a normal force that does not follow the trial; with points
+// half way along the elements as well, which come to be between their nodes' situations.
 enum class Soil { spring, table, sticky, laid };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
                               bool curved = false, Soil soil = Soil::spring, bool between = false) {
@@ -79,7 +79,7 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   before.time = t.from.time - t.h;
   for (int n = 0; n < l.nodes(); ++n) {
     const int g = l.global[static_cast<size_t>(n)];
-    const NodeStory& s = kStory[g];
+    const NodeHistory& s = kHistory[g];
     const auto where = [&](double gap, double slip) -> Vec3 {
       const Vec3 flat = place(ContactOn::plane, g, gap, slip);
       if (!curved) return origin + slope * flat;

@@ -122,9 +122,9 @@ struct Roller {
 
   static AxisShape axis(const Rig& r, const Kinematics& at) {
     const Feeder& f = r.feeders->list().front();
-    const LocalElement& e = *r.feeders->at_mouth(f);
+    const LocalElement& e = *r.feeders->at_feed_point(f);
     AxisEnds ends = element_axis(at, r.mesh.elements[static_cast<size_t>(e.global)], e.first, e.second);
-    ends.length = r.feeders->mouth(f, at, false).length;
+    ends.length = r.feeders->feed_point(f, at, false).length;
     return AxisShape(ends);
   }
   Roller(const Rig& r, const Kinematics& start) {

@@ -206,7 +206,8 @@ TEST(LineContact, StepsFollowImpacts) {
     LineMotion line;
     for (const ImpactEvent& strike : to.list) line.striking += strike.energy();
     const auto alone = [](std::span<double>) {};
-    return std::min(to.longest, bounded_step(to.list, bearable({&line, 1}), 10, alone).longest);
+    return std::min(to.longest,
+                    impact_limited_step(to.list, energy_tolerance({&line, 1}), 10, alone).longest);
   };
   EXPECT_EQ(longest(0.2, 0), infinite);
   EXPECT_EQ(longest(0.2, -1), infinite);

@@ -109,7 +109,7 @@ TEST(LinePairs, AdviceNamesTheLines) {
     const double h = m.trial.h;
     const State& start = m.trial.from;
     const State end = state_of(m.system->mesh(), m.trial);
-    m.system->couple(straight_way(m.system->mesh(), start, end, h).view(h), h);
+    m.system->couple(straight_path(m.system->mesh(), start, end, h).view(h), h);
     m.system->prepare(start.view(h), h);
     const std::string said = m.contact->check_step(end.view(h)).because;
     const std::string advice = "Try contact: {between_lines: {";

@@ -100,8 +100,8 @@ TEST(StepTangent, DirectorsFollowTheirAccelerations) {
         const Mat3 balance = (1 - c.am) * to.ad[0] + c.am * from.ad[0] - (1 - c.af) * to.s.directors[0] -
                              c.af * from.s.directors[0];
         telescoped = std::max(telescoped, h * balance.norm());
-        const Mat3 follows = director_acceleration(to.s.q[0], to.s.w[0], to.s.alpha[0]);
-        if (i >= steps / 2) worst = std::max(worst, (to.s.directors[0] - follows).norm());
+        const Mat3 exact = director_acceleration(to.s.q[0], to.s.w[0], to.s.alpha[0]);
+        if (i >= steps / 2) worst = std::max(worst, (to.s.directors[0] - exact).norm());
         std::swap(from, to);
       }
       EXPECT_LT(telescoped, 1e-13);

@@ -94,11 +94,12 @@ TEST(CarriedBends, WorkOnElasticBends) {
   const BeamEnds e = bent(0.79, {0, 0.0015, -0.0007}, {0, -0.003, 0.0025});
   const Values never(p.memory(), 0);
   const BeamSection linear = section(p, false), yields = section(p, true);
-  const double felt = beam_feed(linear, {}, e).force - beam_feed(yields, {}, e).force;
-  EXPECT_GT(felt, 50);
+  const double feeder_force = beam_feed(linear, {}, e).force - beam_feed(yields, {}, e).force;
+  EXPECT_GT(feeder_force, 50);
   for (const bool at_b : {false, true})
     for (const double* entering : {never.data(), static_cast<const double*>(nullptr)})
-      EXPECT_NEAR(fed_bending_work(yields, {}, e, at_b, entering), -felt, 1e-9 * felt) << at_b;
+      EXPECT_NEAR(fed_bending_work(yields, {}, e, at_b, entering), -feeder_force, 1e-9 * feeder_force)
+          << at_b;
 }
 
 // An arc that has yielded: what enters is bent from straight, on the curve of the first bend; what leaves

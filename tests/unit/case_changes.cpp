@@ -82,16 +82,16 @@ TEST(CaseChanges, AreMadeInTheDocument) {
 // A case with other lengths says of its changes what it said, and once what it doubts of them.
 TEST(CaseChanges, AreToldOfACaseWithOtherLengths) {
   const model::Case c = read({"dynamics.step=0.5"});
-  const auto doubts = [](const model::Case& of) {
+  const auto warnings = [](const model::Case& of) {
     return std::count_if(of.notes.begin(), of.notes.end(), [](const std::string& n) {
       return n.starts_with("two.yaml with --set: dynamics.step: 0.5 s is 18 steps");
     });
   };
-  EXPECT_EQ(doubts(c), 1);
+  EXPECT_EQ(warnings(c), 1);
   const model::Case other = io::with_lengths(c, {{"lines.other.sections[0]", 61}});
   EXPECT_EQ(other.lines[1].sections[0].length, 61);
   EXPECT_EQ(other.change_notes, std::vector<std::string>{"--set dynamics.step=0.5 (in the file 0.1)"});
-  EXPECT_EQ(doubts(other), 1);
+  EXPECT_EQ(warnings(other), 1);
 }
 
 TEST(CaseChanges, LeaveAllElseAsItIs) {

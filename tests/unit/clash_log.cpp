@@ -139,14 +139,14 @@ TEST(ClashLog, KnowsWhatItTold) {
   ClashLog rest(settings());
   rest.restore(log.save());
   EXPECT_TRUE(rest.open().empty());
-  EXPECT_EQ(rest.told().ended, 1);
-  ASSERT_EQ(rest.told().open.size(), 1u);
-  EXPECT_EQ(rest.told().open[0].peak_force, 3);
+  EXPECT_EQ(rest.reported().ended, 1);
+  ASSERT_EQ(rest.reported().open.size(), 1u);
+  EXPECT_EQ(rest.reported().open[0].peak_force, 3);
   EXPECT_EQ(rest.take().ended.size(), 1u);
-  EXPECT_EQ(rest.told().ended, 2);
+  EXPECT_EQ(rest.reported().ended, 2);
   rest.begin_file();
-  EXPECT_EQ(rest.told().ended, 0);
-  EXPECT_TRUE(rest.told().open.empty());
+  EXPECT_EQ(rest.reported().ended, 0);
+  EXPECT_TRUE(rest.reported().open.empty());
 }
 
 TEST(ClashLog, TheLargestAreKept) {

@@ -31,7 +31,7 @@ struct Fed {
 Fed step(const CableSection& s, const FeedLaw& law, double from, double h, double chord, double was = 0) {
   const FedElement e =
       feed_step([&](double length) { return cable_feed(s, chord, length, was, h); }, law, from, h);
-  return {e.length, e.gives * cable_feed(s, chord, e.length, was, h).by_chord};
+  return {e.length, e.length_by_force * cable_feed(s, chord, e.length, was, h).by_chord};
 }
 
 TEST(Feed, SolvesItsSpeedLaw) {
@@ -122,7 +122,7 @@ TEST(Feed, TheForceFollowsTheLength) {
       const auto mean = [&](const Vec3& x, CablePull* out) {
         CableSection s = before;
         const Fed e = step(s, law, 1, in.h, x.norm(), from.strain);
-        s.length = e.length, s.follows = e.by_chord;
+        s.length = e.length, s.length_by_chord = e.by_chord;
         if (out) cable_mean(s, from, in, Vec3::Zero(), x, *out);
         return cable_mean(s, from, in, Vec3::Zero(), x);
       };
@@ -228,7 +228,7 @@ TEST(Feed, TheForceOfABeamFollowsTheLength) {
               return FedPull{f.force, f.slope};
             },
             law, 1.3, 0.1);
-        s.length = fed.length, s.gives = fed.gives;
+        s.length = fed.length, s.length_by_force = fed.length_by_force;
         Vec12 f;
         if (K)
           beam_tangent(s, {}, e, false, f.data(), K, nullptr);

@@ -7,7 +7,7 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "support/shapes.hpp"
 
-namespace hawser::test::geometry_walls_test {
+namespace hawser::test::geometry_facet_groups_test {
 namespace {
 
 Vec3 random_in(const Box& b, std::mt19937& gen) {
@@ -119,7 +119,7 @@ TEST(FacetGroups, OneOfAHollowOfManySides) {
 }
 
 // A deck with a thin bulwark: what stands behind the bulwark does not push back.
-TEST(FacetGroups, BacksAreNoWalls) {
+TEST(FacetGroups, BacksAreNoFacetGroups) {
   TriangleMesh m = prism_mesh({{0, 0}, {4, 0}, {5, 0}, {5, 1}, {4.02, 1}, {4.02, 2}, {4, 2}, {4, 1}, {0, 1}},
                               {{0, 1, 7, 8}, {1, 2, 3, 4, 7}, {7, 4, 5, 6}}, 3);
   const MeshSurface s(m);
@@ -181,4 +181,4 @@ TEST(FacetGroups, OneInALargeBallIsOneInSmallOnes) {
 }
 
 }  // namespace
-}  // namespace hawser::test::geometry_walls_test
+}  // namespace hawser::test::geometry_facet_groups_test

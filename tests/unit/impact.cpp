@@ -14,20 +14,20 @@ namespace hawser::impact_test {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSlow = 0.01, kSeen = 1e-3;     // s, m
-constexpr double kStep = 2 * M_PI / 22 * kSlow;  // s, 22 in a period
+constexpr double kSlow = 0.01, kSignificantDepth = 1e-3;  // s, m
+constexpr double kStep = 2 * M_PI / 22 * kSlow;           // s, 22 in a period
 
 const Sum kAlone = [](std::span<double>) {};
 constexpr double kMass = 2, kMost = 0.3;  // kg, s
 
 StepLimit limit_of(const ImpactEvent& s) {
   const double bears = kErrorOfStep * s.energy();
-  return bounded_step({&s, 1}, {&bears, 1}, kMost, kAlone);
+  return impact_limited_step({&s, 1}, {&bears, 1}, kMost, kAlone);
 }
 
 // All of the line that moves strikes.
 double longest(double gap, double closing, double acceleration = 0, bool last = true) {
-  const auto s = impact_event(kSlow, kSeen, kMass, {gap, closing, acceleration, last});
+  const auto s = impact_event(kSlow, kSignificantDepth, kMass, {gap, closing, acceleration, last});
   return s ? limit_of(*s).longest : kNever;
 }
 
@@ -87,8 +87,9 @@ TEST(Impact, StepsEndAtItsEnd) {
 }
 
 TEST(Impact, TellsThePeriodWhileItTouches) {
-  expect_step(limit_of(*impact_event(kSlow, kSeen, kMass, {-0.01, 1, 0})).period, 2 * M_PI * kSlow);
-  EXPECT_EQ(limit_of(*impact_event(kSlow, kSeen, kMass, {0.01, 1, 0})).period, kNever);
+  expect_step(limit_of(*impact_event(kSlow, kSignificantDepth, kMass, {-0.01, 1, 0})).period,
+              2 * M_PI * kSlow);
+  EXPECT_EQ(limit_of(*impact_event(kSlow, kSignificantDepth, kMass, {0.01, 1, 0})).period, kNever);
 }
 
 // What crosses the touch or the end by the trapezoidal rule: lost, made.
@@ -99,11 +100,14 @@ TEST(Impact, KnowsWhatACrossingMakes) {
       const double z = 0.5 * h / kSlow, in = (2 * h - gap) / (1 + z * z), a = k / kMass * in,
                    v = 2 - 0.5 * h * a;
       const double lost = 0.5 * kMass * (4 - v * v) - 0.5 * k * in * in;
-      EXPECT_NEAR(impact_event(kSlow, kSeen, kMass, {gap, 2, 0})->crossed(h), in > 0 ? lost : 0, 1e-12) << h;
+      EXPECT_NEAR(impact_event(kSlow, kSignificantDepth, kMass, {gap, 2, 0})->crossed(h), in > 0 ? lost : 0,
+                  1e-12)
+          << h;
       // Leaves, pushed by the spring alone.
       const double p = gap, push = k / kMass * p, out = 2 * h + 0.25 * push * h * h - p;
       const double w = 2 + 0.5 * h * push, made = 0.5 * kMass * (w * w - 4) - 0.5 * k * p * p;
-      EXPECT_NEAR(impact_event(kSlow, kSeen, kMass, {-p, -2, push})->crossed(h), out > 0 ? made : 0, 1e-12)
+      EXPECT_NEAR(impact_event(kSlow, kSignificantDepth, kMass, {-p, -2, push})->crossed(h),
+                  out > 0 ? made : 0, 1e-12)
           << h;
     }
 }
@@ -113,11 +117,11 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
   const auto of = [&](double mass, double drift) {
     std::vector<LineMotion> lines(1);
     lines[0].add(5, {3, drift, 0}), lines[0].add(5, {-3, drift, 0});
-    const auto s = impact_event(kSlow, kSeen, mass, {-0.01, 2, 0});
-    lines[0].striking = s->energy();
-    const auto bears = bearable(lines);
+    const auto s = impact_event(kSlow, kSignificantDepth, mass, {-0.01, 2, 0});
+    lines[0].impact_energy = s->energy();
+    const auto bears = energy_tolerance(lines);
     EXPECT_NEAR(bears[0], kErrorOfStep * (45 + 2 * mass), 1e-9);  // what moves along does not count
-    return bounded_step({&*s, 1}, bears, kMost, kAlone);
+    return impact_limited_step({&*s, 1}, bears, kMost, kAlone);
   };
   // 2 J a kilogram against 2e-5 of 45 J.
   EXPECT_EQ(of(0.000449, 0).longest, kNever);
@@ -129,19 +133,20 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
 }
 
 TEST(Impact, ManySmallOnesTogetherDo) {
-  const auto impacts = [](int n, double slowness) {
-    std::vector<ImpactEvent> out(static_cast<size_t>(n), *impact_event(slowness, 1e-9, 1e-3, {-0.01, 2, 0}));
+  const auto impacts = [](int n, double inverse_frequency) {
+    std::vector<ImpactEvent> out(static_cast<size_t>(n),
+                                 *impact_event(inverse_frequency, 1e-9, 1e-3, {-0.01, 2, 0}));
     for (ImpactEvent& s : out) s.line = 0;
     return out;
   };
   const double bears = 0.0200001;  // ten of them
-  EXPECT_EQ(bounded_step(impacts(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
-  expect_step(bounded_step(impacts(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
+  EXPECT_EQ(impact_limited_step(impacts(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
+  expect_step(impact_limited_step(impacts(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
   // Few short ones among many longer: those that are left out are the short ones.
   std::vector<ImpactEvent> both = impacts(11, kSlow), fast = impacts(9, kSlow / 10);
   both.insert(both.end(), fast.begin(), fast.end());
-  expect_step(bounded_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
-  expect_step(bounded_step(both, {&bears, 1}, kMost, kAlone).period, 2 * M_PI * kSlow);
+  expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
+  expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).period, 2 * M_PI * kSlow);
 }
 
 TEST(Impact, AThousandLinesAreAsOne) {
@@ -151,15 +156,16 @@ TEST(Impact, AThousandLinesAreAsOne) {
   for (int l = 0; l < 1000; ++l) {
     LineMotion& line = lines[static_cast<size_t>(l)];
     line.add(1, {1.0 + l, 0, 0}), line.add(1, {-1.0 - l, 0, 0});
-    strikes.push_back(*impact_event(kSlow, kSeen, 0.5 * (1 + l) * (1 + l), {0.02 * (1 + l % 7), 2, 0}));
+    strikes.push_back(
+        *impact_event(kSlow, kSignificantDepth, 0.5 * (1 + l) * (1 + l), {0.02 * (1 + l % 7), 2, 0}));
     strikes.back().line = l;
-    line.striking = strikes.back().energy();
+    line.impact_energy = strikes.back().energy();
   }
   lines[1000].add(1000, {5, 0, 0}), lines[1000].add(1000, {-5, 0, 0});
-  const double together = bounded_step(strikes, bearable(lines), kMost, kAlone).longest;
+  const double together = impact_limited_step(strikes, energy_tolerance(lines), kMost, kAlone).longest;
   for (LineMotion& l : lines)
-    if (&l != &lines[6]) l.striking = 0;
-  const double alone = bounded_step({&strikes[6], 1}, bearable(lines), kMost, kAlone).longest;
+    if (&l != &lines[6]) l.impact_energy = 0;
+  const double alone = impact_limited_step({&strikes[6], 1}, energy_tolerance(lines), kMost, kAlone).longest;
   // The first of them is a seventh of all.
   EXPECT_NEAR(together, 0.01, 5e-5);
   expect_until(alone, 0.07);
@@ -169,19 +175,19 @@ TEST(Impact, AThousandLinesAreAsOne) {
 TEST(Impact, WhatCrossesUnseen) {
   const double k = kMass / (kSlow * kSlow), depth = 0.01, gap = 0.05;
   const auto error = [&](double path, double speed) {
-    return crossing_error(kSlow, kSeen, k * depth, 0.5 * k * depth * depth, path, speed);
+    return crossing_error(kSlow, kSignificantDepth, k * depth, 0.5 * k * depth * depth, path, speed);
   };
   const double e = 0.5 * k * depth * gap;
   EXPECT_NEAR(error(depth + gap, 5), e, 1e-12 * e);
-  EXPECT_EQ(error(depth + gap, -5), 0);                    // it is on its way back
-  EXPECT_EQ(error(depth + gap, 0.99 * kSeen / kSlow), 0);  // lifted or laid down
-  EXPECT_GT(error(depth + gap, 1.01 * kSeen / kSlow), 0);
+  EXPECT_EQ(error(depth + gap, -5), 0);                                // it is on its way back
+  EXPECT_EQ(error(depth + gap, 0.99 * kSignificantDepth / kSlow), 0);  // lifted or laid down
+  EXPECT_GT(error(depth + gap, 1.01 * kSignificantDepth / kSlow), 0);
   EXPECT_EQ(error(0.9 * depth, 5), 0);                             // it was in touch all the time
   const std::vector<UnresolvedImpact> two{{0, -1, e}, {1, 0, e}};  // the second with the first line
-  for (const auto& [bears, good] : {std::pair(1.99, false), {2.01, true}})
-    EXPECT_EQ(bearable_impacts(two, std::vector<double>{bears * e, 10 * e}, kAlone), good);
-  EXPECT_TRUE(follows(kSlow, 0.5 * kStep));
-  EXPECT_FALSE(follows(kSlow, 0.51 * kStep));
+  for (const auto& [bears, within] : {std::pair(1.99, false), {2.01, true}})
+    EXPECT_EQ(within_tolerance(two, std::vector<double>{bears * e, 10 * e}, kAlone), within);
+  EXPECT_TRUE(resolves_contact(kSlow, 0.5 * kStep));
+  EXPECT_FALSE(resolves_contact(kSlow, 0.51 * kStep));
 }
 
 // A linear spring, no damping, the trapezoidal rule (rho = 1): with the steps cut so an impact gives back
@@ -235,11 +241,11 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
       for (size_t i = 0; i < x.size(); ++i) {
         line.add(1, {v[i], 0, 0});
         ImpactEvents to;
-        to.add(impact_event(kSlow, kSeen, 1, {x[i], -v[i], a[i]}), 0);
-        for (const ImpactEvent& s : to.list) strikes.push_back(s), line.striking += s.energy();
+        to.add(impact_event(kSlow, kSignificantDepth, 1, {x[i], -v[i], a[i]}), 0);
+        for (const ImpactEvent& s : to.list) strikes.push_back(s), line.impact_energy += s.energy();
       }
       double h = std::min(0.02, end - t);
-      h = std::min(h, bounded_step(strikes, bearable({&line, 1}), 0.02, kAlone).longest);
+      h = std::min(h, impact_limited_step(strikes, energy_tolerance({&line, 1}), 0.02, kAlone).longest);
       for (size_t i = 0; i < x.size(); ++i) {
         const double free = x[i] + h * v[i] + h * h / 4 * a[i];
         x[i] = free < 0 ? free / (1 + w * w * h * h / 4) : free;
@@ -280,7 +286,8 @@ TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
       std::vector<LineMotion> line(1), held(1);
       line[0].add(1, {v, 0, 0}), line[0].add(1, {0, 0, 0});
       held[0].add(1, {A, 0, 0}), held[0].add(1, {0, 0, 0});
-      h = bounded ? std::min(0.1, growing_step(held, bearable(line), alpha_stored(c), h)) : 0.1;
+      h = bounded ? std::min(0.1, growth_limited_step(held, energy_tolerance(line), alpha_stored(c), h))
+                  : 0.1;
     }
     return worst;
   };
@@ -292,10 +299,10 @@ TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
   std::vector<LineMotion> line(1), held(1);
   line[0].add(1, {2, 0, 0}), line[0].add(1, {-2, 0, 0});
   held[0].add(2, {0, 0, -9.81});
-  EXPECT_EQ(growing_step(held, bearable(line), alpha_stored(c), 0.01), kNever);
+  EXPECT_EQ(growth_limited_step(held, energy_tolerance(line), alpha_stored(c), 0.01), kNever);
   held[0] = {}, held[0].add(1, {0.1, 0, 0}), held[0].add(1, {-0.1, 0, 0});
-  EXPECT_GT(growing_step(held, bearable(line), alpha_stored(c), 0.01), 1);
-  EXPECT_EQ(growing_step(held, bearable(line), alpha_stored(c), 0), kNever);  // no step yet
+  EXPECT_GT(growth_limited_step(held, energy_tolerance(line), alpha_stored(c), 0.01), 1);
+  EXPECT_EQ(growth_limited_step(held, energy_tolerance(line), alpha_stored(c), 0), kNever);  // no step yet
 }
 
 TEST(StepControl, AnImpactIsFollowed) {

@@ -151,7 +151,7 @@ TEST(Cost, MemoryOfARun) {
 }
 
 TEST(Details, TellTheStiffnessOfALineWithItself) {
-  const auto told = [](const std::string& between) {
+  const auto message = [](const std::string& between) {
     const Simulation sim(MPI_COMM_SELF, rod(10, between));
     for (const std::string& n : sim.details())
       if (n.starts_with("contact of line rod with itself: a normal stiffness of ")) {
@@ -163,9 +163,9 @@ TEST(Details, TellTheStiffnessOfALineWithItself) {
       }
     return false;
   };
-  EXPECT_TRUE(told("true"));
-  EXPECT_FALSE(told("false"));
-  EXPECT_FALSE(told("{normal_stiffness: {per_length: 1e6}}"));
+  EXPECT_TRUE(message("true"));
+  EXPECT_FALSE(message("false"));
+  EXPECT_FALSE(message("{normal_stiffness: {per_length: 1e6}}"));
 }
 
 }  // namespace

@@ -99,8 +99,8 @@ TEST(PlatformFrame, PullIsTheGradientOfItsPotentialWithItsTangent) {
 }
 
 TEST(PlatformFrame, LoadsHaveTheirTangent) {
-  for (const bool follows : {false, true}) {
-    const RigidBodyLoad load{Vec3(3, -2, 5), Vec3(1, 4, -2), kArm, follows};
+  for (const bool body_fixed : {false, true}) {
+    const RigidBodyLoad load{Vec3(3, -2, 5), Vec3(1, 4, -2), kArm, body_fixed};
     const auto of = [&load](const RigidBodyState& s) {
       RigidBodyResidual r;
       add_load(load, s, r);
@@ -109,7 +109,7 @@ TEST(PlatformFrame, LoadsHaveTheirTangent) {
     for (int k = 0; k < 6; ++k) {
       const Vec6 d = Vec6::Unit(k);
       const Vec6 found = slope([&](const Vec6& u) { return of(state(u)).applied; }, d);
-      EXPECT_LT((of(state()).K * d - found).norm(), 1e-9) << k << follows;
+      EXPECT_LT((of(state()).K * d - found).norm(), 1e-9) << k << body_fixed;
     }
   }
 }

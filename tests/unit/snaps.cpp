@@ -34,7 +34,7 @@ std::string told(double half, int steps, double rest = 0, bool damped = false) {
   for (int k = 0; k <= steps; ++k) {
     const double way = M_PI * k / steps;
     const std::vector<double> tension(3, rest + (1000 - rest) * std::max(std::sin(way), 0.0));
-    snaps.look(1 + h * k, k == 0 ? 0 : h, tension, tension);
+    snaps.update(1 + h * k, k == 0 ? 0 : h, tension, tension);
   }
   return snaps.warning(MPI_COMM_SELF, 0, "sling", 1000, damped, true);
 }
@@ -75,7 +75,7 @@ TEST(Snaps, NotOfWhatFalls) {
   const run::Simulation sim(MPI_COMM_SELF, c);
   Snaps snaps(c, sim.local());
   const std::vector<double> held(3, 1000), loose(3, 100);
-  snaps.look(0, 0, held, held), snaps.look(0.1, 0.1, held, held), snaps.look(0.2, 0.1, loose, loose);
+  snaps.update(0, 0, held, held), snaps.update(0.1, 0.1, held, held), snaps.update(0.2, 0.1, loose, loose);
   EXPECT_EQ(snaps.warning(MPI_COMM_SELF, 0, "sling", 1000, true, true), "");
 }
 

@@ -33,7 +33,7 @@ lines: {}
   WaterErrors errors(c, sim.system());
   State& s = sim.state();
   s.time = time;
-  errors.look(s.view(time > 0 ? 0.1 : 0));
+  errors.update(s.view(time > 0 ? 0.1 : 0));
   return errors.warnings();
 }
 

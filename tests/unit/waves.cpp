@@ -75,7 +75,7 @@ TEST(Waves, SumsOverComponents) {
       WaveSums::Phases phases;
       sums.phases(x, y, t, sums.size(), phases);
       EXPECT_NEAR(phases.surface, surface, 1e-11 * speed);
-      bool left_out = false;
+      bool excluded = false;
       for (const double z : {2.0, 0.0, -0.1, -1.0, -10.0, -0.5 * bottom, -0.9 * bottom, -bottom}) {
         Vec3 u = Vec3::Zero(), a = Vec3::Zero(), u0 = Vec3::Zero(), a0 = Vec3::Zero();
         double most = 0;
@@ -88,15 +88,15 @@ TEST(Waves, SumsOverComponents) {
           const Vec3 along(c.x, c.y, 0), up(0, 0, 1);
           u0 += (e + back) * std::cos(angle) * along + (e - back) * std::sin(angle) * up;
           a0 += c.omega * ((e + back) * std::sin(angle) * along - (e - back) * std::cos(angle) * up);
-          if (2 * std::exp(k * z) > WaveSums::kLeftOut) most = std::max(most, k);
+          if (2 * std::exp(k * z) > WaveSums::kNegligible) most = std::max(most, k);
         }
         sums.add_motion(phases, z, u, a);
         const bool all = most >= sea.back().number;
-        left_out |= !all && (u - u0).norm() > 2e-10 * speed;  // more than rounding may, below
-        EXPECT_LE((u - u0).norm(), (all ? 1e-10 : WaveSums::kLeftOut) * speed) << depth << " " << z;
-        EXPECT_LE((a - a0).norm(), (all ? 1e-10 : WaveSums::kLeftOut) * growth) << depth << " " << z;
+        excluded |= !all && (u - u0).norm() > 2e-10 * speed;  // more than rounding may, below
+        EXPECT_LE((u - u0).norm(), (all ? 1e-10 : WaveSums::kNegligible) * speed) << depth << " " << z;
+        EXPECT_LE((a - a0).norm(), (all ? 1e-10 : WaveSums::kNegligible) * growth) << depth << " " << z;
       }
-      EXPECT_TRUE(left_out) << depth << (ripples ? ", ripples" : "");
+      EXPECT_TRUE(excluded) << depth << (ripples ? ", ripples" : "");
     }
   }
 }
@@ -127,8 +127,8 @@ TEST(Waves, PlacesAtTheBedAskForWhatTheyFeel) {
           sums.add_motion(all, there, u, a);
           const WaveMotion m = field.at({12, -5, z}, t);
           fewer += m.surface != eta;
-          EXPECT_LE((m.velocity - u).norm(), 2 * WaveSums::kLeftOut * speed) << depth << " " << z;
-          EXPECT_LE((m.acceleration - a).norm(), 2 * WaveSums::kLeftOut * growth) << depth << " " << z;
+          EXPECT_LE((m.velocity - u).norm(), 2 * WaveSums::kNegligible * speed) << depth << " " << z;
+          EXPECT_LE((m.acceleration - a).norm(), 2 * WaveSums::kNegligible * growth) << depth << " " << z;
         }
       EXPECT_EQ(fewer > 0, depth > 0 && s == Stretching::wheeler) << depth << " " << static_cast<int>(s);
     }

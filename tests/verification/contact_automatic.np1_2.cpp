@@ -87,7 +87,7 @@ double most(double x) {
 
 struct Held {
   double tension = 0, ratio = 0, depth = 0, stiffness = 0;  // N, largest; over the smallest; m; N/m²
-  double steps = 0, amiss = 0;                              // of the energy brought in
+  double steps = 0, problem = 0;                            // of the energy brought in
 };
 
 void look(Simulation& s, const Kinematics& at, Held& out) {
@@ -218,18 +218,18 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   double sums[2] = {e.work + d.support_work(), e.kinetic + e.strain - start.kinetic - start.strain +
                                                    e.friction + e.damping - start.friction - start.damping};
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
-  after.amiss = sums[1] / sums[0] - 1;
+  after.problem = sums[1] / sums[0] - 1;
   if (rank_of(MPI_COMM_WORLD) == 0)
     std::printf(
         "drawn: %.6g N, then %.6g; T2/T1 %.5f, exact %.5f; %.3g of the radius deep; %.3g, then %.3g N/m²; %g "
         "steps, %.3g of the energy not accounted for\n",
         before.tension, after.tension, after.ratio, std::exp(0.3 * M_PI), after.depth / kLine,
-        before.stiffness, after.stiffness, after.steps, after.amiss);
+        before.stiffness, after.stiffness, after.steps, after.problem);
   EXPECT_GT(after.tension, 100 * before.tension);
   EXPECT_GT(after.stiffness, 2 * before.stiffness);
   EXPECT_LE(after.depth, 0.05 * kLine);
   EXPECT_NEAR(after.ratio, std::exp(0.3 * M_PI), 0.01 * std::exp(0.3 * M_PI));
-  EXPECT_LT(std::abs(after.amiss), 0.01);
+  EXPECT_LT(std::abs(after.problem), 0.01);
   EXPECT_LT(after.steps, 600);
 }
 

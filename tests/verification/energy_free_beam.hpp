@@ -74,9 +74,9 @@ inline Tumble tumble(model::Case c, bool beam, int per_period, double rho, int p
     if (late || k.time < 0.1 * until) mean[late] += total(e) / e0, ++samples[late];
     if (beam && (late || k.time < 0.1 * until))
       for (size_t i = 0; i < k.q.size(); ++i) {
-        const Mat3 follows = director_acceleration(k.q[i], k.w[i], k.alpha[i]);
+        const Mat3 exact = director_acceleration(k.q[i], k.w[i], k.alpha[i]);
         double& most = apart[late];
-        most = std::max(most, (k.directors[i] - follows).norm()), size = std::max(size, follows.norm());
+        most = std::max(most, (k.directors[i] - exact).norm()), size = std::max(size, exact.norm());
       }
     if (++step % every) return;
     const Momentum p = momentum(s.system(), k);

@@ -70,7 +70,7 @@ struct Drag {
 struct Outcome {
   double deepest = 0;     // m
   int most_touching = 0;  // elements
-  int looked = 0;         // nodes looked at, at any output
+  int nodes = 0;          // nodes looked at, at any output
   int inside = 0;         // of which within the hull, by the reference
 };
 
@@ -131,7 +131,7 @@ Outcome drag(const Drag& d) {
   const Vec3 up(0.0031, 0.0017, 1);
   for (const Vec3& x : places) {
     if (distance(box, x) > 0) continue;
-    ++out.looked;
+    ++out.nodes;
     out.inside += test::WindingAlong(mesh, x, up.normalized()).at(0, mesh, boundary) > 0.5;
   }
   const double share = 1e-6 * counted->microseconds() * static_cast<double>(asked) / seconds;
@@ -141,7 +141,7 @@ Outcome drag(const Drag& d) {
       "%.0f %% of the time; up to %d elements touch, penetration %.1f mm; %d of %d nodes inside\n",
       d.name, steps, static_cast<double>(iterations) / static_cast<double>(steps), seconds / d.duration,
       asked, counted->microseconds(), 100 * share, out.most_touching, 1e3 * out.deepest, out.inside,
-      out.looked);
+      out.nodes);
   return out;
 }
 
@@ -151,7 +151,7 @@ void expect_outside(const Drag& d, int touching) {
   const Outcome o = drag(d);
   EXPECT_LT(o.deepest, 0.1 * kRadius);
   EXPECT_GE(o.most_touching, touching);
-  EXPECT_GT(o.looked, 500);
+  EXPECT_GT(o.nodes, 500);
   EXPECT_EQ(o.inside, 0);
 }
 

@@ -217,14 +217,14 @@ TEST(MeshShared, AllRanksTellWhatIsWrong) {
       if (there) std::ofstream(c.volumes[0].mesh) << "solid nothing\nendsolid nothing\n";
     }
     MPI_Barrier(MPI_COMM_WORLD);
-    const std::string told = wrong(c);
-    EXPECT_NE(told.find("hawser_shared_bad.stl"), std::string::npos) << told;
-    std::string first = told;
+    const std::string message = wrong(c);
+    EXPECT_NE(message.find("hawser_shared_bad.stl"), std::string::npos) << message;
+    std::string first = message;
     auto n = static_cast<int>(first.size());
     MPI_Bcast(&n, 1, MPI_INT, 0, MPI_COMM_WORLD);
     first.resize(static_cast<std::size_t>(n));
     MPI_Bcast(first.data(), n, MPI_CHAR, 0, MPI_COMM_WORLD);
-    EXPECT_EQ(told, first);
+    EXPECT_EQ(message, first);
   }
   if (rank == 0) std::filesystem::remove(c.volumes[0].mesh);
 }

@@ -91,11 +91,11 @@ void write_for_ever(const std::string& path) {
     } catch (const std::exception&) {  // killed before the first one
     }
     next = static_cast<int>(time) + 1;
-    ClashesTold told;
-    for (int k = 0; k < next; ++k) told.ended += static_cast<long long>(clashes(k).ended.size());
-    if (next > 0) told.open = clashes(next - 1).open;
+    ReportedClashes message;
+    for (int k = 0; k < next; ++k) message.ended += static_cast<long long>(clashes(k).ended.size());
+    if (next > 0) message.open = clashes(next - 1).open;
     file = std::make_unique<ResultsFile>(
-        ResultsFile::resume(MPI_COMM_SELF, path, contents(), owned, time, told));
+        ResultsFile::resume(MPI_COMM_SELF, path, contents(), owned, time, message));
     std::printf("resumed %d\n", next);
   } else {
     file = std::make_unique<ResultsFile>(ResultsFile::create(MPI_COMM_SELF, path, contents(), owned));

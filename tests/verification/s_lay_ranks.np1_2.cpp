@@ -85,10 +85,10 @@ TEST(SLayRanks, OffTheEndOfARoller) {
     runs::write_case(path, text);
     runs::run_on_all({path, folder + "/off.h5"});
     if (runs::rank_of(MPI_COMM_WORLD) != 0) continue;
-    const bool told =
+    const bool message =
         messages(folder + "/off.h5").find("line pipe is off the end of the rollers of support ramp 1") !=
         std::string::npos;
-    EXPECT_EQ(told, off) << messages(folder + "/off.h5");
+    EXPECT_EQ(message, off) << messages(folder + "/off.h5");
     const runs::Results r = runs::read(folder + "/off.h5");
     EXPECT_NEAR(runs::named(folder + "/off.h5", r, "ramp_1", "offset").front(), off ? 1.5 : 0.5, 1e-6);
   }

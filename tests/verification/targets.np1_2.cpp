@@ -188,9 +188,9 @@ std::string refusal(const std::function<void()>& what) {
 }
 
 void expect_refused(const std::function<void()>& what, const std::string& why) {
-  const std::string told = refusal(what);
-  EXPECT_NE(told.find(why), std::string::npos) << told;
-  EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+  const std::string message = refusal(what);
+  EXPECT_NE(message.find(why), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 TEST(Targets, ThatCannotBeMet) {

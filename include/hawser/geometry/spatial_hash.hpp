@@ -37,10 +37,10 @@ class SpatialHash {
   void nearest(const Vec3& p, double& squared, Visit&& visit) const {
     if (empty()) return;
     const Cell at = cell_of(p);
-    double looked = 0;
+    double cubes = 0;
     for (int ring = 0; way_to(ring, at, p) <= std::sqrt(squared) * kMore; ++ring) {
-      looked += 24.0 * ring * ring + 2;
-      if (looked > static_cast<double>(items_.size())) {  // more cubes than items
+      cubes += 24.0 * ring * ring + 2;
+      if (cubes > static_cast<double>(items_.size())) {  // more cubes than items
         for (const int i : items_) visit(i);
         return;
       }

@@ -116,7 +116,7 @@ struct SummaryRow {
 // std::runtime_error on all ranks; what was accepted before stays readable.
 class ResultsFile {
  public:
-  // New file; an old one at `path` is kept (keep_results). `owned`: this rank's nodes, ascending, in file
+  // New file; an old one at `path` is kept (back_up_results). `owned`: this rank's nodes, ascending, in file
   // order. Throws WriteError when the place cannot be written.
   static ResultsFile create(MPI_Comm comm, const std::string& path, ResultContents contents,
                             std::vector<int> owned);
@@ -125,7 +125,7 @@ class ResultsFile {
   // `time` [s] are dropped. `told`: the clashes of the last output that stays; those of a dropped one may
   // have taken their place in the file. Throws InputError when lines, fields or series differ.
   static ResultsFile resume(MPI_Comm comm, const std::string& path, ResultContents contents,
-                            std::vector<int> owned, double time, const ClashesTold& told = {});
+                            std::vector<int> owned, double time, const ReportedClashes& reported = {});
 
   ResultsFile(ResultsFile&&) noexcept;
   ResultsFile& operator=(ResultsFile&&) noexcept;

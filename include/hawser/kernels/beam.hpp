@@ -35,7 +35,7 @@ struct BeamSection {
   const PlasticBending* plastic = nullptr;
   // Of an element whose length follows the force that a feeder feels of it (beam_feed): the derivative of the
   // length by that force, m/N.
-  double gives = 0;
+  double length_by_force = 0;
 
   bool bends_by_law() const { return moment || plastic; }
 };

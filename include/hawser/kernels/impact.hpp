@@ -43,24 +43,25 @@ class ImpactEvent {
   double period() const;
 
  private:
-  friend std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass,
-                                                 const Approach& at);
-  double slowness_ = 0, energy_ = 0;  // s, J
-  double resolved_ = 0;               // s
-  double crossing_ = 0;               // s, until the touch or the end; infinite: none
-  double half_ = 0;                   // N/m, half the stiffness
+  friend std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth,
+                                                 double mass, const Approach& at);
+  double inverse_frequency_ = 0, energy_ = 0;  // s, J
+  double resolved_ = 0;                        // s
+  double crossing_ = 0;                        // s, until the touch or the end; infinite: none
+  double half_ = 0;                            // N/m, half the stiffness
   Approach at_;
 };
 
 // slowness: s, sqrt(m/k) of the contact, its period over 2 pi. seen: m; what inertia takes deeper than that,
 // by speed or by acceleration, strikes. mass: kg.
-std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass, const Approach& at);
+std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
+                                        const Approach& at);
 // Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
-bool may_impact(double slowness, double seen, double speed, double acceleration);
+bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
 // Whether a step of h [s] is so short, for a contact of that slowness [s], that what it gains or loses where
 // a contact begins or ends in it is accepted unseen: at most half of the steps that follow an impact.
-bool follows(double slowness, double h);
+bool resolves_contact(double inverse_frequency, double h);
 
 // A contact that began or ended within a step that is too long for it, so that the step gained or lost
 // energy. The start of the step did not show it: a wave along the line brought it there or took it off.
@@ -77,8 +78,8 @@ struct UnresolvedImpacts {
 // takes the force for one that rises or falls over the whole path. path: m, along the normal; force: N, and
 // potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times slowness
 // presses in by less than `seen` [m].
-double crossing_error(double slowness, double seen, double force, double potential, double path,
-                      double speed);
+double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
+                      double path, double speed);
 
 // What terms find: strikes of what this rank counts, and a length [s] that steps keep to in any case.
 struct ImpactEvents {
@@ -101,7 +102,7 @@ struct ImpactEvents {
 struct LineMotion {
   double mass = 0;
   Vec3 momentum = Vec3::Zero();
-  double kinetic = 0, striking = 0;
+  double kinetic = 0, impact_energy = 0;
 
   void add(double m, const Vec3& velocity) {
     mass += m, momentum += m * velocity, kinetic += 0.5 * m * velocity.squaredNorm();
@@ -122,21 +123,21 @@ struct StoredMotion {
 // J by line: what impacts may make, lose or leave unresolved of it in a step: kErrorOfStep of its energy, as
 // many times as there are lines whose impacts come to more. `lines` are those of all ranks.
 constexpr double kErrorOfStep = 2e-5;
-std::vector<double> bearable(std::span<const LineMotion> lines);
+std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 
 // The longest step [s] after one of `last` [s] that lets the energy held in A, which grows with the square of
 // the step, grow by no more than is bearable: it would come out as motion. Twice the last one in any case, as
 // each step damps what the next would make. stored: as LineMotion, of accelerations; by line, of all ranks.
-double growing_step(std::span<const LineMotion> stored, std::span<const double> bearable, double share,
-                    double last);
+double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
+                           double share, double last);
 
 // Whether the errors of all ranks together are within that. Collective.
-bool bearable_impacts(std::span<const UnresolvedImpact> impacts, std::span<const double> bearable,
+bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
                       const Sum& sum);
 
 // The longest step of at most `most` [s] in which strikes, of all ranks, together stay within what is
 // bearable, and the period of those that matter. Collective.
-StepLimit bounded_step(std::span<const ImpactEvent> strikes, std::span<const double> bearable, double most,
-                       const Sum& sum);
+StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
+                              double most, const Sum& sum);
 
 }  // namespace hawser

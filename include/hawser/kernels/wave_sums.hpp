@@ -23,10 +23,10 @@ class WaveSums {
   WaveSums(std::vector<WaveComponent> components, double depth);
 
   // The first components, by wave number, that are felt at the height z [m] from the still water: what all
-  // others would add is less than kLeftOut times the sum of the sizes that velocities, or accelerations, of
-  // the components have in the mean water level.
-  static constexpr double kLeftOut = 1e-4;
-  std::size_t felt(double z) const;
+  // others would add is less than kNegligible times the sum of the sizes that velocities, or accelerations,
+  // of the components have in the mean water level.
+  static constexpr double kNegligible = 1e-4;
+  std::size_t significant_components(double z) const;
   std::size_t size() const { return number_.size(); }
   // Sum of the amplitudes of all components but the first n, m.
   double height_beyond(std::size_t n) const { return height_beyond_[n]; }

@@ -234,7 +234,7 @@ struct Buried {
 enum class Start { automatic, catenary, hanging, straight, points, other_run };
 
 // Nodes of a line in another run.
-struct LeftShape {
+struct PreviousShape {
   std::string file;
   std::vector<double> arc;     // m from end A, growing
   std::vector<Vec3> position;  // m
@@ -267,8 +267,8 @@ struct Line {
   Start start = Start::automatic;
   // Its start shape follows from its ends and its length.
   bool starts_by_itself() const { return start == Start::automatic || start == Start::catenary; }
-  std::vector<Vec3> points;               // for Start::points: polyline the line is laid along
-  std::shared_ptr<const LeftShape> left;  // for Start::other_run
+  std::vector<Vec3> points;                             // for Start::points: polyline the line is laid along
+  std::shared_ptr<const PreviousShape> previous_shape;  // for Start::other_run
   std::optional<LengthTarget> target;
   // Of a part of a line that events cut (cut_lines.hpp): the line as given, whose start shape it begins with,
   // and where this part begins [m from its end A].

@@ -47,19 +47,19 @@ class EndForces {
 
   const std::vector<Place>& places() const { return places_; }  // in the order of nodes
   // N, what each feeder feels: the tension at its mouth and, of a line that resists bending, M²/2EI.
-  const std::vector<double>& at_feeders() const { return felt_; }
+  const std::vector<double>& at_feeders() const { return feeder_forces_; }
   // Which of the owned ends is at a local node, counted in that order; -1: none.
   int end_at(int node) const;
 
  private:
   SectionForce section(const Kinematics& at, int element, bool second, std::span<const Vec3> carried) const;
 
-  void evaluate_mouths(const Kinematics& at, std::span<const Vec3> carried);
+  void evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried);
 
   const System& system_;
   const Feeders* feeders_;
-  std::vector<SectionForce> mouths_;  // at the mouth of each feeder, in their order, on all ranks
-  std::vector<double> felt_;
+  std::vector<SectionForce> feed_points_;  // at the mouth of each feeder, in their order, on all ranks
+  std::vector<double> feeder_forces_;
   std::vector<Place> places_;
 };
 

@@ -102,7 +102,7 @@ class HasClashes {
   // Of rank 0: what the next output is to hold. Collective.
   virtual io::ClashTables take() = 0;
   // Of rank 0: what outputs have given the file so far. Another one begins with nothing.
-  virtual const io::ClashesTold& reported() const = 0;
+  virtual const io::ReportedClashes& reported() const = 0;
   virtual void begin_file() = 0;
   // In words, on rank 0, after take(); empty: nothing touched.
   virtual std::string table() const = 0;

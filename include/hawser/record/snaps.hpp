@@ -23,7 +23,7 @@ class Snaps {
   Snaps(const model::Case& c, const LocalMesh& mesh);
   // By owned node: effective tension on the side of end A and of end B, N. After every step of h [s]; 0: at
   // the start.
-  void look(double time, double h, std::span<const double> before, std::span<const double> after);
+  void update(double time, double h, std::span<const double> before, std::span<const double> after);
   // That the largest tension [N] of a line is such a peak, in words; empty: it is not. damped: the run has
   // taken much out of axial vibration; fixed: the user chose the step. Collective, with the same line on all
   // ranks.

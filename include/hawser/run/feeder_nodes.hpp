@@ -22,7 +22,7 @@ class FeederNodes {
   void shift(Feeder& f, double by);
   // After it was shown: nodes that leave or are caught. SolveError where a stock has run out, or all of a
   // line is hauled in. Collective.
-  void hand_over();
+  void transfer_node();
 
   void save(io::Checkpoint& to) const;
   // InputError where the checkpoint has no such feeders, or others.
@@ -36,8 +36,8 @@ class FeederNodes {
   void refuse_all_in(const Feeder& f, double time) const;
   void let_out(Feeder& f);
   void haul_in(Feeder& f);
-  double felt(const Feeder& f);
-  void hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved);
+  double feeder_force(const Feeder& f);
+  void transfer_node(Feeder& f, int feed_point, double length, const std::optional<Dynamics::Moved>& moved);
 
   Simulation& sim_;
 };

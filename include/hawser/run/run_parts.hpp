@@ -27,13 +27,13 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
 // it. looked: called at every iteration of the search, which ends with what that throws. Collective.
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
                              Progress& progress, const std::string& restart = "",
-                             const std::function<void()>& looked = {});
+                             const std::function<void()>& on_iteration = {});
 // Statics of the case with its stages, its progress and what is to be told of the equilibrium; what the
 // search of the last one was. rested: told which stage has come to rest. Collective; throws as
 // Simulation::solve_statics does.
 StaticsReport solve_statics(
     Simulation& sim, Events& events, Progress& progress,
     const std::function<void(size_t)>& rested = [](size_t) {});
-io::ReadingNews news(Progress& progress);  // which must live as long
+io::ReadProgress read_progress(Progress& progress);  // which must live as long
 
 }  // namespace hawser::run

@@ -13,7 +13,7 @@
 namespace hawser::run {
 
 struct StartContact {
-  std::vector<LeftOut> left_out;   // by the case, and by default what is inside next to a held end
+  std::vector<ExcludedEnds> excluded_ends;  // by the case, and by default what is inside next to a held end
   std::vector<Inside> inside;      // the rest that is inside: a run can begin only if statics brings it out
   std::vector<std::string> notes;  // what is left out by default, one sentence each
   std::vector<std::string> warnings;  // what lies inside, and what hangs past a volume
@@ -32,7 +32,7 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
 // left_out: stretches that have no contact with it, of volume 0. The same on all ranks. Collective.
 std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
                         const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
-                        const std::vector<LeftOut>& left_out);
+                        const std::vector<ExcludedEnds>& excluded_ends);
 
 // Of what was inside at the start what still is at `at`, in one sentence; empty: nothing. The same on all
 // ranks. Collective.

@@ -30,7 +30,7 @@ struct LoadedVolume {
 // one reads and checks each mesh, and all use what it made of it, in memory they share. Ranks let go of the
 // volumes in the same order, before MPI_Finalize.
 std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI_COMM_SELF,
-                                       const io::ReadingNews& news = {});
+                                       const io::ReadProgress& read_progress = {});
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
 // What stands out of the volumes that touch other bodies with it, and where they are watched.

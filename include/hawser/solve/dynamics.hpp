@@ -65,8 +65,8 @@ class Dynamics {
   // A feeder lets go of a node or takes hold of one: `change` is what it changes and returns how that node
   // goes on, on ranks that know. Mean forces and reactions change by as much as the forces of the state do;
   // all else goes on as it did. Collective.
-  void hand_over(const std::function<std::optional<Moved>()>& change,
-                 const std::function<std::vector<TiedNode>()>& nodes);
+  void transfer_node(const std::function<std::optional<Moved>()>& change,
+                     const std::function<std::vector<TiedNode>()>& nodes);
   // What a checkpoint carries beside the state.
   struct Carried {
     double step_proposal = 0;
@@ -128,7 +128,7 @@ class Dynamics {
   void solve_once();
   void put(const std::vector<double>& u);
   std::vector<double> solve_masses();
-  void catch_up(const TiedNodes& before, State& s);
+  void match_tied_velocities(const TiedNodes& before, State& s);
   void settle(int node, double h);
 
   System& system_;
@@ -140,10 +140,10 @@ class Dynamics {
   // The step that is being tried.
   struct Tries {
     StepInfo info;
-    bool solved = false;         // Newton's iteration of the last try converged
-    double allowed = HUGE_VAL;   // s, by the terms
-    double event = HUGE_VAL;     // s, within it, where an event is looked for
-    bool prepared_anew = false;  // in the middle of it
+    bool solved = false;          // Newton's iteration of the last try converged
+    double allowed = HUGE_VAL;    // s, by the terms
+    double event = HUGE_VAL;      // s, within it, where an event is looked for
+    bool prepared_again = false;  // in the middle of it
     EventSearch search;
     std::vector<double> at_start;  // what the events are looked for by, before the first try
   } tries_;

@@ -18,11 +18,11 @@
 namespace hawser {
 
 // No step leads on past a line or a volume: the sentence says which.
-struct InTheWay : SolveError {
+struct PathBlocked : SolveError {
   using SolveError::SolveError;
 };
 // Thrown, the same on all ranks, where contact is stiffer than the search began with: it begins again.
-struct StiffenedOnTheWay {};
+struct StiffnessRaised {};
 
 class StaticTrial {
  public:
@@ -55,9 +55,9 @@ class StaticTrial {
   // volume, nor deeper into a volume than its contact law is for. Where the candidates were not chosen for
   // that way they are chosen anew.
   bool clear();
-  // Throws what statics ends with where no step leads on: if something was in the way, InTheWay, or
-  // StiffenedOnTheWay where automatic contact can be made stiffer; else SolveError with that sentence.
-  [[noreturn]] void give_up(const std::string& why);
+  // Throws what statics ends with where no step leads on: if something was in the way, PathBlocked, or
+  // StiffnessRaised where automatic contact can be made stiffer; else SolveError with that sentence.
+  [[noreturn]] void throw_no_equilibrium(const std::string& why);
   // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
   // (1, 2, ...); less of it where lines would pass through each other.
   void leave(int attempt);
@@ -83,7 +83,7 @@ class StaticTrial {
   std::vector<double> local_, zero_;  // 3 * local blocks: an increment; nothing
   double length_ = 0;                 // m, of the longest element
   // What was in the way of the last trial that was not clear, in words, and that trial; empty: nothing.
-  std::string in_the_way_;
+  std::string blocked_by_;
   State blocked_;
 };
 

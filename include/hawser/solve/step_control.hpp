@@ -29,7 +29,7 @@ class StepControl {
   bool shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
   double shortest() const { return s_.shortest; }  // s
   // Accelerations have jumped: the next step is as short as the first one was.
-  void begin_anew();
+  void reset_to_first_step();
   // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,
   // since what rings then decides the next blow, and double at most from then on.
   void follow_impact(double t, double period);

@@ -27,8 +27,8 @@ class Assembler {
  public:
   static constexpr int kMaxBlocks = 8;
 
-  bool wants_force() const { return force_ != nullptr; }
-  bool wants_tangent() const { return matrix_ != nullptr; }
+  bool needs_force() const { return force_ != nullptr; }
+  bool needs_tangent() const { return matrix_ != nullptr; }
   // True far from a static solution: leave out negative geometric stiffness.
   bool convex() const { return convex_; }
 

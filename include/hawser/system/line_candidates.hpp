@@ -80,9 +80,9 @@ class LineCandidates {
   // How many elements of each line are inside feeders at its ends A and B: they take no part, and what is
   // near along lines that share a place counts from the feeders. True when this is news: the pairs change
   // with update().
-  bool leave_out(std::vector<std::array<int, 2>> inside);
+  bool set_elements_in_feeders(std::vector<std::array<int, 2>> inside);
   // Whether an element is inside a feeder.
-  bool left_out(int element) const;
+  bool is_in_feeder(int element) const;
 
   // Collective. From the committed motion and a coming step h [s] (0: no motion foreseen): makes the list
   // anew where it does not hold for that step. True when the pairs of this rank changed: locate() is due.
@@ -113,7 +113,7 @@ class LineCandidates {
   std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& at, double h) const;
   bool holds(const Kinematics& at, double h, double tau) const;
   double part(double time) const;
-  void foresee(const Kinematics& committed, double h);
+  void predict(const Kinematics& committed, double h);
   double skin(int element) const;
   SweptAxis at_rest(int element) const;
   bool never(const SweptAxis& p, const SweptAxis& q) const;
@@ -127,10 +127,10 @@ class LineCandidates {
   const LocalMesh& mesh_;
   std::vector<double> radius_;
   CandidateSettings settings_;
-  std::vector<std::array<int, 2>> inside_;  // of each line, as in leave_out(); empty: nothing is fed
-  std::vector<LocalElement> local_;         // elements of this rank with a radius that are outside
-  std::vector<std::uint8_t> unseen_;        // of local_: how many that follow it are excluded, at the least
-  std::vector<SweptAxis> built_;            // of local_, when the list was made
+  std::vector<std::array<int, 2>> inside_;    // of each line, as in leave_out(); empty: nothing is fed
+  std::vector<LocalElement> local_;           // elements of this rank with a radius that are outside
+  std::vector<std::uint8_t> excluded_after_;  // of local_: how many that follow it are excluded, at the least
+  std::vector<SweptAxis> built_;              // of local_, when the list was made
   // Of local_: what half way in time is off the middle of the straight way.
   std::vector<std::array<Vec3, 4>> bend_;
   std::vector<double> within_;             // m, of the shared places, what the list leaves out

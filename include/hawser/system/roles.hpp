@@ -47,12 +47,12 @@ class RaisesStiffness {
  public:
   virtual ~RaisesStiffness() = default;
   // From an equilibrium, raises it where that asks for it and says so (solve again). Collective.
-  virtual bool stiffen(const Kinematics& equilibrium) = 0;
+  virtual bool raise_stiffness(const Kinematics& equilibrium) = 0;
   // In statics, raises it where it is too low to keep a line from being drawn in on its way to that trial.
   // Collective.
-  virtual bool stiffen_in_the_way(const Kinematics& trial) = 0;
+  virtual bool raise_stiffness_where_blocked(const Kinematics& trial) = 0;
   // Takes back what was raised since the last commit, before a step is tried (again).
-  virtual void forget_stiffening() = 0;
+  virtual void revert_stiffness() = 0;
 };
 
 // Acts on the elements of lines, so that forces at their ends can be told.

@@ -35,7 +35,7 @@ class SharedPlaces {
                std::vector<SharedPlace> places, std::vector<int> whole);
 
   // How many elements of each line are inside feeders at its ends A and B: stretches begin at the feeder.
-  void leave_out(std::vector<std::array<int, 2>> inside) { inside_ = std::move(inside); }
+  void set_elements_in_feeders(std::vector<std::array<int, 2>> inside) { inside_ = std::move(inside); }
 
   // Collective, of a committed state: how far from each place there is no contact. The first call finds it
   // from the state alone. `settles`: in statics it may grow as well as shrink, in motion it only shrinks.

@@ -11,9 +11,9 @@ struct Verdict {
   // Each outweighs those before it.
   enum class Kind {
     accept,
-    shorter,       // retry with a shorter step
-    prepare_anew,  // what was prepared for the step is out of date: prepare again and retry
-    stop           // no step, however short, can help
+    shorter,        // retry with a shorter step
+    prepare_again,  // what was prepared for the step is out of date: prepare again and retry
+    stop            // no step, however short, can help
   };
   Kind kind = Kind::accept;
   std::string because;  // a clause for the user

@@ -168,7 +168,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   std::vector<PairBody> bodies_of_volumes_;  // likewise
   std::vector<Pair> pairs_;
   std::vector<std::string> names_;  // of volumes, with their bodies
-  bool told_ = false;
+  bool coupled_ = false;
 };
 
 }  // namespace hawser

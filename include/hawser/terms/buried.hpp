@@ -43,9 +43,9 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   // The springs have the directions of the line at the start of a step. A search of statics keeps those it
   // begins with, for its forces to have a potential, and goes on with those of the equilibrium that it finds,
   // until they are the same.
-  bool stiffen(const Kinematics& equilibrium) override;
-  bool stiffen_in_the_way(const Kinematics&) override { return false; }
-  void forget_stiffening() override {}
+  bool raise_stiffness(const Kinematics& equilibrium) override;
+  bool raise_stiffness_where_blocked(const Kinematics&) override { return false; }
+  void revert_stiffness() override {}
 
  private:
   struct Point {

@@ -39,23 +39,23 @@ struct Feeder {
   double outside_at_start = 0;  // m, unstretched
 
   // Committed, the same on all ranks.
-  int mouth = 0;         // the element at the mouth, counted from the fed end; those before it are the stock
-  double length = 0;     // m, unstretched, of that element
-  double speed = 0;      // m/s
-  double grows = 0;      // m/s, of Mouth
-  bool resting = false;  // within its dead band
-  double offset = 0;     // m: of a feeder that goes by speed the length is this and what it has paid out
-  double time = 0;       // s
+  int feed_point = 0;  // the element at the mouth, counted from the fed end; those before it are the stock
+  double length = 0;   // m, unstretched, of that element
+  double speed = 0;    // m/s
+  double length_rate = 0;  // m/s, of Mouth
+  bool resting = false;    // within its dead band
+  double offset = 0;       // m: of a feeder that goes by speed the length is this and what it has paid out
+  double time = 0;         // s
 };
 
 // The element at the mouth in a trial.
-struct Mouth {
+struct FeedPoint {
   double length = 0, speed = 0, acceleration = 0;  // m, m/s, m/s²: unstretched length and its rates
   double by_chord = 0;                             // derivative of the length by the chord
-  double gives = 0;                                // m/N, by the force of a beam on its feeder
+  double length_by_force = 0;                      // m/N, by the force of a beam on its feeder
   // m/s: the rate of the length with which the velocities of the ends make the strain rate that the damper of
   // the step had, where a tension is kept.
-  double grows = 0;
+  double length_rate = 0;
 };
 
 class Feeders final : public ForceTerm, public ActsOnElements, public LimitsSteps {
@@ -72,23 +72,23 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   int elements(const Feeder& f) const;
   double outside(const Feeder& f) const;  // m, unstretched, that has left the feeder
   // The feeder has another element at its mouth: takes over what that is made of.
-  void see_mouth(Feeder& f) const;
+  void update_feed_point(Feeder& f) const;
   // Node axes of a fed end that is clamped, in its body's frame (or space), by line and end.
   void clamp(const std::vector<std::array<Quat, 2>>& ends);
   // Local element at the mouth; null: not on this rank.
-  const LocalElement* at_mouth(const Feeder& f) const;
+  const LocalElement* at_feed_point(const Feeder& f) const;
 
   // What masses and water see of the mouth is that of the speed at the start of the step, unless `now`.
-  Mouth mouth(const Feeder& f, const Kinematics& at, bool now) const;
+  FeedPoint feed_point(const Feeder& f, const Kinematics& at, bool now) const;
   // Of an element of the mesh; nullopt: no feeder has to do with it.
   struct Rest {
-    bool idle = false;   // inside a feeder
-    double length = 0;   // m, unstretched
-    double follows = 0;  // derivative by the chord
-    double gives = 0;    // m/N, by the force of a beam on its feeder
-    double grows = 0;    // m/s, its rate
-    double before = 0;   // m, unstretched at the start of the step, of the one at a mouth; else `length`
-    int feeder = -1;     // among list(), of the one at a mouth
+    bool idle = false;           // inside a feeder
+    double length = 0;           // m, unstretched
+    double length_by_chord = 0;  // derivative by the chord
+    double length_by_force = 0;  // m/N, by the force of a beam on its feeder
+    double length_rate = 0;      // m/s, its rate
+    double before = 0;  // m, unstretched at the start of the step, of the one at a mouth; else `length`
+    int feeder = -1;    // among list(), of the one at a mouth
   };
   std::optional<Rest> rest(int element, const Kinematics& at, bool now) const;
   // Of the one at a mouth, its end at the feeder: 0 or 1; -1: of another.
@@ -132,7 +132,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   struct Flow {
     Vec3 chord, velocity, acceleration;  // m, m/s, m/s²
   };
-  Flow flow(const Mouth& m, const Kinematics& at, const LocalElement& e, bool at_b) const;
+  Flow flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e, bool at_b) const;
 
  private:
   // Of the element at a mouth that is a cable: at the start of the step, and its mean rate over it, 1/s.
@@ -141,7 +141,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   CableFeed feed_of_cable(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   double power(const Feeder& f, const Kinematics& at, const LocalElement& e) const;
   double load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
-  void force(const Feeder& f, const Mouth& m, const Kinematics& at, const LocalElement& e, Vec3* out) const;
+  void force(const Feeder& f, const FeedPoint& m, const Kinematics& at, const LocalElement& e,
+             Vec3* out) const;
 
   const LocalMesh& mesh_;
   const model::Case& case_;

@@ -93,7 +93,7 @@ class Hydrodynamics final : public ForceTerm,
   Water water(const Kinematics& at, size_t node) const;
   Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
-  void look_at_water(const Kinematics& at) const;
+  void update_water(const Kinematics& at) const;
   const Water& water_at(size_t node) const { return water_[moving() ? node : 0]; }
   WaterEnds ends(const Piece& p, const Kinematics& k, const Water& first, const Water& second) const;
   WaterEnds ends(const Piece& p, const Kinematics& k) const {

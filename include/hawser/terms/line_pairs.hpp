@@ -185,7 +185,7 @@ class LinePairs final : public ForceTerm,
   Nearest nearest_at_start(const Pair& p) const { return nearest(p, p.chords, start(p.a), start(p.b)); }
   double acceleration(const Pair& pair, const Kinematics& at) const;
   double mass_per_length(const Pair& pair) const;
-  double slowness(const Pair& pair, double speed) const;
+  double inverse_frequency(const Pair& pair, double speed) const;
   double mass(const Pair& pair) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
   std::string where(const Pair& pair) const;

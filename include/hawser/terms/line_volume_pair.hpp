@@ -31,7 +31,7 @@ struct GapSpring {
 // are.
 struct NearGroups {
   FacetGroups facet_groups;
-  std::vector<std::vector<AxisContactPoint>> past;
+  std::vector<std::vector<AxisContactPoint>> previous;
 };
 
 struct LineVolumePair {
@@ -77,7 +77,9 @@ struct LineVolumePair {
   const FacetGroup* group(int w) const {
     return near.facet_groups.several() ? &near.facet_groups.of[w] : nullptr;
   }
-  const std::vector<AxisContactPoint>& past(int w) const { return near.past.empty() ? points : near.past[w]; }
+  const std::vector<AxisContactPoint>& previous(int w) const {
+    return near.previous.empty() ? points : near.previous[w];
+  }
 };
 
 }  // namespace hawser

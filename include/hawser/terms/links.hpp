@@ -68,7 +68,7 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<Link> list_;
-  bool told_ = false;
+  bool coupled_ = false;
 };
 
 }  // namespace hawser

@@ -123,7 +123,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   };
   // Of a bed that is a surface, changes the time and never the answer: no force nearer than `clear` to
   // `centre` (the signed distance is 1-Lipschitz); nearest triangle of the last query.
-  struct Seen {
+  struct Cache {
     Vec3 centre = Vec3::Zero();
     double clear = -1;
     int hint = -1;
@@ -187,9 +187,9 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   std::vector<History> histories_;
   std::vector<int> vacant_;  // places in histories_ of points that have left the bed
   Account account_;
-  mutable std::vector<Seen> seen_;  // empty: a plane
-  bool suction_ = false;            // of some point
-  std::vector<double> element_;     // m, longest at a local node
+  mutable std::vector<Cache> cache_;  // empty: a plane
+  bool suction_ = false;              // of some point
+  std::vector<double> element_;       // m, longest at a local node
   LineNeighbours line_;
   Friction friction_ = Friction::contact;
 };

@@ -70,7 +70,7 @@ class StructureTerm final : public ForceTerm,
   void fed_by(Feeders* feeders) override;
   // Before the mouth of a feeder goes over to a neighbour of its element: what is remembered goes with the
   // material. Collective.
-  void hand_over(MPI_Comm comm, const Feeder& f, int mouth);
+  void transfer_node(MPI_Comm comm, const Feeder& f, int feed_point);
 
  private:
   // What is remembered on either side of a mouth (structure_feed.cpp), by label from the free node on.

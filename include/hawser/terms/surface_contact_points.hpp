@@ -40,7 +40,7 @@ struct AxisContactPoint : SurfaceContactPoint {
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
     each("place", "", self.xi), each("from", "", self.from), each("to", "", self.to);
-    each("wall", "", self.group), each("weight", "m", self.weight), each("gap", "m", self.gap);
+    each("facet group", "", self.group), each("weight", "m", self.weight), each("gap", "m", self.gap);
     SurfaceContactPoint::quantities(self, each, "N/m", "J/m");
   }
 };
