@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 
 try:
-    from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_told, plot, report, scene
+    from . import export, extremes_report, fatigue, fatigue_report, lay, pipe_report, plot, report, scene
     from .arguments import Parser, add_set, place_for, port_from, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
@@ -95,7 +95,7 @@ def commands():
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="also write the numbers, as .json or .csv")
     add_set(p)
-    p.set_defaults(do=extremes_told.make)
+    p.set_defaults(do=extremes_report.make)
 
     p = sub.add_parser("fatigue", help="damage along a line by rainflow cycles and a published S-N or T-N curve")
     p.add_argument("results", nargs="+", metavar="RESULTS[=SHARE]", help=of + "; of several, with their shares of the time")
@@ -111,7 +111,7 @@ def commands():
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="CSV file (default: <results>-fatigue.csv)")
     add_set(p)
-    p.set_defaults(do=fatigue_told.make)
+    p.set_defaults(do=fatigue_report.make)
 
     p = sub.add_parser("pipe", help="strain, stress and code checks of a steel pipe, on its supports and in its sagbend")
     p.add_argument("results", help=of)
@@ -119,7 +119,7 @@ def commands():
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="CSV file (default: <results>-pipe.csv)")
     add_set(p)
-    p.set_defaults(do=pipe_told.make)
+    p.set_defaults(do=pipe_report.make)
 
     p = sub.add_parser("lay", help="the smallest tension with which a pipe is laid in each of a list of depths")
     p.add_argument("case", help="case file of a lay over supports")

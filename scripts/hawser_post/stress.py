@@ -113,7 +113,7 @@ def along(results, line, outer=None, thickness=None):
     return largest
 
 
-def told(results, line, largest, since=0.0):
+def description(results, line, largest, since=0.0):
     """The largest of these stresses, with its time and place, in a sentence."""
     keep = np.flatnonzero(results.since(since))
     output, node = np.unravel_index(np.nanargmax(largest[keep]), largest[keep].shape)

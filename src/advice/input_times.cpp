@@ -115,7 +115,7 @@ double jump(const Case& c, const Body& b) {
   return first > kJump * most ? first : 0;
 }
 
-bool jumps_anyhow(const TableMotion& t) { return t.between == BetweenRows::linear && !t.time.empty(); }
+bool always_jumps(const TableMotion& t) { return t.between == BetweenRows::linear && !t.time.empty(); }
 
 }  // namespace
 
@@ -124,12 +124,12 @@ StartSpeeds start_speeds(const Case& c, const Body& b) {
   if (b.mass || b.on || !c.statics.enabled) return out;
   // Straight lines between rows jump at all of them, and rows of waves are given with their ramp.
   const auto* table = std::get_if<TableMotion>(&b.motion);
-  if (b.motion.index() != 0 && b.ramp == 0 && !(table && (jumps_anyhow(*table) || table->of_waves))) {
+  if (b.motion.index() != 0 && b.ramp == 0 && !(table && (always_jumps(*table) || table->of_waves))) {
     Body alone = b;
     alone.drift.reset();
     out.motion = jump(c, alone);
   }
-  if (b.drift && b.drift->ramp == 0 && !jumps_anyhow(b.drift->table)) {
+  if (b.drift && b.drift->ramp == 0 && !always_jumps(b.drift->table)) {
     Body alone = b;
     alone.motion = {};
     out.drift = jump(c, alone);

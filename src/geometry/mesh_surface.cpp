@@ -79,7 +79,8 @@ struct MeshSurface::Data {
   // m: the body begins nowhere nearer to y than that without an active facet: in a hole, or at an inactive
   // part, behind which it is less than zero. No farther than `most` is looked.
   double closed_within(const Vec3& y, double most, int hint) const;
-  std::optional<SurfacePoint> seen(const Vec3& y, double max_distance, const FacetSearch::Foot& c) const;
+  std::optional<SurfacePoint> query_foot(const Vec3& y, double max_distance,
+                                         const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
                         bool behind) const;
   Mat3 curvature_at_vertex(int triangle, int corner, double length, const SurfacePoint& s) const;
@@ -219,7 +220,7 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   // What is inside is met however deep.
   if (!foot && d.bounds.contains(y) && (d.winding.empty() || d.winding.inside(d.mesh(), y)))
     foot = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
-  return foot ? d.seen(y, max_distance, *foot) : std::nullopt;
+  return foot ? d.query_foot(y, max_distance, *foot) : std::nullopt;
 }
 
 std::optional<SurfacePoint> MeshSurface::query_again(const Vec3& y, double max_distance, int hint,
@@ -232,12 +233,12 @@ std::optional<SurfacePoint> MeshSurface::query_again(const Vec3& y, double max_d
     foot = d.active.nearest(d.facets, y, near);
   }
   if (!foot || !(foot->squared_distance <= max_distance * max_distance)) return query(y, max_distance, hint);
-  return d.seen(y, max_distance, d.on_face_or_edge(*foot, y));
+  return d.query_foot(y, max_distance, d.on_face_or_edge(*foot, y));
 }
 
 // What is seen from y of its nearest point.
-std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_distance,
-                                                    const FacetSearch::Foot& c) const {
+std::optional<SurfacePoint> MeshSurface::Data::query_foot(const Vec3& y, double max_distance,
+                                                          const FacetSearch::Foot& c) const {
   const int t = c.triangle;
   const Vec3 pseudonormal = normals.at(facets, t, c);
   const bool is_behind = behind(c, y, pseudonormal);

@@ -148,15 +148,15 @@ std::string unseparated(const std::string& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     if (start && c != ' ' && c != '-')
-      if (std::string said = model::missing_blank(std::string_view(line).substr(i)); !said.empty())
-        return said;
+      if (std::string fault = model::missing_blank(std::string_view(line).substr(i)); !fault.empty())
+        return fault;
     start = c == '{' || c == ',' || (start && (c == ' ' || c == '-'));
   }
   return "";
 }
 
 // What a line begins with that YAML takes for text; null: nothing like that.
-const char* strange_begin(const Line& line) {
+const char* unexpected_begin(const Line& line) {
   if (line.empty() || line.flow) return nullptr;
   const std::string_view begin = std::string_view(line.text).substr(line.indent);
   if (begin.starts_with("//")) return "a comment begins with '#', not with '//'";
@@ -279,17 +279,17 @@ std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
   while (before > 0 && lines[before - 1].empty()) --before;
   const std::size_t near[] = {last - 1, before > 0 ? before - 1 : before};
   for (const std::size_t i : near)
-    if (std::string said = unseparated(lines[i].text); !said.empty())
-      return YamlFault{static_cast<int>(i) + 1, std::move(said)};
+    if (std::string fault = unseparated(lines[i].text); !fault.empty())
+      return YamlFault{static_cast<int>(i) + 1, std::move(fault)};
   for (std::size_t i = 0; i < last; ++i)
-    if (const char* said = strange_begin(lines[i])) return YamlFault{static_cast<int>(i) + 1, said};
+    if (const char* fault = unexpected_begin(lines[i])) return YamlFault{static_cast<int>(i) + 1, fault};
   for (const std::size_t i : near)
-    if (std::string said = bracket_without_colon(lines[i]); !said.empty())
-      return YamlFault{number(i), std::move(said)};
+    if (std::string fault = bracket_without_colon(lines[i]); !fault.empty())
+      return YamlFault{number(i), std::move(fault)};
   if (parts.unfit() && parts.unfit()->line <= line) return parts.unfit();
   for (const std::size_t i : near)
-    if (std::string said = line_without_colon(lines[i]); !said.empty())
-      return YamlFault{number(i), std::move(said)};
+    if (std::string fault = line_without_colon(lines[i]); !fault.empty())
+      return YamlFault{number(i), std::move(fault)};
   return wrong_indent(lines, last - 1);
 }
 

@@ -146,15 +146,15 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
   // Of a changed unstretched length the ends' way is the mean length times the growth of the strain, which
   // the forces of the material work on, and the mean stretch times what was let out
   // (docs/theory/feeders.md#energy).
-  const double let_out = s.length - from.rest,
+  const double fed_length = s.length - from.rest,
                stretch =
                    1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
-  const double way = m.l - from.length - stretch * let_out;
-  const double energy = let_out == 0
+  const double way = m.l - from.length - stretch * fed_length;
+  const double energy = fed_length == 0
                             ? 0
                             : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
                                      s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
-  const double fed = (energy - m.tension * stretch) * let_out;
+  const double fed = (energy - m.tension * stretch) * fed_length;
   // Where it would push, the spring has worked against what holds it back alone.
   if (m.tension == 0) {
     const double spent = -m.elastic * way;

@@ -134,11 +134,11 @@ std::vector<int> cut_graph(const Mesh& mesh, int ranks, std::span<const int> who
 
 // Nodes that other ranks see, once for each rank that does.
 size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner) {
-  std::vector<std::pair<int, int>> seen;
+  std::vector<std::pair<int, int>> pairs;
   for (const Edge& e : all)
-    if (const int rank = owner[e.to]; rank != owner[e.from]) seen.emplace_back(e.from, rank);
-  std::sort(seen.begin(), seen.end());
-  return static_cast<size_t>(std::unique(seen.begin(), seen.end()) - seen.begin());
+    if (const int rank = owner[e.to]; rank != owner[e.from]) pairs.emplace_back(e.from, rank);
+  std::sort(pairs.begin(), pairs.end());
+  return static_cast<size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
       output_at = record::next_multiple(info.time, every);
     }
     // What was shown is the state before it, what is saved the one after.
-    for (const std::string& e : events.apply_due()) progress.say(e);
+    for (const std::string& e : events.apply_due()) progress.print(e);
     feeder_nodes.transfer_node();
     if (save || stop) {
       if (last || stop || checkpoint_every > 0 || rethrow_on_all_ranks[1]) save_state();
@@ -203,14 +203,14 @@ int run(MPI_Comm comm, const RunOptions& options) {
     checkpoint = read_restart(options.restart, sim);
     restart_notes = compare_changes(comm, options.restart, c.changes);
   }
-  progress.say(
+  progress.print(
       fmt::format("{} nodes on {}", sim.mesh().nodes.size(),
                   size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
-  for (const auto& n : place.notes()) progress.say("note: " + n);
-  for (const auto& n : restart_notes) progress.say("note: " + n);
-  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
+  for (const auto& n : place.notes()) progress.print("note: " + n);
+  for (const auto& n : restart_notes) progress.print("note: " + n);
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
   if (!restarted) {
-    for (const auto& w : sim.warnings()) progress.say("warning: " + w);
+    for (const auto& w : sim.warnings()) progress.print("warning: " + w);
     if (!c.statics.enabled) sim.check_inside();
   }
 
@@ -225,9 +225,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
     return *made;
   };
   if (restarted) {
-    progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
+    progress.print(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
     if (checkpoint.time >= end * (1 - 1e-12))
-      progress.say("which is the end of the case: nothing left to compute");
+      progress.print("which is the end of the case: nothing left to compute");
   } else if (c.statics.enabled) {
     try {
       const Stage stage("statics");
@@ -244,14 +244,14 @@ int run(MPI_Comm comm, const RunOptions& options) {
   record::Recorder& recorder = recorder_of();
   FeederNodes feeder_nodes(sim);
   if (restarted) {
-    for (const std::string& e : events.restore(checkpoint)) progress.say(e);
+    for (const std::string& e : events.restore(checkpoint)) progress.print(e);
     feeder_nodes.restore(checkpoint, options.restart);
     restore(checkpoint, sim);
-    for (const std::string& e : events.apply_due()) progress.say(e);
+    for (const std::string& e : events.apply_due()) progress.print(e);
     // A new file begins with the state the run goes on from.
     if (!place.appends()) recorder.output(sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
-    for (const std::string& e : events.begin()) progress.say(e);
+    for (const std::string& e : events.begin()) progress.print(e);
     sim.dynamics().start(sim.state());
     // A start at rest is shown at rest: the velocities with which motions begin come after it.
     const Kinematics moving = sim.dynamics().kinematics();
@@ -265,11 +265,11 @@ int run(MPI_Comm comm, const RunOptions& options) {
 
   const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);
   progress.end();
-  for (const std::string& e : events.not_happened()) progress.say("note: " + e);
+  for (const std::string& e : events.not_happened()) progress.print("note: " + e);
   if (c.dynamics.enabled)
     for (const std::string& n :
          sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)))
-      progress.say("note: " + n);
+      progress.print("note: " + n);
   const std::string table = recorder.finish(progress.messages());
   if (speak) {
     print_results(c, recorder, table);

@@ -222,7 +222,7 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
 }
 
 // A line, or what carried one.
-bool Events::lets_go(const std::string& stage) const {
+bool Events::releases_end(const std::string& stage) const {
   return std::any_of(events_.begin(), events_.end(), [&](const Happening& h) {
     const Action& a = h.what.action;
     const bool carried = a.kind == Action::Kind::contact && !a.enabled;
@@ -232,14 +232,14 @@ bool Events::lets_go(const std::string& stage) const {
 }
 
 void Events::come_to_rest(const std::function<void(bool)>& solve,
-                          const std::function<void(const std::string&)>& say,
+                          const std::function<void(const std::string&)>& report,
                           const std::function<void(size_t)>& rested) {
   const std::vector<std::string>& stages = sim_.model().stages;
   if (stages.empty()) solve(false);
   for (size_t k = 0; k < stages.size(); ++k) {
-    say(fmt::format("stage {} of statics", stages[k]));
-    for (const std::string& e : at_rest(stages[k])) say(e);
-    solve(k > 0 && lets_go(stages[k]));
+    report(fmt::format("stage {} of statics", stages[k]));
+    for (const std::string& e : at_rest(stages[k])) report(e);
+    solve(k > 0 && releases_end(stages[k]));
     pay_out(stages[k], solve);
     rested(k);
   }

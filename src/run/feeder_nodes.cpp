@@ -50,10 +50,10 @@ void FeederNodes::transfer_node() {
     const double whole = all->element_length(f, f.feed_point);
     refuse_all_out(f, time);
     if (f.feed_point > 0 && f.length >= whole + kLeft * all->element_length(f, f.feed_point - 1)) {
-      let_out(f);
+      release_node(f);
     } else if (f.length <= kCaught * whole) {
       refuse_all_in(f, time);
-      haul_in(f);
+      catch_node(f);
     }
   }
 }
@@ -104,7 +104,7 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
   return m;
 }
 
-void FeederNodes::let_out(Feeder& f) {
+void FeederNodes::release_node(Feeder& f) {
   const Feeders& all = *sim_.feeders();
   const int node = all.node(f, f.feed_point);
   const double whole = all.element_length(f, f.feed_point);
@@ -161,7 +161,7 @@ std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinema
   return moved;
 }
 
-void FeederNodes::haul_in(Feeder& f) {
+void FeederNodes::catch_node(Feeder& f) {
   double length = 0;
   const std::optional<Dynamics::Moved> moved = caught(f, sim_.dynamics().kinematics(), length);
   transfer_node(f, f.feed_point + 1, length, moved);

@@ -184,7 +184,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   if (argc > 1 && hawser::run::is_post_command(argv[1])) return hawser::run::post(argv + 1);
   // What follows a lone "--" is PETSc's.
-  std::vector<char*> mine, theirs{argv[0]};
+  std::vector<char*> mine, for_petsc{argv[0]};
   std::string options;
   bool after = false;
   for (int i = 0; i < argc; ++i) {
@@ -192,11 +192,11 @@ int main(int argc, char** argv) {
       after = true;
       continue;
     }
-    (after ? theirs : mine).push_back(argv[i]);
+    (after ? for_petsc : mine).push_back(argv[i]);
     if (after) options += (options.empty() ? "" : " ") + std::string(argv[i]);
   }
   mine.push_back(nullptr);
-  theirs.push_back(nullptr);
+  for_petsc.push_back(nullptr);
 
   CommandLine line;
   line.cli.failure_message([&](const CLI::App*, const CLI::Error& e) {
@@ -205,25 +205,25 @@ int main(int argc, char** argv) {
 
   // A question that the command line answers needs no MPI, but of several ranks one answers.
   std::optional<Petsc> petsc;
-  const auto begin = [&] { petsc.emplace(static_cast<int>(theirs.size()) - 1, theirs.data()); };
+  const auto begin = [&] { petsc.emplace(static_cast<int>(for_petsc.size()) - 1, for_petsc.data()); };
   if (hawser::launched()) begin();
-  const bool speaks = !petsc || petsc->rank == 0;
+  const bool prints = !petsc || petsc->rank == 0;
   try {
     line.cli.parse(static_cast<int>(mine.size()) - 1, mine.data());
   } catch (const CLI::ParseError& e) {
     std::ostringstream out, wrong;
     const bool failed = line.cli.exit(e, out, wrong) != 0;
-    if (speaks) std::fputs(out.str().c_str(), stdout), std::fputs(wrong.str().c_str(), stderr);
+    if (prints) std::fputs(out.str().c_str(), stdout), std::fputs(wrong.str().c_str(), stderr);
     return failed ? hawser::kExitInput : 0;
   }
   if (*line.schema_command) {
-    if (speaks)
+    if (prints)
       std::fputs((line.json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(),
                  stdout);
     return 0;
   }
   if (*line.library_command) {
-    if (speaks) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
+    if (prints) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
     return 0;
   }
   line.run.options_text = line.modes.options_text = options;
@@ -237,8 +237,8 @@ int main(int argc, char** argv) {
                                                  line.changes, line.verbose);
     const int code = *line.run_command ? hawser::run::run(PETSC_COMM_WORLD, line.run)
                                        : hawser::run::modes(PETSC_COMM_WORLD, line.modes);
-    const auto left = unused(theirs);
-    if (speaks && !line.run.quiet && !line.modes.quiet && !left.empty())
+    const auto left = unused(for_petsc);
+    if (prints && !line.run.quiet && !line.modes.quiet && !left.empty())
       fmt::print("\nwarning: nothing in this run has used the PETSc option{} {}\n",
                  left.size() > 1 ? "s" : "", fmt::join(left, ", "));
     return code;

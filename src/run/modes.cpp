@@ -187,9 +187,9 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   if (!options.added_mass)
     for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
-  for (const auto& n : place.notes()) progress.say("note: " + n);
-  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
-  for (const auto& w : sim.warnings()) progress.say("warning: " + w);
+  for (const auto& n : place.notes()) progress.print("note: " + n);
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
+  for (const auto& w : sim.warnings()) progress.print("warning: " + w);
   Events events(comm, sim);
   const StaticsReport statics = solve_statics(sim, events, progress);
   const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);

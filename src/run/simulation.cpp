@@ -66,19 +66,19 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
 // Local nodes whose place is prescribed for as long as the run lasts.
 std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const Feeders* feeders,
                             const std::vector<TiedNode>& tied) {
-  std::set<int> let_go;  // nodes of the mesh
+  std::set<int> released;  // nodes of the mesh
   if (feeders) {
     const std::vector<int> fed = feeders->fed_nodes();
-    let_go.insert(fed.begin(), fed.end());
+    released.insert(fed.begin(), fed.end());
   }
   for (const model::Event& e : c.events)
     if (e.action.kind == model::Action::Kind::release) {
       const LineSpan& span = local.mesh->lines[c.line_index(e.action.line)];
-      let_go.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
+      released.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
     }
   std::vector<int> held;
   for (const TiedNode& s : tied)
-    if (s.position_mask != 0 && !let_go.count(local.global[s.node])) held.push_back(s.node);
+    if (s.position_mask != 0 && !released.count(local.global[s.node])) held.push_back(s.node);
   return held;
 }
 

@@ -101,12 +101,13 @@ class Relaxation : StaticTrial {
     const int tried = report.steps + report.rejected;
     if (tried % kWatched != 0) return false;
     double far = 0;
-    for (size_t n = 0; n < seen_.size(); ++n) far = std::max(far, (state_.x[n] - seen_[n]).norm());
+    for (size_t n = 0; n < last_places_.size(); ++n)
+      far = std::max(far, (state_.x[n] - last_places_[n]).norm());
     all_reduce(system_.comm(), MPI_MAX, far);
     const bool nearer = tried == 0 || report.norms.relative() <= 0.5 * left_;
     const bool stuck = !nearer && far < kCreep * longest_;
     if (!nearer) viscous_ = !viscous_;
-    seen_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
+    last_places_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
     left_ = report.norms.relative();
     return stuck;
   }
@@ -180,7 +181,7 @@ class Relaxation : StaticTrial {
   double mass_ = 0, longest_ = 0;
   bool viscous_ = false;            // without momentum
   double goal_ = 0, hopeless_ = 0;  // relative imbalance of a step that is solved, of one that is given up
-  std::vector<Vec3> seen_;          // places of owned nodes when creeps() last looked
+  std::vector<Vec3> last_places_;   // places of owned nodes when creeps() last looked
   double left_ = 0;                 // and the imbalance then, of its contributions
 };
 

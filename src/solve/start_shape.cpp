@@ -122,13 +122,13 @@ LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) 
 // Of each line of the case, parts of one that is cut on their own.
 std::vector<LineStart> all_shapes(const model::Case& c, const Mesh& g, const Bodies& bodies,
                                   const Surfaces& surfaces, std::vector<std::string>& notes) {
-  std::vector<StartedLine> wholes;
+  std::vector<StartedLine> uncut_lines;
   std::deque<Mesh> meshes;       // of lines that are cut
   std::vector<size_t> whole_of;  // of each line
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
-    if (!line.whole || wholes.empty() || wholes.back().line != line.whole.get()) {
-      StartedLine& whole = wholes.emplace_back(StartedLine{&line, &g, g.lines[l], {}});
+    if (!line.whole || uncut_lines.empty() || uncut_lines.back().line != line.whole.get()) {
+      StartedLine& whole = uncut_lines.emplace_back(StartedLine{&line, &g, g.lines[l], {}});
       if (line.whole) {
         model::Case alone;
         alone.line_types = c.line_types, alone.lines = {*line.whole};
@@ -137,14 +137,14 @@ std::vector<LineStart> all_shapes(const model::Case& c, const Mesh& g, const Bod
       }
       whole.shape = shape_of(c, *whole.line, bodies, *whole.mesh, whole.span);
     }
-    whole_of.push_back(wholes.size() - 1);
+    whole_of.push_back(uncut_lines.size() - 1);
   }
-  lay_over_volumes(c, bodies, surfaces, wholes, notes);
-  lay_over_each_other(c, wholes, notes);
-  for (StartedLine& whole : wholes) turn(c, *whole.line, bodies, whole.shape, notes);
+  lay_over_volumes(c, bodies, surfaces, uncut_lines, notes);
+  lay_over_each_other(c, uncut_lines, notes);
+  for (StartedLine& whole : uncut_lines) turn(c, *whole.line, bodies, whole.shape, notes);
   std::vector<LineStart> out;
   for (size_t l = 0; l < c.lines.size(); ++l) {
-    StartedLine& whole = wholes[whole_of[l]];
+    StartedLine& whole = uncut_lines[whole_of[l]];
     out.push_back(c.lines[l].whole ? part_of(whole, c.lines[l], g.lines[l].nodes) : std::move(whole.shape));
   }
   return out;

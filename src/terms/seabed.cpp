@@ -25,23 +25,23 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
     return trial.gap < smoothing;
   }
   trial.gap = smoothing + beyond;
-  Cache& seen = cache_[place(p)];
-  if (seen.clear - (1 + 1e-9) * (x - seen.centre).norm() > beyond) return false;
+  Cache& cache = cache_[place(p)];
+  if (cache.clear - (1 + 1e-9) * (x - cache.centre).norm() > beyond) return false;
   const double look = std::max(2 * beyond, 0.5 * element_[p.node]);
-  const auto s = surface_->query(x, contact_distance(p) + look, seen.hint);
-  seen.centre = x;
+  const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
+  cache.centre = x;
   if (!s) {
     // Of a mesh it may also lie under the bed beyond the edge: only above the box is nothing near for sure.
     const bool endless = !std::isfinite(bounds_.hi.z());
-    seen.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
+    cache.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
     return false;
   }
-  seen.hint = s->triangle;
-  seen.clear = s->distance - contact_distance(p);
+  cache.hint = s->triangle;
+  cache.clear = s->distance - contact_distance(p);
   // Not what was asked before but where it is decides.
   trial.gap = std::min(s->distance - radius, smoothing + beyond);
   trial.normal = s->normal, trial.curvature = s->curvature;
-  return seen.clear < 0;
+  return cache.clear < 0;
 }
 
 double SeabedTerm::gap(const Vec3& x, double most) const {

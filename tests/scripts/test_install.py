@@ -64,10 +64,10 @@ class Install(unittest.TestCase):
         self.assertNotIn(str(ROOT / "scripts").encode(), (self.prefix / "bin/hawser").read_bytes())
 
     def test_one_version_everywhere(self):
-        said = self.hawser("--version").split()[1]
+        output = self.hawser("--version").split()[1]
         lists = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
         project = re.search(r"project\(hawser VERSION ([\d.]+)", lists)[1]
-        self.assertEqual(said, project)
+        self.assertEqual(output, project)
         changelog = BUILD / "debian/changelog"
         if changelog.exists():
             text = changelog.read_text(encoding="utf-8")

@@ -126,10 +126,10 @@ class Models(unittest.TestCase):
         self.assertTrue(any(words.startswith("One in ") for words in header["missing"]), header["missing"])
 
     def test_what_stands_in_a_page_cannot_end_its_script(self):
-        told = embedded.json_of({"title": "</script><!-- x", "low": float("nan"), "n": np.int64(3)})
-        self.assertNotIn("</", told)
-        self.assertNotIn("<!--", told)
-        self.assertEqual(json.loads(told), {"title": "</script><!-- x", "low": None, "n": 3})
+        embedded_text = embedded.json_of({"title": "</script><!-- x", "low": float("nan"), "n": np.int64(3)})
+        self.assertNotIn("</", embedded_text)
+        self.assertNotIn("<!--", embedded_text)
+        self.assertEqual(json.loads(embedded_text), {"title": "</script><!-- x", "low": None, "n": 3})
 
     def test_notes_find_their_places(self):
         at = notes.placed(self.results, ["warning: line riser turns at arc length 75 m, t = 3 s", "note: end_b of riser", "note: of nothing here"])

@@ -229,8 +229,8 @@ class Cases(unittest.TestCase):
 
     def test_notes_of_the_check_stand_at_their_place(self):
         write(self.folder, "case.yaml", CASE + "    masses: [{at: 100, mass: 5e6}]\n")
-        told = start_shape.notes_of(self.folder / "case.yaml")
-        self.assertTrue(all(text.startswith(("note: ", "warning: ")) for text in told), told)
+        notes = start_shape.notes_of(self.folder / "case.yaml")
+        self.assertTrue(all(text.startswith(("note: ", "warning: ")) for text in notes), notes)
 
     def test_a_case_that_is_refused_says_why(self):
         write(self.folder, "case.yaml", CASE.replace("elements: 40", "elements: -4"))

@@ -117,7 +117,7 @@ inline double factorisation(System& system, const State& s, int batches) {
 struct Cost {
   double used = 0, one = 0;  // s: CPU a simulated second, a factorisation
   double steps = 0, iterations = 0;
-  Extremes seen;
+  Extremes found;
 };
 
 // All of the 100 s, from the line at rest.
@@ -137,9 +137,10 @@ inline Cost measure(const model::Case& c, int batches) {
         if (info.time < 20) return true;
         const auto& r = sim.dynamics().reactions();
         const double T = Vec3(r[end], r[end + 1], r[end + 2]).norm(), A = Vec3(r[0], r[1], r[2]).norm();
-        Extremes& seen = cost.seen;
-        seen.least = std::min(seen.least, T), seen.most = std::max(seen.most, T);
-        seen.anchor_least = std::min(seen.anchor_least, A), seen.anchor_most = std::max(seen.anchor_most, A);
+        Extremes& found = cost.found;
+        found.least = std::min(found.least, T), found.most = std::max(found.most, T);
+        found.anchor_least = std::min(found.anchor_least, A),
+        found.anchor_most = std::max(found.anchor_most, A);
         return true;
       });
   cost.used = (cpu_seconds() - from) / 100;

@@ -111,12 +111,12 @@ TEST(LinePairs, AdviceNamesTheLines) {
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->couple(straight_path(m.system->mesh(), start, end, h).view(h), h);
     m.system->prepare(start.view(h), h);
-    const std::string said = m.contact->check_step(end.view(h)).because;
+    const std::string message = m.contact->check_step(end.view(h)).because;
     const std::string advice = "Try contact: {between_lines: {";
-    EXPECT_NE(said.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
-                                        : "normal_s")),
+    EXPECT_NE(message.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
+                                           : "normal_s")),
               std::string::npos)
-        << said;
+        << message;
   }
 }
 

@@ -148,11 +148,11 @@ TEST(CaseChanges, ThatCannotBeMadeAreRefusedWithOneSentence) {
         "(the case is changed by --set lines.other.sections[0].length=4)"}},
   };
   for (const Refusal& r : refusals) {
-    const std::string said = message_of(r.change);
-    EXPECT_FALSE(said.empty()) << r.change << " was accepted";
-    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    const std::string message = message_of(r.change);
+    EXPECT_FALSE(message.empty()) << r.change << " was accepted";
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     for (const std::string& part : r.parts)
-      EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
+      EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
   }
 }
 

@@ -29,7 +29,7 @@ lines:
 )",
                                            "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
-  const auto said = [&](double degrees, double pressed, double largest) {
+  const auto sentence = [&](double degrees, double pressed, double largest) {
     ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
     State s;
     s.resize(3);
@@ -40,15 +40,15 @@ lines:
     const std::vector<std::string> all = errors.warnings(0, largest, HUGE_VAL);
     return all.empty() ? "" : all.front();
   };
-  const std::string sharp = said(90, 1400, 2000);
+  const std::string sharp = sentence(90, 1400, 2000);
   EXPECT_NE(sharp.find("line sling turns by 90 degrees from one element to the next"), std::string::npos)
       << sharp;
   EXPECT_NE(sharp.find("arc length 2 m, t = 0 s"), std::string::npos) << sharp;
   EXPECT_NE(sharp.find("up to 1e+03 N, 50 % of the largest"), std::string::npos) << sharp;
-  EXPECT_NE(said(16, 350, 1000).find("turns by 16 degrees"), std::string::npos);
-  EXPECT_EQ(said(10, 350, 1000), "");
-  EXPECT_EQ(said(90, 0, 1000), "");      // a kink in the water
-  EXPECT_EQ(said(90, 1400, 51000), "");  // slack against what the line bears elsewhere
+  EXPECT_NE(sentence(16, 350, 1000).find("turns by 16 degrees"), std::string::npos);
+  EXPECT_EQ(sentence(10, 350, 1000), "");
+  EXPECT_EQ(sentence(90, 0, 1000), "");      // a kink in the water
+  EXPECT_EQ(sentence(90, 1400, 51000), "");  // slack against what the line bears elsewhere
 }
 
 // What is told of a line whose elements of 10 m turn by the same angle, from one to the next.

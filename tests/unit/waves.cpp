@@ -338,10 +338,10 @@ TEST(Waves, SpreadingOfEverySeed) {
 
 // No phase of one sea is found again in another, shifted by some components or not.
 TEST(Waves, SeedsAreIndependent) {
-  std::map<double, std::uint64_t> seen;
+  std::map<double, std::uint64_t> first_seed;
   for (std::uint64_t seed = 0; seed < 40; ++seed)
     for (const WaveComponent& c : irregular({5, 10, 3.3}, 0, 100, seed, 0)) {
-      const auto [there, first] = seen.emplace(c.phase, seed);
+      const auto [there, first] = first_seed.emplace(c.phase, seed);
       ASSERT_TRUE(first) << "seeds " << there->second << " and " << seed;
     }
 }

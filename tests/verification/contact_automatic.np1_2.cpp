@@ -184,11 +184,12 @@ TEST(Slings, AreNotDrawnThroughContactThatIsTooSoft) {
     still("soft", sling(kCylinder, 1e5, true, ", normal_stiffness: {per_length: 1.0e5}", false, 0.06));
     ADD_FAILURE() << "statics went through the bar";
   } catch (const SolveError& e) {
-    const std::string said = e.what();
-    EXPECT_NE(said.find(" m, would be drawn through volume bar: its normal_stiffness is too small for what "
-                        "presses, 'auto' finds one by itself"),
-              std::string::npos)
-        << said;
+    const std::string message = e.what();
+    EXPECT_NE(
+        message.find(" m, would be drawn through volume bar: its normal_stiffness is too small for what "
+                     "presses, 'auto' finds one by itself"),
+        std::string::npos)
+        << message;
   }
 }
 

@@ -34,8 +34,8 @@ class FeederNodes {
   std::optional<Dynamics::Moved> caught(const Feeder& f, const Kinematics& k, double& length) const;
   void refuse_all_out(const Feeder& f, double time) const;
   void refuse_all_in(const Feeder& f, double time) const;
-  void let_out(Feeder& f);
-  void haul_in(Feeder& f);
+  void release_node(Feeder& f);
+  void catch_node(Feeder& f);
   double feeder_force(const Feeder& f);
   void transfer_node(Feeder& f, int feed_point, double length, const std::optional<Dynamics::Moved>& moved);
 
