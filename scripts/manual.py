@@ -176,7 +176,7 @@ def everything(program):
 
 
 def make(program, page_path, completion_path):
-    """Writes both files and returns what `everything` told."""
+    """Writes both files and returns the result of `everything`."""
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.strip()
     top, commands = everything(program)
     for path, content in ((page_path, gzip.compress(page(version, top, commands).encode(), 9, mtime=0)),

@@ -51,7 +51,7 @@ def commands():
     parser = Parser(prog="hawser", description="Reports, figures and tables of results.")
     sub = parser.add_subparsers(dest="command", required=True)
     of = "results file (.h5) or case file, which is run first if its results are missing or older"
-    since = {"type": time_from, "default": None, "metavar": "T", "help": "leave out what is before t = T [s]"}
+    since = {"type": time_from, "default": None, "metavar": "T", "help": "exclude what is before t = T [s]"}
 
     p = sub.add_parser("report", help="one HTML file with pictures, tables and figures of a run")
     p.add_argument("results", help=of)
@@ -88,7 +88,7 @@ def commands():
     p.add_argument("results", nargs="+", metavar="RESULTS", help=of + "; of several runs of one sea state, all count")
     p.add_argument("--name", help="history, as in output.histories (default: the first by name)")
     p.add_argument("--column", help="its column (default: effective_tension, or the first)")
-    p.add_argument("--duration", default="3h", metavar="T", help="for which extremes are told: 3h, '90 min', 600 (default: 3h)")
+    p.add_argument("--duration", default="3h", metavar="T", help="of the extremes: 3h, '90 min', 600 (default: 3h)")
     p.add_argument("--quantile", type=float, default=0.9, metavar="P", help="not exceeded with this probability (default: 0.9)")
     p.add_argument("--minima", action="store_true", help="smallest values instead of largest")
     p.add_argument("--block", metavar="T", help="length of a block, or 'run' where each run is one (default: ten mean periods)")

@@ -67,7 +67,7 @@ class Rig:
         self.weight = tension * 2 * self.rise / (self.span**2 - self.rise**2)
         self.reach = self.width(tension, self.rise)
         self.outer, self.warnings = checked.outer, pipe_checks.warnings(checked)
-        found = lengths(results, line)  # a length that a target has found is kept, and the target left out
+        found = lengths(results, line)  # a length that a target has found is kept, and the target excluded
         self.section = int(np.searchsorted(np.cumsum(found), (arc[0] + checked.left.arc[0]) / 2))
         self.length, self.elements = float(found[self.section]), sections_of(results, self.name)[self.section].get("elements")
         self.kept = [f"lines.{self.name}.target=null"] if keys.get("target") else []

@@ -35,7 +35,7 @@ std::string energy_made(const EnergyMade& m, const std::string& where,
       m.energy, m.by, 100 * m.energy / m.work, m.length, m.time, m.most, where);
   if (!initial_velocity_key.empty())
     return made + fmt::format(
-                      "{} begins with a velocity and strikes the lines, which are at rest; a 'ramp' in it "
+                      "{} begins with a velocity, an impact on the lines, which are at rest; a 'ramp' in it "
                       "starts it smoothly, a shorter step is no help",
                       initial_velocity_key);
   return made + fmt::format("{}; {}", words(m.with), remedy(m.fixed, m.length));
@@ -55,7 +55,7 @@ std::string not_to_be_used() { return ". The results are not to be used"; }
 std::string vibration_damped(double energy, double size) {
   return fmt::format(
       "{:.3g} J of axial vibration faster than the time steps resolve were dissipated ({:.2g} % of the most "
-      "that moved at a time); what is tightened at a blow may peak higher for less than a step",
+      "that moved at a time); what is tightened at an impact may peak higher for less than a step",
       energy, 100 * energy / size);
 }
 

@@ -29,7 +29,7 @@ double allowed_strain(const LineType& t) {
   return t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter) > kMetal ? kMetalStrain : kFibreStrain;
 }
 
-// One doubt of the section that a tension [N] stretches or overloads.
+// One warning of the section that a tension [N] stretches or overloads.
 void bears(const Case& c, const Section& s, double tension, const std::string& key, const std::string& why,
            std::vector<InputWarning>& out) {
   const LineType& t = c.line_type(s.type);

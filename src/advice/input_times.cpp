@@ -1,4 +1,4 @@
-// Whether steps and outputs are short enough for what moves the lines, and whether something is struck at t =
+// Whether steps and outputs are short enough for what moves the lines, and whether there is an impact at t =
 // 0.
 #include <fmt/format.h>
 
@@ -144,8 +144,8 @@ void warn_of_start(const Case& c, const Body& b, std::vector<InputWarning>& out)
   const auto warn = [&](double first, const char* key) {
     if (first > 0)
       out.push_back({fmt::format("bodies.{}.{}", b.name, key),
-                     fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: it strikes "
-                                 "them; a 'ramp' of some periods starts it smoothly",
+                     fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: that is an "
+                                 "impact on them; a 'ramp' of some periods starts it smoothly",
                                  first),
                      11, Effect::part});
   };
@@ -172,7 +172,7 @@ void warn_of_releases(const Case& c, std::vector<InputWarning>& out) {
 
 namespace {
 
-// A jump of a feeder's speed stretches the element at its mouth at once, whose damper then pulls with v
+// A jump of a feeder's speed stretches the element at its feed point at once, whose damper then pulls with v
 // beta EA/l: more, the shorter it is.
 void warn_of_feed(const Case& c, const std::string& line, bool at_b, double jump, const std::string& key,
                   const char* remedy, std::vector<InputWarning>& out) {

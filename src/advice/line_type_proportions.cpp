@@ -1,6 +1,6 @@
 // Proportions of a line type that no section of any material has: of stiffnesses to each other, of diameters,
 // of strength and of the radius that it may be bent to. Mass and EA over the area are in
-// doubts_line_types.cpp.
+// input_line_types.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -88,7 +88,7 @@ Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTr
         out.undecided[t] = true;
         break;
       }
-    // On the facet itself, its own angle left out, the number is half way between those of the two sides.
+    // On the facet itself, its own angle excluded, the number is half way between those of the two sides.
     const double middle = tree.winding_number(mesh, c, 3, static_cast<int>(t));
     if (std::abs(middle - 0.5) > 0.4) out.undecided[t] = out.straight[t] = true;
     // Internal only as a whole: at the corners and the middles of the edges too.

@@ -15,7 +15,7 @@ Vec3 direction(int i, int n) {
 
 constexpr int kRays = 9, kVoters = 15;
 
-// Rays both ways from the largest triangles of the patch: `tell` is told what each meets and whether it
+// Rays both ways from the largest triangles of the patch: `visit` gets what each meets and whether it
 // leaves from the front.
 template <class F>
 void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& patch, F tell) {

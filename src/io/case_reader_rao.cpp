@@ -22,7 +22,7 @@ constexpr double kDegree = M_PI / 180;
 constexpr double kOneDirection = 1;  // deg from the only direction of a table, that it does not stand for
 constexpr double kWideGap = 100;     // deg between directions, beyond which straight lines hide a side
 
-// Whether a table of both sides is told to be of one.
+// Whether a table of both sides is declared as of one.
 bool both_sides(const std::vector<RaoTable::Row>& rows) {
   const auto on = [&](double sign) {
     return std::any_of(rows.begin(), rows.end(),

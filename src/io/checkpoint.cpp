@@ -54,7 +54,7 @@ void agree(MPI_Comm comm, bool valid, const std::string& names) {
 constexpr double kMostKinds = 100;  // of records of a term
 constexpr int kRecordHead = 4;      // numbers of a record before its values
 
-// How many nodes' records are handed over at a time: an even part of them, so that terms which look through
+// How many nodes' records are passed on at a time: an even part of them, so that terms which look through
 // all that they keep for each part do so a limited number of times.
 int nodes_at_a_time(int nodes_total) {
   constexpr int kParts = 16, kFewest = 500;

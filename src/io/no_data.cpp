@@ -34,8 +34,8 @@ OddHeights odd_heights(const std::vector<double>& z, double spacing) {
   const double limit = low ? sorted[at] : sorted[at + 1];
   const auto odd = [&](double h) { return low ? h <= limit : h >= limit; };
   const bool mark = is_mark(low ? sorted.front() : sorted.back());
-  // A mark is sure where it is farther from the others than half of what they span. Other heights are only
-  // told of where they are far beyond and steeper than any wall of a pit: ten times the distance of places.
+  // A mark is sure where it is farther from the others than half of what they span. Other heights give a
+  // note only where they are far beyond and steeper than any wall of a pit: ten times the distance of places.
   constexpr double kBeyond = 5, kSteep = 10;
   OddHeights out;
   if (!(gap > (mark ? 0.5 : kBeyond) * spread) || !(gap > (mark ? 1 : kSteep) * spacing)) return out;

@@ -1,5 +1,5 @@
-// How an earlier results file is told by its attribute and its XDMF file by its first characters, and how
-// both are renamed before new ones replace them.
+// How an earlier results file is recognised by its attribute and its XDMF file by its first characters, and
+// how both are renamed before new ones replace them.
 #include "hawser/io/old_results.hpp"
 
 #include <exception>

@@ -26,7 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What the disk has not yet been told to keep through a power cut is at most this old.
+// What is not yet flushed to the disk, against power cuts, is at most this old.
 constexpr std::chrono::seconds kFlushEvery{10};
 // Writing the XDMF text anew, and outputs, take at most these shares of the time.
 constexpr double kXdmfShare = 0.02, kOutputShare = 0.05;

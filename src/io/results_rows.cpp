@@ -55,8 +55,8 @@ void SharedFile::close() {
 }
 
 void SharedFile::note(const std::exception& e) {
-  ours_ = dynamic_cast<const std::logic_error*>(&e) || dynamic_cast<const InputError*>(&e);
-  const bool reported = ours_ || dynamic_cast<const WriteError*>(&e);
+  internal_ = dynamic_cast<const std::logic_error*>(&e) || dynamic_cast<const InputError*>(&e);
+  const bool reported = internal_ || dynamic_cast<const WriteError*>(&e);
   error_ = reported ? e.what() : cannot_write(path_, e.what());
 }
 
@@ -69,9 +69,9 @@ void SharedFile::agree() {
   MPI_Bcast(&length, 1, MPI_INT, who, comm_);
   error_.resize(length);
   MPI_Bcast(error_.data(), length, MPI_CHAR, who, comm_);
-  MPI_Bcast(&ours_, 1, MPI_C_BOOL, who, comm_);
+  MPI_Bcast(&internal_, 1, MPI_C_BOOL, who, comm_);
   const std::string text = std::exchange(error_, "");
-  if (ours_) throw std::runtime_error(text);
+  if (internal_) throw std::runtime_error(text);
   throw WriteError(text);
 }
 

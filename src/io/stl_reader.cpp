@@ -1,5 +1,5 @@
-// The parser of STL files: how the text form is told from the binary form, words and numbers of the one,
-// records of the other, and a sentence for whatever is malformed.
+// The parser of STL files: how the text form is distinguished from the binary form, words and numbers of the
+// one, records of the other, and a sentence for whatever is malformed.
 #include "stl_reader.hpp"
 
 #include <fmt/format.h>

@@ -109,7 +109,7 @@ void read_hydrostatics(const std::string& stem, const WamitUnits& units, std::ve
   }
 }
 
-// Values by frequency, direction [rad, 0 to 2 pi] and mode. Rows that are left out are zero; the directions
+// Values by frequency, direction [rad, 0 to 2 pi] and mode. Rows that are excluded are zero; the directions
 // -180 and 180 degrees are the same.
 class ForceRows {
  public:
@@ -299,7 +299,7 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
       data.name, 100 * taken / std::max(all, 1e-300), period);
   if (taken > kMuch * all)
     throw std::runtime_error(found + ": waves that a body makes cannot drive it; is the sign that of WAMIT?");
-  if (taken > kSome * all) notes.push_back(found + "; it is left out");
+  if (taken > kSome * all) notes.push_back(found + "; it is excluded");
 }
 
 // Of a matrix over its largest diagonal entries.

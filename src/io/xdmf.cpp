@@ -51,7 +51,7 @@ const std::string kChar = "NumberType=\"Char\" Precision=\"1\"";
 
 // A whole dataset, or a box cut out of it in the way XDMF 3 writes such boxes itself:
 // file:/dataset|start:stride:count:shape. (ParaView 5.11 reads no ItemType="HyperSlab" for node fields.)
-// Of rows it is told no more than up to the one it shall read, so the text stays true when the HDF5 file is
+// It gets no rows beyond the one that it shall read, so the text stays true when the HDF5 file is
 // made anew with more room.
 std::string item(const std::string& h5, const Slab& s) {
   std::string text = h5 + ":/" + s.dataset;

@@ -110,7 +110,7 @@ ByLength by_length(const BeamSection& s, const Local& o) {
     return -iL * (1 - P) / (1 + P);
   };
   const double tension = o.N - o.EA * o.l * iL;  // d(N L)/dL
-  if (s.plastic)                                 // bends are not felt: beam_feed
+  if (s.plastic)                                 // bends do not act on the feeder: beam_feed
     return {tension * o.eps_y - (o.N * iL) * o.d, tension * o.eps_psi - iL * Row{o.mpsi[0], 0, 0, 0}};
   return {tension * o.eps_y - (o.N * iL) * o.d + (bend(s.EI3) * o.m3) * o.da2 + (bend(s.EI2) * o.m2) * o.da3,
           tension * o.eps_psi - iL * o.mpsi};

@@ -1,5 +1,5 @@
-// When a contact strikes within a step, what energy a time step may then create or lose, and the longest step
-// that every line can bear.
+// When there is an impact within a step, what energy a time step may then create or lose, and the longest
+// step that every line can bear.
 #include "hawser/kernels/impact.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ double until_contact(double away, double speed, double acceleration) {
   return 2 * away / (speed + std::sqrt(root));
 }
 
-// Relative to what is bearable for its line; of two lines for the one that bears less.
+// Over the energy tolerance of its line; of two lines over the smaller one.
 double weight(int line, int other, std::span<const double> energy_tolerance) {
   double least = energy_tolerance[line];
   if (other >= 0) least = std::min(least, energy_tolerance[other]);
@@ -124,7 +124,7 @@ std::vector<double> energy_tolerance(std::span<const LineMotion> lines) {
 
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
                            double share, double last) {
-  double rate = 0;  // 1/s², of what is bearable for its line
+  double rate = 0;  // 1/s², over the energy tolerance of the line
   for (size_t l = 0; l < stored.size(); ++l)
     if (const double held = share * stored[l].energy(); held > 0)
       rate = std::max(rate, held / std::max(energy_tolerance[l], std::numeric_limits<double>::min()));

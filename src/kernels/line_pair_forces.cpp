@@ -190,7 +190,7 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   return m;
 }
 
-// Where negative stiffness is left out: as if nearest points and normals stayed.
+// Where negative stiffness is excluded: as if nearest points and normals stayed.
 void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                               AttachedForces& g) const {
   const Vec3& nrm = p.foot.normal;

@@ -86,8 +86,8 @@ HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n,
                           amplitude_.data(), out.sine.data(), out.cosine.data());
 }
 
-// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both are exp kz where the bed is not
-// felt.
+// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both are exp kz where the bed does
+// not matter.
 HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
                                         Vec3& acceleration) const {
   const std::size_t n = std::min(significant_components(z), at.sine.size());
@@ -101,7 +101,7 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
     ax += x_[i] * growing, ay += y_[i] * growing, az -= omega_[i] * up * cosine[i];
   };
   for (std::size_t i = 0; i < shallow; ++i) {
-    // A vector that begins with what is felt may end with waves so short that both are zero.
+    // A vector that begins with what is significant may end with waves so short that both are zero.
     const double e = std::exp(number_[i] * z),
                  back = bottom_[i] / std::max(e, std::numeric_limits<double>::min());
     add(i, speed_[i] * (e + back), speed_[i] * (e - back));

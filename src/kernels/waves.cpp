@@ -35,11 +35,11 @@ WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
     : components_{wave->component()}, depth_(wave->depth()), stokes_(std::move(wave)) {}
 
 // How many components, the longest waves first, are summed for a place at the height z. At the bed those that
-// are felt there are enough: the motion depends on the elevation eta only by Wheeler's stretching, which
-// moves the place by h (h + z)/(h + eta)² d eta when eta changes by d eta, and the motion exp(kz) of any
-// component then changes by at most 1/(e |z|) times that. This is bounded by WaveSums::kNegligible for what
-// is left out. Everywhere else all components are summed, since a tall body below needs the elevation above
-// it.
+// are significant there are enough: the motion depends on the elevation eta only by Wheeler's stretching,
+// which moves the place by h (h + z)/(h + eta)² d eta when eta changes by d eta, and the motion exp(kz) of
+// any component then changes by at most 1/(e |z|) times that. This is bounded by WaveSums::kNegligible for
+// what is excluded. Everywhere else all components are summed, since a tall body below needs the elevation
+// above it.
 std::size_t WaveField::components_summed(double z) const {
   const double height = sums_.height_beyond(0), h = depth_;
   if (stretching_ != Stretching::wheeler || !(h > height) || !(z < -height)) return sums_.size();
@@ -176,7 +176,7 @@ std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, 
   std::vector<WaveComponent> out;
   for (int i = 0; i < count; ++i) {
     const size_t from = kFine * i, to = from + kFine;
-    // What the range leaves out goes to all bins.
+    // What the range excludes goes to all bins.
     const double energy = (g.sum[to] - g.sum[from]) / g.sum.back() * spectrum.height * spectrum.height / 16;
     out.push_back(component_of(energy, g.omega[from], g.omega[to], direction, random));
   }

@@ -143,7 +143,7 @@ void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const
     const Action& a = c.events[k].action;
     if (a.cut < 0 || a.whole != line.name) continue;
     inwards.stock = (at_b ? length_of(line) - a.cut : a.cut) - f.stock;
-    if (!(inwards.stock > 0)) continue;  // told already
+    if (!(inwards.stock > 0)) continue;  // reported already
     if (const double t = runs_out(inwards, end); t < end)
       issue(fmt::format("events[{}].cut.at", k),
             "arc length {:.6g} m of line '{}' is hauled in at its end {} by t = {:.4g} s, and a feeder "

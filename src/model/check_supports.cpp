@@ -65,7 +65,7 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, const
   if (below > first.rise && below > kSteep * ahead)
     issue(which,
           "is {:.4g} m below where the line lies on support '{}', {:.4g} m further on: the line would start "
-          "beneath its roller; raise the end or lower the support",
+          "below its roller; raise the end or lower the support",
           below, first.name, ahead);
 }
 

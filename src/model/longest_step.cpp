@@ -23,7 +23,7 @@ constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
 // that.
 constexpr double kOfFree = 60;
 
-// The shortest of what it is told.
+// The shortest of what is added.
 class Shortest {
  public:
   void of(double length, const std::string& reason) {

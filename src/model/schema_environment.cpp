@@ -224,7 +224,7 @@ std::vector<Key> in_water() {
   return {
       number({"displaced_diameter", &LineType::displaced_diameter}, length,
              "of the volume that displaces water", above(0), or_else_note("`outer_diameter`")),
-      number({"drag_diameter", &LineType::drag_diameter}, length, "that drag is reckoned with", above(0),
+      number({"drag_diameter", &LineType::drag_diameter}, length, "that drag is computed with", above(0),
              or_else_note("`outer_diameter`")),
       number({"Cd_normal", &LineType::Cd_normal}, none,
              "drag coefficient across the line, on the drag diameter", in_range(0, 100), or_else("1.2")),

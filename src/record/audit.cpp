@@ -8,7 +8,7 @@
 namespace hawser::record {
 namespace {
 // Shares of Audit::size(). Energy that is made feeds on itself; what is lost damps, and a run that is damped
-// a little is as good as one in thicker water.
+// a little is equivalent to one in thicker water.
 constexpr double kMadeReported = 0.01, kMadeWrong = 0.05, kLostReported = 0.05, kLostWrong = 0.20,
                  kUnresolvedReported = 0.02;
 // Share of the largest energy of motion and strain so far: energy that steps made and nothing has dissipated

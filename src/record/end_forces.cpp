@@ -58,7 +58,7 @@ void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
   if (feeders_) evaluate_feed_points(at, carried);
 }
 
-// The ends of what is inside feeders have what is at the mouth.
+// The ends of what is inside feeders have what is at the feed point.
 void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried) {
   const auto& elements = system_.mesh().elements;
   feed_points_.assign(feeders_->list().size(), {});

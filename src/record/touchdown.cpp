@@ -1,5 +1,5 @@
 // The class Touchdowns: every rank looks for the first change of contact from either end among its
-// elements; the few nodes about it are then told to all, and the place is found from them.
+// elements; the few nodes about it are then sent to all, and the place is found from them.
 #include "hawser/record/touchdown.hpp"
 
 #include <algorithm>
@@ -166,7 +166,7 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
   all_reduce(comm_, MPI_MIN, first);
   all_reduce(comm_, MPI_SUM, laid);
 
-  // Gap and slope, then place of the nodes about each. Which of its two nodes lies is told by the first sum.
+  // Gap and slope, then place of the nodes about each. The first sum shows which of its two nodes lies.
   std::vector<double> rows(2 * lines * 2 * kAbout * 5, 0);
   const auto row = [&](size_t k, int i) {
     return rows.data() + 5 * (2 * kAbout * k + static_cast<size_t>(i));

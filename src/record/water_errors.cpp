@@ -15,7 +15,7 @@ namespace hawser::record {
 namespace {
 
 constexpr double kWarned = 0.02;    // of the largest force of the flow
-constexpr double kAccurate = 0.01;  // what elements of the length that is told leave of it; of the weight
+constexpr double kAccurate = 0.01;  // what elements of the recommended length leave of it; of the weight
 constexpr double kMatters = 1e-4;   // of the largest tension, which that turns by as many rad
 constexpr int kMostParts = 64;      // that are tried
 // Steps from one look in motion to the next. A look asks the waves at three points of every element, a step

@@ -44,7 +44,7 @@ constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
 constexpr double kTrial = 4;           // CPU s, of the trial run of `hawser check`
 constexpr double kLeast = 1;           // CPU s of it, that motion has where a search took the rest
 
-// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
+// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun passes on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
 volatile std::sig_atomic_t stop_requested = 0;
 void request_stop(int signal) {

@@ -1,4 +1,4 @@
-// The class Events: which event happens at a state, and what the user is told of it. What it does there is in
+// The class Events: which event happens at a state, and the messages about it. What it does there is in
 // actions.cpp.
 #include "hawser/run/events.hpp"
 

@@ -1,5 +1,6 @@
-// The class FeederNodes: when the element at a feeder's mouth is divided or joined with the next one, and how
-// the node between them moves then (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
+// The class FeederNodes: when the element at a feeder's feed point is divided or joined with the next one,
+// and how the node between them moves then
+// (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
 #include "hawser/run/feeder_nodes.hpp"
 
 #include <fmt/format.h>
@@ -14,9 +15,9 @@
 namespace hawser::run {
 namespace {
 
-// Of the length of the element behind it in the stock, how long the mouth's element is when a node has just
-// left; of its own length, how short it gets before a node is caught. Apart, so that a feeder that goes to
-// and fro does not let a node out and catch it in turn.
+// Of the length of the element behind it in the stock, how long the feed point's element is when a node has
+// just left; of its own length, how short it gets before a node is caught. Apart, so that a feeder that goes
+// to and fro does not let a node out and catch it in turn.
 constexpr double kLeft = 0.5, kCaught = 0.4;
 
 std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.{}.{}", f.name, what); }

@@ -119,7 +119,7 @@ CommandLine::CommandLine() {
   cli.require_subcommand(1);
   cli.footer(
       "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
-      "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 4 the run has ended but its energy "
+      "Exit codes: 0 done, 2 the input is wrong, 3 the solver failed, 4 the run has ended but its energy "
       "does not add up, 130 stopped by a signal, 1 anything else.");
 
   run_command = cli.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
@@ -153,7 +153,7 @@ CommandLine::CommandLine() {
       ->check(hawser::run::whole_number(1, 10000))
       ->capture_default_str();
   modes_command->add_option("-o,--output", modes.output, "Results file (default: <case>-modes.h5)");
-  modes_command->add_flag("--without-added-mass", in_vacuum, "Leave out the added mass of the water");
+  modes_command->add_flag("--without-added-mass", in_vacuum, "Without the added mass of the water");
   modes_command->add_flag("-q,--quiet", modes.quiet, "Say nothing but errors");
   add_set(modes_command);
 

@@ -181,7 +181,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   const OutputPlace place(comm, wanted, "", c.inputs);
   if (!c.statics.enabled)
     throw InputError(c.path +
-                     ": statics: modes are about the static equilibrium, which this case leaves out");
+                     ": statics: modes are about the static equilibrium, which this case does not compute");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   c = with_targets_met(comm, std::move(c), volumes, progress);
   if (!options.added_mass)

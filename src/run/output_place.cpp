@@ -90,8 +90,8 @@ void OutputPlace::check_inputs(const std::vector<std::string>& inputs) const {
 // Files that are there already, and that the run will replace.
 void OutputPlace::check_old() {
   const auto there = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
-  const auto check_one = [&](const std::string& name, bool ours) {
-    if (!there(name) || ours) return;
+  const auto check_one = [&](const std::string& name, bool is_results) {
+    if (!there(name) || is_results) return;
     throw refusal(path_, fs::is_directory(name) ? name + " is a folder"
                                                 : name +
                                                       " is not of hawser's making, and is not replaced; move "

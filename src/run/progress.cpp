@@ -1,5 +1,5 @@
 // The class Progress: text and timing of the messages about statics and time steps, the estimate of the time
-// left, and how a terminal is told from a log file.
+// left, and how a terminal is distinguished from a log file.
 #include "hawser/run/progress.hpp"
 
 #include <fmt/format.h>

@@ -338,7 +338,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (int v = 0; contact && v < contact->volumes(); ++v)
     if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
       contact->raise_to(v, it->second);
-  simulation.raised_stiffness("");  // that was told by the run that raised it
+  simulation.raised_stiffness("");  // the run that raised it has reported that
 
   const int rank = rank_of(system.comm());
   Dynamics::Carried carried;

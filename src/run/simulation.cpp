@@ -191,7 +191,7 @@ void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& hel
     add<BuriedTerm>(system_->comm(), local(), case_, start, held);
 }
 
-// Contact of lines with volumes, and what is told of how they start beside them. InputError where lines start
+// Contact of lines with volumes, and the warnings of how they start beside them. InputError where lines start
 // below the supports that they are to lie on.
 void Simulation::add_contact(const Kinematics& start, const std::vector<int>& held,
                              const std::vector<std::shared_ptr<const Surface>>& surfaces) {

@@ -1,4 +1,4 @@
-// Which stretches of lines lie inside a volume at the start, and which of them are left out of contact near
+// Which stretches of lines lie inside a volume at the start, and which of them are excluded from contact near
 // held ends.
 #include "hawser/run/start_contact.hpp"
 
@@ -73,7 +73,7 @@ void shorten(std::vector<std::string>& sentences, const std::string& what) {
   sentences.push_back(fmt::format("and {} more {}", more, what));
 }
 
-// What remains of a stretch outside of what is left out.
+// What remains of a stretch outside of what is excluded.
 void take_off(std::vector<Inside>& inside, const std::vector<ExcludedEnds>& excluded_ends, const Mesh& mesh) {
   std::vector<Inside> out;
   for (Inside s : inside) {
@@ -90,7 +90,7 @@ void take_off(std::vector<Inside>& inside, const std::vector<ExcludedEnds>& excl
   inside = std::move(out);
 }
 
-// What the case leaves out, and by default what lies inside next to a held end.
+// What the case excludes, and by default what lies inside next to a held end.
 void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vector<ContactVolume>& volumes,
                         StartContact& start) {
   std::map<std::pair<int, int>, ExcludedEnds> of;
@@ -139,8 +139,8 @@ struct Chord {
   Vec3 at(double share) const { return a + share * (b - a); }
 };
 
-// Lines that hang past a volume which the straight way between their ends passes on the other side, and under
-// one of the body that carries an end which is above it. A line goes off its own hull on any side.
+// Lines on the wrong side of a volume: the straight line between their ends passes it on the other side; and
+// under one of the body that carries an end which is above it. A line goes off its own hull on any side.
 void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                               const Kinematics& at, const Bodies& bodies,
                               const std::vector<ContactVolume>& volumes, const std::vector<Inside>& inside,

@@ -70,7 +70,7 @@ class Meshes {
     }
     if (surface->internal_facets() > 0)
       l.notes.push_back(
-          fmt::format("{}: {} triangles have the inside on both sides and are left out of contact", v.mesh,
+          fmt::format("{}: {} triangles have the inside on both sides and are excluded from contact", v.mesh,
                       surface->internal_facets()));
     if (!v.smooth) {
       l.report += " Facets are flat.";

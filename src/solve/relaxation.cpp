@@ -180,7 +180,7 @@ class Relaxation : StaticTrial {
   std::vector<char> turns_;       // by owned block: rotations
   double mass_ = 0, longest_ = 0;
   bool viscous_ = false;            // without momentum
-  double goal_ = 0, hopeless_ = 0;  // relative imbalance of a step that is solved, of one that is given up
+  double goal_ = 0, hopeless_ = 0;  // relative imbalance of a step that is solved, of one that has failed
   std::vector<Vec3> last_places_;   // places of owned nodes when creeps() last looked
   double left_ = 0;                 // and the imbalance then, of its contributions
 };

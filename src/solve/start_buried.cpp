@@ -67,7 +67,7 @@ LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan
   return out;
 }
 
-// What is inside a feeder is at its mouth; the rest is a line of its own.
+// What is inside a feeder is at its feed point; the rest is a line of its own.
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span) {
   FedStart a, b;

@@ -57,7 +57,7 @@ Vec3 drag(const DragSection& s, const Vec3& u, const Vec3& chord) {
   return s.normal * across.norm() * across + s.axial * along.norm() * along;
 }
 
-// Drag is held while the line moves, and the line while the drag is reckoned, by turns and half of it a time.
+// Drag is held while the line moves, and the line while the drag is computed, by turns and half of it a time.
 std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& current, FlexibleLine line,
                              const std::vector<DragSection>& sections, const std::vector<Vec3>& still) {
   std::vector<Vec3> x = still, pull(sections.size(), Vec3::Zero()), dead;

@@ -166,7 +166,7 @@ LineStart as_previous(const model::PreviousShape& left, const std::optional<Vec3
   return out;
 }
 
-// Places alone; mend() makes the tangents.
+// Places alone; repair() makes the tangents.
 LineStart through(std::vector<Vec3> x) {
   LineStart out;
   out.tangent.assign(x.size(), Vec3::Zero());
@@ -205,7 +205,7 @@ bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, con
   }
   if (!lies_slack(c, sections, s, arc.back(), floats)) return false;
   if (!lay_slack(c.environment, floats, arc, s.x)) return false;
-  for (Vec3& t : s.tangent) t.setZero();  // mend() makes them
+  for (Vec3& t : s.tangent) t.setZero();  // repair() makes them
   return true;
 }
 

@@ -23,7 +23,7 @@ using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 constexpr double kAgainst = 0.75 * M_PI;  // rad between a direction that is given and that of the shape
 
 // Tangents where the shape has none (a slack end): from the neighbours' positions.
-void mend(LineStart& s) {
+void repair(LineStart& s) {
   for (size_t i = 0; i < s.x.size(); ++i) {
     if (s.tangent[i].norm() > 0) continue;
     const Vec3 d = s.x[std::min(i + 1, s.x.size() - 1)] - s.x[i > 0 ? i - 1 : 0];
@@ -77,7 +77,7 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
                     : line.starts_by_itself() && !line.buried.empty()
                         ? line_start_from_soil(c, line, bodies, g, span)
                         : line_start(c, line, bodies, g, span);
-  mend(shape);
+  repair(shape);
   if (line.starts_by_itself() && line.buried.empty()) lift(c.environment.seabed, shape);
   return shape;
 }
@@ -85,7 +85,7 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
 // Clamped ends have their directions, and nodes their axes.
 void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, LineStart& shape,
           std::vector<std::string>& notes) {
-  mend(shape);
+  repair(shape);
   const auto clamp_direction = [&](bool at_b) {
     const model::End& e = line.end(at_b);
     if (!(e.clamped || rigid(c, e)) || !e.direction) return;

@@ -138,7 +138,7 @@ bool StaticTrial::clear() {
   const Verdict verdict = system_.check_step(trial_.view(0));
   if (verdict.kind != Verdict::Kind::prepare_again) return passes(verdict);
   const LocalMesh& m = system_.mesh();
-  // So that the way foreseen ends at the trial.
+  // So that the way predicted ends at the trial.
   if (system_.couple(straight_path(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
       CouplingChange::layout_changed) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);

@@ -31,7 +31,7 @@ double StepControl::next(double t, double stop, double allowed) const {
   return (stop - t) / std::max(n, 1.0);
 }
 
-// Longest step from t after what struck last, s: after the twenty periods the time since, which each step
+// Longest step from t after the last impact, s: after the twenty periods the time since, which each step
 // doubles.
 double StepControl::followed(double t) const { return kRinging * ringing_ + std::max(t - calm_, 0.0); }
 

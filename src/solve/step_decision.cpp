@@ -1,4 +1,4 @@
-// What becomes of a step that was tried: the one place where it is accepted, tried again or given up. How
+// What becomes of a step that was tried: the one place where it is accepted, tried again or failed. How
 // long the next one is: step_control.cpp.
 #include <fmt/format.h>
 

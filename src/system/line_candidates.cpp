@@ -16,7 +16,7 @@
 namespace hawser {
 namespace {
 
-// Of what is without contact near a shared place, which may become less, the list leaves out this part.
+// Of what is without contact near a shared place, which may become less, the list excludes this part.
 constexpr double kShared = 0.8;
 
 // What the narrow test needs of an axis half way along its path.
@@ -75,7 +75,7 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
   gather();
 }
 
-// Whether pairs are left out near a shared place that may touch by now.
+// Whether pairs are excluded near a shared place that may touch by now.
 bool LineCandidates::shares_less() const {
   for (size_t k = 0; k < within_.size(); ++k)
     if (settings_.shared->within(static_cast<int>(k)) < within_[k]) return true;
@@ -89,7 +89,7 @@ void LineCandidates::gather() {
     if (radius_[e.global] > 0 && !is_in_feeder(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
   bend_.resize(built_.size());
-  // Most boxes that overlap are those of neighbours along a line: these are told from their numbers alone.
+  // Most boxes that overlap are those of neighbours along a line: their numbers alone exclude these.
   constexpr size_t kMost = 15;
   excluded_after_.assign(built_.size(), 0);
   for (size_t i = 0; i < built_.size(); ++i)
@@ -119,7 +119,7 @@ bool LineCandidates::is_in_feeder(int element) const {
   return element < first || element > last;
 }
 
-// Whether it is the one at a feeder's mouth, whose unstretched length is not that of the mesh.
+// Whether it is the one at a feeder's feed point, whose unstretched length is not that of the mesh.
 bool LineCandidates::at_feeder(int element) const {
   if (inside_.empty()) return false;
   const int line = mesh_.mesh->elements[element].line;
@@ -159,8 +159,8 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
   return BezierAxis::beam(a, tangent(i), b, tangent(j), length).b;
 }
 
-// Every axis within its skin of where it was foreseen to be at `tau` of the way. All are asked for the same
-// place on it, as pairs are left out for what two axes do together: one that stops on its way is run into by
+// Every axis within its skin of where it was predicted to be at `tau` of the way. All are asked for the same
+// place on it, as pairs are excluded for what two axes do together: one that stops on its way is run into by
 // the next.
 bool LineCandidates::holds(const Kinematics& at, double h, double tau) const {
   if (builds_ == 0 && !local_.empty()) return false;
@@ -211,8 +211,8 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   return true;
 }
 
-// The paths are parabolas in time. Those that bend (a line that is swung, a long step) are foreseen for fewer
-// steps, so that the bend is no more than a skin; for one step at least, whatever it takes.
+// The paths are parabolas in time. Those that bend (a line that is swung, a long step) are predicted for
+// fewer steps, so that the bend is no more than a skin; for one step at least, whatever it takes.
 void LineCandidates::predict(const Kinematics& committed, double h) {
   made_ = committed.time;
   double steps = settings_.steps;

@@ -1,5 +1,5 @@
 // The part of System that assembles: residual and tangent from all force terms, the norms that judge
-// convergence, and calls handed on to the terms.
+// convergence, and calls passed on to the terms.
 #include "hawser/system/system.hpp"
 
 #include <petscvec.h>

@@ -259,7 +259,7 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-// Of a pair of which both lead it is one touch, told by two.
+// Of a pair of which both lead it is one contact, reported by two.
 void BodyContactTerm::active_contacts(ActiveContacts& out) const {
   for (const Pair& p : pairs_) {
     if (!p.counted || !(p.now.force > 0)) continue;

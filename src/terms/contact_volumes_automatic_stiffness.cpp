@@ -14,12 +14,12 @@ namespace {
 // Of the radius, deeper than which an automatic stiffness is raised (below the 0.005 it is chosen for, so
 // that a raise begins before that is reached); how often that in motion; to what of it.
 constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
-// Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
+// Of the radius: what an impact may take it in by, with all of its mass at all of its speed.
 constexpr double kImpactDepth = 0.5;
-// Of the period of the mass on its spring: shorter steps follow a blow, and what is deep in them is the
-// blow's.
+// Of the period of the mass on its spring: shorter steps follow an impact, and what is deep in them is the
+// impact's.
 constexpr double kFollowing = 2;
-// Most that what presses raises a stiffness in a step: what grows faster is a blow.
+// Most that what presses raises a stiffness in a step: what grows faster is an impact.
 constexpr double kMostInAStep = 4;
 
 // A raise is solved again with, and what it is for moves with it: less than this is left.
@@ -52,7 +52,7 @@ void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p
     const double pressed = now * p.still * p.depth / (kRaisedTo * allowed);
     want = step > 0 ? std::min(pressed, kMostInAStep * committed_[k]) : pressed;
   }
-  // u sqrt(m/k) is how deep a blow goes. What is in the spring already comes out of it no faster than in a
+  // u sqrt(m/k) is how deep an impact goes. What is in the spring already comes out of it no faster than in a
   // part of the period: to raise the stiffness then would only load the spring.
   const bool loaded = resolves_impact && p.depth > 0;
   if (step > 0 && !loaded)

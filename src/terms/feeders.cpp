@@ -1,5 +1,6 @@
 // Winches, tensioners and reels, in the equations: the class Feeders. Which elements are inside a feeder, the
-// length of the one at its mouth, the momentum of the line that flows through it, and the work of the feeder.
+// length of the one at its feed point, the momentum of the line that flows through it, and the work of the
+// feeder.
 #include "hawser/terms/feeders.hpp"
 
 #include <fmt/format.h>
@@ -24,8 +25,8 @@ MassShares mass_shares(bool beam) {
   return beam ? MassShares{13. / 35, 9. / 70} : MassShares{5. / 12, 1. / 12};
 }
 
-// How short the mouth's element may get in a step, of its own length, and how much longer than that, of the
-// length of the next one in the stock: a good way beyond where a node is caught or leaves.
+// How short the feed point's element may get in a step, of its own length, and how much longer than that, of
+// the length of the next one in the stock: a good way beyond where a node is caught or leaves.
 constexpr double kShortest = 0.1, kLonger = 0.9;
 
 double chord(const Kinematics& at, const LocalElement& e) { return (at.x[e.second] - at.x[e.first]).norm(); }
@@ -340,7 +341,7 @@ void Feeders::commit(const Kinematics& accepted) {
   }
 }
 
-// Of the weight of the element at the mouth, J.
+// Of the weight of the element at the feed point, J.
 double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
   const size_t i = e.first, j = e.second;
   if (!f.beam) return 0.5 * length * f.weight.dot(at.x[i] + at.x[j]);

@@ -20,7 +20,7 @@ constexpr double kThrough = 0.25, kPressed = 0.1;
 constexpr double kStaticDepth = 0.7, kNoSide = 1e-9;
 // A step may take a line this part of the radii deeper than to the surface.
 constexpr double kDeep = 0.5;
-// Part of the contact's period, beyond which a step sees nothing of a blow.
+// Part of the contact's period, beyond which a step sees nothing of an impact.
 constexpr double kUnresolved = 1.0 / 3;
 // The part of the radii to which a stiffness that is proposed lets lines be pressed in.
 constexpr double kProposed = 0.25;
@@ -73,7 +73,7 @@ LinePairs::Nearest LinePairs::nearest(const Pair& p, const SegmentPair& c, const
   return {v.dot(c.difference) / c.distance, c.distance - p.law.radii};
 }
 
-// Relative acceleration of the middles along the line between them, m/s²: at the turning point of a blow
+// Relative acceleration of the middles along the line between them, m/s²: at the turning point of an impact
 // there is no speed.
 double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
@@ -101,7 +101,7 @@ double LinePairs::mass(const Pair& p) const {
   return mass_per_length(p) * std::min(element(p.key.first).length, element(p.key.second).length);
 }
 
-// All of the energy of two that meet or part is in doubt in a step of more than a third of the contact's
+// All of the energy of two that meet or part is uncertain in a step of more than a third of the contact's
 // period; in a shorter one, that by which the trapezoidal rule misses where they touch first or last.
 void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   const std::vector<Rod> is = rods(trial);

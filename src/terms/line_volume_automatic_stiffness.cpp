@@ -17,7 +17,7 @@ double left_by_inertia(double force, double mass, double acceleration) {
 }
 
 // Whether what is pressed in moves so slowly that its speed is worth no more than a sixteenth of the spring's
-// energy: it is pressed, and does not strike or leap.
+// energy: it is pressed, without an impact or a leap.
 bool resting(double stiffness, double depth, double mass, double speed) {
   return stiffness * std::pow(0.25 * depth, 2) >= mass * speed * speed;
 }

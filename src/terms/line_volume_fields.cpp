@@ -1,4 +1,4 @@
-// What touches in the accepted state, shown at the nodes and told to the clash report.
+// What touches in the accepted state, shown at the nodes and sent to the clash report.
 #include <algorithm>
 #include <utility>
 

@@ -29,8 +29,8 @@ bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
   return volumes_.recouple(committed, h, thickest);
 }
 
-// At a feeder's mouth the element has the length of the speed at the start of the step, as for masses: it
-// does not depend on the trial's positions, and the tangent is exact.
+// At a feeder's feed point the element has the length of the speed at the start of the step, as for masses:
+// it does not depend on the trial's positions, and the tangent is exact.
 AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[element];
   AxisEnds out = element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second);

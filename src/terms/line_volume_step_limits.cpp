@@ -21,7 +21,7 @@ Vec3 velocity_at_start(const LineVolumePair& p, double xi) {
   return p.start.shape.velocity(xi) - p.start.pose.velocity_at(p.start.shape.point(xi));
 }
 
-// Twice what limit_depth() trusts a step with: what comes as foreseen stays clear of it.
+// Twice what limit_depth() trusts a step with: what comes as predicted stays clear of it.
 bool sinks_too_far(double radius, double before, double after) {
   return after > std::max(before, 0.0) + radius;
 }
@@ -94,7 +94,7 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
 }
 
 // Nothing is asked of a place that is known to have nothing ahead, nor where nothing it may come to could
-// limit the step or strike.
+// limit the step or have an impact.
 void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);

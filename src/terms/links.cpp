@@ -32,8 +32,8 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
     for (const Attached* e : {&l.a, &l.b}) {
       const int carrier = e->carrier(*bodies_);
       if (l.owner < 0) l.owner = carrier;
-      const bool knows = carrier < 0 ? rank == 0 : owned(carrier);
-      const Vec3 x = knows ? attached_now(*e, start, mesh_, *bodies_).x : Vec3(Vec3::Zero());
+      const bool is_known = carrier < 0 ? rank == 0 : owned(carrier);
+      const Vec3 x = is_known ? attached_now(*e, start, mesh_, *bodies_).x : Vec3(Vec3::Zero());
       places.insert(places.end(), x.begin(), x.end());
     }
   }

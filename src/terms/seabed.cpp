@@ -82,7 +82,7 @@ ContactStart SeabedTerm::start(const Point& p) const {
   return {s.point, s.gap, s.tangent, history(p).slip, history(p).normal};
 }
 
-// Statics comes here before every iteration: a laid line keeps where its friction is reckoned from.
+// Statics comes here before every iteration: a laid line keeps where its friction is counted from.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
   if (h > 0) {
     laid_.clear();

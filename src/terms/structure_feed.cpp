@@ -1,5 +1,5 @@
-// The part of the class StructureTerm that a feeder has to do with: unstretched lengths at its mouth, and
-// what sections that yield remember on their way through it (docs/theory/feeders.md#pipes-that-yield).
+// The part of the class StructureTerm that a feeder has to do with: unstretched lengths at its feed point,
+// and what sections that yield remember on their way through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
@@ -23,7 +23,8 @@ BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
-// What is inside, by label from the free node on: of the element at the mouth, and of the next in the stock.
+// What is inside, by label from the free node on: of the element at the feed point, and of the next in the
+// stock.
 std::vector<RememberedCell> inside(const Feeders& feeders, const Feeder& f,
                                    const std::vector<double>& values) {
   const size_t n = values.size() / (2 * kBendingPlaces);
@@ -76,7 +77,8 @@ std::vector<double> StructureTerm::entering(int feeder, double label) const {
   return out;
 }
 
-// What the element at the mouth, of a length `from` at the start of the step, remembers at the length `to`.
+// What the element at the feed point, of a length `from` at the start of the step, remembers at the length
+// `to`.
 void StructureTerm::carry_bends(Beam& b, int feeder, double from, double to) {
   if (from == to) return;
   const Feeder& f = feeders_->list()[feeder];
@@ -146,7 +148,8 @@ void StructureTerm::transfer_node(MPI_Comm comm, const Feeder& f, int feed_point
                                      [](const Beam& b, int g) { return b.at.global < g; });
     return at != beams_.end() && at->at.global == global && at->section.plastic ? &*at : nullptr;
   };
-  // On all ranks: of the mouth, of the element after it and of the two before, by label, and what is inside.
+  // On all ranks: of the feed point, of the element after it and of the two before, by label, and what is
+  // inside.
   std::vector<double> all(5 * size, 0);
   const auto part = [&](size_t i) { return all.data() + i * size; };
   const int elements[] = {f.feed_point, f.feed_point + 1, f.feed_point - 2};
@@ -167,7 +170,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, const Feeder& f, int feed_point
   for (const RememberedCell& c : remembered_cells(0, f.length, part(0), n)) cells.push_back(c);
   std::vector<double> now(size);
   std::vector<double>& kept = fed_[k].inside;
-  if (feed_point < f.feed_point) {  // divided: the free part, and what is at the mouth now
+  if (feed_point < f.feed_point) {  // divided: the free part, and what is at the feed point now
     const double whole = feeders_->element_length(f, f.feed_point);
     remember_cells(cells, n, 0, whole, now.data()), keep(f.feed_point, now);
     remember_cells(cells, n, whole, f.length, now.data()), keep(feed_point, now);

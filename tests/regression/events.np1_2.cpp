@@ -293,7 +293,7 @@ TEST(Events, AnEndThatIsNotWhereItIsToBeAttachedStopsTheRun) {
 // The parts of a damped wire whip when it is cut, and short steps follow them. In these the rates of strain
 // are known to little more than the tolerance of the balance. The upper part recoils, goes slack and hangs:
 // nowhere is it pulled more than at rest, whatever its damping, and what its lower part has from whipping is
-// told.
+// reported.
 TEST(Events, ADampedWireThatIsCutGoesOn) {
   const std::string path = folder("events-wire"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1

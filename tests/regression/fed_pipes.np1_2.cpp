@@ -113,7 +113,7 @@ double work(const std::vector<double>& brought) {
   return sum;
 }
 
-TEST(FedPipes, AClampFeelsTheBend) {
+TEST(FedPipes, ABendActsOnTheClamp) {
   const std::string path = folder("fed-pipes-clamp"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, kCantilever);
   run_on_all({input, file});

@@ -246,7 +246,7 @@ TEST(Feeders, KeepATension) {
   const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
   printf("  off by %.2g N, paid out %.3f m, energy %.1e\n", off, largest(out),
          largest(error) / work(brought));
-  EXPECT_LT(off, 10);  // inertia of the element at the mouth
+  EXPECT_LT(off, 10);  // inertia of the element at the feed point
   EXPECT_NEAR(largest(out), 6 / 1.01, 0.05);
   EXPECT_LT(largest(error), 0.01 * work(brought));
 }
@@ -256,8 +256,8 @@ const Edits kBand{{"tension: 10 kN}", "tension: 10 kN, dead_band: [8 kN, 12 kN],
 // The law holds of the tension with that of the damper in it: damping makes no peak where the band is left.
 TEST(Feeders, RestWithinTheirBand) {
   const std::string path = folder("feeders-band"), input = path + "/case.yaml", file = path + "/whole.h5";
-  // Results have the inertia of the element at the mouth in the tension, which the law has not: the more, the
-  // faster the damper lets the speed change.
+  // Results have the inertia of the element at the feed point in the tension, which the law has not: the
+  // more, the faster the damper lets the speed change.
   for (const auto& [damping, tolerance] : {std::pair{"0.02", 0.025}, {"1e-4", 0.01}}) {
     Edits edits = kBand;
     edits.push_back({"stiffness_damping: 0.02", fmt::format("stiffness_damping: {}", damping)});

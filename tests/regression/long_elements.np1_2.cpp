@@ -1,4 +1,4 @@
-// Whole runs with elements and steps that are too long, and what they are told, on any number of ranks.
+// Whole runs with elements and steps that are too long, and their warnings, on any number of ranks.
 #include "hawser/io/hdf5.hpp"
 #include "regression/runs.hpp"
 
@@ -77,7 +77,7 @@ struct LongElements : testing::Test {
   }
 };
 
-TEST_F(LongElements, AreTold) {
+TEST_F(LongElements, AreReported) {
   const std::string coarse = run("0.5", "4", ""), fine = run("0.5", "30", "");
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   EXPECT_NE(coarse.find("line chain sags between the nodes of its elements of 32.7 m"), std::string::npos)
@@ -89,7 +89,7 @@ TEST_F(LongElements, SoAreLongStepsOfASnap) {
   const std::string coarse = run("4", "20", ", step: 0.25"), fine = run("4", "20", ", step: 0.02");
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   EXPECT_NE(coarse.find("the largest tension of line chain ("), std::string::npos) << coarse;
-  EXPECT_NE(coarse.find("is that of a blow which is not resolved: "), std::string::npos) << coarse;
+  EXPECT_NE(coarse.find("is that of an impact which is not resolved: "), std::string::npos) << coarse;
   EXPECT_EQ(fine, "");
 }
 

@@ -158,9 +158,9 @@ TEST_F(Snapping, ALineThatPartsMakesNoEnergy) {
 }
 
 // Largest tension of a cycle after the first, by default, and with steps of 1 ms and elements a quarter as
-// long. A blow of a chain that falls back on the bed depends on how it lay there: EA changed by 1e-7 changes
-// that of a cycle by 6 %. So it is the mean of three cycles in three such runs that is compared. What it says
-// of the elements and steps does not depend on the ranks.
+// long. An impact of a chain that falls back on the bed depends on how it lay there: EA changed by 1e-7
+// changes that of a cycle by 6 %. So it is the mean of three cycles in three such runs that is compared. What
+// it says of the elements and steps does not depend on the ranks.
 TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
   if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const auto peak = [&](int elements, const std::string& step) {

@@ -200,7 +200,7 @@ TEST(Stages, BadInput) {
 
 // A chain that is let go beside another falls on the bed and streams on it, along the current, from its
 // anchor. Drag has no potential: with its momentum the chain would swing about that direction for ever.
-TEST(Stages, LetGoOntoTheBedInACurrent) {
+TEST(Stages, ReleasedOntoTheBedInACurrent) {
   const std::string path = folder("stages-let-go"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
 environment:

@@ -161,7 +161,7 @@ TEST(Events, AVolumeIsSwitchedOff) {
   EXPECT_LT(largest(error), 0.02 * largest(in));
 }
 
-// In a line at rest it would be struck.
+// On a line at rest that would be an impact.
 TEST(Events, AVolumeIsNotSwitchedOnAroundALine) {
   const std::string path = folder("events-around"), input = path + "/case.yaml";
   write_case(input, kFloor,

@@ -43,7 +43,7 @@ class Drum(unittest.TestCase):
                 # Half a micrometre: the single precision of a coordinate of 6 m.
                 self.assertLess(math.dist(a, b), 1e-6)
 
-    def test_is_closed_and_measures_what_the_case_says(self):
+    def test_is_closed_and_measures_what_the_case_has(self):
         triangles = [t for _, t in read_stl(FOLDER / "drum.stl")]
         self.assertEqual(self.drum.faults(triangles), [])
         barrel = [v for t in triangles for v in t if math.hypot(v[0], v[2]) < 3.7 and abs(v[1]) < 2.7]

@@ -206,7 +206,7 @@ class Places(Attack):
             self.assertRegex(result.stderr, r"\Ahawser: cannot write \S+: File too large\n\Z")
 
 
-class Spoilt(Attack):
+class Corrupted(Attack):
     def test_counters(self):
         write(self.folder, "rod.yaml", CASE.replace("duration: 0.2", "duration: 0.6"))
         self.succeed("rod.yaml", "-q")
@@ -309,7 +309,7 @@ class Names(Attack):
 
 
 class Signals(Attack):
-    def test_a_run_that_is_stopped_says_so(self):
+    def test_a_run_that_is_stopped_reports_it(self):
         for ranks, sign in ((0, signal.SIGTERM), (0, signal.SIGINT), (0, signal.SIGUSR1), (2, signal.SIGUSR1)):
             with self.subTest(ranks=ranks, sign=sign):
                 process = self.running("long.yaml", ranks=ranks)

@@ -51,7 +51,7 @@ class Install(unittest.TestCase):
         tables = self.hawser("export", case / "hanging-line.h5").split()
         self.assertTrue(any(Path(t).is_file() for t in tables), tables)
 
-    def test_without_the_python_tools_a_sentence_says_where_they_were_sought(self):
+    def test_without_the_python_tools_the_message_has_the_searched_folders(self):
         alone = Path(self.folder.name) / "alone/bin/hawser"
         alone.parent.mkdir(parents=True)
         shutil.copy2(self.prefix / "bin/hawser", alone)

@@ -130,7 +130,7 @@ class ThatCannotBeMeant(Lays):
                             "supports begins 8.5", "m below the end from which line pipe goes overboard")
         self.assertNotIn("target", output)
 
-    def test_a_target_is_sought_beyond_a_line_that_is_too_short(self):
+    def test_a_target_is_searched_for_beyond_a_line_that_is_too_short(self):
         done = self.hawser("run", {"[-500, 0, -59.7568]": "[-500, 200, -59.7568]", "400 kN": "300 kN"}, "-o",
                            self.folder / "lay.h5")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)

@@ -282,7 +282,7 @@ class Parts(unittest.TestCase):
         self.assertEqual(rows[0], ["riser", "utilisation", share[k, 0], TIME[k], 0.0])
         self.assertEqual(rows[1], ["riser", "bend utilisation", 2 * share[k, 25], TIME[k], 50.0])
 
-    def test_a_field_is_shown_as_the_file_says(self):
+    def test_a_field_is_shown_as_the_file_declares_it(self):
         # Fields that no tool knows by name: in a graph, in the table alone, at a feeder's stations, nowhere.
         n = len(ARC)
         values = {name: ("N", np.outer(np.sin(TIME), k + ARC)) for k, name in enumerate(("one", "two", "three"))}

@@ -1,4 +1,4 @@
-"""What the program says, and ends with, when it is asked for the impossible or when the solver gives up."""
+"""What the program says, and ends with, when it is asked for the impossible or when the solver fails."""
 import os
 import shutil
 import tempfile
@@ -123,7 +123,7 @@ lines:
         self.assertEqual(alone.returncode, 0, alone.stderr)
         self.assertNotIn("has not come to rest", alone.stdout)
 
-    def test_no_blow_without_tension(self):
+    def test_no_impact_without_tension(self):
         write(self.folder, "rod.yaml", """\
 hawser: 1
 environment: {water: {depth: 1000}}
@@ -183,7 +183,7 @@ lines:
                 ("well", PIPE, []),
                 ("low", low, ["warning: support ramp 2 never carries line pipe, which passes 3 m above it and lies on supports "
                               "further on: raise it by 'above_path', or leave it out"]),
-                ("beneath", PIPE.replace("from: [0, 0, 9]", "from: [0, 0, 5]"),
+                ("below", PIPE.replace("from: [0, 0, 9]", "from: [0, 0, 5]"),
                  ["warning: none of its supports ever carries line pipe: are they drawn too low, or beside it?"])):
             write(self.folder, f"{name}.yaml", text)
             result = self.hawser("run", f"{name}.yaml")
@@ -191,7 +191,7 @@ lines:
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertEqual([line for line in result.stdout.splitlines() if line.startswith("warning")], wanted)
 
-    def test_failing_statics_says_what_may_help(self):
+    def test_failing_statics_reports_what_may_help(self):
         write(self.folder, "slack.yaml", """\
 hawser: 1
 environment: {water: {depth: 100}, seabed: {depth: 100}, current: {speed: 1}}
@@ -283,7 +283,7 @@ dynamics: {duration: 3 h}
         self.assertIn("met.yaml:13: events[0]", messages["run"][0])
         self.assertEqual(messages["check"][0], messages["run"][0])
 
-    def test_statics_that_snaps_says_so(self):
+    def test_statics_that_snaps_reports_it(self):
         write(self.folder, "strut.yaml", """\
 hawser: 1
 environment: {gravity: 0}
@@ -300,7 +300,7 @@ lines:
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("note: statics left 1 unstable equilibrium on its way", result.stdout)
 
-    def test_wrong_energy_is_not_called_good(self):
+    def test_wrong_energy_is_not_accepted(self):
         # A pendulum in steps of a sixth of its period, with as much damping as there is.
         write(self.folder, "pendulum.yaml", """\
 hawser: 1
@@ -321,12 +321,12 @@ output: {every: 5}
         self.assertRegex(result.stdout, r"warning: the steps lost \d+ J by t = [\d.]+ s, \d+\.?\d* % of the work done: they are "
                                         r"too long for what moves; give dynamics.step: 0.12 s. The results are not to be used")
 
-    def test_blow_at_the_start(self):
+    def test_impact_at_the_start(self):
         for ranks in (0, 2):
-            result = self.hawser("run", ROOT / "docs/tutorial/riser-3.yaml", "-o", f"blow{ranks}.h5", "--set", "dynamics.duration=0.3",
+            result = self.hawser("run", ROOT / "docs/tutorial/riser-3.yaml", "-o", f"impact{ranks}.h5", "--set", "dynamics.duration=0.3",
                                  "--set", "bodies.vessel.motion.ramp=0", ranks=ranks)
             self.assertEqual(result.returncode, 4, result.stderr)
-            self.assertRegex(result.stdout, r"warning: the steps created .*: bodies.vessel.motion begins with a velocity and strikes "
+            self.assertRegex(result.stdout, r"warning: the steps created .*: bodies.vessel.motion begins with a velocity, an impact on "
                                             r"the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter step is no help")
 
     def test_help(self):
@@ -454,7 +454,7 @@ output: {every: 5}
         (self.folder / "cut.h5").write_bytes((self.folder / "rod.h5").read_bytes()[:3000])
         restart("cut.h5", "it is no results file of hawser, or damaged")
 
-    def test_solver_gives_up(self):
+    def test_solver_fails(self):
         for number, (edits, more, parts) in enumerate(HOPELESS):
             case = CASE
             for old, new in edits.items():

@@ -118,7 +118,7 @@ class Models(unittest.TestCase):
         self.assertEqual([len(part) for part in found], [64, 64, 64, 8])
         np.testing.assert_allclose(np.concatenate(found), whole, atol=1e-3)
 
-    def test_a_long_run_is_thinned_and_says_so(self):
+    def test_a_long_run_is_thinned_with_a_note(self):
         results = Results(large(self.folder.name, 900, 300, "long.h5"))
         header, found = embedded.packed_model(results, 60_000)
         self.assertLessEqual(sum(map(len, found.values())) * 4 / 3, 60_000)
@@ -152,7 +152,7 @@ class Models(unittest.TestCase):
 
 
 class Libraries(unittest.TestCase):
-    def test_says_what_is_not_installed(self):
+    def test_reports_what_is_not_installed(self):
         before = os.environ.get("HAWSER_JAVASCRIPT")
         os.environ["HAWSER_JAVASCRIPT"] = "/nowhere"
         try:

@@ -156,7 +156,7 @@ class Served(unittest.TestCase):
         self.assertEqual(status["outputs"], 3)
         self.assertNotEqual(status["stamp"], stamp)
 
-    def test_a_run_that_is_written_anew_at_its_end_keeps_its_stamp(self):
+    def test_a_run_that_is_rewritten_at_its_end_keeps_its_stamp(self):
         stamp = json.loads(self.ask("status")[1])["stamp"]
         other = self.folder / "other.h5"
         run_of(other, 30)
@@ -232,7 +232,7 @@ class Cases(unittest.TestCase):
         notes = start_shape.notes_of(self.folder / "case.yaml")
         self.assertTrue(all(text.startswith(("note: ", "warning: ")) for text in notes), notes)
 
-    def test_a_case_that_is_refused_says_why(self):
+    def test_a_case_that_is_refused_reports_why(self):
         write(self.folder, "case.yaml", CASE.replace("elements: 40", "elements: -4"))
         with self.assertRaisesRegex(Refusal, "case.yaml:6: .*elements"):
             start_shape.notes_of(self.folder / "case.yaml")

@@ -67,7 +67,7 @@ std::vector<TouchCase> touch_cases() {
        low,
        0,
        {0, 0, 0.7}},
-      {"edge on a face, askew", box, kMet, length, exp_so3({0.016, 0, 0}) * on_edge, low, 0, kTop,
+      {"edge on a face, inclined", box, kMet, length, exp_so3({0.016, 0, 0}) * on_edge, low, 0, kTop,
        Vec3::UnitZ(), area, 9e-3},
       {"edge on a ball",
        box,

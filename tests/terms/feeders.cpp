@@ -43,12 +43,12 @@ model::Case fed(const model::Feed& a, const model::Feed& b, Kind kind) {
   return c;
 }
 
-// With two lines across it: one at the mouth of end A, one at the joint beside it.
+// With two lines across it: one at the feed point of end A, one at the joint beside it.
 void cross(model::Case& c) {
   model::LineType t = c.line_types.front();
   t.name = "across", t.kind = model::LineKind::cable;
   c.line_types.push_back(t);
-  for (const char* name : {"at the mouth", "at a joint"}) {
+  for (const char* name : {"at the feed point", "at a joint"}) {
     model::Line l;
     l.name = name;
     l.sections = {{"across", 3, 3, 1}};
@@ -115,7 +115,8 @@ struct Rig {
   }
 };
 
-// Across the middle of the element at the mouth of end A, 5 cm into the line where that has its length L.
+// Across the middle of the element at the feed point of end A, 5 cm into the line where that has its length
+// L.
 struct Roller {
   static constexpr double kRadius = 0.3;  // m
   Vec3 middle, along;
@@ -171,7 +172,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   for (const model::Feed& a : {speed, exact, band}) cases.push_back({a, Kind::cable, On::lines});
   for (const model::Feed& a : {speed, band}) cases.push_back({a, Kind::beam, On::lines});
   for (model::Feed a : {speed, exact, band}) {
-    a.stock = 2.3;  // the element at the mouth is shorter than that of the mesh
+    a.stock = 2.3;  // the element at the feed point is shorter than that of the mesh
     for (const Kind kind : {Kind::cable, Kind::beam}) cases.push_back({a, kind, On::roller});
   }
   for (const auto& [a, kind, on] : cases) {

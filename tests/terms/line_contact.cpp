@@ -204,7 +204,7 @@ TEST(LineContact, StepsFollowImpacts) {
     ImpactEvents to;
     term.limit_step(s.view(0.1), to);
     LineMotion line;
-    for (const ImpactEvent& strike : to.list) line.striking += strike.energy();
+    for (const ImpactEvent& impact : to.list) line.impact_energy += impact.energy();
     const auto alone = [](std::span<double>) {};
     return std::min(to.longest,
                     impact_limited_step(to.list, energy_tolerance({&line, 1}), 10, alone).longest);
@@ -224,7 +224,7 @@ TEST(LineContact, StepsFollowImpacts) {
   EXPECT_EQ(longest(-0.01, 0, 0, 1), infinite);
   EXPECT_NEAR(longest(-0.01, 0, 0, 3), followed, 1e-6);
   EXPECT_NEAR(longest(-0.01, 0, 0, -3), followed, 1e-6);
-  // Between blows it shakes as fast, whichever way it goes; the way to the touch may be longer.
+  // Between impacts it shakes as fast, whichever way it goes; the way to the touch may be longer.
   EXPECT_NEAR(longest(0.2, -0.5, 0, 3), followed, 1e-6);
   EXPECT_GT(longest(0.2, 0.5, 0, 3), followed);
 }

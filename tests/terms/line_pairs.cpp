@@ -13,7 +13,7 @@ TEST(LinePairs, Tangents) {
   }
 }
 
-TEST(LinePairs, TouchWhereTheCaseSaysSo) {
+TEST(LinePairs, TouchWhereTheCaseHasIt) {
   for (const PairCase& c : pair_cases()) {
     PairModel m(c);
     const State end = state_of(m.system->mesh(), m.trial);

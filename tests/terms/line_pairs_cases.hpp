@@ -76,7 +76,8 @@ struct PairModel : SuiteModel {
     // Ghosts first: they depend on where lines are.
     State before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
-    if (system->couple(before.view(trial.h), trial.h) == CouplingChange::anew) before = place(what, at, -1);
+    if (system->couple(before.view(trial.h), trial.h) == CouplingChange::layout_changed)
+      before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
     const LocalMesh& l = system->mesh();
     trial.from = place(what, at, 0);

@@ -330,7 +330,7 @@ TEST(SeabedShapes, SlopesAreTheSame) {
 
 // What was near before changes the time and never the answer: the force is that of a bed that has not been
 // asked before.
-TEST(SeabedShapes, AnswersDoNotDependOnTheWay) {
+TEST(SeabedShapes, AnswersDoNotDependOnThePath) {
   const auto bed = hilly();
   SeabedTerm::PointLaw law = paper();
   law.law.friction = {};

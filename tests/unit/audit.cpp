@@ -26,7 +26,7 @@ TEST(Audit, IsSilentOfWhatIsBroughtIn) {
   EXPECT_FALSE(a.wrong());
 }
 
-TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
+TEST(Audit, ReportsWhatAStepMadeWhereAndWhatHelps) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   EXPECT_TRUE(a.update(moving(100), moving(103), 0.3, 0.1));
@@ -46,8 +46,8 @@ TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
       << w;
 }
 
-// A blow at the start is none the shorter for shorter steps.
-TEST(Audit, TellsOfABlowAtTheStart) {
+// An impact at the start is none the shorter for shorter steps.
+TEST(Audit, ReportsAnImpactAtTheStart) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(103), 0.3, 0.1);
@@ -55,7 +55,7 @@ TEST(Audit, TellsOfABlowAtTheStart) {
       a.warning(true, "line chain, arc length 3 m", "bodies.vessel.motion"),
       "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
       "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: bodies.vessel.motion begins with a "
-      "velocity and strikes the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter "
+      "velocity, an impact on the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter "
       "step is no help");
   a.update(moving(100), moving(110), 0.7, 0.1);  // later it was something else
   EXPECT_NE(a.warning(true, "here", "bodies.vessel.motion").find("give dynamics.step: 0.025 s"),
@@ -63,7 +63,7 @@ TEST(Audit, TellsOfABlowAtTheStart) {
 }
 
 // Made first and lost later: at the end the sum is right, and the run wrong all the same.
-TEST(Audit, RemembersWhatWasAmissOnTheWay) {
+TEST(Audit, KeepsTheLargestErrorOfTheRun) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(130), 1, 0.1);

@@ -44,7 +44,7 @@ double distance(const AxisShape& a, const AxisShape& b) {
 }
 
 // Lines that cross at (0, 0), one above the other by `gap`, which goes from one value to another.
-TEST(AxisApproach, NoneChangesSidesUnseenHoweverDeep) {
+TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
   const double reach = 0.15;

@@ -109,7 +109,7 @@ TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
     EXPECT_TRUE(found(x0, 0.01, 0, true)) << x0;      // within, but nearer to its back
     EXPECT_FALSE(found(x0, -0.01, 0.1, true)) << x0;  // deeper
     EXPECT_FALSE(found(x0, -0.04, 0.1, true)) << x0;  // out again
-    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // a line so deep has been told of by others
+    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // others have reported a line so deep
   }
   EXPECT_TRUE(found(-0.04, 0.04, 0.1, true));
 }

@@ -79,8 +79,8 @@ TEST(CaseChanges, AreMadeInTheDocument) {
   for (const std::string& n : c.notes) EXPECT_FALSE(n.starts_with("--set")) << n;
 }
 
-// A case with other lengths says of its changes what it said, and once what it doubts of them.
-TEST(CaseChanges, AreToldOfACaseWithOtherLengths) {
+// A case with other lengths repeats the notes on its changes, and has the warnings of them once.
+TEST(CaseChanges, AreReportedForACaseWithOtherLengths) {
   const model::Case c = read({"dynamics.step=0.5"});
   const auto warnings = [](const model::Case& of) {
     return std::count_if(of.notes.begin(), of.notes.end(), [](const std::string& n) {

@@ -167,7 +167,7 @@ TEST(CaseSupports, OnAStructure) {
   EXPECT_NE(message("[front, stern]").find("'stern'"), std::string::npos);
 }
 
-TEST(CaseSupports, WhatIsWrongIsToldWithItsRemedy) {
+TEST(CaseSupports, WhatIsWrongIsReportedWithItsRemedy) {
   const auto expect_message = [](const std::string& message, const std::string& part) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
@@ -195,7 +195,7 @@ TEST(CaseSupports, WhatIsWrongIsToldWithItsRemedy) {
                  "lies 5 m behind 'lines.pipe.end_a'");
   expect_message(
       wrong("{at: 5" + flat, "from: [-30, 0, 12], direction: [-1, 0, 0], segments: [{length: 20}]"),
-      "the line would start beneath its roller");
+      "the line would start below its roller");
   expect_message(wrong("{points: [[-35, 0, 10], [-50, 0, 10], [-45, 0, 10]]" + flat, ""),
                  "lies behind 'ramp 1'");
   expect_message(wrong("{at: 5" + flat, "from: [-30, 0, 9], direction: [-1, 0, 0], segments: [{length: 20}]",
@@ -213,7 +213,7 @@ TEST(CaseSupports, WhatWasBentBeyondYieldIsWarnedOf) {
   EXPECT_EQ(advice::curvature_warning(c, at), "");
 }
 
-TEST(CaseSupports, SharpBendsAndLongElementsAreDoubted) {
+TEST(CaseSupports, SharpBendsAndLongElementsGiveWarnings) {
   const auto notes = [](double radius, const std::string& at) {
     const model::Case c =
         read("{at: " + at + ", type: flat" + kRoller + "}",

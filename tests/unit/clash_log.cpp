@@ -129,7 +129,7 @@ TEST(ClashLog, GoesOnFromItsRecord) {
 }
 
 // Of a file it is known what its last output holds, also when the checkpoint is of a later time.
-TEST(ClashLog, KnowsWhatItTold) {
+TEST(ClashLog, KeepsWhatItHasReported) {
   ClashLog log(settings());
   step(log, 0, {touch(0, 0, 1, 2, 3), touch(1, 0, 1, 2, 3)});
   step(log, 1, {touch(0, 0, 1, 2, 3)});

@@ -45,7 +45,7 @@ TEST(ContactIntervals, FindsARollerAnywhere) {
       continue;
     }
     ASSERT_EQ(found.size(), 1u) << L << " " << c << " " << R << " " << height;
-    // A root is as good as the gap: eps over its slope.
+    // A root is equivalent to the gap: eps over its slope.
     EXPECT_NEAR(found[0].from, from, 1e-13 + 1e-15 * R / half);
     EXPECT_NEAR(found[0].to, to, 1e-13 + 1e-15 * R / half);
     EXPECT_EQ(found[0].from_moves, from > 0);

@@ -51,7 +51,7 @@ lines:
   EXPECT_EQ(sentence(90, 1400, 51000), "");  // slack against what the line bears elsewhere
 }
 
-// What is told of a line whose elements of 10 m turn by the same angle, from one to the next.
+// The warnings of a line whose elements of 10 m turn by the same angle, from one to the next.
 std::vector<std::string> warnings_of_arc(int elements, double degrees, double tension, double largest,
                                          const std::string& more = "") {
   const model::Case c = io::read_case_text(fmt::format(R"(
@@ -127,8 +127,8 @@ lines:
   return *std::min_element(tension.begin(), tension.end());
 }
 
-// A cable that sags by a tenth of its span: what four elements are told is what they have too little
-// against 64.
+// A cable that sags by a tenth of its span: the error that is reported of four elements is what they have too
+// little against 64.
 TEST(ElementErrors, SagIsWhatShorterElementsShow) {
   std::string warnings, fine;
   const double coarse = least_tension(4, warnings), exact = least_tension(64, fine);
@@ -141,8 +141,8 @@ TEST(ElementErrors, SagIsWhatShorterElementsShow) {
 
 // A slack chain that hangs straight down to where it lies: at its upper end hangs its weight in water over
 // the height of its axis above what lies, 5842.1 N/m times 199.83 m, by hand. Elements of 10 m give the half
-// of the one that leaves the bed to either of its ends; what they are told is what they are off. Elements of
-// 2 m are not told.
+// of the one that leaves the bed to either of its ends; the reported errors are theirs. Elements of
+// 2 m give no warning.
 TEST(ElementErrors, ASlackChainThatLeavesTheBedSteeply) {
   const auto top = [](int elements, std::vector<std::string>& warnings) {
     const model::Case c = io::read_case_text(fmt::format(R"(

@@ -1,5 +1,5 @@
-// What a winch lets out in a step by its tension, the force of the element at its mouth, and the energy that
-// a changed unstretched length brings.
+// What a winch lets out in a step by its tension, the force of the element at its feed point, and the energy
+// that a changed unstretched length brings.
 #include "hawser/kernels/feeder_law.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(Feed, SolvesItsSpeedLaw) {
 }
 
 // Within its band a feeder rests; as it leaves it, the tension stays at the edge until the speed is the
-// law's, and from there on follows the law. No tension in between is left out, and the derivative is exact.
+// law's, and from there on follows the law. No tension in between is excluded, and the derivative is exact.
 TEST(Feed, LeavesItsBandWithoutAJump) {
   for (const double most_speed : {0.0, 4.0})
     for (const double damping : {0.0, 0.02})

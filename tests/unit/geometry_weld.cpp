@@ -183,7 +183,7 @@ TEST(GeometryWeld, AHoleCostsNothingElsewhere) {
 }
 
 // What the user reads of it, in a file as programs write them.
-TEST(GeometryWeld, TheFileIsSaidToBeMended) {
+TEST(GeometryWeld, TheRepairIsReported) {
   const TriangleMesh mesh = noisy(drum_mesh(48, 1, 3, 6));
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "hawser_noisy_drum.stl";
   {

@@ -25,7 +25,7 @@ StepLimit limit_of(const ImpactEvent& s) {
   return impact_limited_step({&s, 1}, {&bears, 1}, kMost, kAlone);
 }
 
-// All of the line that moves strikes.
+// All of the line that moves takes part in the impact.
 double longest(double gap, double closing, double acceleration = 0, bool last = true) {
   const auto s = impact_event(kSlow, kSignificantDepth, kMass, {gap, closing, acceleration, last});
   return s ? limit_of(*s).longest : kNever;
@@ -86,14 +86,14 @@ TEST(Impact, StepsEndAtItsEnd) {
   expect_step(longest(-1e-6, -u, a), kStep);
 }
 
-TEST(Impact, TellsThePeriodWhileItTouches) {
+TEST(Impact, HasAPeriodWhileItTouches) {
   expect_step(limit_of(*impact_event(kSlow, kSignificantDepth, kMass, {-0.01, 1, 0})).period,
               2 * M_PI * kSlow);
   EXPECT_EQ(limit_of(*impact_event(kSlow, kSignificantDepth, kMass, {0.01, 1, 0})).period, kNever);
 }
 
 // What crosses the touch or the end by the trapezoidal rule: lost, made.
-TEST(Impact, KnowsWhatACrossingMakes) {
+TEST(Impact, HasTheEnergyOfACrossing) {
   const double k = kMass / (kSlow * kSlow);
   for (const double h : {0.0015, 0.003, 0.0045})
     for (const double gap : {0.002, 0.006}) {
@@ -113,7 +113,7 @@ TEST(Impact, KnowsWhatACrossingMakes) {
 }
 
 TEST(Impact, OnlyWhatMattersCutsAStep) {
-  // 10 kg move at 3 m/s to and fro; a part of them strikes at 2 m/s.
+  // 10 kg move at 3 m/s to and fro; a part of them has an impact at 2 m/s.
   const auto of = [&](double mass, double drift) {
     std::vector<LineMotion> lines(1);
     lines[0].add(5, {3, drift, 0}), lines[0].add(5, {-3, drift, 0});
@@ -142,7 +142,7 @@ TEST(Impact, ManySmallOnesTogetherDo) {
   const double bears = 0.0200001;  // ten of them
   EXPECT_EQ(impact_limited_step(impacts(10, kSlow), {&bears, 1}, kMost, kAlone).longest, kNever);
   expect_step(impact_limited_step(impacts(11, kSlow), {&bears, 1}, kMost, kAlone).longest, kStep);
-  // Few short ones among many longer: those that are left out are the short ones.
+  // Few short ones among many longer: those that are excluded are the short ones.
   std::vector<ImpactEvent> both = impacts(11, kSlow), fast = impacts(9, kSlow / 10);
   both.insert(both.end(), fast.begin(), fast.end());
   expect_step(impact_limited_step(both, {&bears, 1}, kMost, kAlone).longest, kStep);
@@ -150,29 +150,29 @@ TEST(Impact, ManySmallOnesTogetherDo) {
 }
 
 TEST(Impact, AThousandLinesAreAsOne) {
-  // Each bears the part of its own energy; those that nothing strikes change nothing.
+  // Each bears the part of its own energy; those without impacts change nothing.
   std::vector<LineMotion> lines(1001);
-  std::vector<ImpactEvent> strikes;
+  std::vector<ImpactEvent> impacts;
   for (int l = 0; l < 1000; ++l) {
     LineMotion& line = lines[static_cast<size_t>(l)];
     line.add(1, {1.0 + l, 0, 0}), line.add(1, {-1.0 - l, 0, 0});
-    strikes.push_back(
+    impacts.push_back(
         *impact_event(kSlow, kSignificantDepth, 0.5 * (1 + l) * (1 + l), {0.02 * (1 + l % 7), 2, 0}));
-    strikes.back().line = l;
-    line.impact_energy = strikes.back().energy();
+    impacts.back().line = l;
+    line.impact_energy = impacts.back().energy();
   }
   lines[1000].add(1000, {5, 0, 0}), lines[1000].add(1000, {-5, 0, 0});
-  const double together = impact_limited_step(strikes, energy_tolerance(lines), kMost, kAlone).longest;
+  const double together = impact_limited_step(impacts, energy_tolerance(lines), kMost, kAlone).longest;
   for (LineMotion& l : lines)
     if (&l != &lines[6]) l.impact_energy = 0;
-  const double alone = impact_limited_step({&strikes[6], 1}, energy_tolerance(lines), kMost, kAlone).longest;
+  const double alone = impact_limited_step({&impacts[6], 1}, energy_tolerance(lines), kMost, kAlone).longest;
   // The first of them is a seventh of all.
   EXPECT_NEAR(together, 0.01, 5e-5);
   expect_until(alone, 0.07);
 }
 
 // Pressed in by 10 mm at one end of the step, 50 mm away at the other.
-TEST(Impact, WhatCrossesUnseen) {
+TEST(Impact, UnresolvedCrossings) {
   const double k = kMass / (kSlow * kSlow), depth = 0.01, gap = 0.05;
   const auto error = [&](double path, double speed) {
     return crossing_error(kSlow, kSignificantDepth, k * depth, 0.5 * k * depth * depth, path, speed);
@@ -236,16 +236,16 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
     }
     Outcome out;
     for (double t = 0; t < end; ++out.steps) {
-      std::vector<ImpactEvent> strikes;
+      std::vector<ImpactEvent> impacts;
       LineMotion line;
       for (size_t i = 0; i < x.size(); ++i) {
         line.add(1, {v[i], 0, 0});
         ImpactEvents to;
         to.add(impact_event(kSlow, kSignificantDepth, 1, {x[i], -v[i], a[i]}), 0);
-        for (const ImpactEvent& s : to.list) strikes.push_back(s), line.impact_energy += s.energy();
+        for (const ImpactEvent& s : to.list) impacts.push_back(s), line.impact_energy += s.energy();
       }
       double h = std::min(0.02, end - t);
-      h = std::min(h, impact_limited_step(strikes, energy_tolerance({&line, 1}), 0.02, kAlone).longest);
+      h = std::min(h, impact_limited_step(impacts, energy_tolerance({&line, 1}), 0.02, kAlone).longest);
       for (size_t i = 0; i < x.size(); ++i) {
         const double free = x[i] + h * v[i] + h * h / 4 * a[i];
         x[i] = free < 0 ? free / (1 + w * w * h * h / 4) : free;
@@ -374,7 +374,7 @@ TEST(StepControl, LongerStepsAfterAnImpactMakeNoEnergy) {
     }
 }
 
-TEST(StepControl, FixedStepsAreDividedAtImpactsUnlessToldOtherwise) {
+TEST(StepControl, FixedStepsAreDividedAtImpactsByDefault) {
   StepSettings s;
   s.fixed = 0.1;
   StepControl c(s);

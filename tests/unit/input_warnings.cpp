@@ -1,4 +1,4 @@
-// What is possible but unusual in a case is told, and nothing of an ordinary one.
+// What is possible but unusual in a case gives a warning, and nothing of an ordinary one.
 #include "hawser/advice/input_warnings.hpp"
 
 #include <gtest/gtest.h>
@@ -51,7 +51,7 @@ std::vector<std::string> notes(const Changes& changes, const std::vector<std::st
   return advice::input_notes(c);
 }
 
-// One doubt, which holds this.
+// One warning, which holds this.
 void expect_warning(const Changes& changes, const std::string& part) {
   const std::vector<std::string> found = notes(changes);
   ASSERT_EQ(found.size(), 1U) << part << "\n" << testing::PrintToString(found);
@@ -378,7 +378,7 @@ TEST(InputWarnings, NoTensionOfALineToABodyThatGivesWay) {
 
 // Notes of a hemisphere of 5 m by its coefficients, with wave forces of 5 and 6 s.
 std::vector<std::string> notes_of_platform(const std::string& environment, const std::string& inertia) {
-  const fs::path folder = fs::path(testing::TempDir()) / "hawser_doubts_platform";
+  const fs::path folder = fs::path(testing::TempDir()) / "hawser_warnings_platform";
   fs::create_directories(folder);
   for (const char* ending : {"1", "hst"})
     fs::copy_file(std::string(HAWSER_SOURCE_DIR "/tests/data/hemisphere.") + ending,
@@ -411,7 +411,7 @@ TEST(InputWarnings, Platforms) {
 
 // 1154 kN and three elements of chain of 33 kN press on 100 kN/m³ times 0.25 m over 2 sqrt(H/k) = 15 m, with
 // the H of 1.4 MN that the chain has there without the mass: 3.3 m. Runs of a chain of 310 m to a point 240 m
-// away and 100 m up with 50 t at 100 m, elements of 5 m: 3.9 m (told 4.3), 20 t: 1.87 m (1.9).
+// away and 100 m up with 50 t at 100 m, elements of 5 m: 3.9 m (reported 4.3), 20 t: 1.87 m (1.9).
 TEST(InputWarnings, MassesThatSinkIntoTheBed) {
   const auto clump = [](const std::string& volume) {
     return Changes{{"elements: 76}]",

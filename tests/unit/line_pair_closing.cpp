@@ -20,7 +20,7 @@ LinePairWay<double> straight(double angle, const Vec3& way) {
   return {away, away - way, a, a, b, b};
 }
 
-TEST(LinePairClosing, SweepsHaveNoneAndBlowsHaveAll) {
+TEST(LinePairClosing, SweepsHaveNoneAndImpactsHaveAll) {
   for (const double angle : {0.2, 0.6, 1.0, M_PI / 2})
     for (const Vec3& way : {Vec3(0.3, 0, 0), Vec3(0, 0.2, 0), Vec3(-0.1, 0.4, 0)}) {
       EXPECT_NEAR(line_pair_closing(straight(angle, way)), 0, 1e-15);

@@ -62,7 +62,7 @@ io::Checkpoint written(io::Checkpoint c) {
 }
 
 // Of a value that is there from 0 to 1 s and from 3 to 4 s only, also when it goes on from a checkpoint.
-TEST(NodeStatistics, LeaveOutWhatIsNotThere) {
+TEST(NodeStatistics, ExcludeMissingValues) {
   NodeStatistics first(kFields, 2, 0), s(kFields, 2, 0);
   const double none = std::nan("");
   first.add(0, values(none, none)), first.add(0.5, values(0, none)), first.add(1, values(1, none));
@@ -98,7 +98,7 @@ TEST(NodeStatistics, OfAStraightLineAreExact) {
   }
 }
 
-TEST(NodeStatistics, BeginWhenTheCaseSays) {
+TEST(NodeStatistics, BeginAtTheTimeOfTheCase) {
   NodeStatistics s(kFields, 2, 2.5);
   s.add(0, values(100, 0)), s.add(2, values(100, 0));
   EXPECT_TRUE(std::isnan(tables(s)[0][0]));
@@ -112,7 +112,7 @@ TEST(NodeStatistics, BeginWhenTheCaseSays) {
 }
 
 TEST(NodeStatistics, GoOnFromACheckpoint) {
-  NodeStatistics whole(kFields, 2, 0), half(kFields, 2, 0), rest(kFields, 2, 0), anew(kFields, 2, 0);
+  NodeStatistics whole(kFields, 2, 0), half(kFields, 2, 0), rest(kFields, 2, 0), empty(kFields, 2, 0);
   io::Checkpoint c;
   bool saved = false;
   wave([&](double t, double v) {
@@ -126,8 +126,8 @@ TEST(NodeStatistics, GoOnFromACheckpoint) {
   });
   EXPECT_EQ(tables(whole), tables(rest));
   // One of an older version holds none: they begin anew.
-  anew.restore({});
-  EXPECT_TRUE(std::isnan(tables(anew)[0][0]));
+  empty.restore({});
+  EXPECT_TRUE(std::isnan(tables(empty)[0][0]));
 }
 
 }  // namespace

@@ -18,15 +18,15 @@ TEST(Notes, OfVolumesAreGrouped) {
   for (int i = 1; i <= 18; ++i)
     notes.push_back("volume roller_" + std::to_string(i) + ": normal stiffness 1e+06 N/m per m: because");
   notes.insert(notes.begin() + 3, "volume deck: normal stiffness 2e+06 N/m per m: because");
-  notes.push_back("volumes.port: 3 triangles left out");
-  notes.push_back("volumes.starboard: 3 triangles left out");
+  notes.push_back("volumes.port: 3 triangles excluded");
+  notes.push_back("volumes.starboard: 3 triangles excluded");
   notes.push_back("contact between lines: a note");
   notes.push_back("contact between lines: a note");
   const std::vector<std::string> expected{
       "lines.a: something else",
       "volumes roller_1 ... roller_18 (18 in all): normal stiffness 1e+06 N/m per m: because",
       "volume deck: normal stiffness 2e+06 N/m per m: because",
-      "volumes port and starboard: 3 triangles left out",
+      "volumes port and starboard: 3 triangles excluded",
       "contact between lines: a note",
       "contact between lines: a note"};
   EXPECT_EQ(model::grouped_notes(notes), expected);
@@ -95,7 +95,7 @@ TEST(Cost, ATrialEndsWithItsBudget) {
 }
 
 // Too long for an equilibrium within one iteration: the sentence of the run.
-TEST(Cost, ATrialTellsWhyTheRunStops) {
+TEST(Cost, ATrialReportsWhyTheRunStops) {
   model::Case c = rod(8);
   c.statics.max_iterations = 1, c.statics.relaxation = model::Relaxation::never;
   Simulation sim(MPI_COMM_SELF, c);

@@ -95,7 +95,7 @@ TEST(Rao, OtherSideIsAMirror) {
     }
 }
 
-TEST(Rao, KnowsTheDirectionsBesideOne) {
+TEST(Rao, HasTheDirectionsBesideOne) {
   const double deg = M_PI / 180;
   const RaoTable t(
       {{0.5, 0, heave_of(1, 0)}, {0.5, 90 * deg, heave_of(1, 0)}, {0.5, 180 * deg, heave_of(1, 0)}});

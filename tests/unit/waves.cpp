@@ -56,7 +56,7 @@ WaveField regular(double height, double period, double depth, Stretching s = Str
 }
 
 // An irregular sea component by component with the functions of the C library, at a place where x, y are far
-// from zero, and late: to rounding of the angles where no component is left out, and within what may be left
+// from zero, and late: to rounding of the angles where no component is excluded, and within what may be cut
 // out where some are. Of a sea, and of one with hardly any energy but in short waves.
 TEST(Waves, SumsOverComponents) {
   for (const double depth : {0.0, 30.0, 200.0}) {
@@ -101,10 +101,10 @@ TEST(Waves, SumsOverComponents) {
   }
 }
 
-// What a place at the bed leaves out of the elevation does not show in the motion there: against the field
+// What a place at the bed excludes of the elevation does not show in the motion there: against the field
 // with the same components at the elevation that they all make. Only at a bed and with Wheeler's stretching
-// is anything left out.
-TEST(Waves, PlacesAtTheBedAskForWhatTheyFeel) {
+// is anything excluded.
+TEST(Waves, PlacesAtTheBedSumSignificantComponents) {
   for (const double depth : {0.0, 200.0})
     for (const Stretching s : {Stretching::none, Stretching::vertical, Stretching::wheeler}) {
       std::vector<WaveComponent> sea = irregular(Jonswap{4, 9, 3.3}, 0.4, 400, 7, 0);

@@ -1,5 +1,5 @@
-// Bodies strike bodies at default steps and damping of the scheme: the energy of the impact comes back,
-// whatever it is that touches, and on every number of ranks alike.
+// Impacts of bodies on bodies at default steps and damping of the scheme: the energy of the impact comes
+// back, whatever it is that touches, and on every number of ranks alike.
 #include <gtest/gtest.h>
 
 #include "hawser/base/error.hpp"

@@ -162,7 +162,7 @@ TEST(ContactCorner, FromOneWallToTwo) {
     ASSERT_NE(text.find(from), std::string::npos);
     text.replace(text.find(from), from.size(), to);
   };
-  // Free, askew on the deck beside the bulwark, towards which it is blown.
+  // Free, at an angle on the deck beside the bulwark, towards which it is blown.
   put("length: 10.1", "length: 10");
   put("end_a: {body: tug, at: [0, 0.4, 0.4]}", "end_a: free");
   put("end_b: {body: tug, at: [10, 0.4, 0.4]}", "end_b: free");

@@ -127,7 +127,7 @@ TEST_P(LineLiftOff, Coarse) { check_step(GetParam(), model::ContactMethod::line,
 
 // 96 flat facets: the line lies on their edges, each bears p rho 2 pi/96 (a quarter of P in the first row),
 // and it leaves from one of them. So P depends on where the edges are: what can be judged is its mean over
-// the positions of the drum, and the spread is told.
+// the positions of the drum, and the spread is printed.
 TEST_P(LiftOff, Facets) {
   const Row& row = GetParam();
   Samples P, curvature, scatter, offset, angle;

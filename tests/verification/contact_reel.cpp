@@ -97,7 +97,7 @@ Reeled run(ContactMethod method, int elements, double duration,
   out.cpu = cpu_seconds() - before;
   out.penetration = s.contact()->largest_penetration().depth;
   const std::vector<double>& M = moment.at(d.kinematics());
-  // Bending settles over sqrt(EI/T) = 1.2 m: leave out what is near the clamp and the lift-off.
+  // Bending settles over sqrt(EI/T) = 1.2 m: exclude what is near the clamp and the lift-off.
   const size_t clear = static_cast<size_t>(std::lround(5 / h));
   for (size_t n = clear; n + clear < last; ++n) out.moment.push_back(M[n] / (EI / kRho));
   const Energy e = s.system().energy(d.kinematics());

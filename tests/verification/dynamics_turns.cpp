@@ -51,7 +51,7 @@ TEST(Turns, OfAStepAreLessThanHalfATurn) {
   EXPECT_GE(fast.steps, 20);
 }
 
-TEST(Turns, TooFastForTheShortestStepAreToldWithTheirPlace) {
+TEST(Turns, TooFastForTheShortestStepAreReportedWithTheirPlace) {
   model::Case c = spinning();
   c.dynamics.min_step = 0.1;
   try {

@@ -260,7 +260,7 @@ TEST(FreeEnd, GoesItsWay) {
 }
 
 // What lies exactly on itself has no side: it falls apart by rounding alone, to lie in a heap in which
-// nothing is in anything, or is told not to rest. No number that is none, and no end of trying.
+// nothing is in anything, or is reported not to rest. No number that is none, and no end of trying.
 TEST(FreeEnd, AStartOnItselfComesApartOrIsRefused) {
   if (!std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const model::Case c =

@@ -1,5 +1,5 @@
-// A pipe laid into a groove of two walls, each a volume of its own; walls of one mesh are the subject of
-// contact_corner.
+// A pipe laid into a groove of two walls, each a volume of its own; facet groups of one mesh are the subject
+// of contact_corner.
 #include "verification/contact_rig.hpp"
 
 namespace hawser::test::line_contact_facet_groups_test {

@@ -54,7 +54,7 @@ TEST(LineFurniture, BendStiffenerThatThinsOut) {
 }
 
 // Elastic beam on a spring, small load: P L³/3EI + P L²/k. Rigid beam, large load: k phi = P L cos phi. The
-// direction is that of a body that stands askew.
+// direction is that of a body that is inclined.
 TEST(LineFurniture, SpringAtAnEnd) {
   const double L = 5, k = 2e4;
   for (const bool on_body : {false, true}) {

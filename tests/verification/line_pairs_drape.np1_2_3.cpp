@@ -78,7 +78,7 @@ TEST(Drape, TheRopeComesToLieOnTheWire) {
 }
 
 // Contact so soft that no equilibrium has the rope above the wire: that is said, not hidden.
-TEST(Drape, WhereThereIsNoWayTheSentenceSaysSo) {
+TEST(Drape, WhereThereIsNoPathTheMessageReportsIt) {
   try {
     const Draped d = drape(1, 20, 0);
     ADD_FAILURE() << "rope " << d.rope << " m, wire " << d.wire << " m";

@@ -85,7 +85,7 @@ Drawn draw(const std::string& stiffness) {
   return out;
 }
 
-TEST(PressedLines, WhatIsTooSoftEndsTheRunAndSaysWhy) {
+TEST(PressedLines, WhatIsTooSoftEndsTheRunWithTheReason) {
   for (const char* k : {"{per_length: 2.0e6}", "{per_length: 5.0e6}"}) {
     const Drawn d = draw(k);
     EXPECT_FALSE(d.through) << k;

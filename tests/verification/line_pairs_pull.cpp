@@ -95,7 +95,7 @@ Drawn draw(double theta, double way, int elements) {
   return out;
 }
 
-TEST(DrawnLines, SupportsFeelFrictionTimesForce) {
+TEST(DrawnLines, SupportsBearFrictionTimesForce) {
   for (const auto& [theta, way] :
        {std::pair(M_PI / 2, M_PI / 2), {M_PI / 2, 0.0}, {M_PI / 2, 0.7}, {0.6, 0.6}, {0.6, 2.0}})
     for (const int elements : {8, 9}) {

@@ -1,5 +1,5 @@
 // A mesh that the ranks of a host share: answers to the last bit those of a mesh of one's own, each file read
-// once and kept once a host, and what is wrong with a file is told by all ranks alike.
+// once and kept once a host, and all ranks report alike what is wrong with a file.
 #include <gtest/gtest.h>
 #include <sys/inotify.h>
 #include <unistd.h>
@@ -180,7 +180,7 @@ lines:
   }
 }
 
-// What load_volumes() says, told to all.
+// What load_volumes() says, on all ranks.
 std::string wrong(const model::Case& c) {
   try {
     run::load_volumes(c, MPI_COMM_WORLD);

@@ -98,7 +98,7 @@ void expect(const Reference& r) {
   }
 }
 
-// A held node carries the half element at it, whose friction is not felt: where that is felt at the anchor,
+// A held node carries the half element at it, whose friction does not act: where it acts at the anchor,
 // elements grow from `first` there by tens.
 std::vector<Part> fine_at_anchor(const Part& line, double first) {
   std::vector<Part> out;

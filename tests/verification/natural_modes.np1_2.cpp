@@ -40,7 +40,7 @@ TEST(NaturalModes, HangingChain) {
   }
 }
 
-// Four equal chains have every natural frequency eight times: none is left out, however many are asked for.
+// Four equal chains have every natural frequency eight times: none is excluded, however many are asked for.
 TEST(NaturalModes, OfEqualLinesAreAllThere) {
   const std::vector<double> exact{1.1909350769091904, 2.733692939922684, 4.285561621936849};
   model::Case c = one_line(cable_type(1e8, 1), 10, 60, anchor(Vec3::Zero()), {});

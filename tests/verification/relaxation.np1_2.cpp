@@ -170,7 +170,7 @@ TEST(Relaxation, WhatNewtonCannotDo) {
   EXPECT_NEAR(r.middle.z(), -100 + 0.5 * kDiameter - weight / (1e5 * kDiameter), 1e-3);
 }
 
-TEST(Relaxation, ItSaysWhereThereIsNoRest) {
+TEST(Relaxation, ItReportsThePlaceWithoutRest) {
   model::Case c = floating(100, kEI, 0.72, 1.5);
   c.lines[0].start = model::Start::catenary;
   c.statics.relaxation = model::Relaxation::always;

@@ -307,7 +307,7 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
 }
 
 // On one rank: node 1 has the first records of "friction drum", of one value each.
-TEST(ResultsRanks, SpoiltCountersOfACheckpointAreTold) {
+TEST(ResultsRanks, CorruptedCountersOfACheckpointAreReported) {
   const std::vector<int> owned{0, 1, 2};
   const CheckpointRoom room = checkpoint_room(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned);
   std::vector<double> whole(static_cast<size_t>(room.size), -1);

@@ -233,7 +233,7 @@ TEST(SeabedStatics, Heating) {
 
 // Pulled by 0.08 m, let go, pushed back by as much, slowly: F²/(2 tau EA) going out, F1 less the root of
 // 4 tau EA (u1 - u) coming back (Masing's rule), half of the way left when the force is gone. Rigid-plastic
-// closed form; the mobilisation length is 0.02 mm here, which at a turn of the way is felt at first.
+// closed form; the mobilisation length is 0.02 mm here, which matters first at a turn of the way.
 TEST(SeabedStatics, PullingUnloadingPushing) {
   const double EA = 5e8, tau = 500, far = 0.08, length = 500;
   constexpr size_t kElements = 1000;

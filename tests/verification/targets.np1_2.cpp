@@ -54,10 +54,10 @@ CatenaryShape closed(double length) {
 // Where a monotone function of the length is `wanted`.
 template <class F>
 double solved(double low, double high, double wanted, F&& f) {
-  const bool grows = f(high) > f(low);
+  const bool increasing = f(high) > f(low);
   for (int i = 0; i < 200; ++i) {
     const double x = 0.5 * (low + high);
-    ((f(x) < wanted) == grows ? low : high) = x;
+    ((f(x) < wanted) == increasing ? low : high) = x;
   }
   return 0.5 * (low + high);
 }

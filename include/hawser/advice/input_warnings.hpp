@@ -20,7 +20,7 @@ struct InputWarning {
   Effect effect = Effect::whole;
 };
 
-// Everything doubtful of a case that model::check passes, in the order of the functions below. Empty for an
+// Everything unusual of a case that model::check passes, in the order of the functions below. Empty for an
 // ordinary case.
 std::vector<InputWarning> input_warnings(const model::Case& c);
 // "file:line: key: text" each, those with the largest effect first; of many of one kind the first three, and
@@ -59,7 +59,7 @@ void warn_of_sea(const model::Case& c, std::vector<InputWarning>& out);
 void warn_of_times(const model::Case& c, std::vector<InputWarning>& out);
 
 // m/s with which the prescribed motion and the drift of a body begin at t = 0, where its lines are at rest;
-// 0: nothing that strikes them.
+// 0: no impact on them.
 struct StartSpeeds {
   double motion = 0, drift = 0;
 };

@@ -1,4 +1,4 @@
-// What every rank has, brought to every rank: the lengths are told once, values as often as wanted.
+// What every rank has, brought to every rank: the lengths are exchanged once, values as often as needed.
 #pragma once
 
 #include <mpi.h>
@@ -76,8 +76,8 @@ inline void on_root(MPI_Comm comm, const std::function<void()>& work) {
   if (!text.empty()) throw InputError(text);
 }
 
-// Of the rank with the largest value (the first of equal ones), told to all if that is above `least`; whether
-// it is. T: plain data. Collective.
+// Of the rank with the largest value (the first of equal ones), broadcast to all if that is above `least`;
+// whether it is. T: plain data. Collective.
 template <class T>
 bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
   struct {

@@ -12,7 +12,7 @@
 
 namespace hawser::io {
 
-// What is told while a case is read, before what may take long; members may be empty.
+// Reports while a case is read, before what may take long; members may be empty.
 struct ReadProgress {
   std::function<void(const std::string& title)> title;  // or the path, where it has none
   std::function<void(const std::string& what, double seconds)>

@@ -59,7 +59,7 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
 void read_motion_table(const model::Value& table, const CaseSource& source, model::TableMotion& m,
                        std::vector<std::string>& notes);
 
-// `environment`. notes: what is doubtful about it, a sentence each.
+// `environment`. notes: what is unusual about it, a sentence each.
 void finish_environment(const model::Value& v, const CaseSource& source, model::Environment& e,
                         std::vector<std::string>& notes);
 
@@ -75,13 +75,13 @@ void finish_in_water(const model::Value& v, const model::Water& water, model::Li
 model::LineType read_line_type(const std::string& name, const model::Value& v, const model::Environment& sea);
 
 // What is more than copying of an entry of `bodies`, of `volumes`, and of `contact`. Of the case the
-// environment is read already; its notes get what is doubtful.
+// environment is read already; its notes get what is unusual.
 void finish_body(const model::Value& v, const CaseSource& source, model::Body& b, model::Case& c);
 void finish_volume(const model::Value& v, const CaseSource& source, model::Volume& o);
 void finish_contact(const model::Value& v, model::Contact& to);
 
 // An entry of `lines`. whole: `start` of the case, or null; lengths: of sections, in place of those given. Of
-// the case line types and joints are read already; its notes get what is doubtful.
+// the case line types and joints are read already; its notes get what is unusual.
 class OtherRuns;
 void finish_line(const model::Value& v, const model::Value* whole, const SectionLengths& lengths,
                  OtherRuns& others, model::Case& c, model::Line& l);

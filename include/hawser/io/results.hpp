@@ -122,7 +122,7 @@ class ResultsFile {
                             std::vector<int> owned);
 
   // Go on with the file of an earlier run of the same contents: outputs and series rows later than
-  // `time` [s] are dropped. `told`: the clashes of the last output that stays; those of a dropped one may
+  // `time` [s] are dropped. `reported`: the clashes of the last output that stays; those of a dropped one may
   // have taken their place in the file. Throws InputError when lines, fields or series differ.
   static ResultsFile resume(MPI_Comm comm, const std::string& path, ResultContents contents,
                             std::vector<int> owned, double time, const ReportedClashes& reported = {});
@@ -135,7 +135,7 @@ class ResultsFile {
   // them (one rank must), else empty. Kept in memory until the next output; no communication.
   void append_series(double time, const std::vector<std::vector<double>>& values);
 
-  // Node fields at `time` [s], owned nodes x components (those of bodies are left out), in the order of
+  // Node fields at `time` [s], owned nodes x components (those of bodies are excluded), in the order of
   // contents.fields (position
   // first), with one pose a body (same on all ranks). ends: likewise, contents.end_fields of the ends whose
   // nodes this rank owns, ascending. The output and the series rows so far go to the file, from where they

@@ -70,7 +70,7 @@ class SharedFile {
   h5::Id file_, transfer_;
   std::map<std::string, h5::Id> open_;  // closed before the file
   std::string error_;                   // first error on this rank since the ranks last agreed
-  bool ours_ = false;                   // not the file's fault
+  bool internal_ = false;               // not the file's fault
 };
 
 }  // namespace hawser::io

@@ -16,7 +16,8 @@ namespace hawser {
 // Of a step from here.
 struct StepLimit {
   double longest = std::numeric_limits<double>::infinity();  // s
-  // s, shortest period of the contacts that strike now: what they set in motion is followed for some time.
+  // s, shortest period of the contacts with an impact now: steps resolve what it sets in motion for some
+  // time.
   double period = std::numeric_limits<double>::infinity();
 };
 
@@ -27,10 +28,10 @@ struct Approach {
   bool last = true;  // in touch: no other place of the same contact is deeper, so that it ends with this one
 };
 
-// A mass on the spring of a contact that strikes, or may before the step ends.
+// The impact of a mass on the spring of a contact: at present, or possible before the step ends.
 class ImpactEvent {
  public:
-  int line = 0, other = -1;  // that strikes; that is struck, if it is one
+  int line = 0, other = -1;  // the line with the impact; the other line, if there is one
 
   // J: of the mass along the normal, and of the spring out of its balance. No step makes or loses more by it
   // where the impact is followed.
@@ -52,21 +53,22 @@ class ImpactEvent {
   Approach at_;
 };
 
-// slowness: s, sqrt(m/k) of the contact, its period over 2 pi. seen: m; what inertia takes deeper than that,
-// by speed or by acceleration, strikes. mass: kg.
+// inverse frequency: s, sqrt(m/k) of the contact, its period over 2 pi. significant_depth: m; there
+// is an impact where inertia takes the mass deeper, by speed or by acceleration. mass: kg.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
                                         const Approach& at);
 // Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
 bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
-// Whether a step of h [s] is so short, for a contact of that slowness [s], that what it gains or loses where
-// a contact begins or ends in it is accepted unseen: at most half of the steps that follow an impact.
+// Whether a step of h [s] is so short, for a contact of that inverse frequency [s], that what it gains or
+// loses where a contact begins or ends in it is accepted unseen: at most half of the steps that follow an
+// impact.
 bool resolves_contact(double inverse_frequency, double h);
 
 // A contact that began or ended within a step that is too long for it, so that the step gained or lost
 // energy. The start of the step did not show it: a wave along the line brought it there or took it off.
 struct UnresolvedImpact {
-  int line = 0, other = -1;  // that strikes or leaves; what is struck or left, if it is a line
+  int line = 0, other = -1;  // that meets or leaves the other, if that is a line
   double energy = 0;         // J, made or lost
 };
 // What a converged step shows of impacts that its start did not.
@@ -76,15 +78,16 @@ struct UnresolvedImpacts {
 };
 // J, the error of the trapezoidal rule in the work of a contact that began or ended within a step: the rule
 // takes the force for one that rises or falls over the whole path. path: m, along the normal; force: N, and
-// potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times slowness
-// presses in by less than `seen` [m].
+// potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times inverse
+// frequency presses in by less than `seen` [m].
 double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
                       double path, double speed);
 
-// What terms find: strikes of what this rank counts, and a length [s] that steps keep to in any case.
+// What terms find: impacts of what this rank counts, and a length [s] that steps keep to in any case.
 struct ImpactEvents {
   double longest = std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();  // s, no step is longer: need not be told of
+  double most =
+      std::numeric_limits<double>::infinity();  // s, no step is longer: longer limits need not be added
   std::vector<ImpactEvent> list;
 
   void limit(double h) {
@@ -98,7 +101,7 @@ struct ImpactEvents {
 };
 
 // Of the masses of a line: kg, kg m/s, J. What moves as a whole has no energy() [J] that could be made, but
-// what strikes with it.
+// that of its impacts.
 struct LineMotion {
   double mass = 0;
   Vec3 momentum = Vec3::Zero();
@@ -126,8 +129,9 @@ constexpr double kErrorOfStep = 2e-5;
 std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 
 // The longest step [s] after one of `last` [s] that lets the energy held in A, which grows with the square of
-// the step, grow by no more than is bearable: it would come out as motion. Twice the last one in any case, as
-// each step damps what the next would make. stored: as LineMotion, of accelerations; by line, of all ranks.
+// the step, grow by no more than its tolerance: it would come out as motion. Twice the last one in any case,
+// as each step damps what the next would make. stored: as LineMotion, of accelerations; by line, of all
+// ranks.
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
                            double share, double last);
 
@@ -135,8 +139,8 @@ double growth_limited_step(std::span<const LineMotion> stored, std::span<const d
 bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
                       const Sum& sum);
 
-// The longest step of at most `most` [s] in which strikes, of all ranks, together stay within what is
-// bearable, and the period of those that matter. Collective.
+// The longest step of at most `most` [s] in which impacts, of all ranks, together stay within the
+// energy tolerance, and the period of those that matter. Collective.
 StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
                               double most, const Sum& sum);
 

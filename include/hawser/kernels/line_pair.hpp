@@ -60,7 +60,7 @@ class LinePairPass {
     double share = 0.5;                // of the pressure: slave_share of the radii
     double slave_radius = 0;           // m
     bool moves = true;                 // in dynamics; without damping it makes no difference
-    bool convex = false;               // leave out negative stiffness
+    bool convex = false;               // exclude negative stiffness
     std::array<double, 2> part{0, 1};  // of the slave, in xi: the rest has no contact with the master
     bool swapped = false;              // the slave is the second of the two in what add() adds to
   };

@@ -23,7 +23,7 @@ struct LinePairWay {
 
 // m: of the way that x has come nearer to y along the normal, what neither line makes by sliding along
 // itself. A crossing that sweeps along a line has none, however far from it the material was that it meets; a
-// line that is laid down, wound up or strikes has all of it. < 0: they parted.
+// line that is laid down, wound up or meets the other in an impact has all of it. < 0: they parted.
 //
 // w = x - y less what it was is alpha a + beta b and what is normal to both, a and b the unit tangents at the
 // end; with s = (w.a + w.b)/2, d = (w.a - w.b)/2 and c = a.b it is alpha, beta = s/(1 + c) +- d/(1 - c). A

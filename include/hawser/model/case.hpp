@@ -337,7 +337,7 @@ struct Dynamics {
   double duration = 0;                // s
   double step = 0;                    // s; 0: automatic
   double max_step = 0, min_step = 0;  // s; 0: defaults
-  bool resolve_impacts = true;        // fixed steps are divided where something strikes
+  bool resolve_impacts = true;        // fixed steps are divided at impacts
   double rho_infinity = 0.8;
   double tolerance = 1e-8;     // of the residual, as in statics
   double error_tolerance = 0;  // m, local error a step in automatic stepping; 0: default
@@ -400,7 +400,7 @@ struct Case {
   Dynamics dynamics;
   std::vector<Event> events;
   Output output;
-  std::vector<std::string> notes;         // what the reader repaired or doubts, a sentence each
+  std::vector<std::string> notes;         // repairs and warnings of the reader, a sentence each
   std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
   std::vector<std::string> change_notes;  // what each of them has changed, a sentence each
 

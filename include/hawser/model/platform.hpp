@@ -52,7 +52,7 @@ Vec3 restoring(const BodyMass& body, const PlatformHydrostatics& still, double g
 // near, and at periods shorter and longer than its own. heading: rad, of the body.
 struct Coverage {
   double uncovered = 0, shorter = 0, longer = 0;
-  double direction = 0;  // rad, the first of those astray
+  double direction = 0;  // rad, the first of those not covered
 };
 Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading);
 

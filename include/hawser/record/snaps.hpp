@@ -1,4 +1,4 @@
-// Where the largest tension of a line is that of a blow which steps or elements do not resolve.
+// Where the largest tension of a line is that of an impact which steps or elements do not resolve.
 #pragma once
 
 #include <mpi.h>

@@ -20,8 +20,8 @@ class Events {
   Events(MPI_Comm comm, Simulation& simulation);
 
   // Statics of the case: its stages one after another, or all at once where it has none. `solve` finds a
-  // rest, from the one before, told whether something was let go that has to fall first; `say` is told what
-  // begins each stage, a sentence each; `rested` which stage, by its place, has come to rest. SolveError
+  // rest, from the one before, given whether something was released that has to fall first; `report` gets
+  // what begins each stage, a sentence each; `rested` which stage, by its place, has come to rest. SolveError
   // where a stage cannot begin. Collective.
   void come_to_rest(
       const std::function<void(bool falls)>& solve,

@@ -30,7 +30,7 @@ class FeederNodes {
 
  private:
   Dynamics::Moved leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const;
-  // The node that is caught, where it is known, and the length [m] of the element at the mouth then.
+  // The node that is caught, where it is known, and the length [m] of the element at the feed point then.
   std::optional<Dynamics::Moved> caught(const Feeder& f, const Kinematics& k, double& length) const;
   void refuse_all_out(const Feeder& f, double time) const;
   void refuse_all_in(const Feeder& f, double time) const;

@@ -22,7 +22,7 @@ struct LoadedVolume {
   std::shared_ptr<const MeshView> facets;  // the mesh itself; of a shape only for pictures
   std::vector<bool> active;                // one a facet
   std::string report;                      // what the mesh is, or that the shape is exact
-  std::vector<std::string> notes;          // what was mended and chosen, a sentence each
+  std::vector<std::string> notes;          // what was repaired and chosen, a sentence each
 };
 
 // In the order of the case. Throws InputError, on all ranks alike: what is no closed volume, has the wrong

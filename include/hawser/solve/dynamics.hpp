@@ -150,7 +150,7 @@ class Dynamics {
   std::vector<double> local_u_, reactions_;
   MeanForces mean_;              // of the committed state
   std::vector<double> carried_;  // what they add to the residuals of the step
-  double expected_ = -1;         // s, the step that the system was last told to expect
+  double expected_ = -1;         // s, the step of the last System::expect()
   bool copied_ = false;          // trial_ has all that a step leaves alone
   bool loaded_ = false;          // trial_ belongs to local_u_
   bool old_tangent_ = false;     // of an iteration before

@@ -30,8 +30,8 @@ class StepControl {
   double shortest() const { return s_.shortest; }  // s
   // Accelerations have jumped: the next step is as short as the first one was.
   void reset_to_first_step();
-  // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,
-  // since what rings then decides the next blow, and double at most from then on.
+  // An impact at t on a contact of this period [s]: for twenty of them steps stay below a third of it,
+  // since what rings then decides the next impact, and double at most from then on.
   void follow_impact(double t, double period);
   // Whether a converged step is accurate enough; a step at the shortest length always is.
   bool accurate(double h, double error) const;
@@ -53,8 +53,9 @@ class StepControl {
 
   StepSettings s_;
   double proposal_ = 0;
-  int wait_ = 0;                   // accepted steps before the step may grow again after a failure
-  double ringing_ = 0, calm_ = 0;  // s: period of the contact that struck, and until when it is followed
+  int wait_ = 0;  // accepted steps before the step may grow again after a failure
+  double ringing_ = 0,
+         calm_ = 0;  // s: period of the contact of the last impact, and until when it is followed
 };
 
 }  // namespace hawser

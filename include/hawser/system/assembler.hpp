@@ -29,7 +29,7 @@ class Assembler {
 
   bool needs_force() const { return force_ != nullptr; }
   bool needs_tangent() const { return matrix_ != nullptr; }
-  // True far from a static solution: leave out negative geometric stiffness.
+  // True far from a static solution: exclude negative geometric stiffness.
   bool convex() const { return convex_; }
 
   // blocks: n local 3-blocks; f: 3n; K, C, M: (3n)x(3n) row-major or null. Configuration derivatives are

@@ -31,7 +31,7 @@ class CouplesNodes {
 class LimitsSteps {
  public:
   virtual ~LimitsSteps() = default;
-  // Longest step from here, and what strikes, each once over all ranks; asked after prepare(). Steps that the
+  // Longest step from here, and the impacts, each once over all ranks; asked after prepare(). Steps that the
   // user fixed are divided by it where impacts are to be resolved.
   virtual void limit_step(const Kinematics& committed, ImpactEvents& to) const = 0;
   // Of a converged step or a trial of statics, on this rank: tunnelling, penetration beyond what a law is
@@ -55,7 +55,7 @@ class RaisesStiffness {
   virtual void revert_stiffness() = 0;
 };
 
-// Acts on the elements of lines, so that forces at their ends can be told.
+// Acts on the elements of lines, so that forces at their ends can be computed.
 class ActsOnElements {
  public:
   virtual ~ActsOnElements() = default;
@@ -89,10 +89,10 @@ struct LineTension {
 class CarriesTension {
  public:
   virtual ~CarriesTension() = default;
-  // Axial stiffness is at most this, N, and nothing yields, until told otherwise (HUGE_VAL: as it truly is):
-  // statics starts soft, where a very stiff line would have to creep along a narrow valley of its energy, and
-  // elastic, where the bends of a shape far from rest would leave sections that yield hardly any stiffness.
-  // Whether that changes anything on this rank.
+  // Axial stiffness is at most this, N, and nothing yields, until it is called again (HUGE_VAL: as it truly
+  // is): statics starts soft, where a very stiff line would have to creep along a narrow valley of its
+  // energy, and elastic, where the bends of a shape far from rest would leave sections that yield hardly any
+  // stiffness. Whether that changes anything on this rank.
   virtual bool soften(double most) = 0;
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const = 0;

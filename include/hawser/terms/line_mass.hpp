@@ -49,7 +49,7 @@ class LineMassTerm final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
-  void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations left out
+  void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations excluded
   double round_off(const Kinematics& at, double h) const override;
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;

@@ -205,7 +205,7 @@ class LinePairs final : public ForceTerm,
   std::map<Key, std::unique_ptr<History>> kept_;  // of pairs, while the list is made anew
   bool listed_ = false;
   std::vector<AxisEnds> start_;    // of the segments
-  std::vector<int> fed_end_;       // likewise: the end at a feeder, of one at a mouth; -1: another
+  std::vector<int> fed_end_;       // likewise: the end at a feeder, of one at a feed point; -1: another
   std::vector<Rod> rods_;          // likewise
   std::vector<Account> accounts_;  // by owned node
   Deepest deepest_;

@@ -124,7 +124,7 @@ class LineVolumeContact final : public ForceTerm,
   AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;
   void account(const Pair& pair, const AxisShape& shape, const std::vector<AxisContactPoint>& next);
 
-  // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
+  // The impact at xi, of `share` m of the line; what it may come to, which touches elsewhere already.
   void add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
                      const Vec3& normal, bool last, ImpactEvents& to) const;
   void predict_impacts(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,

@@ -114,7 +114,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     double gap = 0;
   };
   enum class Friction { none, pressed, contact };
-  // What friction in statics is reckoned from: a place, the slip there, and the bed's normal and the normal
+  // What friction in statics is counted from: a place, the slip there, and the bed's normal and the normal
   // force at the last iteration.
   struct Laid {
     Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();

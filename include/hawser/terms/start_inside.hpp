@@ -1,4 +1,4 @@
-// What of the lines lies inside volumes where a run starts, and what of them is left out of contact.
+// What of the lines lies inside volumes where a run starts, and what of them is excluded from contact.
 #pragma once
 
 #include <functional>
@@ -25,8 +25,8 @@ struct Inside {
 };
 
 // Of the elements this rank counts, those with a radius [m, one for each of mesh.elements], outside of
-// feeders (null: there are none): the stock is at the mouth, and inside with it. Sorted by line, volume and
-// arc length, intervals that meet put together.
+// feeders (null: there are none): the stock is at the feed point, and inside with it. Sorted by line, volume
+// and arc length, intervals that meet put together.
 std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
                                    const std::vector<double>& radius, const Feeders* feeders);
