@@ -66,7 +66,7 @@ void examine(Case& c) {
   check_bed(c);
   // What can change all results first, then what the reader has noted, then the rest.
   using advice::Effect;
-  std::vector<std::string> notes = advice::input_notes(c, Effect::whole, Effect::whole);
+  std::vector<std::string> notes = advice::input_notes(c, Effect::all, Effect::all);
   notes.insert(notes.end(), c.notes.begin(), c.notes.end());
   c.notes = std::move(notes);
   for (std::string& n : advice::input_notes(c, Effect::part)) c.notes.push_back(std::move(n));

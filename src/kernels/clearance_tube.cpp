@@ -36,7 +36,7 @@ void ClearanceTube::set(const BezierAxis& axis, double clearance) {
 
 double ClearanceTube::left(const BezierAxis& axis) const {
   if (!(clearance_ > 0)) return -1;
-  return clearance_ - (1 + kMargin) * at_.way_to(axis);
+  return clearance_ - (1 + kMargin) * at_.farthest_distance(axis);
 }
 
 double least_distance(const std::vector<ClearancePoint>& places, double slope, double bend, double& worst) {

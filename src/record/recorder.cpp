@@ -139,7 +139,7 @@ void Recorder::find_worst(const Snapshot& s) {
                                                 {"line_contact_normal_force", With::line},
                                                 {"seabed_force", With::seabed}};
   fill(s, true);
-  const NodeValue most = subject_.dynamics().roughest();
+  const NodeValue most = subject_.dynamics().largest_acceleration_change();
   int with = 0;
   const int n = subject_.local().find(most.node);
   if (subject_.local().owns(n))

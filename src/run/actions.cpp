@@ -77,11 +77,11 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       if (const std::string where = sim_.inside(a, at); !where.empty()) refuse(where);
       break;
   }
-  again(a, found, at.time);
+  repeat(a, found, at.time);
   return found;
 }
 
-void Actions::again(const Action& a, const Found& found, double time) {
+void Actions::repeat(const Action& a, const Found& found, double time) {
   switch (a.kind) {
     case Action::Kind::release:
       std::erase_if(tied_, [&, n = node(a)](const TiedNode& s) { return sim_.local().global[s.node] == n; });

@@ -79,7 +79,7 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   std::vector<std::string> messages;
   actions_.begin();
   for (const Happening* h : happened) {
-    actions_.again(h->what.action, h->found, h->happened);
+    actions_.repeat(h->what.action, h->found, h->happened);
     messages.push_back(fmt::format("note: {} was {} at t = {:.6g} s", h->what.action.subject(),
                                    h->what.action.participle(), h->happened));
   }

@@ -108,7 +108,7 @@ void LengthSearch::begin(double from, double step) {
   search_ = RootSearch(from, falls ? -step : step, t_.least, t_.most);
 }
 
-void LengthSearch::again() { begin(last_found_, kNextStep * last_found_); }
+void LengthSearch::restart() { begin(last_found_, kNextStep * last_found_); }
 
 bool LengthSearch::narrow() const { return search_.bracketed() && search_.width() < kNarrow * length_; }
 
@@ -131,7 +131,7 @@ double LengthSearch::error() const {
   return failed_ ? 0 : std::abs(value_ - t_.value) / scale;
 }
 
-bool LengthSearch::see(const AtRest& now) {
+bool LengthSearch::update(const AtRest& now) {
   if (failed_) return false;
   const bool was = met_;
   value_ = reached(now), last_found_ = length_;

@@ -194,8 +194,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
   c.scalars["step.wait"] = d.control().wait();
-  c.scalars["step.ringing"] = d.control().ringing();
-  c.scalars["step.calm"] = d.control().calm();
+  c.scalars["step.ringing"] = d.control().impact_period();
+  c.scalars["step.calm"] = d.control().resolved_until();
   c.scalars["step.last"] = d.last_step();
   double work = d.support_work();
   all_reduce(simulation.system().comm(), MPI_SUM, work);
@@ -348,8 +348,8 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
   // Older files lack them.
   if (c.scalars.count("step.calm")) {
-    carried.step_ringing = c.scalars.at("step.ringing");
-    carried.step_calm = c.scalars.at("step.calm");
+    carried.step_impact_period = c.scalars.at("step.ringing");
+    carried.step_resolved_until = c.scalars.at("step.calm");
   }
   carried.last_step = c.scalars.at("step.last");
   carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;

@@ -74,7 +74,8 @@ void shorten(std::vector<std::string>& sentences, const std::string& what) {
 }
 
 // What remains of a stretch outside of what is excluded.
-void take_off(std::vector<Inside>& inside, const std::vector<ExcludedEnds>& excluded_ends, const Mesh& mesh) {
+void remove_excluded(std::vector<Inside>& inside, const std::vector<ExcludedEnds>& excluded_ends,
+                     const Mesh& mesh) {
   std::vector<Inside> out;
   for (Inside s : inside) {
     const double length = mesh.lines[s.line].length;
@@ -224,7 +225,7 @@ std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& me
                         const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
                         const std::vector<ExcludedEnds>& excluded_ends) {
   std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, feeders, {volume});
-  take_off(inside, excluded_ends, *mesh.mesh);
+  remove_excluded(inside, excluded_ends, *mesh.mesh);
   if (inside.empty()) return "";
   return fmt::format("line {} is inside it {}", c.lines[inside.front().line].name,
                      advice::where_inside(found(inside.front(), *mesh.mesh)));
@@ -243,7 +244,7 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   find_excluded_ends(c, *mesh.mesh, volumes, out);
   std::erase_if(out.inside, [&](const Inside& s) { return volumes[s.volume].off; });
   const std::vector<Inside> all = out.inside;
-  take_off(out.inside, out.excluded_ends, *mesh.mesh);
+  remove_excluded(out.inside, out.excluded_ends, *mesh.mesh);
   for (const Inside& s : out.inside)
     out.warnings.push_back(
         advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name, found(s, *mesh.mesh)));
@@ -258,7 +259,7 @@ std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& m
                          const std::vector<ContactVolume>& volumes, const StartContact& start) {
   if (start.inside.empty()) return "";
   std::vector<Inside> now = all_inside(comm, c, mesh, at, bodies, feeders, volumes);
-  take_off(now, start.excluded_ends, *mesh.mesh);
+  remove_excluded(now, start.excluded_ends, *mesh.mesh);
   for (const Inside& s : now) {
     const bool before = std::any_of(start.inside.begin(), start.inside.end(), [&](const Inside& o) {
       return o.line == s.line && o.volume == s.volume && o.from <= s.to && s.from <= o.to &&

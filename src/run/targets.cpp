@@ -70,7 +70,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes));
       Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
       const AtRest now = at_rest(comm, sim);
-      for (LengthSearch& s : all) parted |= s.see(now);
+      for (LengthSearch& s : all) parted |= s.update(now);
       if (tried) tried(fmt::format("statics {} of the search for lengths: {}", trial, worst(all).now(c)));
       if (std::all_of(all.begin(), all.end(), [](const LengthSearch& s) { return s.met(); })) {
         for (const LengthSearch& s : all) out.found.push_back(s.found(c, trial));
@@ -96,13 +96,13 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
     }
     const bool apart = together && all.size() > 1 && (parted || stuck);
     if (apart)
-      for (LengthSearch& s : all) s.again();
+      for (LengthSearch& s : all) s.restart();
     const bool some = std::any_of(all.begin(), all.end(), [](const LengthSearch& s) { return !s.met(); });
     if (some && (apart || (!together && all[turn].met()))) {
       together = false;
       do turn = (turn + 1) % all.size();
       while (all[turn].met());
-      all[turn].again();
+      all[turn].restart();
     }
   }
   throw SolveError(

@@ -208,7 +208,7 @@ bool Dynamics::end_step() {
   return observer_(tries_.info);
 }
 
-NodeValue Dynamics::roughest() const {
+NodeValue Dynamics::largest_acceleration_change() const {
   NodeValue most;  // trial_ is what was committed before
   for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n) {
     const double change = (committed_.ax[n] - trial_.ax[n]).norm();
@@ -274,7 +274,8 @@ void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, co
   committed_ = state;
   copied_ = false;
   reactions_ = std::move(reactions);
-  control_.restore(carried.step_proposal, carried.step_wait, carried.step_ringing, carried.step_calm);
+  control_.restore(carried.step_proposal, carried.step_wait, carried.step_impact_period,
+                   carried.step_resolved_until);
   last_step_ = carried.last_step;
   support_work_ = carried.support_work;
   mean_ = carried.mean;

@@ -47,7 +47,7 @@ class Relaxation : StaticTrial {
     RelaxationReport report;
     double least = 0, kinetic = 0;
     int free = 0;  // steps since one was rejected
-    if (settings_.pushed > 0) leave(settings_.pushed);
+    if (settings_.pushed > 0) perturb(settings_.pushed);
     while (true) {
       prepare();
       system_.residual(state_.view(0), r_.get());
@@ -67,7 +67,7 @@ class Relaxation : StaticTrial {
         continue;
       }
       ++report.steps;
-      take();
+      accept_trial();
       if (++free > kFree) blocked_by_.clear();
       if (iterations <= kEasyIterations) weigh(kLighter);
       if (settings_.friction) {
@@ -166,7 +166,7 @@ class Relaxation : StaticTrial {
     PetscInt solutions = 0;
     check(SNESGetLinearSolveIterations(snes_.get(), &solutions));
     const int it = std::max(1, static_cast<int>(solutions));
-    if (!solved || limit() < 1 || !clear()) return -it;
+    if (!solved || limit() < 1 || !path_is_clear()) return -it;
     if (settings_.friction) return it;  // it has no potential
     // The exact step of a convex potential takes energy out; one that brings some has gone elsewhere.
     double motion = 0;

@@ -79,7 +79,7 @@ double bend(const model::Case& c, const model::Line& line, const std::vector<Cat
 
 }  // namespace
 
-Vec3 way_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats) {
+Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats) {
   const model::Water& water = c.environment.water;
   const model::Seabed& bed = c.environment.seabed;
   Vec3 pull = Vec3::Zero(), u = Vec3::Zero(), normal = Vec3::UnitZ(), by_depth;
@@ -111,7 +111,7 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
   const bool floats = water.present && all(1);
   if (!floats && !(c.environment.seabed.present && all(-1))) return {};
   const Ground ground(c.environment, floats);
-  const Vec3 way = way_of_free_end(c, line, end, floats);
+  const Vec3 way = direction_of_free_end(c, line, end, floats);
   const double height = end.at.z() - ground.under(end.at).z(), up = height < 0 ? -1 : 1;
   if (floats && height > 0)  // it hangs down in the air; how heavy matters to its stretch alone
     for (CatenarySection& k : sections) {

@@ -238,7 +238,7 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
     if (!a) std::reverse(laid->begin(), laid->end());
     return through(*std::move(laid));
   }
-  return through(flexible_start(c, line, mesh, span, x, way_of_free_end(c, line, end, false)));
+  return through(flexible_start(c, line, mesh, span, x, direction_of_free_end(c, line, end, false)));
 }
 
 // Whether a line that is no longer than the way between its ends carries its weight by bending: as a cable it

@@ -59,7 +59,7 @@ StaticsReport StaticSearch::run(bool again) {
     if (report_.escapes == kMaxEscapes) break;
     ++report_.escapes;
     left = state_;
-    leave(report_.escapes);
+    perturb(report_.escapes);
     push = 0;
     if (!relaxation_) continue;
     const double pushed = away(left);
@@ -136,7 +136,7 @@ bool StaticSearch::advance(Vec y) {
   int halvings = 0;
   for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
     step(factor);
-    if (!clear()) {
+    if (!path_is_clear()) {
       blocked = true;
       continue;
     }
@@ -150,7 +150,7 @@ bool StaticSearch::advance(Vec y) {
     const bool down = slope < 0 && rise <= kArmijo * factor * slope;
     if (down || (close && n.relative() < report_.norms.relative()) || n.small(tolerance_)) {
       taken = true;
-      take();
+      accept_trial();
       report_.norms = n;
     }
   }
@@ -181,7 +181,7 @@ void StaticSearch::polish() {
     downhill(u_.get());
     if (limit() < 1) break;
     step(1);
-    if (!clear()) break;
+    if (!path_is_clear()) break;
     system_.residual(trial_.view(0), r_.get());
     // Into what counts as noise too: in nearly inextensible lines its worst case is the pull of a whole
     // anchor.
@@ -190,7 +190,7 @@ void StaticSearch::polish() {
       return n.relative();
     };
     if (!(size(system_.norms(r_.get())) < 0.5 * size(report_.norms))) break;
-    take();
+    accept_trial();
     ++report_.iterations;
   }
   residual();  // the reactions are those of the state

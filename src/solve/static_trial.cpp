@@ -130,7 +130,7 @@ void StaticTrial::step(double factor) {
   system_.tied_nodes().follow(trial_);
 }
 
-bool StaticTrial::clear() {
+bool StaticTrial::path_is_clear() {
   const auto passes = [this](const Verdict& v) {
     if (!v.accepted()) blocked_by_ = v.because, blocked_ = trial_;
     return v.accepted();
@@ -163,13 +163,13 @@ void StaticTrial::throw_no_equilibrium(const std::string& why) {
   throw PathBlocked("statics: " + blocked_by_);
 }
 
-void StaticTrial::leave(int attempt) {
+void StaticTrial::perturb(int attempt) {
   double share = 1;
   for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
     trial_ = state_;
     push(attempt, share, trial_);
-    if (!clear()) continue;
-    take();
+    if (!path_is_clear()) continue;
+    accept_trial();
     return;
   }
 }

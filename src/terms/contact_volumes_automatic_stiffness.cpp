@@ -38,8 +38,8 @@ void ContactVolumes::raise_to(int volume, double stiffness) {
   volumes_[volume].settings.normal_stiffness = committed_[volume] = std::max(stiffness, committed_[volume]);
 }
 
-void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p, double step,
-                         std::vector<double>& wanted) const {
+void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
+                             std::vector<double>& wanted) const {
   const size_t k = volume;
   const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
   const double allowed = given > 0 ? given : kAllowed * p.radius;
@@ -48,8 +48,8 @@ void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p
   // Of the stiffness that the step began with.
   const double period = contact_period(law.stiffness * committed_[k] / now, p.mass);
   const bool resolves_impact = step > 0 && p.mass > 0 && step < kFollowing * period;
-  if (!resolves_impact && p.still * p.depth > (step > 0 ? kMoving : 1) * allowed) {
-    const double pressed = now * p.still * p.depth / (kRaisedTo * allowed);
+  if (!resolves_impact && p.static_share * p.depth > (step > 0 ? kMoving : 1) * allowed) {
+    const double pressed = now * p.static_share * p.depth / (kRaisedTo * allowed);
     want = step > 0 ? std::min(pressed, kMostInAStep * committed_[k]) : pressed;
   }
   // u sqrt(m/k) is how deep an impact goes. What is in the spring already comes out of it no faster than in a

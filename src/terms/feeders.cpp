@@ -159,13 +159,13 @@ CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& at, const Lo
   return cable_feed(f.cable, chord(at, e), length, h > 0 ? strain_before(f, e) : 0, h);
 }
 
-std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
+std::optional<Feeders::ElementState> Feeders::element_state(int e, const Kinematics& at, bool now) const {
   const Element& g = mesh_.mesh->elements[e];
-  std::optional<Rest> out;
+  std::optional<ElementState> out;
   for (const int k : of_line_[g.line]) {
     if (k < 0) continue;
     const Feeder& f = feeders_[k];
-    if (!out) out = Rest{false, g.length, 0, 0, 0, g.length};
+    if (!out) out = ElementState{false, g.length, 0, 0, 0, g.length};
     const LineSpan& span = mesh_.mesh->lines[f.line];
     const int i = f.at_b ? span.first_element + span.elements - 1 - e : e - span.first_element;
     if (i < f.feed_point) out->idle = true;

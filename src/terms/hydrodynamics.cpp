@@ -87,7 +87,7 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
 }
 
 void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
-  see_feeders(trial, false);
+  update_from_feeders(trial, false);
   update_water(trial);
   const bool tangent = assembler.needs_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
@@ -161,7 +161,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
     speed_.assign(committed.v.begin(), committed.v.end());
     start_time_ = committed.time, wave_known_ = false;
   }
-  see_feeders(committed, true);
+  update_from_feeders(committed, true);
   // Where no step went before, waves act from here on, and accelerations have jumped.
   const bool begins = !(committed.step > 0);
   if (begins || flow_.place.empty() || feeders_) {
@@ -172,7 +172,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {
-  see_feeders(accepted, true);
+  update_from_feeders(accepted, true);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
   Flow now = flow(accepted);
   if (accepted.step > 0 && !flow_.place.empty()) work_ += work(flow_, now);

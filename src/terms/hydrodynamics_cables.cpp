@@ -27,7 +27,7 @@ void Hydrodynamics::group() {
 }
 
 // An idle element has no length for what is computed in fours.
-void Hydrodynamics::see_feeders(const Kinematics& at, bool now) {
+void Hydrodynamics::update_from_feeders(const Kinematics& at, bool now) {
   if (!feeders_) return;
   feeders_->update_lengths(pieces_, at, now);
   for (Four& q : fours_)
@@ -51,7 +51,7 @@ double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
   before.x = was.x, before.q = was.q;
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
-    const auto rest = feeders_->rest(p.at.global, at, true);
+    const auto rest = feeders_->element_state(p.at.global, at, true);
     if (!rest || rest->before == rest->length) continue;
     WaterSection s = p.section;
     s.length = rest->before;

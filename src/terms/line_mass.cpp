@@ -85,12 +85,12 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
   return sum;
 }
 
-void LineMassTerm::see_feeders(const Kinematics& at, bool now) {
+void LineMassTerm::update_from_feeders(const Kinematics& at, bool now) {
   if (feeders_) feeders_->update_lengths(pieces_, at, now);
 }
 
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  see_feeders(trial, false);
+  update_from_feeders(trial, false);
   double f[12], K[144], C[144], M[144];
   for (const Piece& p : pieces_) {
     if (p.idle) continue;
@@ -123,7 +123,7 @@ void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, do
 }
 
 void LineMassTerm::prepare(const Kinematics& committed, double) {
-  see_feeders(committed, true);
+  update_from_feeders(committed, true);
   if (ramped_.empty()) return;
   committed_.x.assign(committed.x.begin(), committed.x.end());
   committed_.q.assign(committed.q.begin(), committed.q.end());
@@ -131,7 +131,7 @@ void LineMassTerm::prepare(const Kinematics& committed, double) {
 }
 
 void LineMassTerm::commit(const Kinematics& accepted) {
-  see_feeders(accepted, true);
+  update_from_feeders(accepted, true);
   if (ramped_.empty() || committed_.x.size() != accepted.x.size()) return;
   Kinematics before;
   before.x = committed_.x, before.q = committed_.q;

@@ -81,7 +81,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
   const ContactSegment& s = this->segment(segment);
   AxisEnds out = element_axis(at, element(s.global), s.first, s.second);
-  if (fed_end(segment) >= 0) out.length = feeders_->rest(s.global, at, false)->length;
+  if (fed_end(segment) >= 0) out.length = feeders_->element_state(s.global, at, false)->length;
   return out;
 }
 

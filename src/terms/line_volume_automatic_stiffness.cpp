@@ -25,8 +25,8 @@ bool resting(double stiffness, double depth, double mass, double speed) {
 }  // namespace
 
 // Of what presses with that force [N] on the whole element.
-double LineVolumeContact::still_part(const Pair& pair, const Kinematics& at, double force, double depth,
-                                     const Vec3& normal) const {
+double LineVolumeContact::static_share(const Pair& pair, const Kinematics& at, double force, double depth,
+                                       const Vec3& normal) const {
   if (!(at.step > 0)) return 1;
   const size_t a = local(pair).first, b = local(pair).second;
   const Vec3 place = 0.5 * (at.x[a] + at.x[b]),
@@ -60,8 +60,8 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
         if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * there.at.normal;
       }
-      at.still = touches ? still_part(pair, equilibrium, force, at.depth, normal) : 1;
-      volumes_.ask(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
+      at.static_share = touches ? static_share(pair, equilibrium, force, at.depth, normal) : 1;
+      volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
     }
   }
   if (!volumes_.raise(wanted)) return false;

@@ -35,14 +35,14 @@ AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[element];
   AxisEnds out = element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second);
   if (feeders_)
-    if (const auto rest = feeders_->rest(e.global, at, false)) out.length = rest->length;
+    if (const auto rest = feeders_->element_state(e.global, at, false)) out.length = rest->length;
   return out;
 }
 
 // What is inside a feeder touches nothing: its nodes are one point, and the cubic between them is a loop.
 bool LineVolumeContact::idle(const Kinematics& at, int element) const {
   if (!feeders_) return false;
-  const auto rest = feeders_->rest(mesh_.elements[element].global, at, false);
+  const auto rest = feeders_->element_state(mesh_.elements[element].global, at, false);
   return rest && rest->idle;
 }
 

@@ -77,12 +77,13 @@ bool LineVolumeContact::tunnels(const Kinematics& trial, const Pair& pair) const
   const AxisShape shape(ends(trial, pair.element));
   const RigidPose pose = volumes_.pose_of(pair.volume, trial);
   const BezierAxis from = part_of(pair, pair.start.shape, pair.start.pose), to = part_of(pair, shape, pose);
-  if (from.way_to(to) <= std::max(least, LineVolumeFinder::clearance_at_start(pair))) return false;
+  if (from.farthest_distance(to) <= std::max(least, LineVolumeFinder::clearance_at_start(pair))) return false;
   if (rests && (!volumes_.has_back(pair.volume) || is_inside(pair, pair.start.shape, pair.start.pose)))
     return false;
   const DistanceField field = distance_to(volumes_.surface(pair.volume));
   const auto passes = [&](const BezierAxis& before, const BezierAxis& after) {
-    return goes_through(field, before, after, before.way_to(after) > radius ? radius : least, rests);
+    return goes_through(field, before, after, before.farthest_distance(after) > radius ? radius : least,
+                        rests);
   };
   if (!finder_.at_nodes()) return passes(from, to);
   return std::any_of(kEnds.begin(), kEnds.end(), [&](double xi) {

@@ -48,7 +48,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       const Element& g = mesh.element(e);
       AxisEnds ends = element_axis(at, g, e.first, e.second);
       if (feeders)
-        if (const auto rest = feeders->rest(e.global, at, false)) {
+        if (const auto rest = feeders->element_state(e.global, at, false)) {
           if (rest->idle) continue;
           ends.length = rest->length;
         }

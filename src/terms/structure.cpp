@@ -93,7 +93,7 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  see_feeders(trial);
+  update_from_feeders(trial);
   const CableStep step{trial.step, trial.mean.filter};
   const bool in_step = trial.mean.weight != 1;
   if (assembler.needs_tangent()) {
@@ -271,7 +271,7 @@ double StructureTerm::bend(const Kinematics& at) {
 void StructureTerm::prepare(const Kinematics& committed, double h) {
   // Statics takes every section to be bent there in one go: what that leaves is remembered when motion
   // begins, and is no work of the motion.
-  see_feeders(committed);
+  update_from_feeders(committed);
   if (h > 0 && !(committed.step > 0) && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
@@ -282,7 +282,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
 }
 
 void StructureTerm::commit(const Kinematics& accepted) {
-  see_feeders(accepted, true);
+  update_from_feeders(accepted, true);
   if (accepted.step > 0) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
@@ -296,8 +296,9 @@ void StructureTerm::commit(const Kinematics& accepted) {
   if (accepted.step > 0 && !set_.empty()) {
     if (feeders_) feeders_->add_work(fed_work(accepted));
     for (const Beam& b : beams_)
-      if (const auto rest =
-              feeders_ && b.section.plastic ? feeders_->rest(b.at.global, accepted, true) : std::nullopt;
+      if (const auto rest = feeders_ && b.section.plastic
+                                ? feeders_->element_state(b.at.global, accepted, true)
+                                : std::nullopt;
           rest && rest->feeder >= 0)
         keep_hauled_in(b, rest->feeder, rest->before, rest->length);
     damping_ += bend(accepted);

@@ -48,14 +48,14 @@ void StructureTerm::fed_by(Feeders* feeders) {
   }
 }
 
-void StructureTerm::see_feeders(const Kinematics& at, bool accepted) {
+void StructureTerm::update_from_feeders(const Kinematics& at, bool accepted) {
   if (!feeders_) return;
   for (Cable& c : cables_)
-    if (const auto rest = feeders_->rest(c.at.global, at, true))
+    if (const auto rest = feeders_->element_state(c.at.global, at, true))
       c.idle = rest->idle, c.section.length = rest->length, c.section.length_by_chord = rest->length_by_chord,
       c.section.length_rate = at.step > 0 ? rest->length_rate : 0;  // statics holds the feeder
   for (Beam& b : beams_) {
-    const auto rest = feeders_->rest(b.at.global, at, true);
+    const auto rest = feeders_->element_state(b.at.global, at, true);
     if (!rest) continue;
     b.idle = rest->idle, b.section.length = rest->length, b.section.length_by_force = rest->length_by_force;
     if (!b.section.plastic) continue;
@@ -63,7 +63,7 @@ void StructureTerm::see_feeders(const Kinematics& at, bool accepted) {
     if (rest->feeder < 0) continue;
     // What is remembered does not follow the force of a trial: as of masses it is that of the speed at its
     // start.
-    const double to = accepted ? rest->length : feeders_->rest(b.at.global, at, false)->length;
+    const double to = accepted ? rest->length : feeders_->element_state(b.at.global, at, false)->length;
     carry_bends(b, rest->feeder, rest->before, to);
   }
 }
@@ -119,7 +119,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
   const State& before = feeders_->before();
   for (const Beam& b : beams_) {
     if (!b.section.plastic || !b.at.counted || before.x.size() != at.x.size()) continue;
-    const auto rest = feeders_->rest(b.at.global, at, true);
+    const auto rest = feeders_->element_state(b.at.global, at, true);
     if (!rest || rest->feeder < 0 || rest->length == rest->before) continue;
     const bool at_b = feeders_->list()[rest->feeder].at_b;
     const double grown = rest->length - rest->before;

@@ -329,7 +329,7 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_DOUBLE_EQ(c.next(1.8, 2.8, kNever), 0.05);
   // As after a restart.
   StepControl d(s);
-  d.restore(c.proposal(), c.wait(), c.ringing(), c.calm());
+  d.restore(c.proposal(), c.wait(), c.impact_period(), c.resolved_until());
   EXPECT_DOUBLE_EQ(d.next(1.8, 2.8, kNever), 0.05);
 }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr double kReach = 0.1;
 
 // x on top of y at the end, lines at the angle between them, both straight; `way`: of x relative to y.
-LinePairWay<double> straight(double angle, const Vec3& way) {
+LinePairMotion<double> straight(double angle, const Vec3& way) {
   const Vec3 a = 0.7 * Vec3::UnitX(), b = 1.3 * Vec3(std::cos(angle), std::sin(angle), 0),
              away = kReach * Vec3::UnitZ();
   return {away, away - way, a, a, b, b};
@@ -31,7 +31,7 @@ TEST(LinePairClosing, SweepsHaveNoneAndImpactsHaveAll) {
 
 // An element that folds right round within the step, as those of a chain that is lowered exactly upright.
 TEST(LinePairClosing, WhatTurnsRoundIsFinite) {
-  LinePairWay<double> way = straight(0, Vec3(0.1, 0, -0.02));
+  LinePairMotion<double> way = straight(0, Vec3(0.1, 0, -0.02));
   way.slope_before = -way.slope;
   EXPECT_TRUE(std::isfinite(line_pair_closing(way)));
   way.along_before = -way.along;
@@ -61,7 +61,7 @@ TEST(LinePairClosing, WhatIsWoundUpCloses) {
       x_before((r + kReach) * turn, 0, kReach);
   const Vec3 lower_before(std::cos(turn), 0, -std::sin(turn));
   for (const bool swapped : {false, true}) {
-    LinePairWay<double> w{kReach * z, x_before - y_before, x, x, x, lower_before};
+    LinePairMotion<double> w{kReach * z, x_before - y_before, x, x, x, lower_before};
     if (swapped) w = {-w.away, -w.away_before, x, lower_before, x, x};
     EXPECT_NEAR(line_pair_closing(w), 0.5 * r * turn * turn, 0.03 * r * turn * turn);
   }

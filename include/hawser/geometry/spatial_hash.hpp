@@ -38,7 +38,7 @@ class SpatialHash {
     if (empty()) return;
     const Cell at = cell_of(p);
     double cubes = 0;
-    for (int ring = 0; way_to(ring, at, p) <= std::sqrt(squared) * kMore; ++ring) {
+    for (int ring = 0; distance_to(ring, at, p) <= std::sqrt(squared) * kMore; ++ring) {
       cubes += 24.0 * ring * ring + 2;
       if (cubes > static_cast<double>(items_.size())) {  // more cubes than items
         for (const int i : items_) visit(i);
@@ -77,7 +77,7 @@ class SpatialHash {
     return static_cast<std::size_t>(h ^ h >> 20) & (places_ - 1);
   }
   // m, no cube of the ring, nor of one farther out, is nearer to p; infinite: there are none.
-  double way_to(int ring, const Cell& at, const Vec3& p) const {
+  double distance_to(int ring, const Cell& at, const Vec3& p) const {
     if (ring == 0) return 0;
     double way = std::numeric_limits<double>::infinity();
     for (int a = 0; a < 3; ++a) {

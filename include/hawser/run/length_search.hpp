@@ -37,7 +37,7 @@ class LengthSearch {
   // The next trial; a line that is met stays as it is.
   void choose() { length_ = search_.next(); }
   // What the trial has brought. Whether it has parted from a target that was met.
-  bool see(const AtRest& now);
+  bool update(const AtRest& now);
   // How far the value is from the target: of the tension, rad, or of the line's length.
   double error() const;
   // The length and the value that it has, in a sentence.
@@ -48,7 +48,7 @@ class LengthSearch {
     search_.fail();
   }
   // From what was last reached on.
-  void again();
+  void restart();
   // No way on: nothing found, or a jump over it.
   bool stuck() const { return search_.exhausted() || (narrow() && !near_); }
   // There is no such length. InputError that says why; a feeder begins with its stock as it is given.

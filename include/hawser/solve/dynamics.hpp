@@ -71,7 +71,7 @@ class Dynamics {
   struct Carried {
     double step_proposal = 0;
     int step_wait = 0;
-    double step_ringing = 0, step_calm = 0;
+    double step_impact_period = 0, step_resolved_until = 0;
     double last_step = 0;
     double support_work = 0;  // J, this rank's share
     MeanForces mean;
@@ -89,7 +89,7 @@ class Dynamics {
   double last_step() const { return last_step_; }
   const std::vector<double>& reactions() const { return reactions_; }  // of the committed state
   // Where the last accepted step changed accelerations most, and by how much [m/s²]. Collective.
-  NodeValue roughest() const;
+  NodeValue largest_acceleration_change() const;
   const MeanForces& mean_forces() const { return mean_; }
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
 

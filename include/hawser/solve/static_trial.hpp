@@ -54,14 +54,14 @@ class StaticTrial {
   // Whether, on the straight way from the state to the trial, no line goes through another or through a
   // volume, nor deeper into a volume than its contact law is for. Where the candidates were not chosen for
   // that way they are chosen anew.
-  bool clear();
+  bool path_is_clear();
   // Throws what statics ends with where no step leads on: if something was in the way, PathBlocked, or
   // StiffnessRaised where automatic contact can be made stiffer; else SolveError with that sentence.
   [[noreturn]] void throw_no_equilibrium(const std::string& why);
   // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
   // (1, 2, ...); less of it where lines would pass through each other.
-  void leave(int attempt);
-  void take() { std::swap(state_.x, trial_.x), std::swap(state_.q, trial_.q); }
+  void perturb(int attempt);
+  void accept_trial() { std::swap(state_.x, trial_.x), std::swap(state_.q, trial_.q); }
 
   double sum(double x) const;
   // Strain energy and potential over all ranks, J.

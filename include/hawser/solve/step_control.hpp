@@ -41,11 +41,12 @@ class StepControl {
   bool rejected(double h, bool diverged, double error);
 
   double proposal() const { return proposal_; }
-  int wait() const { return wait_; }
-  double ringing() const { return ringing_; }
-  double calm() const { return calm_; }
-  void restore(double proposal, int wait, double ringing, double calm) {
-    proposal_ = proposal, wait_ = wait, ringing_ = ringing, calm_ = calm;
+  int wait() const { return growth_wait_; }
+  double impact_period() const { return impact_period_; }
+  double resolved_until() const { return resolved_until_; }
+  void restore(double proposal, int wait, double impact_period, double resolved_until) {
+    proposal_ = proposal, growth_wait_ = wait, impact_period_ = impact_period,
+    resolved_until_ = resolved_until;
   }
 
  private:
@@ -53,9 +54,9 @@ class StepControl {
 
   StepSettings s_;
   double proposal_ = 0;
-  int wait_ = 0;  // accepted steps before the step may grow again after a failure
-  double ringing_ = 0,
-         calm_ = 0;  // s: period of the contact of the last impact, and until when it is followed
+  int growth_wait_ = 0;  // accepted steps before the step may grow again after a failure
+  double impact_period_ = 0,
+         resolved_until_ = 0;  // s: period of the contact of the last impact, and until when it is followed
 };
 
 }  // namespace hawser

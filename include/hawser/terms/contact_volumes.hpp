@@ -48,7 +48,7 @@ struct ContactShare {
 // relative to the volume.
 struct PressedPoint {
   double depth = 0, radius = 0;  // m
-  double still = 1;
+  double static_share = 1;
   double speed = 0, mass = 0;  // m/s; kg in the sense of the law
   bool held = false;           // by an end of the line: no stiffness moves it
 };
@@ -93,8 +93,8 @@ class ContactVolumes {
   bool automatic(int volume) const { return at(volume).automatic; }
   // Of each volume what it has in the trial, to be asked for more.
   std::vector<double> stiffnesses() const;
-  void ask(int volume, const NormalLaw& law, const PressedPoint& p, double step,
-           std::vector<double>& wanted) const;
+  void require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
+               std::vector<double>& wanted) const;
   // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
   // where a volume is automatic.
   bool raise(std::vector<double>& wanted);

@@ -82,7 +82,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   // What masses and water see of the feed point is that of the speed at the start of the step, unless `now`.
   FeedPoint feed_point(const Feeder& f, const Kinematics& at, bool now) const;
   // Of an element of the mesh; nullopt: no feeder has to do with it.
-  struct Rest {
+  struct ElementState {
     bool idle = false;           // inside a feeder
     double length = 0;           // m, unstretched
     double length_by_chord = 0;  // derivative by the chord
@@ -91,7 +91,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
     double before = 0;  // m, unstretched at the start of the step, of the one at a feed point; else `length`
     int feeder = -1;    // among list(), of the one at a feed point
   };
-  std::optional<Rest> rest(int element, const Kinematics& at, bool now) const;
+  std::optional<ElementState> element_state(int element, const Kinematics& at, bool now) const;
   // Of the one at a feed point, its end at the feeder: 0 or 1; -1: of another.
   int fed_end(int element) const;
   // How many elements are inside the feeders at ends A and B of each line.
@@ -100,7 +100,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   template <class Of>
   void update_lengths(std::vector<Of>& elements, const Kinematics& at, bool now) const {
     for (Of& e : elements)
-      if (const auto r = rest(e.at.global, at, now)) e.idle = r->idle, e.section.length = r->length;
+      if (const auto r = element_state(e.at.global, at, now)) e.idle = r->idle, e.section.length = r->length;
   }
   // Where all was at the start of the step; nothing before the first.
   const State& before() const { return before_; }

@@ -84,7 +84,7 @@ class Hydrodynamics final : public ForceTerm,
     WaterSections4 sections;
   };
   void group();
-  void see_feeders(const Kinematics& at, bool now);
+  void update_from_feeders(const Kinematics& at, bool now);
   double fed_buoyancy(const Kinematics& at) const;
   CablesInWater4 motion(const Four& q, const Kinematics& k) const;
   void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;

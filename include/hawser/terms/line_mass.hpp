@@ -63,7 +63,7 @@ class LineMassTerm final : public ForceTerm,
   static Built build(const LocalMesh& mesh, const model::Case& c);
   LineMassTerm(const LocalMesh& mesh, Built built);
 
-  void see_feeders(const Kinematics& at, bool now);
+  void update_from_feeders(const Kinematics& at, bool now);
   Vec3 ramped_load(const Piece& p, double t) const;
   Vec3 load(const Piece& p, double t) const { return p.ramped ? Vec3(p.load + ramped_load(p, t)) : p.load; }
 

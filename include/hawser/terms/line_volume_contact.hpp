@@ -138,8 +138,8 @@ class LineVolumeContact final : public ForceTerm,
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
-  double still_part(const Pair& pair, const Kinematics& at, double force, double depth,
-                    const Vec3& normal) const;
+  double static_share(const Pair& pair, const Kinematics& at, double force, double depth,
+                      const Vec3& normal) const;
 
   const LocalMesh& mesh_;
   const Feeders* feeders_ = nullptr;

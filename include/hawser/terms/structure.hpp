@@ -81,7 +81,7 @@ class StructureTerm final : public ForceTerm,
         trial;  // of the element at the feed point, in the element's order, at its trial length
   };
   // accepted: the lengths are those at the end of the step.
-  void see_feeders(const Kinematics& at, bool accepted = false);
+  void update_from_feeders(const Kinematics& at, bool accepted = false);
   static CableSection shown(const Cable& c, const Kinematics& at);  // what results are made of
   void carry_bends(Beam& b, int feeder, double from, double to);
   void keep_hauled_in(const Beam& b, int feeder, double from, double to);
