@@ -190,9 +190,10 @@ void warn_of_buoy(const Case& c, const Line& line, const PointMass& m, std::vect
 // The wave that stands for a sea of linear waves: its peak, or the highest of those given. Period 0: none.
 Waves::Row leading_wave(const Waves& w) {
   Waves::Row out;
-  if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table)
-    out.period = w.peak_period, out.direction = w.direction;
-  else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::components)
+  if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table) {
+    out.period = w.peak_period;
+    out.direction = w.direction;
+  } else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::components)
     out = *std::max_element(w.rows.begin(), w.rows.end(),
                             [](const Waves::Row& a, const Waves::Row& b) { return a.height < b.height; });
   return out;

@@ -149,7 +149,8 @@ void warn_of_start(const Case& c, const Body& b, std::vector<InputWarning>& out)
                                  first),
                      11, Effect::part});
   };
-  warn(speed.motion, "motion"), warn(speed.drift, "motion.drift");
+  warn(speed.motion, "motion");
+  warn(speed.drift, "motion.drift");
 }
 
 }  // namespace

@@ -227,8 +227,10 @@ int drop_flat_pieces(TriangleMesh& mesh, double thickness) {
   std::vector<Vec3> normal(n, Vec3::Zero()), at(n);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 a = view.area_vector(t);
-    if (a.squaredNorm() > normal[piece(t)].squaredNorm())
-      normal[piece(t)] = a, at[piece(t)] = view.corner(t, 0);
+    if (a.squaredNorm() > normal[piece(t)].squaredNorm()) {
+      normal[piece(t)] = a;
+      at[piece(t)] = view.corner(t, 0);
+    }
     for (const int other : topo.neighbours[t])
       if (other == kOpenEdge) drop[piece(t)] = false;
   }

@@ -250,7 +250,10 @@ std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& 
   const FacetGroup::Facet* first = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const FacetGroup::Facet& f : group.facets)
-    if (const double squared = (f.centre - y).squaredNorm(); squared < least) least = squared, first = &f;
+    if (const double squared = (f.centre - y).squaredNorm(); squared < least) {
+      least = squared;
+      first = &f;
+    }
   if (first) best.visit(first->triangle);
   for (const FacetGroup::Facet& f : group.facets) {
     const double far = std::sqrt(best.squared) + f.radius;
@@ -348,7 +351,10 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
         const double far = f.at.distance + facet.radius;
         if (squared_distance_to_chord(facet.centre, p, q) > far * far) return false;  // others are nearer
         const Approach a = approach(facet.triangle, p, q);
-        if (a.distance < f.at.distance) f.at = a, f.nearest = facet.triangle;
+        if (a.distance < f.at.distance) {
+          f.at = a;
+          f.nearest = facet.triangle;
+        }
         return f.at.distance == 0;  // none is nearer
       });
   // Whole facets were taken; those that do not come near are none of it.

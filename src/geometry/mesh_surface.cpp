@@ -47,13 +47,18 @@ struct MeshSurface::Data {
     FacetSearch::pack(self.active, p);
     FacetSearch::pack(self.whole, p);
     p.value(self.partial);
-    p.flags(self.is_active), p.flags(self.border_vertex);
+    p.flags(self.is_active);
+    p.flags(self.border_vertex);
     p.array(self.holes);
     BoxTree::pack(self.hole_tree, p);
-    p.value(self.bounds), p.value(self.small);
+    p.value(self.bounds);
+    p.value(self.small);
     WindingTree::pack(self.winding, p);
     p.flags(self.undecided);
-    p.value(self.curved), p.value(self.sharp), p.value(self.internal), p.value(self.bulge);
+    p.value(self.curved);
+    p.value(self.sharp);
+    p.value(self.internal);
+    p.value(self.bulge);
     p.value(self.convex);
   }
   detail::MeshFacetGroups facet_groups() const { return {facets, normals, active.tree()}; }
@@ -151,7 +156,9 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   }
   MeshBends bends;
   if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle, defects.straight);
-  d.curved = bends.curved, d.sharp = bends.sharp, d.bulge = bends.bulge;
+  d.curved = bends.curved;
+  d.sharp = bends.sharp;
+  d.bulge = bends.bulge;
   d.facets = Facets(mesh, std::move(bends.of));
   mesh = {};
   d.normals = detail::Pseudonormals(d.facets, topo);

@@ -49,8 +49,10 @@ int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vecto
 
 double one_sided_visibility(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {
   int rays[2] = {0, 0}, free[2] = {0, 0};
-  each_ray(mesh, tree, patch,
-           [&](int crossings, bool front) { ++rays[front], free[front] += crossings == 0; });
+  each_ray(mesh, tree, patch, [&](int crossings, bool front) {
+    ++rays[front];
+    free[front] += crossings == 0;
+  });
   if (rays[0] == 0 || rays[1] == 0) return 0;
   return std::abs(static_cast<double>(free[0]) / rays[0] - static_cast<double>(free[1]) / rays[1]);
 }

@@ -33,7 +33,8 @@ double least_extent(const TriangleMesh& mesh, const std::vector<int>& region, co
   Eigen::Vector2d lo = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
   each([&](const Eigen::Vector2d& x) {
     const Eigen::Vector2d y = axes.transpose() * x;
-    lo = lo.cwiseMin(y), hi = hi.cwiseMax(y);
+    lo = lo.cwiseMin(y);
+    hi = hi.cwiseMax(y);
   });
   return (hi - lo).minCoeff();
 }

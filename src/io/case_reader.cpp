@@ -75,7 +75,9 @@ void examine(Case& c) {
 Case read_document(const std::string& text, const std::string& path, const ReadProgress& read_progress,
                    MPI_Comm comm, const CaseChanges& changes) {
   Case c;
-  c.text = text, c.file = path, c.changes = changes;
+  c.text = text;
+  c.file = path;
+  c.changes = changes;
   c.path = fs::absolute(path).lexically_normal().string();
   c.directory = fs::path(c.path).parent_path().string();
   const auto tree = std::make_shared<Value>(parse_yaml(text, path));
@@ -96,8 +98,13 @@ Case read_document(const std::string& text, const std::string& path, const ReadP
 
 model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm comm) {
   Case out;
-  out.text = c.text, out.file = c.file, out.path = c.path, out.directory = c.directory;
-  out.tree = c.tree, out.changes = c.changes, out.change_notes = c.change_notes;
+  out.text = c.text;
+  out.file = c.file;
+  out.path = c.path;
+  out.directory = c.directory;
+  out.tree = c.tree;
+  out.changes = c.changes;
+  out.change_notes = c.change_notes;
   out.inputs = {c.path};
   const CaseSource source{c.file, c.directory, comm, &out.inputs};
   read_all(*c.tree, source, lengths, out);

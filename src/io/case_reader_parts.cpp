@@ -132,11 +132,18 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
   for (const Column& k : columns) {
     if (k.rows.empty()) continue;
     Vec3 least = k.rows.front(), most = least;
-    for (const Vec3& x : k.rows) least = least.cwiseMin(x), most = most.cwiseMax(x);
+    for (const Vec3& x : k.rows) {
+      least = least.cwiseMin(x);
+      most = most.cwiseMax(x);
+    }
     for (const RowCurve::Overshoot& o : RowCurve(m.time, k.rows, m.between).overshoots(kOvershoot)) {
       ++places;
       const double span = most[o.component] - least[o.component], share = span > 0 ? o.by / span : 0;
-      if (share > worst_share) worst = o, worst_share = share, column = &k;
+      if (share > worst_share) {
+        worst = o;
+        worst_share = share;
+        column = &k;
+      }
     }
   }
   if (!column) return;

@@ -49,7 +49,8 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
         refuse(at, "amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg", i + 1,
                r[k]);
     RaoTable::Row& row = table.emplace_back();
-    row.omega = 2 * M_PI / r[0], row.direction = r[1] * kDegree;
+    row.omega = 2 * M_PI / r[0];
+    row.direction = r[1] * kDegree;
     for (size_t k = 0; k < 6; ++k)
       row.response[k] =
           std::polar(1.0, sign * r[3 + 2 * k] * kDegree) * (r[2 + 2 * k] * (k < 3 ? 1 : kDegree));
@@ -79,7 +80,10 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
     const double to = std::atan2(w.y, w.x) - bow;
     const DirectionGap b = table.neighbours(to);
     if (b.to - b.from <= kWideGap * kDegree * (1 + 1e-9)) continue;
-    if (uncovered++ == 0) gap = b, direction = to;
+    if (uncovered++ == 0) {
+      gap = b;
+      direction = to;
+    }
   }
   if (uncovered == 0) return;
   // Into the gap, however many times round.
@@ -104,12 +108,20 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
     const double to = std::atan2(w.y, w.x) - bow;
     const DirectionGap b = table.neighbours(to);
     if (const double off = std::abs(std::remainder(to - b.from, 2 * M_PI)) / kDegree;
-        b.from == b.to && off > std::max(furthest, kOneDirection))
-      furthest = off, only = b.from / kDegree;
+        b.from == b.to && off > std::max(furthest, kOneDirection)) {
+      furthest = off;
+      only = b.from / kDegree;
+    }
     const double energy = w.amplitude * w.amplitude;
     all += energy;
-    if (w.omega > table.highest() * (1 + 1e-9)) fast += energy, highest = std::max(highest, w.omega);
-    if (w.omega < table.lowest() * (1 - 1e-9)) slow += energy, lowest = std::min(lowest, w.omega);
+    if (w.omega > table.highest() * (1 + 1e-9)) {
+      fast += energy;
+      highest = std::max(highest, w.omega);
+    }
+    if (w.omega < table.lowest() * (1 - 1e-9)) {
+      slow += energy;
+      lowest = std::min(lowest, w.omega);
+    }
   }
   if (furthest > 0)
     notes.push_back(
@@ -189,7 +201,8 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
     VectorMotion drifted, turned;
     drift.at(std::max(m.time.back(), 0.0), drifted, turned);
     motion.at(m.time.back(), offset, rotation, drifted.value);
-    m.offset.push_back(offset), m.rotation.push_back(rotation);
+    m.offset.push_back(offset);
+    m.rotation.push_back(rotation);
   }
   return m;
 }

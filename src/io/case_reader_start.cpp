@@ -46,7 +46,8 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
             "{} has no output at {:g} s: of its {} outputs from {:g} to {:g} s the nearest is at {:.9g} s",
             path, wanted, times.size(), times.front(), times.back(), times[row]);
     }
-    r.path = path, r.time = times[row];
+    r.path = path;
+    r.time = times[row];
     const h5::Id file = h5::open_read(path);
     r.lines = h5::read_texts(file, "lines/name");
     r.first = h5::read_array(file, "lines/first_node").values;
@@ -87,7 +88,8 @@ std::shared_ptr<const model::PreviousShape> OtherRuns::shape(const Value& start,
     if (parted_) break;
     const double end = left->arc.back();
     for (size_t n = 1; n < next.arc.size(); ++n) {
-      left->arc.push_back(end + next.arc[n]), left->position.push_back(next.position[n]);
+      left->arc.push_back(end + next.arc[n]);
+      left->position.push_back(next.position[n]);
       if (n < next.rotation.size()) left->rotation.push_back(next.rotation[n]);
     }
   }

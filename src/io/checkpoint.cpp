@@ -21,8 +21,10 @@ namespace {
 
 // Finaliser of MurmurHash3, 64 bits: every bit of the input reaches every bit of the output.
 std::uint64_t mix(std::uint64_t h) {
-  h ^= h >> 33, h *= 0xff51afd7ed558ccdULL;
-  h ^= h >> 33, h *= 0xc4ceb9fe1a85ec53ULL;
+  h ^= h >> 33;
+  h *= 0xff51afd7ed558ccdULL;
+  h ^= h >> 33;
+  h *= 0xc4ceb9fe1a85ec53ULL;
   return h ^ (h >> 33);
 }
 
@@ -190,7 +192,10 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
 
   for (auto& [name, field] : c.nodes) {
     std::vector<RowRun> runs = runs_of(owned);
-    for (RowRun& run : runs) run.first = at + run.first * field.components, run.count *= field.components;
+    for (RowRun& run : runs) {
+      run.first = at + run.first * field.components;
+      run.count *= field.components;
+    }
     if (field.make) field.values = field.make();
     if (field.values.size() != owned.size() * static_cast<size_t>(field.components))
       throw std::logic_error("checkpoint: " + name + " has the wrong size");
@@ -221,7 +226,8 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
         long long& to = start[r->node - of.first];
         const long long length = kRecordHead + std::ssize(r->values);
         if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
-        runs.back().count += length, to += length;
+        runs.back().count += length;
+        to += length;
         values.insert(values.end(), {static_cast<double>(r->node), static_cast<double>(r->kind),
                                      static_cast<double>(r->key), static_cast<double>(r->values.size())});
         values.insert(values.end(), r->values.begin(), r->values.end());

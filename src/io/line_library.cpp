@@ -99,8 +99,10 @@ model::LineType library_line_type(const Value& v) {
   t.drag_diameter = of("drag_diameter");
   t.mass_per_length = of("mass_per_length");
   t.EA = of("EA");
-  t.Cd_normal = of("Cd_normal"), t.Cd_axial = of("Cd_axial");
-  t.Ca_normal = of("Ca_normal"), t.Ca_axial = of("Ca_axial");
+  t.Cd_normal = of("Cd_normal");
+  t.Cd_axial = of("Cd_axial");
+  t.Ca_normal = of("Ca_normal");
+  t.Ca_axial = of("Ca_axial");
   if (!(t.breaking_load > 0) || !(t.EA > 0))
     refuse(v["diameter"],
            "{:g} m is beyond what the formulas of {} are made for (the diameter is in m, or with its unit: "

@@ -406,7 +406,8 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   w.clashes.push_back(clashes);
   m.wait(poses);
   if (!alone) {
-    w.fields.resize(fields.size()), w.ends.resize(ends.size());
+    w.fields.resize(fields.size());
+    w.ends.resize(ends.size());
     // Nodes of bodies come after those of lines, and are not in the rows.
     for (size_t i = 0; i < fields.size(); ++i) {
       const auto last = fields[i].begin() + m.line_nodes * c.fields[i].components;

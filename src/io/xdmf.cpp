@@ -133,8 +133,11 @@ void XdmfWriter::add_lines(std::string& text) const {
              {nodes},
              {total},
              true};
-      if (f.components > 1)
-        s.start.push_back(0), s.count.push_back(f.components), s.shape.push_back(f.components);
+      if (f.components > 1) {
+        s.start.push_back(0);
+        s.count.push_back(f.components);
+        s.shape.push_back(f.components);
+      }
       const char* kind = f.components == 1 ? "Scalar" : f.components == 3 ? "Vector" : "Matrix";
       if (f.name == "position")
         text += "<Geometry GeometryType=\"XYZ\">" + item(h5_name_, s) + "</Geometry>\n";

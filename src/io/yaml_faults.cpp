@@ -101,19 +101,24 @@ class Lines {
         const char quote = open_.back().kind;
         if ((quote == '"' && c == '\\') || (quote == '\'' && c == '\'' && next == '\''))
           ++i;
-        else if (c == quote)
-          open_.pop_back(), value = false, check_after_quote(raw, i);
+        else if (c == quote) {
+          open_.pop_back();
+          value = false;
+          check_after_quote(raw, i);
+        }
         continue;
       }
       if (c == '#' && (i == 0 || raw[i - 1] == ' ' || raw[i - 1] == '\t')) return i;
       if (c == ' ' || c == '\t') continue;
       if (value && (c == '"' || c == '\''))
         open_.push_back({c, lines_.size()});
-      else if ((c == '[' || c == '{') && (value || inside()))
-        open_.push_back({c, lines_.size()}), value = true;
-      else if ((c == ']' || c == '}') && (value || inside() || closed))
-        close(c), closed = !inside();
-      else
+      else if ((c == '[' || c == '{') && (value || inside())) {
+        open_.push_back({c, lines_.size()});
+        value = true;
+      } else if ((c == ']' || c == '}') && (value || inside() || closed)) {
+        close(c);
+        closed = !inside();
+      } else
         value = ((c == ':' || c == '-') && next == ' ') || (c == ',' && inside());
     }
     return raw.size();
@@ -222,7 +227,10 @@ std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_
     const Line& l = lines[i];
     if (l.empty() || l.flow) continue;
     bool dropped = false;
-    while (!levels.empty() && levels.back().indent > l.indent) levels.pop_back(), dropped = true;
+    while (!levels.empty() && levels.back().indent > l.indent) {
+      levels.pop_back();
+      dropped = true;
+    }
     const bool known = !levels.empty() && levels.back().indent == l.indent;
     if (i == at && !known && levels.empty() && dropped)
       return YamlFault{

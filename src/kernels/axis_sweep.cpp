@@ -27,7 +27,8 @@ std::array<Piece, 2> halves(const Piece& p) {
   }
   for (size_t i = 0; i < 2; ++i) {
     const auto half = p.b[i].halves();
-    out[0].b[i] = half[0], out[1].b[i] = half[1];
+    out[0].b[i] = half[0];
+    out[1].b[i] = half[1];
   }
   out[0].to = out[1].from = 0.5 * (p.from + p.to);
   return out;

@@ -64,7 +64,8 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
   const double share = e0 > 0 && e1 > 0 ? 1 : grown / way;
   double taut, end;  // mean over the taut way; tension at the end
   if (!s.tension) {
-    taut = 0.5 * s.EA * (p0 + p1), end = s.EA * p1;
+    taut = 0.5 * s.EA * (p0 + p1);
+    end = s.EA * p1;
     if (share == 1) return {taut, 0.5 * s.EA, 1};
   } else {
     const ResponseCurve::Value b = s.axial(p1);
@@ -94,7 +95,10 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   o.damper = s.EA * beta / step.h * o.grown;
   o.filter = step.filter * s.EA * (o.grown - e.share * from.stretch);
   o.tension = o.elastic + o.damper + o.filter;
-  if (o.tension <= 0) return o.tension = o.damper = o.filter = 0, o;
+  if (o.tension <= 0) {
+    o.tension = o.damper = o.filter = 0;
+    return o;
+  }
   const double way = strain - from.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);

@@ -42,7 +42,10 @@ double ClearanceTube::left(const BezierAxis& axis) const {
 double least_distance(const std::vector<ClearancePoint>& places, double slope, double bend, double& worst) {
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](double distance, double xi) {
-    if (!(distance >= least)) least = distance, worst = xi;
+    if (!(distance >= least)) {
+      least = distance;
+      worst = xi;
+    }
   };
   take(places.front().distance - slope * places.front().xi, 0);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {

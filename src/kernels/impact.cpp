@@ -66,7 +66,8 @@ std::optional<ImpactEvent> impact_event(double inverse_frequency, double signifi
   if (!(std::hypot(by_speed, by_acceleration) > significant_depth)) return {};
   const double step = 2 * M_PI / kSteps * inverse_frequency;
   ImpactEvent s;
-  s.at_ = at, s.inverse_frequency_ = inverse_frequency;
+  s.at_ = at;
+  s.inverse_frequency_ = inverse_frequency;
   s.half_ = 0.5 * mass / (inverse_frequency * inverse_frequency);
   s.energy_ = s.half_ * (by_speed * by_speed + by_acceleration * by_acceleration);
   s.crossing_ = kNever;

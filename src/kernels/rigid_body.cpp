@@ -20,8 +20,10 @@ RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, co
   const Vec3 phi = turned(s, rest), p = b.turning_stiffness.cwiseProduct(phi);
   const Vec3 W0 = s.q.conjugate() * rest.angular_velocity, Jw = b.inertia * s.w;
   const Mat3 T = inverse_right_jacobian(phi);
-  r.inertia.head<3>() = b.mass * s.a, r.inertia.tail<3>() = b.inertia * s.alpha;
-  r.applied.head<3>() = -b.weight, r.applied.tail<3>() = s.w.cross(Jw);
+  r.inertia.head<3>() = b.mass * s.a;
+  r.inertia.tail<3>() = b.inertia * s.alpha;
+  r.applied.head<3>() = -b.weight;
+  r.applied.tail<3>() = s.w.cross(Jw);
   r.held.head<3>() =
       b.stiffness.cwiseProduct(s.x - rest.position) + b.damping.cwiseProduct(s.v - rest.velocity);
   r.held.tail<3>() = T.transpose() * p + b.turning_damping.cwiseProduct(s.w - W0);

@@ -29,8 +29,12 @@ inline SineCosine sine_cosine(double quarters) {
   const double x = M_PI / 2 * (quarters - whole), y = x * x;
   const int quadrant = static_cast<int>(whole);
   double s = 1, c = 1;
-  for (int n = 12; n > 0; n -= 2) s = 1 - s * y / (n * (n + 1)), c = 1 - c * y / ((n + 1) * (n + 2));
-  s *= x, c = 1 - 0.5 * y * c;
+  for (int n = 12; n > 0; n -= 2) {
+    s = 1 - s * y / (n * (n + 1));
+    c = 1 - c * y / ((n + 1) * (n + 2));
+  }
+  s *= x;
+  c = 1 - 0.5 * y * c;
   const double first = quadrant & 1 ? c : s, second = quadrant & 1 ? s : c;
   return {quadrant & 2 ? -first : first, (quadrant + 1) & 2 ? -second : second};
 }
@@ -42,7 +46,8 @@ double elevation(std::size_t n, const double* phase, const double* per_time, dou
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const SineCosine of = sine_cosine(along_x[i] * x + along_y[i] * y + (phase[i] - per_time[i] * t));
-    sine[i] = of.sine, cosine[i] = of.cosine;
+    sine[i] = of.sine;
+    cosine[i] = of.cosine;
     sum += amplitude[i] * of.cosine;
   }
   return sum;
@@ -60,11 +65,17 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) : depth_
   for (const WaveComponent& c : components) {
     const double bottom = depth > 0 ? std::exp(-2 * c.number * depth) : 0;
     constexpr double kQuarters = 2 / M_PI;  // in a radian
-    number_.push_back(c.number), omega_.push_back(c.omega), amplitude_.push_back(c.amplitude);
-    along_x_.push_back(kQuarters * c.number * c.x), along_y_.push_back(kQuarters * c.number * c.y);
-    per_time_.push_back(kQuarters * c.omega), phase_.push_back(kQuarters * c.phase);
-    x_.push_back(c.x), y_.push_back(c.y);
-    speed_.push_back(c.amplitude * c.omega / (1 - bottom)), bottom_.push_back(bottom);
+    number_.push_back(c.number);
+    omega_.push_back(c.omega);
+    amplitude_.push_back(c.amplitude);
+    along_x_.push_back(kQuarters * c.number * c.x);
+    along_y_.push_back(kQuarters * c.number * c.y);
+    per_time_.push_back(kQuarters * c.omega);
+    phase_.push_back(kQuarters * c.phase);
+    x_.push_back(c.x);
+    y_.push_back(c.y);
+    speed_.push_back(c.amplitude * c.omega / (1 - bottom));
+    bottom_.push_back(bottom);
   }
   height_beyond_.assign(components.size() + 1, 0);
   for (std::size_t i = components.size(); i-- > 0;)
@@ -81,7 +92,8 @@ std::size_t WaveSums::significant_components(double z) const {
 }
 
 HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n, Phases& out) const {
-  out.sine.resize(n), out.cosine.resize(n);
+  out.sine.resize(n);
+  out.cosine.resize(n);
   out.surface = elevation(n, phase_.data(), per_time_.data(), t, along_x_.data(), x, along_y_.data(), y,
                           amplitude_.data(), out.sine.data(), out.cosine.data());
 }
@@ -97,8 +109,12 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
   double ux = 0, uy = 0, uz = 0, ax = 0, ay = 0, az = 0;
   const auto add = [&](std::size_t i, double across, double up) {
     const double forward = across * cosine[i], growing = omega_[i] * across * sine[i];
-    ux += x_[i] * forward, uy += y_[i] * forward, uz += up * sine[i];
-    ax += x_[i] * growing, ay += y_[i] * growing, az -= omega_[i] * up * cosine[i];
+    ux += x_[i] * forward;
+    uy += y_[i] * forward;
+    uz += up * sine[i];
+    ax += x_[i] * growing;
+    ay += y_[i] * growing;
+    az -= omega_[i] * up * cosine[i];
   };
   for (std::size_t i = 0; i < shallow; ++i) {
     // A vector that begins with what is significant may end with waves so short that both are zero.

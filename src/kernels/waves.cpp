@@ -83,7 +83,8 @@ struct Grid {
   std::vector<double> omega, sum;
   Grid(double peak, double gamma, double from, double to, int cells) {
     const double step = std::log(to / from) / cells;
-    omega.resize(cells + 1), sum.assign(cells + 1, 0);
+    omega.resize(cells + 1);
+    sum.assign(cells + 1, 0);
     for (int i = 0; i <= cells; ++i) omega[i] = peak * from * std::exp(i * step);
     const auto f = [&](double w) { return w * shape(w, peak, gamma); };
     for (size_t i = 1; i < omega.size(); ++i) {
@@ -110,7 +111,8 @@ class Spreading {
  public:
   explicit Spreading(double s) : below_(kCells + 1, 0) {
     const double widest = std::min(M_PI, 9 / std::sqrt(s));  // beyond it there is less than 1e-9
-    first_ = -widest, step_ = 2 * widest / kCells;
+    first_ = -widest;
+    step_ = 2 * widest / kCells;
     const auto density = [&](int i) { return std::pow(std::cos((first_ + i * step_) / 2), 2 * s); };
     for (int i = 0; i < kCells; ++i) below_[i + 1] = below_[i] + density(i) + density(i + 1);
   }
@@ -142,7 +144,8 @@ void spread(std::vector<WaveComponent>& components, double mean, double spreadin
     WaveComponent& c = components[i];
     const double energy = c.amplitude * c.amplitude;
     const double theta = mean + shape.angle((so_far + 0.5 * energy) / all);
-    c.x = std::cos(theta), c.y = std::sin(theta);
+    c.x = std::cos(theta);
+    c.y = std::sin(theta);
     so_far += energy;
   }
 }
@@ -154,7 +157,8 @@ WaveComponent component_of(double energy, double from, double to, double directi
   c.amplitude = std::sqrt(2 * energy);
   c.omega = from + (0.25 + 0.5 * random.next()) * (to - from);
   c.phase = 2 * M_PI * random.next();
-  c.x = std::cos(direction), c.y = std::sin(direction);
+  c.x = std::cos(direction);
+  c.y = std::sin(direction);
   return c;
 }
 
@@ -205,7 +209,8 @@ std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, doubl
     const double sum = below(to);
     const WaveComponent c = component_of(sum - so_far, from, to, direction, random);
     if (sum > so_far) out.push_back(c);
-    from = to, so_far = sum;
+    from = to;
+    so_far = sum;
   }
   if (spreading > 0) spread(out, direction, spreading, random);
   return out;

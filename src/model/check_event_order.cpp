@@ -21,7 +21,10 @@ class EventOrder {
   EventOrder(const Case& c, const Issues& issue) : c_(c), all_(issue) {}
 
   void run() {
-    for (i_ = 0; i_ < c_.events.size(); ++i_) check_chain(), check_feeds();
+    for (i_ = 0; i_ < c_.events.size(); ++i_) {
+      check_chain();
+      check_feeds();
+    }
     check_ends();
     check_joints();
     check_volumes();
@@ -127,8 +130,10 @@ class EventOrder {
           bool released = false;
           for (std::size_t k = 0; k < c_.events.size(); ++k)
             if (const Action& a = c_.events[k].action;
-                a.kind == Kind::release && a.cut < 0 && a.line == l.name && a.at_b == b)
-              released = true, last = k;
+                a.kind == Kind::release && a.cut < 0 && a.line == l.name && a.at_b == b) {
+              released = true;
+              last = k;
+            }
           stay += !released;
         }
       if (stay > 0 || last == c_.events.size()) continue;

@@ -176,7 +176,10 @@ void check_feed(const Case& c, const Line& line, bool at_b, const Issues& all) {
   const bool changes = std::any_of(c.events.begin(), c.events.end(), [&](const Event& e) {
     return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.at_b == at_b;
   });
-  if (!changes) check_stock(c, f, issue), check_cuts(c, line, f, at_b, all);
+  if (!changes) {
+    check_stock(c, f, issue);
+    check_cuts(c, line, f, at_b, all);
+  }
   check_law(f, issue);
   for (const PointMass& m : line.masses)
     if ((at_b ? length_of(line) - m.at : m.at) < f.stock)

@@ -81,7 +81,10 @@ const End* end_before(const Case& c, const Line& line, const SupportBox& first) 
   double nearest = HUGE_VAL;
   for (const End* e : {&line.end_a, &line.end_b})
     if (is_held(*e))
-      if (const double d = (end_position(c, *e) - at).norm(); d < nearest) best = e, nearest = d;
+      if (const double d = (end_position(c, *e) - at).norm(); d < nearest) {
+        best = e;
+        nearest = d;
+      }
   return best;
 }
 

@@ -110,7 +110,8 @@ Key body_in_water() {
             at_least(0), or_else(kZero)),
        vec3({"Cd", by<BodyInWater>([](BodyInWater& w, const Value& v) {
                Vec3 Cd;
-               put(Cd, v), w.drag_area = w.drag_area.cwiseProduct(Cd);
+               put(Cd, v);
+               w.drag_area = w.drag_area.cwiseProduct(Cd);
              })},
             none, "drag coefficients along the body's axes", in_range(0, 100), or_else("[1, 1, 1]")),
        vec3({"centre_of_drag", &BodyInWater::drag_centre}, length, "in the body's frame",

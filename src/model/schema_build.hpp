@@ -26,7 +26,8 @@ void put(M& x, const Value& v) {
   } else if constexpr (std::is_same_v<M, Vec3>) {
     x = Vec3(v.items[0].number, v.items[1].number, v.items[2].number);
   } else if constexpr (requires { typename M::first_type; }) {
-    put(x.first, v.items[0]), put(x.second, v.items[1]);
+    put(x.first, v.items[0]);
+    put(x.second, v.items[1]);
   } else if constexpr (requires {
                          x.emplace();
                          *x;
@@ -128,11 +129,17 @@ inline auto at_most(double x) {
   return [x](Key& k) { k.bounds.at_most = x; };
 }
 inline auto in_range(double least, double most) {
-  return [=](Key& k) { k.bounds.at_least = least, k.bounds.at_most = most; };
+  return [=](Key& k) {
+    k.bounds.at_least = least;
+    k.bounds.at_most = most;
+  };
 }
 // How many entries a list has; most = 0: no limit.
 inline auto items(std::size_t least, std::size_t most = 0) {
-  return [=](Key& k) { k.min_items = least, k.max_items = most; };
+  return [=](Key& k) {
+    k.min_items = least;
+    k.max_items = most;
+  };
 }
 inline constexpr auto required = [](Key& k) { k.required = true; };
 // Its default, as written, or in words.
@@ -147,10 +154,16 @@ inline auto at_most_one(std::vector<Group> groups) {
   return [groups](Key& k) { k.groups = groups; };
 }
 inline auto either(std::vector<Group> groups) {
-  return [groups](Key& k) { k.groups = groups, k.group_required = true; };
+  return [groups](Key& k) {
+    k.groups = groups;
+    k.group_required = true;
+  };
 }
 
-Key with(Key k, auto... parts) { return (apply(k, std::move(parts)), ...), k; }
+Key with(Key k, auto... parts) {
+  (apply(k, std::move(parts)), ...);
+  return k;
+}
 
 Key make(Type type, Head head, auto... parts) {
   Key k;
@@ -168,7 +181,10 @@ Key text(Head head, auto... parts) { return make(Type::text, head, parts...); }
 Key name(Head head, auto... parts) { return make(Type::name, head, parts...); }
 Key word(Head head, const std::vector<Word>& words, auto... parts) {
   Key k = make(Type::word, head, parts...);
-  for (const Word& w : words) k.words.push_back(w.text), k.meanings.push_back(w.means);
+  for (const Word& w : words) {
+    k.words.push_back(w.text);
+    k.meanings.push_back(w.means);
+  }
   return k;
 }
 Key reference(Head head, std::string to, auto... parts) {

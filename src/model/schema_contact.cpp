@@ -53,9 +53,11 @@ Key between_lines() {
   const Key two = list("", reference("", "lines"), "two lines, or one twice for itself", items(2, 2));
   const Key upper = list("", reference("", "lines"), "the upper line and the lower one", items(2, 2));
   Key pair = two;
-  pair.name = "lines", pair.required = true;
+  pair.name = "lines";
+  pair.required = true;
   pair.fields = {by<BetweenLines::Tuned>([](BetweenLines::Tuned& t, const Value& v) {
-                   t.first = v.items[0].text, t.second = v.items[1].text;
+                   t.first = v.items[0].text;
+                   t.second = v.items[1].text;
                  }).put};
   return one_of(
       {"between_lines", &Contact::between_lines},

@@ -91,7 +91,10 @@ void moments(LineType& t, const Value& v) {
   t.moment_table = std::make_shared<const ResponseCurve>(v.rows(), true);
   t.EI2 = t.EI3 = t.moment_table->initial();
 }
-void two_axes(LineType& t, const Value& v) { t.EI2 = v.items[0].number, t.EI3 = v.items[1].number; }
+void two_axes(LineType& t, const Value& v) {
+  t.EI2 = v.items[0].number;
+  t.EI3 = v.items[1].number;
+}
 
 }  // namespace
 

@@ -5,8 +5,14 @@ namespace hawser::model::schema_build {
 namespace {
 
 void constant_speed(Feed& f, const Value& v) { f.speed = {{0, v.number}}; }
-void dead_band(Feed& f, const Value& v) { f.least = v.items[0].number, f.most = v.items[1].number; }
-void between(LengthTarget& t, const Value& v) { t.least = v.items[0].number, t.most = v.items[1].number; }
+void dead_band(Feed& f, const Value& v) {
+  f.least = v.items[0].number;
+  f.most = v.items[1].number;
+}
+void between(LengthTarget& t, const Value& v) {
+  t.least = v.items[0].number;
+  t.most = v.items[1].number;
+}
 void temperature(Line& l, const Value& v) {
   if (v.number != 0) l.temperature_change = {{0, v.number}};
 }

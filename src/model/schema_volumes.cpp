@@ -85,7 +85,8 @@ Field exactly() {
 
 void active_box(Volume& o, const Value& v) {
   Box& box = o.active_box.emplace();
-  put(box.lower, v.items[0]), put(box.upper, v.items[1]);
+  put(box.lower, v.items[0]);
+  put(box.upper, v.items[1]);
 }
 
 Key shape() {

@@ -33,7 +33,10 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   worked += std::abs(brought_in - brought_before) + passed;
   set_free = std::max(set_free, start.strain - e.strain);
   held = std::max(held, e.strain);
-  if (error < least_error) least_error = error, climb = {};
+  if (error < least_error) {
+    least_error = error;
+    climb = {};
+  }
   const double rise = error - least_error;
   least_by_water = std::min(least_by_water, e.by_water - start.by_water);
   const double taken_before = taken;
@@ -46,13 +49,17 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   there = std::max(there, e.kinetic + std::abs(e.strain - start.strain) - remains);
   const bool most = error - before > climb.value;
   if (most) climb = {error - before, time, h, -1, Step::ContactWith::nothing};
-  if (rise > made.value) made = {rise, time, h}, worst = climb;
+  if (rise > made.value) {
+    made = {rise, time, h};
+    worst = climb;
+  }
   if (-error > lost.value) lost = {-error, time, h};
   return most && climb.value > 1e-4 * size();
 }
 
 void Audit::located(int node, Step::ContactWith with) {
-  climb.node = node, climb.with = with;
+  climb.node = node;
+  climb.with = with;
   if (worst.time == climb.time) worst = climb;
 }
 

@@ -26,22 +26,30 @@ bool larger(const io::ClashRow& a, const io::ClashRow& b) {
 
 // Of a row or a touch, to where another of the same pair is.
 void widen(auto& to, const auto& by) {
-  to.from = std::min(to.from, by.from), to.to = std::max(to.to, by.to);
-  to.other_from = std::min(to.other_from, by.other_from), to.other_to = std::max(to.other_to, by.other_to);
+  to.from = std::min(to.from, by.from);
+  to.to = std::max(to.to, by.to);
+  to.other_from = std::min(to.other_from, by.other_from);
+  to.other_to = std::max(to.other_to, by.other_to);
 }
 
 void add(ActiveContact& sum, const ActiveContact& t) {
   widen(sum, t);
-  sum.force += t.force, sum.energy += t.energy, sum.depth = std::max(sum.depth, t.depth);
+  sum.force += t.force;
+  sum.energy += t.energy;
+  sum.depth = std::max(sum.depth, t.depth);
 }
 
 // Of two clashes that have met, the share of the second goes to the first.
 void add(io::ClashRow& sum, const io::ClashRow& r) {
-  sum.start = std::min(sum.start, r.start), sum.end = std::max(sum.end, r.end);
+  sum.start = std::min(sum.start, r.start);
+  sum.end = std::max(sum.end, r.end);
   widen(sum, r);
-  if (r.peak_force > sum.peak_force)
-    sum.peak_force = r.peak_force, sum.peak_time = r.peak_time, sum.peak_from = r.peak_from,
+  if (r.peak_force > sum.peak_force) {
+    sum.peak_force = r.peak_force;
+    sum.peak_time = r.peak_time;
+    sum.peak_from = r.peak_from;
     sum.peak_to = r.peak_to;
+  }
   sum.impulse += r.impulse;
   sum.peak_energy = std::max(sum.peak_energy, r.peak_energy);
   sum.penetration = std::max(sum.penetration, r.penetration);
@@ -104,10 +112,15 @@ std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const ActiveC
     }
     if (mine == open_.size()) {
       io::ClashRow& row = open_.emplace_back().row;
-      row.line = t.line, row.other_line = t.other_line;
-      row.volume = t.volume, row.other_volume = t.other_volume;
+      row.line = t.line;
+      row.other_line = t.other_line;
+      row.volume = t.volume;
+      row.other_volume = t.other_volume;
       row.start = row.end = row.peak_time = time;
-      row.from = t.from, row.to = t.to, row.other_from = t.other_from, row.other_to = t.other_to;
+      row.from = t.from;
+      row.to = t.to;
+      row.other_from = t.other_from;
+      row.other_to = t.other_to;
       now.emplace_back();
     }
     now[mine].take(t);
@@ -151,8 +164,12 @@ void ClashLog::follow(double time, std::vector<Now> now) {
       o.places = std::move(now[i].places);
       widen(o.row, t);
       o.row.penetration = std::max(o.row.penetration, t.depth);
-      if (t.force > o.row.peak_force)
-        o.row.peak_force = t.force, o.row.peak_time = time, o.row.peak_from = t.from, o.row.peak_to = t.to;
+      if (t.force > o.row.peak_force) {
+        o.row.peak_force = t.force;
+        o.row.peak_time = time;
+        o.row.peak_from = t.from;
+        o.row.peak_to = t.to;
+      }
       o.row.peak_energy = std::max(o.row.peak_energy, t.energy);
     } else if (time - o.row.end > settings_.merge_gap) {
       end(o.row);

@@ -63,7 +63,10 @@ std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) 
 
 Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
   std::vector<Box> each;
-  for (const Shaped& e : elements) each.push_back(e.axis.box()), radius = std::max(radius, e.radius);
+  for (const Shaped& e : elements) {
+    each.push_back(e.axis.box());
+    radius = std::max(radius, e.radius);
+  }
   boxes = BoxTree(each, {}, 1);
 }
 
@@ -160,7 +163,8 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
     const DistanceField field = [&](const Vec3& y, double within, Vec3& normal) -> std::optional<double> {
       const auto p = surface.query(y, within, hint);
       if (!p) return std::nullopt;
-      hint = p->triangle, normal = p->normal;
+      hint = p->triangle;
+      normal = p->normal;
       return p->distance;
     };
     const double length = mesh_.mesh->elements[e.element].length;

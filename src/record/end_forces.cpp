@@ -30,8 +30,10 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
       if (global == span.first_node) end = 2 * g.line;
       if (global == span.first_node + span.nodes - 1) end = 2 * g.line + 1;
       if (end < 0 && !g.two_sided) continue;
-      if (at[node] < 0)
-        at[node] = static_cast<int>(places_.size()), places_.push_back({node, end, -1, -1, {}});
+      if (at[node] < 0) {
+        at[node] = static_cast<int>(places_.size());
+        places_.push_back({node, end, -1, -1, {}});
+      }
       Place& p = places_[at[node]];
       (second ? p.before : p.after) = static_cast<int>(i);
     }
@@ -78,7 +80,8 @@ void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3>
     }
     for (Vec3* v : {&m.force, &m.moment, &m.direction}) all_reduce(system_.comm(), MPI_MAX, *v);
     all_reduce(system_.comm(), MPI_MAX, feeder_force);
-    m.beam = f.beam, feeder_forces_[k] = feeder_force;
+    m.beam = f.beam;
+    feeder_forces_[k] = feeder_force;
     for (Place& p : places_)
       if (p.end == 2 * f.line + f.at_b) p.sides = {feed_points_[k], feed_points_[k]};
   }

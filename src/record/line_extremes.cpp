@@ -120,7 +120,9 @@ std::vector<io::SummaryRow> LineExtremes::table() const {
 void LineExtremes::save(io::Checkpoint& to) {
   for (const io::SummaryRow& r : table()) {
     const std::string key = "extreme." + r.line + "." + r.quantity;
-    to.scalars[key] = r.value, to.scalars[key + ".time"] = r.time, to.scalars[key + ".arc"] = r.arc_length;
+    to.scalars[key] = r.value;
+    to.scalars[key + ".time"] = r.time;
+    to.scalars[key + ".arc"] = r.arc_length;
   }
 }
 

@@ -54,10 +54,14 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
     Worst& w = worst_[node.line];
     Before& b = before_[n];
     const double tension = std::max({on_a[n], on_b[n], 0.0});
-    if (!steps || tension < (1 - kHeld) * b.last || tension <= b.low) b.low = tension, b.since = time;
+    if (!steps || tension < (1 - kHeld) * b.last || tension <= b.low) {
+      b.low = tension;
+      b.since = time;
+    }
     if (steps && w.node == static_cast<int>(n)) {
       const double fall = (w.tension - tension) / (h * h);
-      w.rate = std::sqrt(std::max(2 * std::min(w.rise, fall) / w.tension, 0.0)), w.node = -1;
+      w.rate = std::sqrt(std::max(2 * std::min(w.rise, fall) / w.tension, 0.0));
+      w.node = -1;
     }
     if (tension > w.tension) {
       const double rise = steps ? std::max(tension - b.last, 0.0) : 0;
@@ -69,7 +73,10 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
            .passage = passage_[n],
            .from = b.low,
            .within = time - b.since};
-      if (steps) w.rise = rise / (h * h), w.node = static_cast<int>(n);
+      if (steps) {
+        w.rise = rise / (h * h);
+        w.node = static_cast<int>(n);
+      }
     }
     b.last = tension;
   }

@@ -161,7 +161,8 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
     if (lies(a) && lies(b)) laid[l] += g.length;
     if (lies(a) == lies(b)) continue;
     laid[l] += lies(a) ? straight(a, b, g.length) : straight(b, a, g.length);
-    first[2 * l] = std::min(first[2 * l], e.global), first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
+    first[2 * l] = std::min(first[2 * l], e.global);
+    first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
   }
   all_reduce(comm_, MPI_MIN, first);
   all_reduce(comm_, MPI_SUM, laid);
@@ -209,7 +210,8 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
       const Node& node = mesh.nodes[global];
       const double* v = row(k, global - e.first + kAbout - 1);
       n.gap[i] = {v[0], change.way * v[1], Vec3(v[2], v[3], v[4])};
-      n.arc[i] = change.way * node.arc, n.two_sided[i] = node.two_sided;
+      n.arc[i] = change.way * node.arc;
+      n.two_sided[i] = node.two_sided;
     }
     const double s = beyond(n, e.beam);
     (k % 2 == 0 ? t.from_a : t.from_b) =

@@ -76,7 +76,8 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
     const double z = water_->above_still_water(0.5 * (a.z() + b.z()));
     const double weight = case_.line_types[e.type].mass_per_length * case_.environment.gravity -
                           (z < 0 ? p.section.buoyancy : 0);
-    all[g] += f.error, all[n + g] += f.force;
+    all[g] += f.error;
+    all[n + g] += f.force;
     all[2 * n + g] += std::abs(weight) * p.section.length * chord.head<2>().norm();
     if (f.error <= where[g].error) continue;
     where[g] = {f.error,
@@ -103,7 +104,10 @@ std::vector<int> WaterErrors::sufficient_parts(const Kinematics& at, std::vector
        parts *= 2) {
     const std::vector<double> error = sums(at, parts, groups).error;
     for (size_t g = 0; g < groups.size(); ++g)
-      if (groups[g] && error[g] <= kAccurate * groups_[g].force) sufficient[g] = parts, groups[g] = false;
+      if (groups[g] && error[g] <= kAccurate * groups_[g].force) {
+        sufficient[g] = parts;
+        groups[g] = false;
+      }
   }
   return sufficient;
 }
@@ -126,14 +130,18 @@ void WaterErrors::update(const Kinematics& at) {
   std::vector<bool> exceeds(n);
   for (size_t i = 0; i < n; ++i) {
     Group& g = groups_[i];
-    g.force = std::max(g.force, whole.force[i]), g.weight = std::max(g.weight, whole.weight[i]);
+    g.force = std::max(g.force, whole.force[i]);
+    g.weight = std::max(g.weight, whole.weight[i]);
     exceeds[i] = whole.error[i] > std::max(g.error, g.bears());
   }
   const std::vector<int> parts = sufficient_parts(at, exceeds);
   for (size_t i = 0; i < n; ++i)
     if (exceeds[i]) {
       Group& g = groups_[i];
-      g.error = whole.error[i], g.time = at.time, g.parts = parts[i], g.where = whole.where[i];
+      g.error = whole.error[i];
+      g.time = at.time;
+      g.parts = parts[i];
+      g.where = whole.where[i];
     }
 }
 

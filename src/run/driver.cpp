@@ -134,7 +134,8 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
     // everybody meets anyhow.
     int rethrow_on_all_ranks[2] = {0, 0};
     if (output || save) {
-      rethrow_on_all_ranks[0] = stop_requested, rethrow_on_all_ranks[1] = rank == 0 && checkpoints.due();
+      rethrow_on_all_ranks[0] = stop_requested;
+      rethrow_on_all_ranks[1] = rank == 0 && checkpoints.due();
       all_reduce(comm, MPI_MAX, rethrow_on_all_ranks);
     }
     const bool stop = rethrow_on_all_ranks[0] != 0;
@@ -310,7 +311,8 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
         if (cpu_time() - begun > kTrial) throw TrialOver();
       });
     } catch (const TrialOver&) {
-      met = false, progress.end();
+      met = false;
+      progress.end();
     }
   const double searched = cpu_time() - begun;
   fmt::print("{}", model::summary(c));

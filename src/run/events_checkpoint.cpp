@@ -29,7 +29,8 @@ void Events::save(io::Checkpoint& to) const {
   for (const Happening& h : events_) {
     if (h.happened < 0) continue;
     const std::string key = kHappened + h.what.name;
-    to.scalars[key] = h.happened, to.scalars[key + kOrder] = h.order;
+    to.scalars[key] = h.happened;
+    to.scalars[key + kOrder] = h.order;
     Actions::Found found = h.found;
     for (const auto& [name, value] : entries(found)) to.scalars[key + name] = *value;
   }
@@ -41,7 +42,8 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   std::set<std::string> known;  // keys
   for (Happening& h : events_) {
     const std::string key = kHappened + h.what.name;
-    known.insert(key), known.insert(key + kOrder);
+    known.insert(key);
+    known.insert(key + kOrder);
     const auto at = from.scalars.find(key);
     if (at == from.scalars.end()) {
       if (h.what.cause.kind == Cause::Kind::time &&

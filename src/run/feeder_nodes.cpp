@@ -64,7 +64,8 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
   sim_.dynamics().transfer_node(
       [&] {
         if (feed_point != f.feed_point) sim_.structure().transfer_node(sim_.system().comm(), f, feed_point);
-        f.feed_point = feed_point, f.length = length;
+        f.feed_point = feed_point;
+        f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
         sim_.feeders()->update_feed_point(f);
         return moved;
@@ -83,7 +84,8 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
   const Feeders::Flow flow = all.flow(feed_point, k, e, f.at_b);
   const Vec3 a = k.a[i] + flow.acceleration;
   Dynamics::Moved m;
-  m.node = all.node(f, f.feed_point), m.free = true;
+  m.node = all.node(f, f.feed_point);
+  m.free = true;
   m.x = k.x[j] - share * flow.chord;
   m.v = k.v[j] + share * (flow.velocity - k.v[j]);
   m.a = k.a[j] + share * (a - k.a[j]);
@@ -120,7 +122,8 @@ void FeederNodes::release_node(Feeder& f) {
   if (moved) {
     const Kinematics k = sim_.dynamics().kinematics();
     const size_t n = sim_.local().find(node);
-    moved->x = k.x[n], moved->q = k.q[n];
+    moved->x = k.x[n];
+    moved->q = k.q[n];
   }
   transfer_node(f, f.feed_point, f.length - more, moved);
 }
@@ -194,11 +197,15 @@ void FeederNodes::shift(Feeder& f, double by) {
   State& state = sim_.state();
   const auto put = [&](const std::optional<Dynamics::Moved>& moved) {
     const int n = moved ? sim_.local().find(moved->node) : -1;
-    if (n >= 0) state.x[n] = moved->x, state.q[n] = moved->q;
+    if (n >= 0) {
+      state.x[n] = moved->x;
+      state.q[n] = moved->q;
+    }
     sim_.system().spread(state);
   };
   const auto set = [&](int feed_point, double length) {
-    f.feed_point = feed_point, f.length = length;
+    f.feed_point = feed_point;
+    f.length = length;
     f.offset = length - (f.feed.speed.empty() ? 0 : model::fed_by(f.feed, f.time).length);
     all.update_feed_point(f);
   };
@@ -263,9 +270,12 @@ void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
     if (!(feed_point >= 0 && feed_point < sim_.feeders()->elements(f)) || !(take("length") > 0))
       throw refuse(
           fmt::format("its checkpoint is damaged: the feed point of {} is {:g}", f.name, feed_point));
-    f.feed_point = static_cast<int>(feed_point), f.length = take("length"), f.speed = take("speed"),
+    f.feed_point = static_cast<int>(feed_point);
+    f.length = take("length");
+    f.speed = take("speed");
     f.length_rate = take("length_rate");
-    f.resting = take("resting") > 0, f.time = from.time;
+    f.resting = take("resting") > 0;
+    f.time = from.time;
     f.outside_at_start = take("outside at the start");
     // A table that was changed goes on from the length there is.
     f.offset = take("offset");

@@ -94,7 +94,9 @@ LengthSearch::LengthSearch(const model::Case& c, size_t line, bool at_b, int fee
   const model::Line& l = c.lines[line];
   const model::Feed& feed = *l.end(at_b).feed;
   key_ = fmt::format("lines.{}.end_{}.feed.stock", l.whole ? l.whole->name : l.name, at_b ? 'b' : 'a');
-  t_.value = feed.tension, t_.at_a = !at_b, t_.most = model::length_of(l);
+  t_.value = feed.tension;
+  t_.at_a = !at_b;
+  t_.most = model::length_of(l);
   given_ = feed.stock;
   begin(given_, kNextStep * (t_.most - given_));
 }
@@ -134,7 +136,8 @@ double LengthSearch::error() const {
 bool LengthSearch::update(const AtRest& now) {
   if (failed_) return false;
   const bool was = met_;
-  value_ = reached(now), last_found_ = length_;
+  value_ = reached(now);
+  last_found_ = length_;
   near_ = error() <= kCoarse;
   met_ = error() <= kTolerance || (narrow() && near_);
   return was && !met_;
@@ -189,7 +192,8 @@ void LengthSearch::throw_not_found(const model::Case& c) {
              fmt::format("no length of section {} between {:g} and {:g} m was found that gives {} as the {}",
                          t_.section + 1, t_.least, t_.most, value_text(t_, t_.value), name_of(t_)) +
                  tried());
-  failed_ = met_ = true, length_ = given_;
+  failed_ = met_ = true;
+  length_ = given_;
 }
 
 }  // namespace hawser::run

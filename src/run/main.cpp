@@ -75,11 +75,14 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   try {
     return work();
   } catch (const hawser::InputError& e) {
-    code = hawser::kExitInput, text = e.what();
+    code = hawser::kExitInput;
+    text = e.what();
   } catch (const hawser::SolveError& e) {
-    code = hawser::kExitSolve, text = e.what();
+    code = hawser::kExitSolve;
+    text = e.what();
   } catch (const hawser::io::WriteError& e) {
-    code = hawser::kExitWrite, text = e.what();
+    code = hawser::kExitWrite;
+    text = e.what();
   } catch (const std::exception& e) {
     // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
     std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
@@ -213,7 +216,10 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& e) {
     std::ostringstream out, wrong;
     const bool failed = line.cli.exit(e, out, wrong) != 0;
-    if (prints) std::fputs(out.str().c_str(), stdout), std::fputs(wrong.str().c_str(), stderr);
+    if (prints) {
+      std::fputs(out.str().c_str(), stdout);
+      std::fputs(wrong.str().c_str(), stderr);
+    }
     return failed ? hawser::kExitInput : 0;
   }
   if (*line.schema_command) {

@@ -82,7 +82,8 @@ void Progress::statics(int iterations, int relaxation_steps, double residual) {
 }
 
 void Progress::begin(double time, double end) {
-  start_ = time, duration_ = end;
+  start_ = time;
+  duration_ = end;
   began_ = last_ = Clock::now();
   next_share_ = std::floor(10 * time / std::max(duration_, 1e-300) + 1e-9) / 10 + 0.1;
 }

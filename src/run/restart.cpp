@@ -166,7 +166,9 @@ void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<doubl
       return !of.empty() && (k < 3 || m.rotates(static_cast<int>(n))) ? of[b + k] : 0.0;
     });
   };
-  rows(kReaction, reactions), rows(kMeanQ, mean.q), rows(kMeanF, mean.f);
+  rows(kReaction, reactions);
+  rows(kMeanQ, mean.q);
+  rows(kMeanF, mean.f);
 }
 
 }  // namespace
@@ -321,7 +323,10 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   }
   system.spread(s.s);
   system.spread(s.ax);
-  if (has_directors(m)) system.spread(s.aw), system.spread(s.ad);
+  if (has_directors(m)) {
+    system.spread(s.aw);
+    system.spread(s.ad);
+  }
 
   const auto rows = [&](const char* name) {
     std::vector<double> out(3 * static_cast<size_t>(m.blocks()), 0);

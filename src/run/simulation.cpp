@@ -100,11 +100,15 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
     d.allowed_penetration = v.allowed_penetration;
     const AutomaticStiffness s = automatic_contact_stiffness(d);
     most = std::max(most, most_stiffness(d));
-    if (s.per_length > best.per_length) best = s, mass = t.mass_per_length;
+    if (s.per_length > best.per_length) {
+      best = s;
+      mass = t.mass_per_length;
+    }
   }
   v.basis = model::StiffnessBasis::per_length;
   v.normal_stiffness = best.per_length;
-  volume.automatic = true, volume.most = std::max(most, best.per_length);
+  volume.automatic = true;
+  volume.most = std::max(most, best.per_length);
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
   const bool too_short = c.dynamics.enabled && step > 0 && bounce < 1.5 * step;
   notes.push_back(
@@ -141,7 +145,10 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   const Kinematics at = start.state.view(0);
   bodies_->fix_drawn(comm, case_, at);
   if (!case_.links.empty()) add<Links>(comm, case_, local(), bodies_, at);
-  if (feeders_) feeders_->clamp(start.ends), start.tied = feeders_->with_held(start.tied);
+  if (feeders_) {
+    feeders_->clamp(start.ends);
+    start.tied = feeders_->with_held(start.tied);
+  }
   const std::vector<int> held = held_nodes(case_, local(), feeders_, start.tied);
   add_seabed(at, held);
   add_contact(at, held, surfaces);
@@ -175,7 +182,8 @@ void Simulation::add_lines() {
   add<LineMassTerm>(local(), case_);
   bool loads = false, masses = false, springs = false;
   for (const auto& line : case_.lines) {
-    loads |= !line.point_loads.empty(), masses |= !line.masses.empty();
+    loads |= !line.point_loads.empty();
+    masses |= !line.masses.empty();
     springs |= line.end_a.rotational_stiffness > 0 || line.end_b.rotational_stiffness > 0;
   }
   if (loads) add<PointLoads>(local(), point_loads(case_, local()));
@@ -262,7 +270,8 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
   SeabedTerm& bed = *seabed();
   const auto solve = [&] {
     const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
-    report.iterations += more.iterations, report.escapes += more.escapes;
+    report.iterations += more.iterations;
+    report.escapes += more.escapes;
     report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
   };
   for (const double slip : {kFirstSlip / 30, 0.0}) {
@@ -303,7 +312,10 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   for (HasFriction* t : with_friction) t->enable_friction(true);
   for (RestrainedInStatics* t : restrained) t->hold(false);
   if (!restrained.empty()) {
-    for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) state_.v[n] = v[n], state_.w[n] = w[n];
+    for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) {
+      state_.v[n] = v[n];
+      state_.w[n] = w[n];
+    }
     system_->spread(state_);
   }
   if (contact || line_pairs) system_->commit(state_.view(0));
@@ -387,7 +399,10 @@ std::string Simulation::inside(int volume, const Kinematics& at) const {
   v.off = false;
   std::vector<ExcludedEnds> excluded_ends;
   for (ExcludedEnds l : start_contact_.excluded_ends)
-    if (l.volume == volume) l.volume = 0, excluded_ends.push_back(l);
+    if (l.volume == volume) {
+      l.volume = 0;
+      excluded_ends.push_back(l);
+    }
   bodies_->exchange_poses(system_->comm(), at);
   return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, excluded_ends);
 }

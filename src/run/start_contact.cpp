@@ -84,7 +84,8 @@ void remove_excluded(std::vector<Inside>& inside, const std::vector<ExcludedEnds
     });
     if (l != excluded_ends.end()) {
       if (s.to <= l->end_a || s.from >= length - l->end_b) continue;
-      s.from = std::max(s.from, l->end_a), s.to = std::min(s.to, length - l->end_b);
+      s.from = std::max(s.from, l->end_a);
+      s.to = std::min(s.to, length - l->end_b);
     }
     if (s.depth > 0 && s.from < s.to) out.push_back(s);
   }
@@ -97,7 +98,8 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
   std::map<std::pair<int, int>, ExcludedEnds> of;
   const auto entry = [&of](int line, int volume) -> ExcludedEnds& {
     ExcludedEnds& l = of[{line, volume}];
-    l.line = line, l.volume = volume;
+    l.line = line;
+    l.volume = volume;
     return l;
   };
   for (size_t l = 0; l < c.lines.size(); ++l)

@@ -59,7 +59,9 @@ class Meshes {
     io::LoadedMesh loaded = read(i);
     const io::FitMesh fit = io::check_mesh(c_, v, loaded);
     blunt_[i] = fit.blunt;
-    l.active = fit.active, l.report = summary(loaded.report), l.notes = std::move(loaded.notes);
+    l.active = fit.active;
+    l.report = summary(loaded.report);
+    l.notes = std::move(loaded.notes);
     announce(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()), v);
     std::shared_ptr<const MeshSurface> surface;
     try {
@@ -156,7 +158,10 @@ Box reach(const model::Case& c, const std::string& body_name) {
     for (const Vec3& p : line.points) own.add(local(p));
     int held = 0;
     for (const model::End* e : {&line.end_a, &line.end_b})
-      if (e->kind != model::EndKind::free) own.add(local(model::end_position(c, *e))), ++held;
+      if (e->kind != model::EndKind::free) {
+        own.add(local(model::end_position(c, *e)));
+        ++held;
+      }
     if (line.points.empty() && held > 0) {
       const Vec3 middle = own.centre();
       own.add(Box{middle, middle}.grown(held == 1 ? length : 0.5 * length));

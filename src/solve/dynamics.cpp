@@ -85,7 +85,10 @@ void Dynamics::prepare(double h, const State* end) {
     build();
     system_.spread(committed_.s);
     system_.spread(committed_.ax);
-    if (has_directors(system_.mesh())) system_.spread(committed_.aw), system_.spread(committed_.ad);
+    if (has_directors(system_.mesh())) {
+      system_.spread(committed_.aw);
+      system_.spread(committed_.ad);
+    }
     const size_t size = 3 * static_cast<size_t>(system_.mesh().blocks());
     reactions_.resize(size, 0);
     for (auto* rows : {&mean_.q, &mean_.f}) rows->resize(system_.mean_forces().size(), 0);
@@ -144,7 +147,8 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
 
 // Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
 void Dynamics::solve_once() {
-  old_tangent_ = false, counted_ = -1;
+  old_tangent_ = false;
+  counted_ = -1;
   error_.check(SNESSolve(snes_, nullptr, u_.get()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt its = 0;
@@ -198,13 +202,15 @@ void Dynamics::commit() {
   add_work([&](size_t i) { return 0.5 * (now[i] - of(mean_.f, i)) + of(mean, i); });
   reactions_ = now;
   std::swap(committed_, trial_);
-  last_step_ = h_, expected_ = -1;
+  last_step_ = h_;
+  expected_ = -1;
   system_.commit(committed_.s.view(h_));
 }
 
 bool Dynamics::end_step() {
   commit();
-  tries_.info.time = committed_.s.time, tries_.info.h = h_;
+  tries_.info.time = committed_.s.time;
+  tries_.info.h = h_;
   return observer_(tries_.info);
 }
 
@@ -244,8 +250,10 @@ void Dynamics::start(const State& state) {
   copied_ = false;
   const size_t n = state.x.size();
   State& s = committed_.s;
-  s.a.assign(n, Vec3::Zero()), s.alpha.assign(n, Vec3::Zero());
-  s.directors.clear(), s.director_weight = 0;
+  s.a.assign(n, Vec3::Zero());
+  s.alpha.assign(n, Vec3::Zero());
+  s.directors.clear();
+  s.director_weight = 0;
   system_.tied_nodes().rates(s.time, s);
   system_.tied_nodes().follow(s);
   last_step_ = 0;

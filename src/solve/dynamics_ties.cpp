@@ -42,8 +42,11 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
     if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) caught.push_back(h.node);
   if (!on_any_rank(system_.comm(), !caught.empty())) return;
   const double h = control_.proposal();
-  s.directors.clear(), s.director_weight = 0, s.mean = {};
-  committed_.s = s, last_step_ = 0;
+  s.directors.clear();
+  s.director_weight = 0;
+  s.mean = {};
+  committed_.s = s;
+  last_step_ = 0;
   prepare(h);
   s = committed_.s;  // with the ghosts there are now
   VecHandle rest;

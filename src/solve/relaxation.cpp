@@ -62,7 +62,8 @@ class Relaxation : StaticTrial {
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {
-        ++report.rejected, free = 0;
+        ++report.rejected;
+        free = 0;
         weigh(kHeavier);
         continue;
       }
@@ -145,7 +146,8 @@ class Relaxation : StaticTrial {
   }
   void tangent() override {
     Weights weights;
-    weights.shift_position = mass_, weights.shift_rotation = mass_ * length_ * length_;
+    weights.shift_position = mass_;
+    weights.shift_rotation = mass_ * length_ * length_;
     system_.tangent(trial_.view(0), weights, local_, false, J_.get());
   }
   SNESConvergedReason check_step(int iteration) override {

@@ -96,7 +96,8 @@ void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, L
                         notes);
     tangent = given;
   };
-  clamp_direction(false), clamp_direction(true);
+  clamp_direction(false);
+  clamp_direction(true);
   std::vector<Quat>& q = shape.q;
   if (q.empty()) {
     q.push_back(axes_along(shape.tangent[0]));
@@ -113,9 +114,12 @@ LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) 
   LineStart shape = whole.shape;
   const auto first = whole.mesh->nearest_node(0, line.from), last = first + nodes;
   const auto take = [&](auto& values) {
-    values.erase(values.begin() + last, values.end()), values.erase(values.begin(), values.begin() + first);
+    values.erase(values.begin() + last, values.end());
+    values.erase(values.begin(), values.begin() + first);
   };
-  take(shape.x), take(shape.tangent), take(shape.q);
+  take(shape.x);
+  take(shape.tangent);
+  take(shape.q);
   return shape;
 }
 
@@ -131,7 +135,8 @@ std::vector<LineStart> all_shapes(const model::Case& c, const Mesh& g, const Bod
       StartedLine& whole = uncut_lines.emplace_back(StartedLine{&line, &g, g.lines[l], {}});
       if (line.whole) {
         model::Case alone;
-        alone.line_types = c.line_types, alone.lines = {*line.whole};
+        alone.line_types = c.line_types;
+        alone.lines = {*line.whole};
         meshes.push_back(build_mesh(alone));
         whole = {line.whole.get(), &meshes.back(), meshes.back().lines.front(), {}};
       }
@@ -174,7 +179,9 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
       g.nodes[span.first_node].rotates)
     if (const int here = mesh.find(span.first_node); here >= 0) {
       TiedNode s;
-      s.position_mask = 0, s.rotation_mask = 1, s.node = here;
+      s.position_mask = 0;
+      s.rotation_mask = 1;
+      s.node = here;
       out.tied.push_back(s);
     }
   const int twist = twist_end(c, whole);
@@ -194,7 +201,8 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     s.at = e.at;
     if (const int frame = g.nodes[node].tied_to; frame >= 0 && c.floats(s.body)) {
       s.at -= c.bodies[s.body].mass->centre;
-      s.body = -1, s.frame = mesh.find(frame);
+      s.body = -1;
+      s.frame = mesh.find(frame);
     }
     if (g.nodes[node].rotates) {
       if (e.clamped) {
@@ -221,7 +229,8 @@ void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out)
     const LineSpan& span = g.lines[node.line];
     const model::Line& line = c.lines[node.line];
     TiedNode s;
-    s.node = n, s.frame = frame;
+    s.node = n;
+    s.frame = frame;
     if (mesh.rotates(n) && mesh.rotates(frame) &&
         rigid(c, global == span.first_node ? line.end_a : line.end_b)) {
       s.rotation_mask = 7;
@@ -236,7 +245,10 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
     const int body = mesh.node(n).body;
     if (body < 0) continue;
     const RigidBodyState s = floating_start(*c.bodies[body].mass, bodies.pose(body, 0));
-    state.x[n] = s.x, state.q[n] = s.q, state.v[n] = s.v, state.w[n] = s.w;
+    state.x[n] = s.x;
+    state.q[n] = s.q;
+    state.v[n] = s.v;
+    state.w[n] = s.w;
   }
 }
 

@@ -94,7 +94,10 @@ void StaticSearch::approach() {
 }
 
 void StaticSearch::descend(double tolerance) {
-  tolerance_ = tolerance, shift_ = kFirstShift, cut_ = 0, begun_ = report_.iterations;
+  tolerance_ = tolerance;
+  shift_ = kFirstShift;
+  cut_ = 0;
+  begun_ = report_.iterations;
   const SNESConvergedReason reason = solve();
   if (reason < 0)
     throw_no_equilibrium(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
@@ -197,7 +200,8 @@ void StaticSearch::polish() {
 }
 
 void StaticSearch::use_tangent(bool exact, double shift) {
-  exact_ = exact, used_ = shift;
+  exact_ = exact;
+  used_ = shift;
   PetscInt unknowns = 0;
   check(VecGetSize(u_.get(), &unknowns));
   const double unit = report_.norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
@@ -241,7 +245,8 @@ double StaticSearch::away(const State& from) const {
 
 bool StaticSearch::rest() {
   const RelaxationReport r = relax(system_, *relaxation_, state_);
-  report_.iterations += r.iterations, report_.relaxation_steps += r.steps;
+  report_.iterations += r.iterations;
+  report_.relaxation_steps += r.steps;
   build();
   local_ = zero_;
   trial_ = state_;

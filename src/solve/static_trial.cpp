@@ -132,7 +132,10 @@ void StaticTrial::step(double factor) {
 
 bool StaticTrial::path_is_clear() {
   const auto passes = [this](const Verdict& v) {
-    if (!v.accepted()) blocked_by_ = v.because, blocked_ = trial_;
+    if (!v.accepted()) {
+      blocked_by_ = v.because;
+      blocked_ = trial_;
+    }
     return v.accepted();
   };
   const Verdict verdict = system_.check_step(trial_.view(0));
@@ -143,7 +146,8 @@ bool StaticTrial::path_is_clear() {
       CouplingChange::layout_changed) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
     build();
-    system_.spread(state_), system_.spread(trial_);
+    system_.spread(state_);
+    system_.spread(trial_);
     if (!u.empty()) {
       PetscScalar* p = nullptr;
       check(VecGetArray(u_.get(), &p));

@@ -40,7 +40,8 @@ double StepControl::followed(double t) const {
 // What is softer makes no step longer before those are over.
 void StepControl::follow_impact(double t, double period) {
   if (!std::isfinite(period) || (impact_period_ > 0 && kRinging * period > followed(t) * (1 + 1e-9))) return;
-  impact_period_ = period, resolved_until_ = t + kFollowed * period;
+  impact_period_ = period;
+  resolved_until_ = t + kFollowed * period;
 }
 
 void StepControl::reset_to_first_step() {

@@ -118,7 +118,8 @@ Dynamics::Decision Dynamics::decide() {
       throw SolveError(verdict.because);
   }
   ++tries_.info.rejected;
-  tries_.search = {}, tries_.event = HUGE_VAL;  // what is shorter may not reach the event
+  tries_.search = {};
+  tries_.event = HUGE_VAL;  // what is shorter may not reach the event
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
   throw SolveError("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}{}",
                    committed_.s.time, h_, verdict.because, folded_element(system_, committed_.s.view(h_)));

@@ -35,11 +35,13 @@ Middle middle(const SweptAxis& s) {
   Middle m;
   m.shift = Vec3::Zero();
   for (size_t i = 0; i < 4; ++i) {
-    p.b[i] = 0.5 * (s.from[i] + s.to[i]), d[i] = 0.5 * (s.to[i] - s.from[i]);
+    p.b[i] = 0.5 * (s.from[i] + s.to[i]);
+    d[i] = 0.5 * (s.to[i] - s.from[i]);
     m.shift += 0.25 * d[i];
   }
   for (const Vec3& x : d) m.spread = std::max(m.spread, (x - m.shift).norm());
-  m.a = p.b[0], m.b = p.b[3];
+  m.a = p.b[0];
+  m.b = p.b[3];
   m.bulge = p.sagitta();
   m.around = 0.5 * (m.b - m.a).norm() + m.bulge;
   m.thickness = s.radius + s.skin;
@@ -83,8 +85,11 @@ bool LineCandidates::shares_less() const {
 }
 
 void LineCandidates::gather() {
-  local_.clear(), built_.clear(), list_.clear();
-  local_.reserve(mesh_.elements.size()), built_.reserve(mesh_.elements.size());
+  local_.clear();
+  built_.clear();
+  list_.clear();
+  local_.reserve(mesh_.elements.size());
+  built_.reserve(mesh_.elements.size());
   for (const LocalElement& e : mesh_.elements)
     if (radius_[e.global] > 0 && !is_in_feeder(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
@@ -293,9 +298,11 @@ void LineCandidates::couple(Couplings& to) const {
 }
 
 void LineCandidates::locate() {
-  segments_.clear(), pairs_.clear();
+  segments_.clear();
+  pairs_.clear();
   std::vector<std::pair<int, int>> number;  // element, segment; sorted by element
-  segments_.reserve(local_.size()), number.reserve(local_.size());
+  segments_.reserve(local_.size());
+  number.reserve(local_.size());
   for (const LocalElement& e : local_) {
     number.emplace_back(e.global, static_cast<int>(segments_.size()));
     segments_.push_back({e.first, e.second, e.global, radius_[e.global]});

@@ -15,7 +15,10 @@
 namespace hawser {
 
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
-  if (mesh_.chain == 0) mesh_.chain = mesh_.nodes(), mesh_.chain_blocks = mesh_.blocks();
+  if (mesh_.chain == 0) {
+    mesh_.chain = mesh_.nodes();
+    mesh_.chain_blocks = mesh_.blocks();
+  }
   exchange_ = GhostExchange(comm_, mesh_);
   size_arrays();
   int lines = 1;
@@ -38,7 +41,10 @@ void System::size_arrays() {
     const size_t b = mesh_.block[n];
     const int line = mesh_.node(n).line;
     square_of_block_[b] = 2 * line;
-    if (mesh_.rotates(n)) turn_of_[b + 1] = turns++, square_of_block_[b + 1] = 2 * line + 1;
+    if (mesh_.rotates(n)) {
+      turn_of_[b + 1] = turns++;
+      square_of_block_[b + 1] = 2 * line + 1;
+    }
   }
   force_.resize(3 * blocks, 0);
   const auto& elements = mesh_.mesh->elements;
@@ -64,8 +70,13 @@ void System::add(std::unique_ptr<ForceTerm> term) {
     using Role = typename std::remove_reference_t<decltype(list)>::value_type;
     if (const auto role = dynamic_cast<Role>(term.get())) list.push_back(role);
   };
-  take(couple_nodes_), take(limit_steps_), take(raise_stiffness_), take(on_elements_), take(move_masses_);
-  take(carry_tension_), take(scale_residuals_);
+  take(couple_nodes_);
+  take(limit_steps_);
+  take(raise_stiffness_);
+  take(on_elements_);
+  take(move_masses_);
+  take(carry_tension_);
+  take(scale_residuals_);
   terms_.push_back(std::move(term));
 }
 
@@ -198,7 +209,10 @@ ResidualNorms System::norms(Vec r) const {
                           longest_element_,
                           l < mesh_.mesh->lines.size() ? mesh_.mesh->lines[l].length : 1};
     const double size = n.relative();
-    if (size > most || !std::isfinite(size)) worst = n, most = std::isfinite(size) ? size : HUGE_VAL;
+    if (size > most || !std::isfinite(size)) {
+      worst = n;
+      most = std::isfinite(size) ? size : HUGE_VAL;
+    }
   }
   return worst;
 }

@@ -59,7 +59,8 @@ std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pai
         const auto found = nearest_to(field, axis, gap + p.radius, p.from == p.to ? 0 : kLevels);
         if (!found) return;
         y = p.from + found->xi * (p.to - p.from);
-        distance = found->distance, gap = distance - p.radius;
+        distance = found->distance;
+        gap = distance - p.radius;
       });
   if (!(gap < within)) return std::nullopt;
   const Vec3 z = at.across(y);
@@ -141,7 +142,8 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
     const Sum s = contact(p, now, kSprings);
     if (!s.active && p.potential == 0) continue;
     Vec12 way;
-    way.segment<3>(0) = now.A.x - p.at.A.x, way.segment<3>(6) = now.B.x - p.at.B.x;
+    way.segment<3>(0) = now.A.x - p.at.A.x;
+    way.segment<3>(6) = now.B.x - p.at.B.x;
     way.segment<3>(3) = log_so3(Quat(Mat3(p.at.A.R.transpose() * now.A.R)));
     way.segment<3>(9) = log_so3(Quat(Mat3(p.at.B.R.transpose() * now.B.R)));
     const double made = s.potential - p.potential - 0.5 * (p.elastic + s.on.f).dot(way);

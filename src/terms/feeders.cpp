@@ -50,12 +50,15 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       if (!end.feed) continue;
       of_line_[l][at_b] = static_cast<int>(feeders_.size());
       Feeder f;
-      f.line = static_cast<int>(l), f.at_b = at_b, f.feed = *end.feed;
+      f.line = static_cast<int>(l);
+      f.at_b = at_b;
+      f.feed = *end.feed;
       f.name = fmt::format("end {} of line {}", at_b ? 'B' : 'A', c.lines[l].name);
       f.tied.body = end.kind == model::EndKind::body ? c.body_index(end.body) : -1;
       f.tied.at = end.at;
       const FedStart start = fed_start(*mesh.mesh, mesh.mesh->lines[l], at_b, f.feed.stock);
-      f.feed_point = start.inside, f.length = f.offset = start.length;
+      f.feed_point = start.inside;
+      f.length = f.offset = start.length;
       update_feed_point(f);
       f.outside_at_start = outside(f);
       f.resting = f.feed.has_band();
@@ -94,7 +97,8 @@ double Feeders::outside(const Feeder& f) const {
 void Feeders::update_feed_point(Feeder& f) const {
   const Element& g = mesh_.mesh->elements[element(f, f.feed_point)];
   const auto& t = case_.line_types[g.type];
-  f.beam = g.beam, f.free_strain = g.free_strain;
+  f.beam = g.beam;
+  f.free_strain = g.free_strain;
   if (f.beam)
     f.bar = beam_section(*mesh_.mesh, case_, g);
   else
@@ -171,9 +175,12 @@ std::optional<Feeders::ElementState> Feeders::element_state(int e, const Kinemat
     if (i < f.feed_point) out->idle = true;
     if (i != f.feed_point) continue;
     const FeedPoint m = feed_point(f, at, now);
-    out->length = m.length, out->length_by_chord = m.by_chord, out->length_by_force = m.length_by_force,
+    out->length = m.length;
+    out->length_by_chord = m.by_chord;
+    out->length_by_force = m.length_by_force;
     out->length_rate = m.length_rate;
-    out->before = f.length, out->feeder = k;
+    out->before = f.length;
+    out->feeder = k;
   }
   return out;
 }
@@ -274,8 +281,10 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
       to.block<3, 3>(3 * i, 3).diagonal().array() = value;
       to.block<3, 3>(3 * i, 0).diagonal().array() = -value;
     };
-    put(K, 0, held * by_x + own), put(K, 1, shared * by_x);
-    put(C, 0, held * by_v), put(C, 1, shared * by_v);
+    put(K, 0, held * by_x + own);
+    put(K, 1, shared * by_x);
+    put(C, 0, held * by_v);
+    put(C, 1, shared * by_v);
     assembler.add(blocks, r, K.data(), C.data(), M.data());
   }
 }
@@ -289,7 +298,10 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, double*
     // The momentum of what is set in motion is the feeder's, not the line's.
     const Flow o = flow(feed_point(feeder, at, false), at, e, feeder.at_b);
     out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
-    for (int i = 0; i < 3; ++i) f[i] += out[feeder.at_b ? 1 : 0][i], f[6 + i] += out[feeder.at_b ? 0 : 1][i];
+    for (int i = 0; i < 3; ++i) {
+      f[i] += out[feeder.at_b ? 1 : 0][i];
+      f[6 + i] += out[feeder.at_b ? 0 : 1][i];
+    }
   }
 }
 
@@ -327,9 +339,12 @@ void Feeders::commit(const Kinematics& accepted) {
             f.speed * m.speed < 0 ||
             std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension : f.feed.tension - f.feed.least);
     }
-    f.length = m.length, f.time = accepted.time;
-    if (!f.feed.speed.empty() || (h > 0 && e))
-      f.speed = f.resting ? 0 : m.speed, f.length_rate = m.length_rate;
+    f.length = m.length;
+    f.time = accepted.time;
+    if (!f.feed.speed.empty() || (h > 0 && e)) {
+      f.speed = f.resting ? 0 : m.speed;
+      f.length_rate = m.length_rate;
+    }
     if (!e || !e->counted || !(h > 0)) continue;
     const double now = power(f, accepted, *e);
     work_ += 0.5 * h * (power_[k] + now);

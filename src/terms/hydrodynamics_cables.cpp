@@ -19,7 +19,8 @@ void Hydrodynamics::group() {
     Four& q = fours_.back();
     for (int lane = q.count; lane < 4; ++lane) {
       q.piece[lane] = static_cast<int>(p);
-      q.first[lane] = pieces_[p].at.first, q.second[lane] = pieces_[p].at.second;
+      q.first[lane] = pieces_[p].at.first;
+      q.second[lane] = pieces_[p].at.second;
       q.sections.set(lane, pieces_[p].section);
     }
     ++q.count;
@@ -48,7 +49,8 @@ double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
   const State& was = feeders_->before();
   if (was.x.size() != at.x.size()) return 0;
   Kinematics before = at;
-  before.x = was.x, before.q = was.q;
+  before.x = was.x;
+  before.q = was.q;
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
     const auto rest = feeders_->element_state(p.at.global, at, true);

@@ -134,7 +134,8 @@ void LineMassTerm::commit(const Kinematics& accepted) {
   update_from_feeders(accepted, true);
   if (ramped_.empty() || committed_.x.size() != accepted.x.size()) return;
   Kinematics before;
-  before.x = committed_.x, before.q = committed_.q;
+  before.x = committed_.x;
+  before.q = committed_.q;
   for (const Piece& p : pieces_)
     if (p.ramped && p.at.counted) {
       const Vec3 mean = 0.5 * (ramped_load(p, committed_.time) + ramped_load(p, accepted.time));

@@ -43,7 +43,10 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   for (const Pair& p : pairs_) {
     if (clipped(p) || !met(p, is) || !tunnels(p, trial)) continue;
     const double gap = nearest_at_start(p).gap;
-    if (!through || gap < least) through = &p, least = gap;
+    if (!through || gap < least) {
+      through = &p;
+      least = gap;
+    }
   }
   if (through)
     return {Verdict::Kind::shorter,
@@ -56,11 +59,15 @@ bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;
   if (trial.step > 0) {
-    limits.most = kThrough * p.law.radii, limits.part = 0.5, limits.floor = kPressed * p.law.radii;
+    limits.most = kThrough * p.law.radii;
+    limits.part = 0.5;
+    limits.floor = kPressed * p.law.radii;
     return sides_kept(a0, a1, b0, b1, limits) != Sides::kept;
   }
   // Axes may cross from the start: then no side is the right one.
-  limits.most = kStaticDepth * p.law.radii, limits.part = 0.9, limits.no_side = kNoSide * p.law.radii;
+  limits.most = kStaticDepth * p.law.radii;
+  limits.part = 0.9;
+  limits.no_side = kNoSide * p.law.radii;
   return sides_kept(a0, a1, b0, b1, limits) == Sides::near;
 }
 

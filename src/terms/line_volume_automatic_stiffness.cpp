@@ -46,7 +46,9 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
     const AxisShape shape(ends(equilibrium, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     PressedPoint at;
-    at.radius = pair.radius, at.mass = settings(pair).mass_per_length, at.held = is_held(pair);
+    at.radius = pair.radius;
+    at.mass = settings(pair).mass_per_length;
+    at.held = is_held(pair);
     for (const double xi : {0.0, 1.0})
       at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
     if (touches) finder_.find(pair, shape, pose);
@@ -58,7 +60,10 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
         if (!touches || pair.found.panels[there.panel].group != w || !pair.in_contact(there.at)) continue;
         const double gap = there.at.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
-        if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * there.at.normal;
+        if (-gap > at.depth) {
+          at.depth = -gap;
+          normal = pose.rotation * there.at.normal;
+        }
       }
       at.static_share = touches ? static_share(pair, equilibrium, force, at.depth, normal) : 1;
       volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
@@ -96,8 +101,11 @@ std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) cons
     if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
     for (const QuadraturePoint& there : pair.found.quadrature)
-      if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest))
-        in = &pair, deepest = depth, xi = there.xi;
+      if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest)) {
+        in = &pair;
+        deepest = depth;
+        xi = there.xi;
+      }
   }
   if (!in) return {};
   const LocalElement& e = local(*in);

@@ -78,7 +78,10 @@ void LineVolumeFinder::assign_previous_points(LineVolumePair& pair) const {
     for (size_t w = 0; w < facet_groups && facet_groups > 1; ++w) {
       const auto there =
           surface(pair).query_group(near.facet_groups.of[w], y, std::numeric_limits<double>::max(), true);
-      if (there && there->normal.dot(p.normal) > like) like = there->normal.dot(p.normal), best = w;
+      if (there && there->normal.dot(p.normal) > like) {
+        like = there->normal.dot(p.normal);
+        best = w;
+      }
     }
     of[best][p.group].push_back(p);
   }

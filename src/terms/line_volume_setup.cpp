@@ -63,7 +63,10 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
 }
 
 void LineVolumeContact::renew_laws() {
-  for (Pair& pair : pairs_) pair.laws = laws(pair), pair.evaluated_at.known = false;
+  for (Pair& pair : pairs_) {
+    pair.laws = laws(pair);
+    pair.evaluated_at.known = false;
+  }
 }
 
 void LineVolumeContact::enable_friction(bool on) {
@@ -86,7 +89,8 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
     for (int k = 0; k < volumes(); ++k) {
       const auto key = [&] { return std::pair(old[known].element, old[known].volume); };
       while (known < old.size() && key() < std::pair(e, k)) ++known;
-      pair.element = e, pair.volume = k;
+      pair.element = e;
+      pair.volume = k;
       double motion = 0;
       if (!start_pair(pair, at, shape, h, motion)) continue;
       if (known < old.size() && key() == std::pair(e, k)) carry_over(old[known], pair);
@@ -104,7 +108,9 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
                                    double& motion) const {
   const Element& e = element(pair);
   const RigidPose& pose = volumes_.start_pose(pair.volume);
-  pair.length = at.length, pair.radius = settings(pair).radius, pair.held = settings(pair).held;
+  pair.length = at.length;
+  pair.radius = settings(pair).radius;
+  pair.held = settings(pair).held;
   pair.laws = laws(pair);
   pair.contact_distance = pair.radius + pair.smoothing();
   const double speed =
@@ -127,7 +133,9 @@ void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   if (!was.several && was.points.empty()) pair.found = std::move(was.found);
   pair.points = std::move(was.points);
   pair.springs = was.springs;
-  pair.hint = was.hint, pair.ahead = was.ahead, pair.clearance = was.clearance;
+  pair.hint = was.hint;
+  pair.ahead = was.ahead;
+  pair.clearance = was.clearance;
   if (!pair.points.empty()) pair.near_facets = std::move(was.near_facets);
 }
 

@@ -17,13 +17,18 @@ void take_slip(const std::vector<AxisContactPoint>& previous, double xi, Contact
   if (!a && !b) return;
   if (!a || !b) {
     const AxisContactPoint& p = a ? *a : *b;
-    s.slip = p.slip, s.normal = p.normal;
+    s.slip = p.slip;
+    s.normal = p.normal;
     return;
   }
   const double gap = b->xi - a->xi, t = (xi - a->xi) / gap;
   const SlipBetween between = slip_between(a->slip, a->normal, b->slip, b->normal, t, rates != nullptr);
-  s.slip = between.slip, s.normal = between.normal;
-  if (rates) rates->start_slip = between.slip_by_t / gap, rates->start_normal = between.normal_by_t / gap;
+  s.slip = between.slip;
+  s.normal = between.normal;
+  if (rates) {
+    rates->start_slip = between.slip_by_t / gap;
+    rates->start_normal = between.normal_by_t / gap;
+  }
 }
 
 }  // namespace

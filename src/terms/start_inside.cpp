@@ -26,8 +26,15 @@ void join(std::vector<Inside>& intervals, const Mesh& mesh) {
       continue;
     }
     Inside& o = out.back();
-    if (s.to > o.to) o.to = s.to, o.rise_to = s.rise_to;
-    if (s.depth > o.depth) o.depth = s.depth, o.at = s.at, o.place = s.place;
+    if (s.to > o.to) {
+      o.to = s.to;
+      o.rise_to = s.rise_to;
+    }
+    if (s.depth > o.depth) {
+      o.depth = s.depth;
+      o.at = s.at;
+      o.place = s.place;
+    }
   }
   intervals = std::move(out);
 }
@@ -76,14 +83,22 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       };
       const auto add = [&](double from, double to) {
         Inside s;
-        s.rise_from = rise(from), s.rise_to = rise(to);
-        s.line = g.line, s.volume = static_cast<int>(v);
-        s.from = arc(from), s.to = arc(to);
-        s.at = s.from, s.place = shape.point(from);
+        s.rise_from = rise(from);
+        s.rise_to = rise(to);
+        s.line = g.line;
+        s.volume = static_cast<int>(v);
+        s.from = arc(from);
+        s.to = arc(to);
+        s.at = s.from;
+        s.place = shape.point(from);
         for (int k = 0; k <= kSamples; ++k) {
           const double xi = from + (to - from) * k / kSamples;
           const auto p = surface.query(point(xi), 0);
-          if (p && -p->distance > s.depth) s.depth = -p->distance, s.at = arc(xi), s.place = shape.point(xi);
+          if (p && -p->distance > s.depth) {
+            s.depth = -p->distance;
+            s.at = arc(xi);
+            s.place = shape.point(xi);
+          }
         }
         out.push_back(s);
       };
@@ -117,7 +132,8 @@ std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinema
       if (!there) continue;
       const Vec3 from = pose.to_body(x), to = pose.to_body(*there);
       Box way;
-      way.add(from), way.add(to);
+      way.add(from);
+      way.add(to);
       const double length = (to - from).norm();
       if (!way.overlaps(box) || !(length > 0)) continue;
       const auto away = [&](const Vec3& y) {

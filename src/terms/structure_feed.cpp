@@ -41,7 +41,8 @@ std::vector<RememberedCell> inside(const Feeders& feeders, const Feeder& f,
 
 // Room for what sections inside remember, of lines that yield; they have never been bent.
 void StructureTerm::fed_by(Feeders* feeders) {
-  feeders_ = feeders, fed_.clear();
+  feeders_ = feeders;
+  fed_.clear();
   for (const Feeder& f : feeders_ ? feeders_->list() : std::vector<Feeder>{}) {
     FedBends& fed = fed_.emplace_back();
     if (f.bar.plastic) fed.inside.assign(2 * kBendingPlaces * f.bar.plastic->memory(), 0);
@@ -51,13 +52,18 @@ void StructureTerm::fed_by(Feeders* feeders) {
 void StructureTerm::update_from_feeders(const Kinematics& at, bool accepted) {
   if (!feeders_) return;
   for (Cable& c : cables_)
-    if (const auto rest = feeders_->element_state(c.at.global, at, true))
-      c.idle = rest->idle, c.section.length = rest->length, c.section.length_by_chord = rest->length_by_chord,
-      c.section.length_rate = at.step > 0 ? rest->length_rate : 0;  // statics holds the feeder
+    if (const auto rest = feeders_->element_state(c.at.global, at, true)) {
+      c.idle = rest->idle;
+      c.section.length = rest->length;
+      c.section.length_by_chord = rest->length_by_chord;
+      c.section.length_rate = at.step > 0 ? rest->length_rate : 0;
+    }  // statics holds the feeder
   for (Beam& b : beams_) {
     const auto rest = feeders_->element_state(b.at.global, at, true);
     if (!rest) continue;
-    b.idle = rest->idle, b.section.length = rest->length, b.section.length_by_force = rest->length_by_force;
+    b.idle = rest->idle;
+    b.section.length = rest->length;
+    b.section.length_by_force = rest->length_by_force;
     if (!b.section.plastic) continue;
     b.reference.set = set_.data() + b.memory;
     if (rest->feeder < 0) continue;
@@ -127,7 +133,8 @@ double StructureTerm::fed_work(const Kinematics& at) const {
     const double* enters = grown > 0 ? in.data() : nullptr;
     BeamSection then = b.section;
     BeamReference as_then = b.reference;
-    then.length = rest->before, as_then.set = set_.data() + b.memory;
+    then.length = rest->before;
+    as_then.set = set_.data() + b.memory;
     work += 0.5 * grown *
             (fed_bending_work(then, as_then, positions(b, before.view(0)), at_b, enters) +
              fed_bending_work(b.section, b.reference, positions(b, at), at_b, enters));
@@ -172,14 +179,17 @@ void StructureTerm::transfer_node(MPI_Comm comm, const Feeder& f, int feed_point
   std::vector<double>& kept = fed_[k].inside;
   if (feed_point < f.feed_point) {  // divided: the free part, and what is at the feed point now
     const double whole = feeders_->element_length(f, f.feed_point);
-    remember_cells(cells, n, 0, whole, now.data()), keep(f.feed_point, now);
-    remember_cells(cells, n, whole, f.length, now.data()), keep(feed_point, now);
+    remember_cells(cells, n, 0, whole, now.data());
+    keep(f.feed_point, now);
+    remember_cells(cells, n, whole, f.length, now.data());
+    keep(feed_point, now);
     std::copy_n(part(4), size, kept.begin());
     std::copy_n(part(2), size, kept.begin() + static_cast<std::ptrdiff_t>(size));
   } else {  // joined with the one after it, whose material has labels below 0
     const double length = feeders_->element_length(f, f.feed_point + 1);
     for (const RememberedCell& c : remembered_cells(-length, 0, part(1), n)) cells.push_back(c);
-    remember_cells(cells, n, -length, f.length, now.data()), keep(feed_point, now);
+    remember_cells(cells, n, -length, f.length, now.data());
+    keep(feed_point, now);
     keep(f.feed_point - 1, {part(4), part(4) + size});
     std::fill_n(kept.begin(), size, 0.0);
     std::copy_n(part(3), size, kept.begin() + static_cast<std::ptrdiff_t>(size));

@@ -19,7 +19,8 @@ struct Sums {
   double power = 0, damping = 0, filtered = 0;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("damping power", "W", self.power), each("damping", "J", self.damping);
+    each("damping power", "W", self.power);
+    each("damping", "J", self.damping);
     each("axial vibration taken out", "J", self.filtered);
   }
 };
@@ -34,8 +35,8 @@ struct Bent {
   double about2 = 0, about3 = 0;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("plastic curvature about 2", "1/m", self.about2),
-        each("plastic curvature about 3", "1/m", self.about3);
+    each("plastic curvature about 2", "1/m", self.about2);
+    each("plastic curvature about 3", "1/m", self.about3);
   }
 };
 }  // namespace
@@ -74,13 +75,17 @@ std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
 }
 
 void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
-  power_ = 0, damping_ = 0, filtered_ = 0;
+  power_ = 0;
+  damping_ = 0;
+  filtered_ = 0;
   std::map<int, double> stretch;
   std::map<int, const std::vector<double>*> bent;
   for (const HistoryRecord& r : records) {
     if (r.kind == kSums) {
       const Sums s = entry<Sums>(r);
-      power_ += s.power, damping_ += s.damping, filtered_ += s.filtered;
+      power_ += s.power;
+      damping_ += s.damping;
+      filtered_ += s.filtered;
     } else if (r.kind == kStretched) {
       stretch[r.key] = entry<Stretched>(r).stretch;
     } else if (r.kind == kBent) {

@@ -155,7 +155,8 @@ TEST(Clashes, ABarThatBounces) {
 class Heap : public ::testing::Test {
  protected:
   void SetUp() override {
-    path = folder("clashes_heap"), input = path + "/heap.yaml";
+    path = folder("clashes_heap");
+    input = path + "/heap.yaml";
     write_boxes(path + "/rollers.obj", {-3.2, 3.2}, 0.1, 1, 0.3);  // under the lower bar's ends
     write_boxes(path + "/slab.obj", {0}, 19, 19, 0.5);
     write_case(input, kHeap);

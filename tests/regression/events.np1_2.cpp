@@ -92,7 +92,8 @@ TEST(Events, UntilItIsCutALineIsWhole) {
        "[0, 100, 0], ramp: 0.2}]"}};
   Edits none = swing;
   none.push_back({"events:\n  - {cut: {line: chain, at: 10}, time: 0.5}\n", ""});
-  write_case(input, kHanging, swing), write_case(other, kHanging, none);
+  write_case(input, kHanging, swing);
+  write_case(other, kHanging, none);
   run_on_all({input, path + "/cut.h5", "", 0.5});
   run_on_all({other, path + "/whole.h5", "", 0.5});
   if (rank_of(MPI_COMM_WORLD) != 0) return;

@@ -52,8 +52,12 @@ TEST(FedCrossing, FrictionAndEnergy) {
     for (size_t i = 0; i < r.output_times.size(); ++i) {
       const double t = r.output_times[i];
       double drag = 0, pressed = 0;
-      for (size_t k = kRail; k < kNodes; ++k) drag += f[3 * (kNodes * i + k)], pressed += n[kNodes * i + k];
-      least = std::min(least, pressed), most = std::max(most, pressed);
+      for (size_t k = kRail; k < kNodes; ++k) {
+        drag += f[3 * (kNodes * i + k)];
+        pressed += n[kNodes * i + k];
+      }
+      least = std::min(least, pressed);
+      most = std::max(most, pressed);
       const double mu = t < 5 ? 0.3 : -0.3;
       if (t > 0.3 && std::abs(t - 5) > 0.3) off = std::max(off, std::abs(drag / (mu * pressed) - 1));
     }

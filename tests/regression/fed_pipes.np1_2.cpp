@@ -166,7 +166,8 @@ TEST(FedPipes, ATensionIsKeptOverRollers) {
   for (size_t i = 1; i < F.size(); ++i) {
     if (r.step_times[i] < 10) continue;
     law = std::max(law, std::abs(F[i] - 40e3 - v[i] / 5e-5));
-    most = std::max(most, out[i]), least = std::min(least, out[i]);
+    most = std::max(most, out[i]);
+    least = std::min(least, out[i]);
   }
   // Statics has found the length with which it begins.
   EXPECT_NEAR(F.front(), 40e3, 0.1);
@@ -211,11 +212,14 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
           const size_t before = static_cast<size_t>(std::max(s, static_cast<double>(free)));
           const double share = std::max(s, static_cast<double>(free)) - static_cast<double>(before);
           now = v[nodes * k + before] + share * (v[nodes * k + before + 1] - v[nodes * k + before]);
-          least = std::min(least, now), most = std::max(most, now);
+          least = std::min(least, now);
+          most = std::max(most, now);
         }
         if (const double h = k > 0 ? r.output_times[k] - r.output_times[k - 1] : 0;
-            !std::isnan(now) && !std::isnan(last))
-          sum += 0.5 * h * (last + now), time += h;
+            !std::isnan(now) && !std::isnan(last)) {
+          sum += 0.5 * h * (last + now);
+          time += h;
+        }
         last = now;
         moved = std::max(moved, std::abs(feed_point[k] - feed_point[0]));
       }
@@ -319,7 +323,9 @@ TEST(FedPipes, RefuseWhatTheyCannotDo) {
   for (const auto& [edits, text] : bad) {
     write_case(input, kCantilever, edits);
     run::RunOptions o;
-    o.case_path = input, o.output = path + "/bad.h5", o.quiet = true;
+    o.case_path = input;
+    o.output = path + "/bad.h5";
+    o.quiet = true;
     std::string message;
     try {
       run::run(MPI_COMM_WORLD, o);

@@ -60,7 +60,8 @@ TEST(HangingLine, NonsenseIsRefused) {
     changed.replace(at, std::string(w.from).size(), w.to);
     std::ofstream(file + ".yaml") << changed;
     run::RunOptions options;
-    options.case_path = file + ".yaml", options.output = file + ".h5";
+    options.case_path = file + ".yaml";
+    options.output = file + ".h5";
     options.quiet = true;
     std::string message;
     try {

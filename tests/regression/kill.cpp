@@ -23,7 +23,8 @@ pid_t start(const std::vector<std::string>& arguments) {
   std::vector<char*> argv, envp;
   for (auto& w : words) argv.push_back(w.data());
   for (auto& e : env) envp.push_back(e.data());
-  argv.push_back(nullptr), envp.push_back(nullptr);
+  argv.push_back(nullptr);
+  envp.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) {
     execve(argv[0], argv.data(), envp.data());
@@ -104,7 +105,8 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
     EXPECT_GE(part.step_times.size(), written.second);
     expect_beginning(whole, part);
     if (code == -SIGKILL) {
-      ++kills, restarts += going_on;
+      ++kills;
+      restarts += going_on;
     } else {
       // It had come to its end, over one kill or several.
       ASSERT_EQ(code, 0);

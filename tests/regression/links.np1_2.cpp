@@ -112,7 +112,10 @@ TEST_F(Links, OtherLinksAreRefused) {
     write_case(other, kCase, {{from, to}});
     try {
       run::RunOptions o;
-      o.case_path = other, o.output = path + "/rest.h5", o.restart = path + "/half.h5", o.quiet = true;
+      o.case_path = other;
+      o.output = path + "/rest.h5";
+      o.restart = path + "/half.h5";
+      o.quiet = true;
       run::run(MPI_COMM_WORLD, o);
       ADD_FAILURE() << message;
     } catch (const InputError& e) {

@@ -104,7 +104,10 @@ struct Snapping : ::testing::Test {
   static double made(const Results& r) {
     const auto error = r.column("energy", 6);
     double least = 0, rise = 0;
-    for (const double e : error) least = std::min(least, e), rise = std::max(rise, e - least);
+    for (const double e : error) {
+      least = std::min(least, e);
+      rise = std::max(rise, e - least);
+    }
     return rise / largest(r.column("energy", 5));
   }
   // By default and at given steps; two of them show that several ranks do as one does.

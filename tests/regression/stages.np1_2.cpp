@@ -88,7 +88,10 @@ TEST(Stages, GoOnInTime) {
   // A run without that event does not go on from it.
   write_case(input, line("bending: false", "clamped: false", "dynamics: {duration: 1}\n"), {{"STOCK", "20"}});
   run::RunOptions o;
-  o.case_path = input, o.output = path + "/other.h5", o.restart = path + "/half.h5", o.quiet = true;
+  o.case_path = input;
+  o.output = path + "/other.h5";
+  o.restart = path + "/half.h5";
+  o.quiet = true;
   EXPECT_THROW(run::run(MPI_COMM_WORLD, o), InputError);
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");

@@ -185,7 +185,8 @@ TEST(StartContact, WhatStaticsBringsOutIsAccepted) {
 TEST(StartContact, WithoutStaticsItIsRefused) {
   const std::string path = bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}");
   run::RunOptions o;
-  o.case_path = path, o.quiet = true;
+  o.case_path = path;
+  o.quiet = true;
   std::string what;
   try {
     run::run(MPI_COMM_WORLD, o);

@@ -26,7 +26,10 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   std::string_view name() const override { return "middle springs"; }
   bool recouple(const Kinematics& committed, double h) override { return list.update(committed, h); }
   void couple(Couplings& to) const override { list.couple(to); }
-  void update_ghosts() override { list.locate(), ++located; }
+  void update_ghosts() override {
+    list.locate();
+    ++located;
+  }
   void limit_step(const Kinematics&, ImpactEvents&) const override {}
   Verdict check_step(const Kinematics& t) const override {
     if (!list.covers(t)) return {Verdict::Kind::prepare_again, "candidates are out of date"};

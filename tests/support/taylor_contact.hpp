@@ -30,7 +30,9 @@ inline std::unique_ptr<SuiteModel> held_model(MPI_Comm comm, const Placement& at
   for (int n = 0; n < l.nodes(); ++n)
     if (l.global[static_cast<size_t>(n)] == 3) {
       TiedNode held;
-      held.node = n, held.position_mask = 7, held.rotation_mask = 1;
+      held.node = n;
+      held.position_mask = 7;
+      held.rotation_mask = 1;
       s.push_back(held);
     }
   m->system->tie(s, {});

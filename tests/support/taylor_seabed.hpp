@@ -22,7 +22,8 @@ class PlacedSurface final : public Surface {
     auto s = bed_->query(turn_.conjugate() * (y - origin_), most, hint);
     if (!s) return s;
     const Mat3 R = turn_.toRotationMatrix();
-    s->normal = R * s->normal, s->point = origin_ + R * s->point;
+    s->normal = R * s->normal;
+    s->point = origin_ + R * s->point;
     s->curvature = R * s->curvature * R.transpose();
     return s;
   }
@@ -60,13 +61,16 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   const auto bed = hilly();
   SeabedTerm::PointLaw law;
   law.radius = kContactRadius;
-  law.law.normal.stiffness = kNormalStiffness, law.law.normal.smoothing = 1 * mm,
+  law.law.normal.stiffness = kNormalStiffness;
+  law.law.normal.smoothing = 1 * mm;
   law.law.normal.damping = 500;
   if (soil == Soil::sticky) law.suction = {300, 10 * mm};
   if (soil == Soil::table) law.law.normal = {0.7 * table.largest_slope(), 0, 500, &table, 0.7};
   FrictionLaw& friction = law.law.friction;
-  friction.axial = axial, friction.lateral = lateral;
-  friction.axial_length = 2 * mm, friction.lateral_length = 3 * mm;
+  friction.axial = axial;
+  friction.lateral = lateral;
+  friction.axial_length = 2 * mm;
+  friction.lateral_length = 3 * mm;
   const SeabedTerm::PointLaws laws{std::vector<SeabedTerm::PointLaw>(static_cast<size_t>(l.owned), law),
                                    std::vector<SeabedTerm::PointLaw>(between ? l.elements.size() : 0, law)};
   auto term = curved ? std::make_unique<SeabedTerm>(

@@ -164,7 +164,8 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
       term.evaluate(trial.view(kStep), nowhere);
       LineVolumeContact mine = term, other = fresh;
       other.prepare(from.view(kStep), kStep);
-      mine.commit(trial.view(kStep)), other.commit(trial.view(kStep));
+      mine.commit(trial.view(kStep));
+      other.commit(trial.view(kStep));
       const auto a = mine.save(), b = other.save();
       ASSERT_EQ(a.size(), b.size()) << scene.name << " step " << n << " off by " << far;
       for (size_t i = 0; i < a.size(); ++i)

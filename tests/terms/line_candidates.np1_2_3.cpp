@@ -106,7 +106,10 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   for (int step = 0; step < 60; ++step) {
     const CouplingChange r = all.sim.system().couple(a.view(h), h);
     one.sim.system().couple(b.view(h), h);
-    if (r == CouplingChange::layout_changed) all.sim.system().spread(a), ++layout_changed;
+    if (r == CouplingChange::layout_changed) {
+      all.sim.system().spread(a);
+      ++layout_changed;
+    }
     ASSERT_EQ(a.x.size(), static_cast<size_t>(l.nodes()));
     for (size_t n = 0; n < a.x.size(); ++n) {
       const size_t g = static_cast<size_t>(l.global[n]);
@@ -132,7 +135,8 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     listed = std::max(listed, static_cast<long>(list.size()));
 
     // The next step's end is covered, and whatever touches there is in the list.
-    move(l, a, step, h), move(one.sim.local(), b, step, h);
+    move(l, a, step, h);
+    move(one.sim.local(), b, step, h);
     const bool covered = all.sim.system().check_step(a.view(h)).accepted();
     kept += covered;
     if (!covered) continue;
@@ -223,7 +227,8 @@ TEST(LineCandidates, BundlesStayOnOneRank) {
 TEST(LineCandidates, JoinedEnds) {
   model::Case c = one_line(cable_type(1e6, 1), 10, 20, anchor({0, 0, 0}), anchor({10, 0, 0}));
   c.lines.push_back(c.lines[0]);
-  c.lines[1].name = "other", c.lines[1].end_b = anchor({9.9, 1, 0});
+  c.lines[1].name = "other";
+  c.lines[1].end_b = anchor({9.9, 1, 0});
   CandidateSettings settings;
   Model apart(PETSC_COMM_SELF, c, 0.2, 1, settings);
   Model joined(PETSC_COMM_SELF, c, 0.2, 1, settings, {{{0}, {21}}});
@@ -322,9 +327,12 @@ TEST(LineCandidates, WayThatBends) {
     const Quat q = exp_so3(rate * t * Vec3::UnitZ());
     for (size_t n = 0; n < s.x.size(); ++n) {
       const Vec3 arm(l.mesh->nodes[static_cast<size_t>(l.global[n])].arc, 0, 0);
-      s.x[n] = q * arm, s.q[n] = q;
-      s.w[n] = rate * Vec3::UnitZ(), s.alpha[n] = Vec3::Zero();
-      s.v[n] = q * (rate * Vec3::UnitZ().cross(arm)), s.a[n] = -rate * rate * s.x[n];
+      s.x[n] = q * arm;
+      s.q[n] = q;
+      s.w[n] = rate * Vec3::UnitZ();
+      s.alpha[n] = Vec3::Zero();
+      s.v[n] = q * (rate * Vec3::UnitZ().cross(arm));
+      s.a[n] = -rate * rate * s.x[n];
     }
     s.time = t;
   };
@@ -423,7 +431,9 @@ TEST(LineCandidates, DynamicsWithARefusedStep) {
   long layouts = 0;
   int rejected = 0;
   for (Model* m : {&all, &one}) {
-    m->springs->refuse = 0.008, m->springs->refuse_from = 0.1, m->springs->refuse_to = 0.12;
+    m->springs->refuse = 0.008;
+    m->springs->refuse_from = 0.1;
+    m->springs->refuse_to = 0.12;
     const LocalMesh& l = m->sim.local();
     State& s = m->sim.state();
     for (int n = 0; n < l.nodes(); ++n) {
@@ -457,9 +467,14 @@ TEST(LineCandidates, DynamicsWithARefusedStep) {
 TEST(LineCandidates, Statics) {
   model::Case c = two_bundles();
   c.environment.gravity = 9.81;
-  for (auto& t : c.line_types) t.mass_per_length = 50, t.EA = 2e4;
-  for (auto& l : c.lines)
-    l.start = model::Start::catenary, l.sections[0].length = l.name > "line2" ? 10.3 : 10.1;
+  for (auto& t : c.line_types) {
+    t.mass_per_length = 50;
+    t.EA = 2e4;
+  }
+  for (auto& l : c.lines) {
+    l.start = model::Start::catenary;
+    l.sections[0].length = l.name > "line2" ? 10.3 : 10.1;
+  }
   Model all(PETSC_COMM_WORLD, c, 0.45, 1e4), one(PETSC_COMM_SELF, c, 0.45, 1e4);
   for (Model* m : {&all, &one}) EXPECT_LE(m->sim.solve_statics().negative_eigenvalues, 0);
   EXPECT_GT(one.springs->energy(one.sim.state().view(0)).strain, 0.1);

@@ -92,7 +92,8 @@ TEST(LineContact, EvaluatingLeavesNoTrace) {
     PetscBool equal = PETSC_FALSE;
     check(MatEqual(J.get(), K.get(), &equal));
     EXPECT_TRUE(equal) << c.name;
-    system.commit(here.view(t.h)), other.system->commit(here.view(t.h));
+    system.commit(here.view(t.h));
+    other.system->commit(here.view(t.h));
     const auto a = m.contact->save(), b = other.contact->save();
     ASSERT_EQ(a.size(), b.size());
     for (size_t i = 0; i < a.size(); ++i)
@@ -200,7 +201,10 @@ TEST(LineContact, StepsFollowImpacts) {
     s.v = {Vec3(3, 0, -down), Vec3(3, 0, -down)};
     s.a = {Vec3(0, 0, acceleration), Vec3(0, 0, acceleration)};
     term.prepare(s.view(0.1), 0.1);
-    if (gap < 0) term.commit(s.view(0.1)), term.prepare(s.view(0.1), 0.1);
+    if (gap < 0) {
+      term.commit(s.view(0.1));
+      term.prepare(s.view(0.1), 0.1);
+    }
     ImpactEvents to;
     term.limit_step(s.view(0.1), to);
     LineMotion line;
@@ -241,7 +245,8 @@ TEST(LineContact, RefusesWhatItCannotUse) {
   EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, {}), std::invalid_argument);
   v.body = 0;
   EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, elements), std::invalid_argument);
-  v.body = -1, v.settings.basis = model::StiffnessBasis::automatic;
+  v.body = -1;
+  v.settings.basis = model::StiffnessBasis::automatic;
   EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, elements), std::invalid_argument);
 }
 

@@ -94,7 +94,8 @@ struct PairModel : SuiteModel {
     system->prepare(before.view(trial.h), trial.h);
     system->commit(trial.from.view(trial.h));
     system->prepare(trial.from.view(trial.h), trial.h);
-    trial.length = 2e-5, trial.angle = 2e-5;
+    trial.length = 2e-5;
+    trial.angle = 2e-5;
   }
 
   // The lines before the step of history (-1), at the start (0) and in the trial (1).

@@ -8,7 +8,8 @@ namespace {
 
 Energy moving(double kinetic, double work = 0) {
   Energy e;
-  e.kinetic = kinetic, e.work = work;
+  e.kinetic = kinetic;
+  e.work = work;
   return e;
 }
 
@@ -95,8 +96,10 @@ TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
   const Energy start = moving(1000);
   a.update(start, start, 0, 0);
   for (int wave = 1; wave <= 10000; ++wave) {
-    in += 100, a.update(start, moving(1100.05 - 0.1 * wave, in), wave, 1);
-    in -= 100, a.update(start, moving(1000 - 0.1 * wave, in), wave + 0.5, 1);
+    in += 100;
+    a.update(start, moving(1100.05 - 0.1 * wave, in), wave, 1);
+    in -= 100;
+    a.update(start, moving(1000 - 0.1 * wave, in), wave + 0.5, 1);
   }
   EXPECT_NEAR(a.error, -1000, 1);
   EXPECT_EQ(a.warning(false, "here"), "");
@@ -108,8 +111,10 @@ TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
   a.update(moving(0), moving(0), 0, 0);
   double in = 0;
   for (int wave = 1; wave <= 10000; ++wave) {
-    in += 100, a.update(moving(0), moving(100, in), wave, 1);
-    in -= 100, a.update(moving(0), moving(0, in), wave + 0.5, 1);
+    in += 100;
+    a.update(moving(0), moving(100, in), wave, 1);
+    in -= 100;
+    a.update(moving(0), moving(0, in), wave + 0.5, 1);
   }
   a.update(moving(0), moving(19, 0), 10001, 0.1);
   EXPECT_FALSE(a.wrong());
@@ -147,7 +152,8 @@ TEST(Audit, RestIsNoAlarm) {
   e.strain = 434;
   const Energy start = e;
   a.update(start, start, 0, 0);
-  e.strain += 3e-10, e.kinetic = 1e-12;
+  e.strain += 3e-10;
+  e.kinetic = 1e-12;
   a.update(start, e, 0.1, 0.1);
   e.strain -= 6e-10;
   a.update(start, e, 0.2, 0.1);

@@ -8,8 +8,13 @@ namespace {
 
 ActiveContact touch(int line, int volume, double from, double to, double force = 1, double depth = 0) {
   ActiveContact t;
-  t.line = line, t.volume = volume, t.from = from, t.to = to;
-  t.force = force, t.depth = depth, t.energy = 0.1 * force;
+  t.line = line;
+  t.volume = volume;
+  t.from = from;
+  t.to = to;
+  t.force = force;
+  t.depth = depth;
+  t.energy = 0.1 * force;
   return t;
 }
 
@@ -118,7 +123,8 @@ TEST(ClashLog, GoesOnFromItsRecord) {
       step(log, 0.07 * i, t);
     }
   };
-  run(whole, 0, 60), run(half, 0, 23);
+  run(whole, 0, 60);
+  run(half, 0, 23);
   ClashLog rest(settings());
   rest.restore(half.save());
   run(rest, 23, 60);

@@ -135,8 +135,10 @@ TEST(GeometryDuplicates, FinsGo) {
     for (std::size_t row = 0; row < rows; ++row) {
       const int c = static_cast<int>(m.vertices.size());
       for (const int v : {a, b}) m.vertices.push_back(Vec3(m.vertices[static_cast<std::size_t>(v)] + out));
-      both({a, b, c + 1}), both({a, c + 1, c});
-      a = c, b = c + 1;
+      both({a, b, c + 1});
+      both({a, c + 1, c});
+      a = c;
+      b = c + 1;
     }
     int copies = 0;
     if (chance.below(2) == 0)
@@ -271,7 +273,8 @@ TEST(GeometryDuplicates, SheetsGo) {
   EXPECT_EQ(r.back_to_back, 4);
   EXPECT_EQ(m.triangles.size(), 12U);
   std::vector<Triangle>& t = box.triangles;
-  t[14] = {8, 11, 9}, t[15] = {9, 11, 10};
+  t[14] = {8, 11, 9};
+  t[15] = {9, 11, 10};
   EXPECT_EQ(drop_duplicates(box).sentence, "");
   EXPECT_EQ(drop_flat_pieces(box, 1e-6), 1);
   EXPECT_EQ(box.triangles, clean.triangles);

@@ -148,7 +148,9 @@ TEST(FacetGroups, ARoundedCorner) {
     const double a = 0.5 * M_PI * i / 9;
     p.emplace_back(kFillet * (1 - std::sin(a)), kFillet * (1 - std::cos(a)));
   }
-  p.emplace_back(0, kFillet), p.emplace_back(0, 2), p.emplace_back(-1, 2);
+  p.emplace_back(0, kFillet);
+  p.emplace_back(0, 2);
+  p.emplace_back(-1, 2);
   const int n = static_cast<int>(p.size());
   std::vector<std::vector<int>> pieces;
   for (int i = 1; i + 1 < n; ++i) pieces.push_back({0, i, i + 1});

@@ -50,8 +50,8 @@ TriangleMesh divided_box(double unit) {
           const auto corner = [&](int a, int b) {
             Vec3 x;
             x[axis] = far ? size[axis] : 0;
-            x[(axis + 1) % 3] = a * size[(axis + 1) % 3] / n,
-                           x[(axis + 2) % 3] = b * size[(axis + 2) % 3] / n;
+            x[(axis + 1) % 3] = a * size[(axis + 1) % 3] / n;
+            x[(axis + 2) % 3] = b * size[(axis + 2) % 3] / n;
             return x;
           };
           const int first = static_cast<int>(out.vertices.size());

@@ -106,7 +106,10 @@ TEST(GeometryWinding, RepairTurnsPatches) {
   Points next;
   int turned = 0;
   for (std::size_t t = 0; t < m.triangles.size(); ++t)
-    if (next.below(5) == 0) std::swap(m.triangles[t][0], m.triangles[t][1]), ++turned;
+    if (next.below(5) == 0) {
+      std::swap(m.triangles[t][0], m.triangles[t][1]);
+      ++turned;
+    }
   TriangleMesh inside_out = m;
   const RepairResult r = repair(m);
   EXPECT_EQ(r.turned, turned);

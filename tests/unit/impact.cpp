@@ -116,7 +116,8 @@ TEST(Impact, OnlyWhatMattersCutsAStep) {
   // 10 kg move at 3 m/s to and fro; a part of them has an impact at 2 m/s.
   const auto of = [&](double mass, double drift) {
     std::vector<LineMotion> lines(1);
-    lines[0].add(5, {3, drift, 0}), lines[0].add(5, {-3, drift, 0});
+    lines[0].add(5, {3, drift, 0});
+    lines[0].add(5, {-3, drift, 0});
     const auto s = impact_event(kSlow, kSignificantDepth, mass, {-0.01, 2, 0});
     lines[0].impact_energy = s->energy();
     const auto bears = energy_tolerance(lines);
@@ -155,13 +156,15 @@ TEST(Impact, AThousandLinesAreAsOne) {
   std::vector<ImpactEvent> impacts;
   for (int l = 0; l < 1000; ++l) {
     LineMotion& line = lines[static_cast<size_t>(l)];
-    line.add(1, {1.0 + l, 0, 0}), line.add(1, {-1.0 - l, 0, 0});
+    line.add(1, {1.0 + l, 0, 0});
+    line.add(1, {-1.0 - l, 0, 0});
     impacts.push_back(
         *impact_event(kSlow, kSignificantDepth, 0.5 * (1 + l) * (1 + l), {0.02 * (1 + l % 7), 2, 0}));
     impacts.back().line = l;
     line.impact_energy = impacts.back().energy();
   }
-  lines[1000].add(1000, {5, 0, 0}), lines[1000].add(1000, {-5, 0, 0});
+  lines[1000].add(1000, {5, 0, 0});
+  lines[1000].add(1000, {-5, 0, 0});
   const double together = impact_limited_step(impacts, energy_tolerance(lines), kMost, kAlone).longest;
   for (LineMotion& l : lines)
     if (&l != &lines[6]) l.impact_energy = 0;
@@ -202,7 +205,9 @@ TEST(Impact, MakesNoEnergy) {
       const double free = x + h * v + h * h / 4 * a;
       const double x1 = free < 0 ? free / (1 + w * w * h * h / 4) : free;
       const double a1 = x1 < 0 ? -w * w * x1 : 0;
-      v += h / 2 * (a + a1), x = x1, a = a1;
+      v += h / 2 * (a + a1);
+      x = x1;
+      a = a1;
       made = (v * v + (x < 0 ? w * w * x * x : 0)) / 4 - 1;
     }
     EXPECT_GT(x, 0);
@@ -211,7 +216,7 @@ TEST(Impact, MakesNoEnergy) {
   double cut = 0, uncut = 0;
   for (int i = 0; i < 20; ++i) {
     const double start = 0.05 + 0.001 * i;
-    cut = std::max(cut, std::abs(bounce(start, true))),
+    cut = std::max(cut, std::abs(bounce(start, true)));
     uncut = std::max(uncut, std::abs(bounce(start, false)));
   }
   std::printf("energy of an impact: %.1e cut, %.1e not\n", cut, uncut);
@@ -232,7 +237,8 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
     double phase = 0;
     for (int i = 0; i < n; ++i) {
       phase = std::fmod(phase + 0.6180339887498949, 1.0);
-      x.push_back(0.01 + 0.2 * phase), v.push_back(-2);
+      x.push_back(0.01 + 0.2 * phase);
+      v.push_back(-2);
     }
     Outcome out;
     for (double t = 0; t < end; ++out.steps) {
@@ -242,7 +248,10 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
         line.add(1, {v[i], 0, 0});
         ImpactEvents to;
         to.add(impact_event(kSlow, kSignificantDepth, 1, {x[i], -v[i], a[i]}), 0);
-        for (const ImpactEvent& s : to.list) impacts.push_back(s), line.impact_energy += s.energy();
+        for (const ImpactEvent& s : to.list) {
+          impacts.push_back(s);
+          line.impact_energy += s.energy();
+        }
       }
       double h = std::min(0.02, end - t);
       h = std::min(h, impact_limited_step(impacts, energy_tolerance({&line, 1}), 0.02, kAlone).longest);
@@ -250,7 +259,8 @@ TEST(Impact, StepsForManyAreNoMoreThanForFew) {
         const double free = x[i] + h * v[i] + h * h / 4 * a[i];
         x[i] = free < 0 ? free / (1 + w * w * h * h / 4) : free;
         const double next = x[i] < 0 ? -w * w * x[i] : 0;
-        v[i] += h / 2 * (a[i] + next), a[i] = next;
+        v[i] += h / 2 * (a[i] + next);
+        a[i] = next;
       }
       t += h;
     }
@@ -280,12 +290,15 @@ TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
                          (m1 + w * w * h * h * c.beta);
       x += h * v + h * h * ((0.5 - c.beta) * A + c.beta * end);
       v += h * ((1 - c.gamma) * A + c.gamma * end);
-      A = end, a = -w * w * x;
+      A = end;
+      a = -w * w * x;
       worst = std::max(worst, v * v + w * w * x * x - 1);
       // The line it is a part of has another kilogram, which rests.
       std::vector<LineMotion> line(1), held(1);
-      line[0].add(1, {v, 0, 0}), line[0].add(1, {0, 0, 0});
-      held[0].add(1, {A, 0, 0}), held[0].add(1, {0, 0, 0});
+      line[0].add(1, {v, 0, 0});
+      line[0].add(1, {0, 0, 0});
+      held[0].add(1, {A, 0, 0});
+      held[0].add(1, {0, 0, 0});
       h = bounded ? std::min(0.1, growth_limited_step(held, energy_tolerance(line), alpha_stored(c), h))
                   : 0.1;
     }
@@ -297,10 +310,13 @@ TEST(Impact, StepsGrowNoFasterThanWhatTheyHold) {
   EXPECT_GT(most(false), 1);
   // No more than that: what turns as one, or is as slow as it is long, does not hold steps back.
   std::vector<LineMotion> line(1), held(1);
-  line[0].add(1, {2, 0, 0}), line[0].add(1, {-2, 0, 0});
+  line[0].add(1, {2, 0, 0});
+  line[0].add(1, {-2, 0, 0});
   held[0].add(2, {0, 0, -9.81});
   EXPECT_EQ(growth_limited_step(held, energy_tolerance(line), alpha_stored(c), 0.01), kNever);
-  held[0] = {}, held[0].add(1, {0.1, 0, 0}), held[0].add(1, {-0.1, 0, 0});
+  held[0] = {};
+  held[0].add(1, {0.1, 0, 0});
+  held[0].add(1, {-0.1, 0, 0});
   EXPECT_GT(growth_limited_step(held, energy_tolerance(line), alpha_stored(c), 0.01), 1);
   EXPECT_EQ(growth_limited_step(held, energy_tolerance(line), alpha_stored(c), 0), kNever);  // no step yet
 }
@@ -321,7 +337,8 @@ TEST(StepControl, AnImpactIsFollowed) {
   EXPECT_NEAR(c.next(1.67, 1.83, kNever), 0.08, 1e-12);
   EXPECT_NEAR(c.next(1.75, 1.85, kNever), 0.1, 1e-12);
   // A softer one does not make steps longer meanwhile, nor while they grow; afterwards it counts.
-  c.follow_impact(1.2, 0.3), c.follow_impact(1.2, kNever);
+  c.follow_impact(1.2, 0.3);
+  c.follow_impact(1.2, kNever);
   EXPECT_DOUBLE_EQ(c.next(1.3, 2.3, kNever), 0.01);
   c.follow_impact(1.61, 0.15);
   EXPECT_NEAR(c.next(1.61, 1.71, kNever), 0.02, 1e-12);
@@ -353,7 +370,9 @@ double energy_after(double rho, double w, double jump) {
                          (m1 + w * w * h * h * c.beta);
       x += h * v + h * h * ((0.5 - c.beta) * A + c.beta * end);
       v += h * ((1 - c.gamma) * A + c.gamma * end);
-      A = end, a = -w * w * x, t += h;
+      A = end;
+      a = -w * w * x;
+      t += h;
       worst = std::max(worst, v * v + w * w * x * x);
     }
   }

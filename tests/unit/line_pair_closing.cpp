@@ -74,17 +74,25 @@ TEST(LinePairClosing, DerivativesOfTheLaw) {
   for (int seed = 0; seed < 20; ++seed) {
     LinePairLaw law;
     law.radii = 0.12;
-    law.normal.stiffness = 1e3, law.normal.smoothing = 1e-3, law.normal.damping = 2;
+    law.normal.stiffness = 1e3;
+    law.normal.smoothing = 1e-3;
+    law.normal.damping = 2;
     law.friction.axial = law.friction.lateral = seed % 2 ? 0.3 : 3;
     law.friction.axial_length = law.friction.lateral_length = 0.4;
     double in[F::kInputs];
     const auto force = [&](bool derivatives) {
       const auto v = [&in](int first) { return Vec3(in[first], in[first + 1], in[first + 2]); };
       LinePairPoint at;
-      at.away = v(F::kAway), at.along = v(F::kAlong), at.moved = v(F::kMoved), at.rate = in[F::kRate];
-      at.slip[0] = in[F::kSlip], at.slip[1] = in[F::kSlip + 1];
+      at.away = v(F::kAway);
+      at.along = v(F::kAlong);
+      at.moved = v(F::kMoved);
+      at.rate = in[F::kRate];
+      at.slip[0] = in[F::kSlip];
+      at.slip[1] = in[F::kSlip + 1];
       at.is_new = seed % 4 < 3;
-      at.away_before = v(F::kAwayBefore), at.slope = v(F::kSlope), at.slope_before = v(F::kSlopeBefore);
+      at.away_before = v(F::kAwayBefore);
+      at.slope = v(F::kSlope);
+      at.slope_before = v(F::kSlopeBefore);
       at.along_before = v(F::kAlongBefore);
       return line_pair_force(law, at, derivatives);
     };

@@ -65,12 +65,15 @@ io::Checkpoint written(io::Checkpoint c) {
 TEST(NodeStatistics, ExcludeMissingValues) {
   NodeStatistics first(kFields, 2, 0), s(kFields, 2, 0);
   const double none = std::nan("");
-  first.add(0, values(none, none)), first.add(0.5, values(0, none)), first.add(1, values(1, none));
+  first.add(0, values(none, none));
+  first.add(0.5, values(0, none));
+  first.add(1, values(1, none));
   first.add(2, values(none, none));
   io::Checkpoint kept;
   first.save(kept);
   s.restore(written(kept));
-  s.add(3, values(4, none)), s.add(4, values(6, none));
+  s.add(3, values(4, none));
+  s.add(4, values(6, none));
   const std::vector<double> tension = s.table(0), curvature = s.table(1);
   // 0.5 s about 0.5, with 1/12 of its square, and 1 s about 5 with 4/12.
   const double mean = (0.5 * 0.5 + 5) / 1.5;
@@ -100,9 +103,11 @@ TEST(NodeStatistics, OfAStraightLineAreExact) {
 
 TEST(NodeStatistics, BeginAtTheTimeOfTheCase) {
   NodeStatistics s(kFields, 2, 2.5);
-  s.add(0, values(100, 0)), s.add(2, values(100, 0));
+  s.add(0, values(100, 0));
+  s.add(2, values(100, 0));
   EXPECT_TRUE(std::isnan(tables(s)[0][0]));
-  s.add(3, values(10, 0)), s.add(4, values(20, 0));
+  s.add(3, values(10, 0));
+  s.add(4, values(20, 0));
   const auto all = tables(s);
   EXPECT_EQ(all[0][0], 10);
   EXPECT_EQ(all[0][1], 3);
@@ -121,7 +126,11 @@ TEST(NodeStatistics, GoOnFromACheckpoint) {
       half.add(t, values(v, t));
       return;
     }
-    if (!saved) half.save(c), rest.restore(written(c)), saved = true;
+    if (!saved) {
+      half.save(c);
+      rest.restore(written(c));
+      saved = true;
+    }
     rest.add(t, values(v, t));
   });
   EXPECT_EQ(tables(whole), tables(rest));

@@ -57,13 +57,18 @@ model::Case rod(int elements, const std::string& between = "false") {
 // over 60 iterations of it, and 4 a step of half the longest.
 TEST(Cost, ByATrial) {
   TrialRun t;
-  t.duration = t.reached = 100, t.longest = 0.1, t.spent = 3.7, t.rate = 7;
+  t.duration = t.reached = 100;
+  t.longest = 0.1;
+  t.spent = 3.7;
+  t.rate = 7;
   EXPECT_NEAR(expected_cost(t), 3.7, 1e-12);
   EXPECT_EQ(cost_sentence(t), "expected cost: about 3.7 CPU s");
-  t.reached = 40, t.rate = 0.05;
+  t.reached = 40;
+  t.rate = 0.05;
   EXPECT_NEAR(expected_cost(t), 3.7 + 60 * 0.05, 1e-12);
   EXPECT_EQ(cost_sentence(t), "expected cost: about 6.7 CPU s, by its first 40 of 100 s");
-  t.reached = 0, t.iteration = 0.01;
+  t.reached = 0;
+  t.iteration = 0.01;
   EXPECT_NEAR(expected_cost(t), 0.01 * (60 + 4 * 2000), 1e-12);
   EXPECT_EQ(cost_sentence(t), "expected cost: about 81 CPU s, by the first iterations of statics");
   t.duration = 0;
@@ -97,7 +102,8 @@ TEST(Cost, ATrialEndsWithItsBudget) {
 // Too long for an equilibrium within one iteration: the sentence of the run.
 TEST(Cost, ATrialReportsWhyTheRunStops) {
   model::Case c = rod(8);
-  c.statics.max_iterations = 1, c.statics.relaxation = model::Relaxation::never;
+  c.statics.max_iterations = 1;
+  c.statics.relaxation = model::Relaxation::never;
   Simulation sim(MPI_COMM_SELF, c);
   const TrialRun trial = trial_run(sim, c, 100);
   EXPECT_EQ(trial.failure.find("statics: "), 0U) << trial.failure;

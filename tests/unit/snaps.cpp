@@ -76,7 +76,9 @@ TEST(Snaps, NotOfWhatFalls) {
   const run::Simulation sim(MPI_COMM_SELF, c);
   Snaps snaps(c, sim.local());
   const std::vector<double> held(3, 1000), loose(3, 100);
-  snaps.update(0, 0, held, held), snaps.update(0.1, 0.1, held, held), snaps.update(0.2, 0.1, loose, loose);
+  snaps.update(0, 0, held, held);
+  snaps.update(0.1, 0.1, held, held);
+  snaps.update(0.2, 0.1, loose, loose);
   EXPECT_EQ(snaps.warning(MPI_COMM_SELF, 0, "sling", 1000, true, true), "");
 }
 

@@ -25,7 +25,8 @@ Shown run(const std::string& name, const std::string& text) {
   const std::string base = base_of(name);
   runs::write_case(base + ".yaml", text);
   run::RunOptions options;
-  options.case_path = base + ".yaml", options.quiet = true;
+  options.case_path = base + ".yaml";
+  options.quiet = true;
   Shown s;
   try {
     s.exit = run::run(MPI_COMM_WORLD, options);

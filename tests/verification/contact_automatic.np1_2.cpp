@@ -93,9 +93,14 @@ struct Held {
 void look(Simulation& s, const Kinematics& at, Held& out) {
   double least = HUGE_VAL, largest = 0;
   NodeField tension(s, "effective_tension");
-  for (const double t : tension.at(at)) least = std::min(least, t), largest = std::max(largest, t);
-  out.tension = most(largest), out.ratio = out.tension / -most(-least);
-  out.depth = most(s.contact()->largest_penetration().depth), out.stiffness = s.contact()->stiffness(0);
+  for (const double t : tension.at(at)) {
+    least = std::min(least, t);
+    largest = std::max(largest, t);
+  }
+  out.tension = most(largest);
+  out.ratio = out.tension / -most(-least);
+  out.depth = most(s.contact()->largest_penetration().depth);
+  out.stiffness = s.contact()->stiffness(0);
 }
 
 std::unique_ptr<Simulation> simulation(const std::string& name, const std::string& text) {
@@ -213,7 +218,11 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   d.start(s->state());
   const Energy start = s->system().energy(d.kinematics());
   d.run(
-      1.2, [](double t) { return t + 100; }, [&](const StepInfo&) { return ++after.steps, true; });
+      1.2, [](double t) { return t + 100; },
+      [&](const StepInfo&) {
+        ++after.steps;
+        return true;
+      });
   look(*s, d.kinematics(), after);
   const Energy e = s->system().energy(d.kinematics());
   double sums[2] = {e.work + d.support_work(), e.kinetic + e.strain - start.kinetic - start.strain +

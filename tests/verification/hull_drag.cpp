@@ -35,7 +35,10 @@ class CountedSurface final : public Surface {
   Box bounds() const override { return s_->bounds(); }
   // Questions about walls count as well.
   void facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const override {
-    timed([&] { return s_->facet_groups(axis, reach, out), 0; });
+    timed([&] {
+      s_->facet_groups(axis, reach, out);
+      return 0;
+    });
   }
   bool one_facet_group(std::span<const Vec3> axis, double reach) const override {
     return timed([&] { return s_->one_facet_group(axis, reach); });
@@ -116,7 +119,8 @@ Outcome drag(const Drag& d) {
   dynamics.run(
       d.duration, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
-        ++steps, iterations += i.iterations;
+        ++steps;
+        iterations += i.iterations;
         out.most_touching = std::max(out.most_touching, s.contact()->active_count());
         if (std::floor(2 * i.time) > std::floor(2 * (i.time - i.h)) || i.time >= d.duration)
           for (const Vec3& x : dynamics.kinematics().x) places.push_back(x);

@@ -28,7 +28,8 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
   model::Case c = one_line(type, kSpan / (1 + kPull / (steel * area)), elements, anchor({0, 0, 0}),
                            anchor({kSpan, 0, 0}));
   c.environment.gravity = 9.81;
-  c.dynamics.step = step, c.dynamics.max_step = longest;
+  c.dynamics.step = step;
+  c.dynamics.max_step = longest;
   c.dynamics.resolve_impacts = resolve;
   c.dynamics.duration = 1;
   // Where it hangs first, without the support.
@@ -66,7 +67,8 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
         out.most = std::max(out.most, f);
         out.impulse += 0.5 * (f + last) * i.h;
         out.made = std::max(out.made, (total() - before) / kinetic);
-        ++out.steps, out.iterations += i.iterations;
+        ++out.steps;
+        out.iterations += i.iterations;
         last = f;
         return true;
       });

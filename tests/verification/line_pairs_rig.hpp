@@ -14,7 +14,8 @@ inline model::Line straight_line(const std::string& name, const std::string& typ
   model::Line l;
   l.name = name;
   l.sections.push_back({type, length, elements, 1});
-  l.end_a = a, l.end_b = b;
+  l.end_a = a;
+  l.end_b = b;
   l.start = model::Start::straight;
   return l;
 }

@@ -171,7 +171,9 @@ lines:
   }
   MPI_Barrier(MPI_COMM_WORLD);
   run::RunOptions options;
-  options.case_path = path, options.output = folder + "/case.h5", options.quiet = true;
+  options.case_path = path;
+  options.output = folder + "/case.h5";
+  options.quiet = true;
   for (const char* mesh : {"/post.stl", "/bed.stl"}) {
     const auto run = [&] { EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0); };
     const auto check = [&] { EXPECT_EQ(run::check_case(MPI_COMM_WORLD, path, 0), 0); };

@@ -35,7 +35,9 @@ TEST(MooringSpeed, Goals) {
     int runs = 0;
     do {
       const Cost cost = measure(r.c, 3);
-      used = std::min(used, cost.used), one = std::min(one, cost.one), ++runs;
+      used = std::min(used, cost.used);
+      one = std::min(one, cost.one);
+      ++runs;
       const auto percent = [&](double a, double b) { return 100 * (a - b) / r.exact.most; };
       const double off[] = {percent(cost.found.least, r.exact.least), percent(cost.found.most, r.exact.most),
                             percent(cost.found.anchor_least, r.exact.anchor_least),

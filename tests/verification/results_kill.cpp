@@ -67,7 +67,10 @@ Checkpoint checkpoint(int output) {
 // Of output k; so many that the tables outgrow their room.
 ClashRow clash(int output, int i) {
   ClashRow r;
-  r.line = output, r.volume = i, r.start = output + 0.5, r.impulse = value(output, i);
+  r.line = output;
+  r.volume = i;
+  r.start = output + 0.5;
+  r.impulse = value(output, i);
   return r;
 }
 ClashTables clashes(int output) {
@@ -107,10 +110,12 @@ void write_for_ever(const std::string& path) {
     for (int i = 0; i < kNodes * kState; ++i) fields[1].push_back(value(k, -i));
     const BodyPose pose{Vec3(k, 0, 0), Quat::Identity()};
     file->write_output(k, fields, {&pose, 1}, clashes(k));
-    std::printf("output %lld\n", file->written() - 1), std::fflush(stdout);
+    std::printf("output %lld\n", file->written() - 1);
+    std::fflush(stdout);
     if (k % 3 != 2) continue;  // of some outputs several wait to be written together
     file->write_checkpoint(checkpoint(k));
-    std::printf("checkpoint %d\n", k), std::fflush(stdout);
+    std::printf("checkpoint %d\n", k);
+    std::fflush(stdout);
   }
   file->finish({{"max", "hose", 1, "N", 0, 0}}, clashes(kOutputs));
   std::printf("end\n");
@@ -135,7 +140,8 @@ Progress run_and_kill(const std::string& path, double seconds) {
   const pid_t child = fork();
   if (child == 0) {
     dup2(pipe_ends[1], 1);
-    close(pipe_ends[0]), close(pipe_ends[1]);
+    close(pipe_ends[0]);
+    close(pipe_ends[1]);
     // A fresh environment: MPI must not take the child for a part of the parent's job.
     const std::string file = std::string(kFileVariable) + "=" + path;
     std::vector<std::string> env{file};

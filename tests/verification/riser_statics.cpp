@@ -24,12 +24,14 @@ model::Case riser(const std::vector<Part>& parts, double D, double EA, double EI
   for (const Part& p : parts) {
     model::LineType t = beam_type(EA, EI, EI);
     t.name = "part" + std::to_string(c.line_types.size());
-    t.outer_diameter = D, t.contact_diameter = 1e-6 * D;
+    t.outer_diameter = D;
+    t.contact_diameter = 1e-6 * D;
     t.mass_per_length = p.weight / c.environment.gravity + 1025 * M_PI / 4 * D * D;
     c.line_types.push_back(t);
     l.sections.push_back({t.name, p.length, static_cast<int>(std::ceil(p.length / element - 1e-9)), 1});
   }
-  l.end_a = a, l.end_b = b;
+  l.end_a = a;
+  l.end_b = b;
   c.lines.push_back(l);
   return c;
 }
@@ -39,7 +41,10 @@ BeamStress stress(Simulation& sim, size_t element) {
   const State& s = sim.state();
   BeamEnds e;
   const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
-  e.x1 = s.x[i], e.x2 = s.x[j], e.q1 = s.q[i], e.q2 = s.q[j];
+  e.x1 = s.x[i];
+  e.x2 = s.x[j];
+  e.q1 = s.q[i];
+  e.q2 = s.q[j];
   return beam_stress(b.section, b.reference, e);
 }
 
@@ -138,7 +143,11 @@ TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
       const double t1 = cpu_ms();
       again.solve_statics();
       const double t2 = cpu_ms();
-      if (t2 - t0 < least) least = t2 - t0, set_up = t1 - t0, statics = t2 - t1;
+      if (t2 - t0 < least) {
+        least = t2 - t0;
+        set_up = t1 - t0;
+        statics = t2 - t1;
+      }
     }
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
@@ -231,7 +240,10 @@ TEST(RiserStatics, LazyWavesOfAllKinds) {
     if (k.speed > 0)
       c.environment.water.current.profile = {{0, k.speed, k.direction}, {80, 0.3 * k.speed, k.direction}};
     c.lines[0].end_a.at.x() = k.x;
-    if (k.clamp > 0) c.lines[0].end_a.clamped = true, c.lines[0].end_a.direction = Vec3(0, 0, -1);
+    if (k.clamp > 0) {
+      c.lines[0].end_a.clamped = true;
+      c.lines[0].end_a.direction = Vec3(0, 0, -1);
+    }
     try {
       const double t0 = cpu_ms();
       Simulation sim(PETSC_COMM_SELF, c);
@@ -307,12 +319,14 @@ TEST(RiserStatics, CatenaryRiserInACurrent) {
     sea.water.current.profile = {{0, 0.7, M_PI}, {70, 0.63, M_PI}, {100, 0.21, M_PI}};
     model::LineType t = beam_type(7.112e8, 124870, 124870, 184.2262 + 1000 * M_PI / 4 * 0.254 * 0.254);
     t.outer_diameter = t.contact_diameter = 0.3556;
-    t.Cd_normal = 1.2, t.Cd_axial = 0.008;
+    t.Cd_normal = 1.2;
+    t.Cd_axial = 0.008;
     c.line_types.push_back(t);
     model::Line l;
     l.name = "riser";
     l.sections = {{t.name, 90, 30, 1}, {t.name, 20, 40, 1}, {t.name, 20, 7, 1}};
-    l.end_a = anchor({2, 0, -7.5}), l.end_b = anchor({57, 0, -100 + 0.178});
+    l.end_a = anchor({2, 0, -7.5});
+    l.end_b = anchor({57, 0, -100 + 0.178});
     c.lines.push_back(l);
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
@@ -356,10 +370,16 @@ TEST(RiserStatics, ModelCableWithModules) {
                              {s, 0.0111052632},
                              {-1.0255048929, 0.0028947368},
                              {f, 0.0131052632}};
-  for (int i = 0; i < 7; ++i) parts.push_back({w, g}), parts.push_back({f, 0.016});
+  for (int i = 0; i < 7; ++i) {
+    parts.push_back({w, g});
+    parts.push_back({f, 0.016});
+  }
   for (const Part& p : std::vector<Part>{{w, 0.0013157895}, {s, 0.014}, {w, 0.0260526316}, {f, 0.016}})
     parts.push_back(p);
-  for (int i = 0; i < 6; ++i) parts.push_back({w, g}), parts.push_back({f, 0.016});
+  for (int i = 0; i < 6; ++i) {
+    parts.push_back({w, g});
+    parts.push_back({f, 0.016});
+  }
   for (const Part& p : std::vector<Part>{{w, 0.0297368421},
                                          {s, 0.0116315789},
                                          {-1.0255048929, 0.0023684211},

@@ -100,7 +100,9 @@ TEST(SLayRanks, BelowARoller) {
       path, beam(kV, ", start: {points: [[-20, 0, 0.3586], [-10, 0, -1.2], [10, 0, -1.2], [20, 0, 0.3586]]}",
                  0.3586));
   run::RunOptions o;
-  o.case_path = path, o.output = folder + "/below.h5", o.quiet = true;
+  o.case_path = path;
+  o.output = folder + "/below.h5";
+  o.quiet = true;
   std::string why;
   try {
     run::run(MPI_COMM_WORLD, o);

@@ -114,7 +114,8 @@ class GatherPlan {
  public:
   // mine: how many values this rank brings. Collective.
   GatherPlan(MPI_Comm comm, int mine) : comm_(comm), mine_(mine) {
-    count_.resize(ranks_of(comm)), start_.resize(count_.size() + 1, 0);
+    count_.resize(ranks_of(comm));
+    start_.resize(count_.size() + 1, 0);
     MPI_Allgather(&mine, 1, MPI_INT, count_.data(), 1, MPI_INT, comm);
     std::inclusive_scan(count_.begin(), count_.end(), start_.begin() + 1);
   }

@@ -81,7 +81,8 @@ class BoxTree {
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     p.value(self.size_);
-    p.array(self.nodes_), p.array(self.items_);
+    p.array(self.nodes_);
+    p.array(self.items_);
   }
 
  private:

@@ -54,8 +54,12 @@ class SpatialHash {
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {
-    p.value(self.origin_), p.value(self.side_), p.value(self.last_), p.value(self.places_);
-    p.array(self.first_), p.array(self.items_);
+    p.value(self.origin_);
+    p.value(self.side_);
+    p.value(self.last_);
+    p.value(self.places_);
+    p.array(self.first_);
+    p.array(self.items_);
   }
 
  private:

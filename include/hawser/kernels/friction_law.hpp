@@ -113,7 +113,8 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
     e.axis[0] = holds_a ? S(N * M(mu.axial / k)) : S(1);
     e.axis[1] = holds_l ? S(N * M(mu.lateral / k)) : S(1);
   } else {
-    e.axis[0] = S(law.axial_length), e.axis[1] = S(law.lateral_length);
+    e.axis[0] = S(law.axial_length);
+    e.axis[1] = S(law.lateral_length);
     if (law.spring == FrictionSpring::elliptic && law.back == FrictionReturn::associated) {
       if (holds_a) e.stiffness[0] = S(mu.axial / law.axial_length);
       if (holds_l) e.stiffness[1] = S(mu.lateral / law.lateral_length);

@@ -96,7 +96,8 @@ struct ImpactEvents {
   void add(const std::optional<ImpactEvent>& s, int line, int other = -1) {
     if (!s) return;
     list.push_back(*s);
-    list.back().line = line, list.back().other = other;
+    list.back().line = line;
+    list.back().other = other;
   }
 };
 
@@ -108,7 +109,9 @@ struct LineMotion {
   double kinetic = 0, impact_energy = 0;
 
   void add(double m, const Vec3& velocity) {
-    mass += m, momentum += m * velocity, kinetic += 0.5 * m * velocity.squaredNorm();
+    mass += m;
+    momentum += m * velocity;
+    kinetic += 0.5 * m * velocity.squaredNorm();
   }
   double energy() const;
 };

@@ -41,9 +41,14 @@ struct LinePairHistory : ContactPoint {
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("place", "", self.xi), each("from", "", self.from), each("to", "", self.to);
-    each("opens", "", self.opens), each("closes", "", self.closes);
-    each("weight", "m", self.weight), each("place on the other", "", self.eta), each("slip", "m", self.slip);
+    each("place", "", self.xi);
+    each("from", "", self.from);
+    each("to", "", self.to);
+    each("opens", "", self.opens);
+    each("closes", "", self.closes);
+    each("weight", "m", self.weight);
+    each("place on the other", "", self.eta);
+    each("slip", "m", self.slip);
     each("gap", "m", self.gap);
     ContactPoint::quantities(self, each, "N/m", "J/m");
   }

@@ -61,7 +61,10 @@ class StaticTrial {
   // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
   // (1, 2, ...); less of it where lines would pass through each other.
   void perturb(int attempt);
-  void accept_trial() { std::swap(state_.x, trial_.x), std::swap(state_.q, trial_.q); }
+  void accept_trial() {
+    std::swap(state_.x, trial_.x);
+    std::swap(state_.q, trial_.q);
+  }
 
   double sum(double x) const;
   // Strain energy and potential over all ranks, J.

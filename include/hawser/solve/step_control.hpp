@@ -45,7 +45,9 @@ class StepControl {
   double impact_period() const { return impact_period_; }
   double resolved_until() const { return resolved_until_; }
   void restore(double proposal, int wait, double impact_period, double resolved_until) {
-    proposal_ = proposal, growth_wait_ = wait, impact_period_ = impact_period,
+    proposal_ = proposal;
+    growth_wait_ = wait;
+    impact_period_ = impact_period;
     resolved_until_ = resolved_until;
   }
 

@@ -39,7 +39,10 @@ class LimitsSteps {
   virtual Verdict check_step(const Kinematics& trial) const = 0;
   // Adds the impacts that a converged step did not resolve, each once over all ranks; local. Asked before it
   // is accepted.
-  virtual void unresolved(const Kinematics& trial, UnresolvedImpacts& to) { (void)trial, (void)to; }
+  virtual void unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
+    (void)trial;
+    (void)to;
+  }
 };
 
 // A penalty stiffness that follows what the run meets. evaluate() never changes it.
@@ -108,7 +111,11 @@ class ScalesResiduals {
   virtual ~ScalesResiduals() = default;
   // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics):
   // no residual can be smaller.
-  virtual double round_off(const Kinematics& at, double h) const { return (void)at, (void)h, 0.0; }
+  virtual double round_off(const Kinematics& at, double h) const {
+    (void)at;
+    (void)h;
+    return 0.0;
+  }
   // Sum of the sizes of the dead loads on this rank, N.
   virtual double dead_load() const { return 0; }
 };

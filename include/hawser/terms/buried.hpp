@@ -58,8 +58,11 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("position", "m", self.at), each("slip", "m", self.slip), each("force", "N", self.force);
-      each("stored", "J", self.stored), each("friction work", "J", self.friction_work);
+      each("position", "m", self.at);
+      each("slip", "m", self.slip);
+      each("force", "N", self.force);
+      each("stored", "J", self.stored);
+      each("friction work", "J", self.friction_work);
     }
   };
   BuriedForce pull(const Point& p, const Kinematics& at) const {

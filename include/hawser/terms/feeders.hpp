@@ -100,7 +100,10 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   template <class Of>
   void update_lengths(std::vector<Of>& elements, const Kinematics& at, bool now) const {
     for (Of& e : elements)
-      if (const auto r = element_state(e.at.global, at, now)) e.idle = r->idle, e.section.length = r->length;
+      if (const auto r = element_state(e.at.global, at, now)) {
+        e.idle = r->idle;
+        e.section.length = r->length;
+      }
   }
   // Where all was at the start of the step; nothing before the first.
   const State& before() const { return before_; }

@@ -89,8 +89,10 @@ class LinePairs final : public ForceTerm,
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("penetration", "m", self.depth), each("time", "s", self.time);
-      each("element", "", self.first), each("other element", "", self.second);
+      each("penetration", "m", self.depth);
+      each("time", "s", self.time);
+      each("element", "", self.first);
+      each("other element", "", self.second);
     }
   };
   Deepest deepest() const { return deepest_; }
@@ -141,7 +143,8 @@ class LinePairs final : public ForceTerm,
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("friction", "J", self.friction), each("damping", "J", self.damping);
+      each("friction", "J", self.friction);
+      each("damping", "J", self.damping);
     }
   };
 

@@ -21,7 +21,8 @@ struct GapSpring {
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("paired", "", self.paired), each("anchor", "m", self.anchor);
+    each("paired", "", self.paired);
+    each("anchor", "m", self.anchor);
     each("direction", "", self.direction);
   }
 };

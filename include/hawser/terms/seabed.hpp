@@ -96,7 +96,8 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     static void quantities(Self& self, Each&& each) {
       SurfaceContactPoint::quantities(self, each, "N", "J");
       each("touches", "", self.active);
-      each("deepest", "m", self.deepest), each("held by suction", "", self.held);
+      each("deepest", "m", self.deepest);
+      each("held by suction", "", self.held);
     }
   };
   // J, taken out so far at the points that this rank counts; suction's is damping's.
@@ -105,7 +106,8 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("friction work", "J", self.friction), each("damping work", "J", self.damping);
+      each("friction work", "J", self.friction);
+      each("damping work", "J", self.damping);
     }
   };
   // Of a point at the start of the step: where it was, how far off the bed, and which way the line ran.
