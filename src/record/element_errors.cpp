@@ -22,7 +22,7 @@ constexpr double kRecommendedError = 0.01;  // the share that elements of the re
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 // By which share of what it shows a cubic of length x decay is wrong at its end, where a moment falls off
-// like exp(-s/decay); and of which length that is kGood.
+// like exp(-s/decay); and of which length that is kRecommendedError.
 double wrong_inside(double x) { return x * x / (12 + 4.2 * x); }
 constexpr double kRecommendedInside = 0.37;
 // The same where the forces on the node say what the moment is: at ends and under what is attached.

@@ -1,4 +1,4 @@
-// Numbers that are the same on every number of ranks.
+// Numbers that do not depend on the number of ranks.
 #pragma once
 
 #include <cmath>

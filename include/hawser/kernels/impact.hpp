@@ -13,7 +13,7 @@
 
 namespace hawser {
 
-// Of a step from here.
+// The limit of the next step.
 struct StepLimit {
   double longest = std::numeric_limits<double>::infinity();  // s
   // s, shortest period of the contacts with an impact now: steps resolve what it sets in motion for some
@@ -21,8 +21,8 @@ struct StepLimit {
   double period = std::numeric_limits<double>::infinity();
 };
 
-// What meets something: how far it is from where forces begin (m, negative: beyond), how fast it closes (m/s)
-// and its acceleration along the normal (m/s², positive: away).
+// A point that approaches a surface: its gap to where forces begin (m, negative: beyond), its closing speed
+// (m/s) and its acceleration along the normal (m/s², positive: away).
 struct Approach {
   double gap = 0, closing = 0, acceleration = 0;
   bool last = true;  // in touch: no other place of the same contact is deeper, so that it ends with this one
@@ -33,12 +33,13 @@ class ImpactEvent {
  public:
   int line = 0, other = -1;  // the line with the impact; the other line, if there is one
 
-  // J: of the mass along the normal, and of the spring out of its balance. No step makes or loses more by it
-  // where the impact is followed.
+  // J: kinetic energy of the mass along the normal plus that of the spring away from its balance. Steps that
+  // resolve the impact make or lose no more than this.
   double energy() const { return energy_; }
-  // J, at stake in a step of h [s]: energy() where the step is too long to follow the impact, else 0.
+  // J, at stake in a step of h [s]: energy() where the step is too long to resolve the impact, else 0.
   double unresolved(double h) const { return h > resolved_ ? energy_ : 0; }
-  // J, that the trapezoidal rule loses in a step of h across the touch or makes in one across the end.
+  // J: the trapezoidal rule loses this in a step of h across the first touch, or makes it in one across the
+  // end of the contact.
   double crossed(double h) const;
   // s, of what is in touch; infinite: of what is not.
   double period() const;
@@ -53,16 +54,15 @@ class ImpactEvent {
   Approach at_;
 };
 
-// inverse frequency: s, sqrt(m/k) of the contact, its period over 2 pi. significant_depth: m; there
-// is an impact where inertia takes the mass deeper, by speed or by acceleration. mass: kg.
+// inverse_frequency: s, sqrt(m/k) of the contact, its period over 2 pi. significant_depth: m; there is an
+// impact where inertia takes the mass deeper than this, by speed or by acceleration. mass: kg.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
                                         const Approach& at);
-// Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
+// Whether an impact is possible at no more than this speed [m/s] and acceleration [m/s²] in any direction.
 bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
-// Whether a step of h [s] is so short, for a contact of that inverse frequency [s], that what it gains or
-// loses where a contact begins or ends in it is accepted unseen: at most half of the steps that follow an
-// impact.
+// Whether a step of h [s] is short enough for a contact of this inverse frequency [s] that its energy error
+// is accepted where the contact begins or ends in it: at most half of the steps that resolve an impact.
 bool resolves_contact(double inverse_frequency, double h);
 
 // A contact that began or ended within a step that is too long for it, so that the step gained or lost
@@ -71,7 +71,7 @@ struct UnresolvedImpact {
   int line = 0, other = -1;  // that meets or leaves the other, if that is a line
   double energy = 0;         // J, made or lost
 };
-// What a converged step shows of impacts that its start did not.
+// Impacts that the end of a converged step shows and its start did not.
 struct UnresolvedImpacts {
   std::vector<UnresolvedImpact> list;
   bool too_deep = false;  // something went deeper in it than a step is trusted with
@@ -79,7 +79,7 @@ struct UnresolvedImpacts {
 // J, the error of the trapezoidal rule in the work of a contact that began or ended within a step: the rule
 // takes the force for one that rises or falls over the whole path. path: m, along the normal; force: N, and
 // potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times inverse
-// frequency presses in by less than `seen` [m].
+// frequency presses in by less than significant_depth [m].
 double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
                       double path, double speed);
 
@@ -101,8 +101,8 @@ struct ImpactEvents {
   }
 };
 
-// Of the masses of a line: kg, kg m/s, J. What moves as a whole has no energy() [J] that could be made, but
-// that of its impacts.
+// The motion of the masses of a line: kg, kg m/s, J. energy() [J] is the kinetic energy about the mean
+// velocity plus that of the line's impacts.
 struct LineMotion {
   double mass = 0;
   Vec3 momentum = Vec3::Zero();
@@ -116,7 +116,7 @@ struct LineMotion {
   double energy() const;
 };
 
-// Adds the numbers of all ranks, in place.
+// Sums the numbers over all ranks, in place.
 using Sum = std::function<void(std::span<double>)>;
 
 // What generalized-alpha carries from step to step beside the motion: algorithmic accelerations A, m/s², in
@@ -126,8 +126,8 @@ struct StoredMotion {
   double share = 0;
 };
 
-// J by line: what impacts may make, lose or leave unresolved of it in a step: kErrorOfStep of its energy, as
-// many times as there are lines whose impacts come to more. `lines` are those of all ranks.
+// J by line: the energy error that impacts may have in a step: kErrorOfStep of the line's energy, times the
+// number of lines whose impacts have more. `lines` are those of all ranks.
 constexpr double kErrorOfStep = 2e-5;
 std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 
@@ -138,7 +138,7 @@ std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
                            double share, double last);
 
-// Whether the errors of all ranks together are within that. Collective.
+// Whether the sum of the errors of all ranks is within the tolerance. Collective.
 bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
                       const Sum& sum);
 

@@ -40,7 +40,7 @@ class RootSearch {
     bool ended = false;
   };
   Way way_[2];
-  int going_ = 0, count_ = 0, failures_at_start_ = 0;  // looked_: failures before the first value
+  int going_ = 0, count_ = 0, failures_at_start_ = 0;  // of the start: failures before the first value
   bool bracketed_ = false, exhausted_ = false;
   double next_ = 0;
   double x_[3] = {}, f_[3] = {};  // of the bracket: the newest, the other side, the one before

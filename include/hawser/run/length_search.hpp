@@ -47,9 +47,9 @@ class LengthSearch {
     if (why_.empty() || !search_.values().empty()) why_ = why;  // where none is known, of what is given
     search_.fail();
   }
-  // From what was last reached on.
+  // Restarts from the last length with an equilibrium.
   void restart();
-  // No way on: nothing found, or a jump over it.
+  // Whether the search has failed: no root found, or a jump across it.
   bool stuck() const { return search_.exhausted() || (narrow() && !near_); }
   // There is no such length. InputError that says why; a feeder begins with its stock as it is given.
   void throw_not_found(const model::Case& c);

@@ -62,9 +62,9 @@ class Dynamics {
     Vec3 w = Vec3::Zero(), alpha = Vec3::Zero();
     bool free = false;  // it settles where the forces on it are in balance with its acceleration
   };
-  // A feeder lets go of a node or takes hold of one: `change` is what it changes and returns how that node
-  // goes on, on ranks that know. Mean forces and reactions change by as much as the forces of the state do;
-  // all else goes on as it did. Collective.
+  // A feeder releases a node or catches one: `change` makes the change and returns the motion of that node,
+  // on the ranks that have it. Mean forces and reactions change by as much as the forces of the state do; all
+  // else goes on as it did. Collective.
   void transfer_node(const std::function<std::optional<Moved>()>& change,
                      const std::function<std::vector<TiedNode>()>& nodes);
   // What a checkpoint carries beside the state.

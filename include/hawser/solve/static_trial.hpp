@@ -17,11 +17,11 @@
 
 namespace hawser {
 
-// No step leads on past a line or a volume: the sentence says which.
+// A line or a volume blocks every step: the message names it.
 struct PathBlocked : SolveError {
   using SolveError::SolveError;
 };
-// Thrown, the same on all ranks, where contact is stiffer than the search began with: it begins again.
+// Thrown on all ranks where contact stiffness was raised during the search: the search begins again.
 struct StiffnessRaised {};
 
 class StaticTrial {
@@ -55,8 +55,8 @@ class StaticTrial {
   // volume, nor deeper into a volume than its contact law is for. Where the candidates were not chosen for
   // that way they are chosen anew.
   bool path_is_clear();
-  // Throws what statics ends with where no step leads on: if something was in the way, PathBlocked, or
-  // StiffnessRaised where automatic contact can be made stiffer; else SolveError with that sentence.
+  // Throws the end of a search that has no further step: PathBlocked where something blocks the path,
+  // StiffnessRaised where automatic contact can be made stiffer, else SolveError with that sentence.
   [[noreturn]] void throw_no_equilibrium(const std::string& why);
   // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
   // (1, 2, ...); less of it where lines would pass through each other.
@@ -85,7 +85,7 @@ class StaticTrial {
   KspHandle ksp_;
   std::vector<double> local_, zero_;  // 3 * local blocks: an increment; nothing
   double length_ = 0;                 // m, of the longest element
-  // What was in the way of the last trial that was not clear, in words, and that trial; empty: nothing.
+  // What blocks the path to the last trial that was not clear, in words, and that trial; empty: nothing.
   std::string blocked_by_;
   State blocked_;
 };

@@ -30,8 +30,8 @@ class StepControl {
   double shortest() const { return s_.shortest; }  // s
   // Accelerations have jumped: the next step is as short as the first one was.
   void reset_to_first_step();
-  // An impact at t on a contact of this period [s]: for twenty of them steps stay below a third of it,
-  // since what rings then decides the next impact, and double at most from then on.
+  // After an impact at t on a contact of this period [s], steps stay below a third of the period for twenty
+  // periods, since the ringing decides the next impact; from then on a step at most doubles.
   void follow_impact(double t, double period);
   // Whether a converged step is accurate enough; a step at the shortest length always is.
   bool accurate(double h, double error) const;
@@ -58,7 +58,7 @@ class StepControl {
   double proposal_ = 0;
   int growth_wait_ = 0;  // accepted steps before the step may grow again after a failure
   double impact_period_ = 0,
-         resolved_until_ = 0;  // s: period of the contact of the last impact, and until when it is followed
+         resolved_until_ = 0;  // s: period of the contact of the last impact, and until when steps resolve it
 };
 
 }  // namespace hawser

@@ -13,7 +13,7 @@
 
 namespace hawser {
 
-// Lets nodes see each other which no element joins (contact of lines with lines and with bodies).
+// Couples nodes that no element joins (contact of lines with lines and with bodies).
 class CouplesNodes {
  public:
   virtual ~CouplesNodes() = default;
@@ -21,7 +21,7 @@ class CouplesNodes {
   // before count. True: couple() or what was kept by local node is no longer what it was; update_ghosts()
   // follows.
   virtual bool recouple(const Kinematics& committed, double h) = 0;
-  // Adds which nodes see each other, of those groups of which this rank owns a node.
+  // Adds the coupled nodes of those groups of which this rank owns a node.
   virtual void couple(Couplings& to) const = 0;
   // Those nodes are local ones now; local nodes from LocalMesh::chain on are no longer what they were.
   virtual void update_ghosts() {}
@@ -51,10 +51,11 @@ class RaisesStiffness {
   virtual ~RaisesStiffness() = default;
   // From an equilibrium, raises it where that asks for it and says so (solve again). Collective.
   virtual bool raise_stiffness(const Kinematics& equilibrium) = 0;
-  // In statics, raises it where it is too low to keep a line from being drawn in on its way to that trial.
+  // In statics, raises the stiffness where it is too low to keep a line out of a volume on the path to that
+  // trial.
   // Collective.
   virtual bool raise_stiffness_where_blocked(const Kinematics& trial) = 0;
-  // Takes back what was raised since the last commit, before a step is tried (again).
+  // Reverts the stiffness to that of the last commit, before a step is tried (again).
   virtual void revert_stiffness() = 0;
 };
 
@@ -105,7 +106,7 @@ class CarriesTension {
   virtual void tensions(const Kinematics& at, std::span<LineTension> lines) const = 0;
 };
 
-// Knows how large forces are: what a residual is judged against.
+// Provides the size of forces, which a residual is compared with.
 class ScalesResiduals {
  public:
   virtual ~ScalesResiduals() = default;

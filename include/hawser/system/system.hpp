@@ -35,7 +35,8 @@ struct ResidualNorms {
   double relative() const;
 };
 
-// What System::couple() found: nothing new; other couplings, for which there is room; another layout.
+// The result of System::couple(). pattern_changed: other couplings, which the matrix has room for;
+// layout_changed: vectors and matrices need another layout.
 enum class CouplingChange { unchanged, pattern_changed, layout_changed };
 
 class System {
@@ -69,8 +70,8 @@ class System {
   void add(std::unique_ptr<ForceTerm> term);
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
-  // Asks the terms who sees whom in a coming step of h [s]; where ghosts or matrix do not hold it, makes
-  // room: then vectors, matrices and solvers are to be made anew, and states spread. Before prepare().
+  // Asks the terms which nodes they couple in a coming step of h [s]. Where ghosts or matrix lack room, it
+  // makes room: the caller then rebuilds vectors, matrices and solvers, and spreads states. Before prepare().
   // Collective.
   CouplingChange couple(const Kinematics& committed, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
@@ -119,7 +120,7 @@ class System {
   bool resolves_impacts(const Kinematics& trial);
   bool raise_stiffness(const Kinematics& equilibrium);  // true on all ranks: solve again
   bool raise_stiffness_where_blocked(
-      const Kinematics& trial);  // in statics; true on all ranks: there is a way now
+      const Kinematics& trial);  // in statics; true on all ranks: the path is free now
   void revert_stiffness();
 
   void prepare(const Kinematics& committed, double h);

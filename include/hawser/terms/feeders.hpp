@@ -49,7 +49,7 @@ struct Feeder {
   double time = 0;         // s
 };
 
-// The element at the feed point in a trial.
+// The element at the feed point, in a trial.
 struct FeedPoint {
   double length = 0, speed = 0, acceleration = 0;  // m, m/s, m/s²: unstretched length and its rates
   double by_chord = 0;                             // derivative of the length by the chord
@@ -72,7 +72,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   double element_length(const Feeder& f, int i) const;  // m, of a free one
   int elements(const Feeder& f) const;
   double outside(const Feeder& f) const;  // m, unstretched, that has left the feeder
-  // The feeder has another element at its feed point: takes over what that is made of.
+  // Updates the section at the feed point after another element has come there.
   void update_feed_point(Feeder& f) const;
   // Node axes of a fed end that is clamped, in its body's frame (or space), by line and end.
   void clamp(const std::vector<std::array<Quat, 2>>& ends);
