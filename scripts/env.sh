@@ -1,7 +1,7 @@
 # Environment of every run and test of hawser. To be sourced: . scripts/env.sh
 # What is already set stays.
 
-# Open MPI refuses to start as root, or with more ranks than cores, unless told; both are usual in a container.
+# Open MPI refuses to start as root, or with more ranks than cores, unless asked to; both are usual in a container.
 export OMPI_ALLOW_RUN_AS_ROOT="${OMPI_ALLOW_RUN_AS_ROOT:-1}"
 export OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="${OMPI_ALLOW_RUN_AS_ROOT_CONFIRM:-1}"
 export OMPI_MCA_rmaps_base_oversubscribe="${OMPI_MCA_rmaps_base_oversubscribe:-1}"
@@ -24,7 +24,7 @@ hawser_share_cores() {
 export OMP_NUM_THREADS="${OMP_NUM_THREADS:-1}"
 export OPENBLAS_NUM_THREADS="${OPENBLAS_NUM_THREADS:-1}"
 
-# nproc heeds the variables of OpenMP above.
+# nproc obeys the variables of OpenMP above.
 hawser_cores() { env -u OMP_NUM_THREADS -u OMP_THREAD_LIMIT nproc; }
 
 # Compilers to start at once: one a core, and 1.5 GB of memory for each.

@@ -32,33 +32,33 @@ class Help:
 def parse(text):
     """Both of CLI11's form and of argparse's: titles end in a colon, entries are indented by two spaces, what they are
     stands two spaces further on or in lines indented more."""
-    said, table = Help(), None
+    help_text, table = Help(), None
     for line in text.splitlines():
         indent = len(line) - len(line.lstrip())
         if line.lower().startswith("usage:"):
-            said.usage = line[6:].strip()
+            help_text.usage = line[6:].strip()
         elif re.fullmatch(r"[A-Z][a-z ]*:|[a-z]+( arguments)?:", line):
-            table = said.tables.setdefault(line[:-1], [])
+            table = help_text.tables.setdefault(line[:-1], [])
         elif not line.strip():
             pass
         elif indent == 0 or table is None:
             table = None
-            (said.notes if said.tables else said.about).append(line)
+            (help_text.notes if help_text.tables else help_text.about).append(line)
         elif indent == 2:
             term, _, what = line.strip().partition("  ")
             table.append((term, what.strip()))
         elif table and indent > 2:
             table[-1] = (table[-1][0], f"{table[-1][1]} {line.strip()}".strip())
-    return said
+    return help_text
 
 
 def ask(program, *command):
     """--help of the program, in lines of any length."""
-    said = subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=False,
+    help_text = subprocess.run([program, *command, "--help"], capture_output=True, text=True, check=False,
                           env={**os.environ, "COLUMNS": "1000", "LC_ALL": "C.UTF-8"})
-    if said.returncode != 0:
-        sys.exit(f"manual.py: {' '.join([program, *command, '--help'])} ended with {said.returncode}: {said.stderr}")
-    parsed = parse(said.stdout)
+    if help_text.returncode != 0:
+        sys.exit(f"manual.py: {' '.join([program, *command, '--help'])} ended with {help_text.returncode}: {help_text.stderr}")
+    parsed = parse(help_text.stdout)
     parsed.usage = re.sub(r"^\S+", "hawser", parsed.usage)
     return parsed
 
@@ -77,10 +77,10 @@ def page(version, top, commands):
     for i, usage in enumerate([top.usage, *(c.usage for _, _, c in commands)]):
         out += ([".br"] if i else []) + [roff(usage)]
     out += [".SH OPTIONS"] + items(top.entries(True)) + [".SH COMMANDS"]
-    for command, summary, said in commands:
-        out += [f".SS {name} {command}", *(roff(line) for line in said.about or [summary])]
-        out += items(said.entries(False) + said.entries(True))
-        out += prose([line for line in said.notes if line not in top.notes])
+    for command, summary, help_text in commands:
+        out += [f".SS {name} {command}", *(roff(line) for line in help_text.about or [summary])]
+        out += items(help_text.entries(False) + help_text.entries(True))
+        out += prose([line for line in help_text.notes if line not in top.notes])
     out += [".SH NOTES", *prose(top.notes)[1:]]
     out += [".SH FILES", "Below the folder of the installation, such as /usr or /usr/local:"]
     out += items([("share/hawser/cases", "cases to run, in a folder of yours: results go beside the case"),
@@ -106,15 +106,15 @@ def prose(lines):
     return out
 
 
-def options_of(said):
+def options_of(help_text):
     """The words that begin with - among the terms: '-o,--output TEXT' has two."""
-    return [word for term, _ in said.entries(True) for word in re.findall(r"(?<![\w-])--?[A-Za-z][\w-]*", term)]
+    return [word for term, _ in help_text.entries(True) for word in re.findall(r"(?<![\w-])--?[A-Za-z][\w-]*", term)]
 
 
-def choices_of(said):
+def choices_of(help_text):
     """{option or "": words}: what may stand after an option or, under "", as the second argument."""
     out = {}
-    for term, _ in said.entries(True) + said.entries(False):
+    for term, _ in help_text.entries(True) + help_text.entries(False):
         if found := re.search(r"\{([\w,.-]+)\}", term):
             words = " ".join(found[1].split(","))
             names = re.findall(r"(?<![\w-])--?[A-Za-z][\w-]*", term.partition("{")[0])
@@ -153,9 +153,9 @@ complete -o default -F _hawser hawser
 def completion(top, commands):
     """The function that bash asks for the words that may stand where the cursor is."""
     options, values = [], []
-    for command, _, said in commands:
-        options.append(f"    {command}) options='{' '.join(options_of(said))}' ;;")
-        for names, words in choices_of(said).items():
+    for command, _, help_text in commands:
+        options.append(f"    {command}) options='{' '.join(options_of(help_text))}' ;;")
+        for names, words in choices_of(help_text).items():
             if names:
                 values.append(f"    {'|'.join(f'{command}/{n}' for n in names.split('|'))}) choices='{words}' ;;")
             else:
@@ -171,12 +171,12 @@ def everything(program):
     top = ask(program)
     entries = top.tables["Subcommands"]
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        return top, [(word, what, said)
-                     for (word, what), said in zip(entries, pool.map(lambda entry: ask(program, entry[0]), entries))]
+        return top, [(word, what, help_text)
+                     for (word, what), help_text in zip(entries, pool.map(lambda entry: ask(program, entry[0]), entries))]
 
 
 def make(program, page_path, completion_path):
-    """Writes both files and returns what `everything` told."""
+    """Writes both files and returns the result of `everything`."""
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.strip()
     top, commands = everything(program)
     for path, content in ((page_path, gzip.compress(page(version, top, commands).encode(), 9, mtime=0)),

@@ -127,8 +127,8 @@ def arguments(argv, **defaults):
                         "or so that the thickest is a 300th of the picture)")
     parser.add_argument("--film", metavar="FILE.mp4", help="also a film of all outputs; needs ffmpeg")
     parser.add_argument("--rate", type=float, default=25, help="of the film, pictures a second")
-    parser.add_argument("--no-sea", action="store_true", help="leave out the surface of the sea and the seabed")
-    parser.add_argument("--no-names", action="store_true", help="leave out the names of lines, joints, bodies and volumes")
+    parser.add_argument("--no-sea", action="store_true", help="do not draw the surface of the sea and the seabed")
+    parser.add_argument("--no-names", action="store_true", help="do not draw the names of lines, joints, bodies and volumes")
     parser.add_argument("--pictures", type=int, default=4, help="how many, spread evenly over the run")
     parser.add_argument("--at", type=float, nargs="+", help="times of the pictures, s, instead")
     parser.add_argument("--direction", type=vector, default=[-1, 1.5, -0.6], help="the way the camera looks: x,y,z")
@@ -267,7 +267,7 @@ def render(options):
         raise SystemExit(f"render: {options.results} has no points; is its .h5 file beside it?")
     diagonal = math.dist(lower, upper) or 1.0
     sections, radius = thickness(results, options, options.height or diagonal)
-    # Without results beside it the file says no units; the field that is shown unless told otherwise is in N.
+    # Without results beside it the file says no units; the field that is shown by default is in N.
     unit = (results.unit(options.field) if results and results.has(options.field) else
             "N" if options.field == "effective_tension" else "")
     factor, unit = UNITS.get(unit, (1, "" if unit == "1" else unit))

@@ -5,7 +5,7 @@ of a tug of 60 m by 15 m by 5 m.
 Heave and pitch by the closed forms of Jensen, Mansour & Olsen (2004), "Estimation of ship motions using closed-form
 expressions", Ocean Engineering 31, for zero speed. Surge and sway are those of the water, averaged over the hull (Froude and
 Krylov, without diffraction); roll is that of an oscillator under the slope of the waves averaged in the same way, of metacentric
-height, inertia and damping chosen here. Yaw is left out. Time goes by exp(i w t), the crest is at midships at t = 0; waves go
+height, inertia and damping chosen here. Yaw is excluded. Time goes by exp(i w t), the crest is at midships at t = 0; waves go
 to `direction` as seen from the bow, roll and pitch are right-handed about x (ahead) and y (to port)."""
 import cmath
 import math

@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 
 try:
-    from . import export, extremes_told, fatigue, fatigue_told, lay, pipe_told, plot, report, scene
+    from . import export, extremes_report, fatigue, fatigue_report, lay, pipe_report, plot, report, scene
     from .arguments import Parser, add_set, place_for, port_from, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
@@ -51,7 +51,7 @@ def commands():
     parser = Parser(prog="hawser", description="Reports, figures and tables of results.")
     sub = parser.add_subparsers(dest="command", required=True)
     of = "results file (.h5) or case file, which is run first if its results are missing or older"
-    since = {"type": time_from, "default": None, "metavar": "T", "help": "leave out what is before t = T [s]"}
+    since = {"type": time_from, "default": None, "metavar": "T", "help": "exclude what is before t = T [s]"}
 
     p = sub.add_parser("report", help="one HTML file with pictures, tables and figures of a run")
     p.add_argument("results", help=of)
@@ -88,14 +88,14 @@ def commands():
     p.add_argument("results", nargs="+", metavar="RESULTS", help=of + "; of several runs of one sea state, all count")
     p.add_argument("--name", help="history, as in output.histories (default: the first by name)")
     p.add_argument("--column", help="its column (default: effective_tension, or the first)")
-    p.add_argument("--duration", default="3h", metavar="T", help="for which extremes are told: 3h, '90 min', 600 (default: 3h)")
+    p.add_argument("--duration", default="3h", metavar="T", help="of the extremes: 3h, '90 min', 600 (default: 3h)")
     p.add_argument("--quantile", type=float, default=0.9, metavar="P", help="not exceeded with this probability (default: 0.9)")
     p.add_argument("--minima", action="store_true", help="smallest values instead of largest")
     p.add_argument("--block", metavar="T", help="length of a block, or 'run' where each run is one (default: ten mean periods)")
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="also write the numbers, as .json or .csv")
     add_set(p)
-    p.set_defaults(do=extremes_told.make)
+    p.set_defaults(do=extremes_report.make)
 
     p = sub.add_parser("fatigue", help="damage along a line by rainflow cycles and a published S-N or T-N curve")
     p.add_argument("results", nargs="+", metavar="RESULTS[=SHARE]", help=of + "; of several, with their shares of the time")
@@ -111,7 +111,7 @@ def commands():
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="CSV file (default: <results>-fatigue.csv)")
     add_set(p)
-    p.set_defaults(do=fatigue_told.make)
+    p.set_defaults(do=fatigue_report.make)
 
     p = sub.add_parser("pipe", help="strain, stress and code checks of a steel pipe, on its supports and in its sagbend")
     p.add_argument("results", help=of)
@@ -119,7 +119,7 @@ def commands():
     p.add_argument("--since", **since)
     p.add_argument("-o", "--output", help="CSV file (default: <results>-pipe.csv)")
     add_set(p)
-    p.set_defaults(do=pipe_told.make)
+    p.set_defaults(do=pipe_report.make)
 
     p = sub.add_parser("lay", help="the smallest tension with which a pipe is laid in each of a list of depths")
     p.add_argument("case", help="case file of a lay over supports")

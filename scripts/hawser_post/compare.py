@@ -51,7 +51,7 @@ def differences(page, a, b):
         page.text(words)
         page.table(head, rows[:compare_tables.MOST_ROWS])
         if len(rows) > compare_tables.MOST_ROWS:
-            page.text(f"{len(rows) - compare_tables.MOST_ROWS} more rows are left out.")
+            page.text(f"{len(rows) - compare_tables.MOST_ROWS} more rows are excluded.")
     if not found:
         page.text("There is nothing that both have.")
 

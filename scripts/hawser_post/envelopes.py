@@ -70,7 +70,7 @@ def above_noise(results, line, fields, since=0.0):
     return [field for field in fields if field not in sizes or sizes[field] > NOISE * scales[results.unit(field)]]
 
 
-def told(results, fields, since):
+def description(results, fields, since):
     """What the envelopes of these fields are over, in a sentence."""
     since = begin(results, since)
     every = [of_every_step(results, field, since) for field in fields]

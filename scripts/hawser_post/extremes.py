@@ -80,7 +80,7 @@ def peaks(records, mean):
 
 
 def blocks(records, length):
-    """The largest value in each block of `length` [s]; a rest shorter than a block is left out. None: each record is one
+    """The largest value in each block of `length` [s]; a rest shorter than a block is excluded. None: each record is one
     block, and they have to be of nearly one length."""
     if length is None:
         lengths = [r.length for r in records]

@@ -22,7 +22,7 @@ def results_of(given, changes=()):
     old = not results.is_file() or results.stat().st_mtime < newest
     if old or (changes and Results(results).changes != list(changes)):
         code = run_case("run", path, changes)
-        # Where the solver gave up, a signal came or the energy does not add up, the results say so.
+        # Where the solver failed, a signal came or the energy does not add up, the results say so.
         if code not in (0, 3, 4, 130) or not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
             sys.exit(code)
     return Results(results)
@@ -42,11 +42,11 @@ def modes_of(given, changes=()):
 
 
 def refuse_since(results, since):
-    """What --since [s] leaves nothing of, or has nothing to leave out of."""
+    """What --since [s] leaves nothing of, or has nothing to exclude."""
     if since is None:
         return
     if results.modes:
-        raise Refusal(f"{results.path} holds natural modes, of which --since leaves out nothing")
+        raise Refusal(f"{results.path} holds natural modes, of which --since excludes nothing")
     if since > max(results.time[-1], results.step_time[-1] if results.steps else 0.0):
         raise Refusal(f"{results.path}: there is nothing from t = {since:g} s on (the last output is at {results.time[-1]:g} s)")
 

@@ -1,7 +1,7 @@
 """What a report shows of the case: line types, lines with their sections and ends, any other part; as it is written there with
 its units, and what the program takes by itself where nothing is."""
 from .results import dictionary
-from .sections import lengths, part, sections_of, sought
+from .sections import lengths, part, sections_of, length_key
 
 LONGEST = 80  # letters of a value
 # Of a line type, in the order of the table of what is computed with: key, unit.
@@ -73,7 +73,7 @@ def sections(results):
     known = {line.name: line for line in results.lines}
     for name, line in dictionary(results.given.get("lines")).items():
         ends = [end_words(line.get(key)) for key in ("end_a", "end_b")]
-        found = {sought(results, name): lengths(results, known[name])} if name in known else {}
+        found = {length_key(results, name): lengths(results, known[name])} if name in known else {}
         for k, (section, written) in enumerate(zip(sections_of(results, name), line.get("sections", []))):
             given = length_words(written["length"])
             length = f"{found[k][k]:.6g} m found by the target (given: {given})" if k in found else given

@@ -11,7 +11,7 @@ from .charts import COLOURS, legend, sheet
 from .charts import colour as colour_of
 from .lay_rig import Rig
 from .lay_search import CLOSE, Asked, smallest
-from .pipe_told import print_table
+from .pipe_report import print_table
 from .results import Refusal
 
 HEAD = ["depth [m]", "stinger radius [m]", "tension [N]", "tip clearance [m]", "departure angle [deg]", "layback [m]",
@@ -66,7 +66,7 @@ def lays(case, options, depths, radii):
                 if lay is None:
                     warnings.append(f"with a stinger radius of {radius:g} m: {why}")
                 found.append((depth, other.radius(), lay))
-        warnings += rig.doubts
+        warnings += rig.warnings
     return sorted(found, key=lambda f: f[:2]) if radii else found, warnings
 
 
@@ -114,8 +114,8 @@ def make(options):
     show(rows)
     for line in chosen(found, options.utilisation) if radii else []:
         print(line)
-    for doubt in [*([] if radii else doubts(rows)), *warnings]:
-        print(f"warning: {doubt}")
+    for warning in [*([] if radii else row_warnings(rows)), *warnings]:
+        print(f"warning: {warning}")
     print(f"lay table: {table}\nfigure: {picture}")
 
 
@@ -142,7 +142,7 @@ def chosen(found, utilisation):
                    "try larger radii, on a stinger so much longer that the pipe leaves it as steeply")
 
 
-def doubts(rows):
+def row_warnings(rows):
     over = [f"{row[0]:g} m" for row in rows if row[HEAD.index("overbend local buckling [-]")] > 1]
     return [f"the overbend is used up by more than 1 in {', '.join(over)} of water, of which no tension is asked: larger tensions "
             "bend it more; a longer or less curved stinger bends it less (--radii)"] if over else []

@@ -6,7 +6,7 @@ import numpy as np
 from . import pipe_checks, pipe_tables, tables
 from .arguments import run_case
 from .lay_search import Lay
-from .pipe_told import pipe_of
+from .pipe_report import pipe_of
 from .results import Refusal, Results, dictionary
 from .sections import lengths, part, sections_of
 
@@ -33,7 +33,7 @@ class Rig:
         self.case, self.changes, self.folder = Path(case), list(changes), Path(folder)
         results = self.run([])
         if results is None:
-            raise Refusal(f"{case}: {self.told()} has no equilibrium from which to begin: see what 'hawser run' says of it")
+            raise Refusal(f"{case}: {self.description()} has no equilibrium from which to begin: see what 'hawser run' says of it")
         try:
             self.name = pipe_of(results, None).name
         except Refusal as why:  # of the results in the temporary folder
@@ -66,14 +66,14 @@ class Rig:
         # N/m: of the catenary of this height and length with this tension at touchdown.
         self.weight = tension * 2 * self.rise / (self.span**2 - self.rise**2)
         self.reach = self.width(tension, self.rise)
-        self.outer, self.doubts = checked.outer, pipe_checks.doubts(checked)
-        found = lengths(results, line)  # a length that a target has found is kept, and the target left out
+        self.outer, self.warnings = checked.outer, pipe_checks.warnings(checked)
+        found = lengths(results, line)  # a length that a target has found is kept, and the target excluded
         self.section = int(np.searchsorted(np.cumsum(found), (arc[0] + checked.left.arc[0]) / 2))
         self.length, self.elements = float(found[self.section]), sections_of(results, self.name)[self.section].get("elements")
         self.kept = [f"lines.{self.name}.target=null"] if keys.get("target") else []
         self.bends = bends_of(results, self.name)
 
-    def told(self):
+    def description(self):
         return "the case" + (f" with {', '.join(self.changes)}" if self.changes else "")
 
     def radius(self):

@@ -75,7 +75,7 @@ class Checked:
         self.part = ((way > np.nan_to_num(bends, nan=-np.inf)[:, None]).astype(int) +
                      (way > np.nan_to_num(down, nan=np.inf)[:, None]))
 
-    def told(self):
+    def description(self):
         """What the checks are by, in sentences."""
         given = self.pipe["condition_factor"]
         uneven = is_uneven(self.results)
@@ -119,7 +119,7 @@ def largest(values, where):
     return (float(masked[place]) if np.isfinite(masked[place]) else np.nan, *place)
 
 
-def doubts(checked):
+def warnings(checked):
     """Where the von Mises stress, which is that of an elastic section, is none of the pipe's."""
     most = np.nanmax(checked.values[STRESS])
     if checked.yields:

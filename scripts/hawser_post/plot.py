@@ -50,7 +50,7 @@ def make(options):
         line = default_line(results, options)
         largest = stress.along(results, line, options.outer_diameter, options.wall)
         figure = charts.stress_graph(results, line, largest, since)
-        print(stress.told(results, line, largest, since))
+        print(stress.description(results, line, largest, since))
     else:
         series, column = history_of(results, options.name, options.column)
         keep = results.step_time >= since

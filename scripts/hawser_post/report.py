@@ -94,12 +94,12 @@ def extremes(page, results, since):
     shown = by_tension(results)[:MOST_LINES] if many else results.lines
     head, rows = tables.of_fields(results, fields, since, shown)
     if rows:
-        page.text(f"Extremes along {f'the {len(shown)} lines with the largest tensions' if many else 'each line'}. " + envelopes.told(results, fields, since))
+        page.text(f"Extremes along {f'the {len(shown)} lines with the largest tensions' if many else 'each line'}. " + envelopes.description(results, fields, since))
         table(page, head, rows)
     head, rows = tables.utilisation(results, since)
     if rows:
         page.section("Utilisation")
-        page.text(f"Largest {', and '.join(results.utilisations.values())}. " + envelopes.told(results, list(results.utilisations), since))
+        page.text(f"Largest {', and '.join(results.utilisations.values())}. " + envelopes.description(results, list(results.utilisations), since))
         page.table(head, rows)
 
 
@@ -108,7 +108,7 @@ def ranges(page, results, lines, since):
         return
     page.section("Range graphs")
     if moves(results):
-        page.text(envelopes.told(results, results.reported("graph"), since))
+        page.text(envelopes.description(results, results.reported("graph"), since))
     for line in lines:
         for field in envelopes.above_noise(results, line, results.reported("graph"), since):
             page.figure(charts.range_graph(results, line, field, since), f"{results.label(field).capitalize()} along {line.name}.")
@@ -128,7 +128,7 @@ def stresses(page, results, lines, since):
               "outer fibre, at the outputs.")
     for line in pipes:
         largest = stress.along(results, line)
-        page.figure(charts.stress_graph(results, line, largest, since), stress.told(results, line, largest, since) + ".")
+        page.figure(charts.stress_graph(results, line, largest, since), stress.description(results, line, largest, since) + ".")
 
 
 def strength(page, results, lines, since):
@@ -143,14 +143,14 @@ def strength(page, results, lines, since):
         if found is None:
             continue
         page.section(f"Strength of {line.name}")
-        page.text(f"{' '.join(found.told())} Local buckling is that of DNV-ST-F101 (2021), combined loads, load controlled, the worse of "
+        page.text(f"{' '.join(found.description())} Local buckling is that of DNV-ST-F101 (2021), combined loads, load controlled, the worse of "
                   "the load combinations a and b. A check is met up to 1.")
         if every := pipe_tables.every_step(found):
             page.table(*every)
         for head, rows in (pipe_tables.geometry(found, since), pipe_tables.for_reading(*pipe_tables.checks(found, since))):
             page.table(head, rows)
-        for doubt in pipe_checks.doubts(found):
-            page.text(doubt, "warning")
+        for warning in pipe_checks.warnings(found):
+            page.text(warning, "warning")
 
 
 def histories(page, results, lines, since):
@@ -277,7 +277,7 @@ def run_of(results):
             f"{results.attribute('date')}, {ranks} rank{'' if ranks == '1' else 's'}.")
 
 
-def told(page, results):
+def add_messages(page, results):
     for m in results.messages():
         page.text(m, "warning" if m.startswith("warning") else "note")
 
@@ -285,7 +285,7 @@ def told(page, results):
 def of_modes(results, path):
     page = Page(title_of(results))
     page.text(run_of(results))
-    told(page, results)
+    add_messages(page, results)
     modes(page, results)
     page.section("Case file")
     page.text(results.case, "pre")
@@ -304,7 +304,7 @@ def make(results, path, since, vibrations=None):
         page.text(f"The run has reached t = {results.time[-1]:g} s of the {results.duration:g} s of its case.", "warning")
     if results.messages():
         page.section("Notes and warnings")
-        told(page, results)
+        add_messages(page, results)
     pictures(page, results)
     given(page, results)
     stages(page, results)

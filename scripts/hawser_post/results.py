@@ -128,28 +128,28 @@ class Results:
     def unit(self, field):
         return text_of(self.file["fields"][field].attrs.get("unit", ""))
 
-    def says(self, field, what, otherwise):
-        """What the program says of a field where it declares it; files of versions that do not say it have `otherwise`."""
+    def declared(self, field, what, fallback):
+        """What the program declared of a field where it declares it; files of versions that do not say it have `otherwise`."""
         data = self.file["fields"].get(field)
-        return otherwise if data is None else data.attrs.get(what, otherwise)
+        return fallback if data is None else data.attrs.get(what, fallback)
 
     def label(self, name):
         """What a field, or a column of a history, is called where people read."""
-        return text_of(self.says(name, "label", name.replace("_", " ")))
+        return text_of(self.declared(name, "label", name.replace("_", " ")))
 
     def ordered(self, fields):
         """As tables and reports have them."""
-        return sorted(fields, key=lambda name: (int(self.says(name, "order", 100)), name))
+        return sorted(fields, key=lambda name: (int(self.declared(name, "order", 100)), name))
 
     def reported(self, *ways):
         """The fields of which reports have a range graph ("graph"), or a row of the table of extremes alone ("table")."""
         scalars = [name for name in self.fields if self.file["fields"][name].ndim == 2]
-        return self.ordered(name for name in scalars if text_of(self.says(name, "report", "graph")) in ways)
+        return self.ordered(name for name in scalars if text_of(self.declared(name, "report", "graph")) in ways)
 
     @property
     def utilisations(self):
         """Of the fields that are a share of what is allowed: what each is of."""
-        found = {name: text_of(self.says(name, "utilisation", "")) for name in self.ordered(self.fields)}
+        found = {name: text_of(self.declared(name, "utilisation", "")) for name in self.ordered(self.fields)}
         return {name: meaning for name, meaning in found.items() if meaning}
 
     def field(self, name, line, output=None):

@@ -14,7 +14,7 @@ def sections_of(results, name):
     return dictionary(part(results, "lines").get(name)).get("sections") or []
 
 
-def sought(results, name):
+def length_key(results, name):
     """Which section has the length that the line's target has found, from 0; None without a target."""
     target, sections = dictionary(part(results, "lines").get(name)).get("target"), sections_of(results, name)
     if not target or not sections:
@@ -27,7 +27,7 @@ def sought(results, name):
 def lengths(results, line):
     """m, unstretched, of each section."""
     found = [float(s["length"]) for s in sections_of(results, line.name)]
-    k = sought(results, line.name)
+    k = length_key(results, line.name)
     if k is not None and k < len(found):  # the others are as given
         found[k] = line.length - sum(found[:k] + found[k + 1:])
     return np.array(found)

@@ -22,7 +22,7 @@ def end_of(results, line):
 
 def of_line(results, line):
     """Distance of each station from the feeder [m of unstretched line], and by field stations x 6 as Results.statistics has
-    them; stations that the line never came to are left out. None where the line is not fed, or the run has not ended."""
+    them; stations that the line never came to are excluded. None where the line is not fed, or the run has not ended."""
     end = end_of(results, line)
     found = {f: results.statistics(f + END, line) for f in fields(results)} if end and results.ended else {}
     if not found:

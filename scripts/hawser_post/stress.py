@@ -28,7 +28,7 @@ class Wall:
 def von_mises(wall, wall_tension, moment, torsion, outside, inside):
     """Pa, the largest of the inner and the outer fibre on both sides of the plane of bending. Forces in N, moments in N m,
     pressures in Pa. Hoop and radial stress are Lamé's (Timoshenko and Goodier 1970, Theory of Elasticity, article 28);
-    the shear force, which acts where bending does not, is left out."""
+    the shear force, which acts where bending does not, is excluded."""
     outer, inner = wall.outer / 2, wall.inner / 2
     ring = outer**2 - inner**2
     largest = 0.0
@@ -113,7 +113,7 @@ def along(results, line, outer=None, thickness=None):
     return largest
 
 
-def told(results, line, largest, since=0.0):
+def description(results, line, largest, since=0.0):
     """The largest of these stresses, with its time and place, in a sentence."""
     keep = np.flatnonzero(results.since(since))
     output, node = np.unravel_index(np.nanargmax(largest[keep]), largest[keep].shape)

@@ -145,7 +145,10 @@ class BodyProportions {
     double fastest = 0, at = 0;
     for (std::size_t i = 1; i < t.time.size(); ++i) {
       const double v = (t.offset[i] - t.offset[i - 1]).norm() / (t.time[i] - t.time[i - 1]);
-      if (v > fastest) fastest = v, at = t.time[i];
+      if (v > fastest) {
+        fastest = v;
+        at = t.time[i];
+      }
     }
     if (fastest > kMostSpeed)
       return warn(10, key, "moves at {:.3g} m/s at {:.4g} s: are its columns s and m?", fastest, at);
@@ -153,7 +156,10 @@ class BodyProportions {
     for (std::size_t i = 1; i + 1 < t.time.size(); ++i) {
       const double before = t.time[i] - t.time[i - 1], after = t.time[i + 1] - t.time[i];
       const Vec3 jump = (t.offset[i + 1] - t.offset[i]) / after - (t.offset[i] - t.offset[i - 1]) / before;
-      if (const double a = 2 * jump.norm() / (before + after); a > most) most = a, at = t.time[i];
+      if (const double a = 2 * jump.norm() / (before + after); a > most) {
+        most = a;
+        at = t.time[i];
+      }
     }
     if (t.between != BetweenRows::linear && most > kMostG * g)
       warn(10, key, "has an acceleration of {:.2g} g at {:.4g} s: are its columns s and m?", most / g, at);

@@ -27,16 +27,17 @@ std::string remedy(bool fixed, double step) {
 
 }  // namespace
 
-std::string energy_made(const EnergyMade& m, const std::string& where, const std::string& striking) {
+std::string energy_made(const EnergyMade& m, const std::string& where,
+                        const std::string& initial_velocity_key) {
   const std::string made = fmt::format(
       "the steps created {:.3g} J of energy by t = {:.6g} s, {:.3g} % of the work done; the one of {:.3g} s "
       "that ended at t = {:.6g} s made most of it, {:.3g} J, at {}: ",
       m.energy, m.by, 100 * m.energy / m.work, m.length, m.time, m.most, where);
-  if (!striking.empty())
+  if (!initial_velocity_key.empty())
     return made + fmt::format(
-                      "{} begins with a velocity and strikes the lines, which are at rest; a 'ramp' in it "
+                      "{} begins with a velocity, an impact on the lines, which are at rest; a 'ramp' in it "
                       "starts it smoothly, a shorter step is no help",
-                      striking);
+                      initial_velocity_key);
   return made + fmt::format("{}; {}", words(m.with), remedy(m.fixed, m.length));
 }
 
@@ -54,7 +55,7 @@ std::string not_to_be_used() { return ". The results are not to be used"; }
 std::string vibration_damped(double energy, double size) {
   return fmt::format(
       "{:.3g} J of axial vibration faster than the time steps resolve were dissipated ({:.2g} % of the most "
-      "that moved at a time); what is tightened at a blow may peak higher for less than a step",
+      "that moved at a time); what is tightened at an impact may peak higher for less than a step",
       energy, 100 * energy / size);
 }
 

@@ -44,8 +44,8 @@ Place place_of(const Arcs& arcs, double at) {
   return {from, to, at - from < to - at ? from : to, static_cast<int>(after - arcs.begin()) - 1};
 }
 
-void doubt_place(const Line& line, const Arcs& arcs, double at, const std::string& key,
-                 std::vector<InputWarning>& out) {
+void warn_of_place(const Line& line, const Arcs& arcs, double at, const std::string& key,
+                   std::vector<InputWarning>& out) {
   const Place p = place_of(arcs, at);
   if (std::abs(p.node - at) > kApart * (p.to - p.from))
     out.push_back({key,
@@ -68,8 +68,8 @@ double tension_on_bed(const Case& c, const Line& line, double weight) {
 
 // On the bed a mass rests on the length of line that belongs to its node, about an element, however large it
 // is itself: it may sink in by more than its diameter. Not where the bed is out of reach.
-void doubt_sinking(const Case& c, const Line& line, const Arcs& arcs, const PointMass& m,
-                   std::vector<InputWarning>& out) {
+void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const PointMass& m,
+                     std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   const Water& w = c.environment.water;
   const double weight = c.environment.gravity * (m.mass - (w.present ? w.density * m.volume : 0));
@@ -100,7 +100,7 @@ void doubt_sinking(const Case& c, const Line& line, const Arcs& arcs, const Poin
          24, Effect::part});
 }
 
-void doubt_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<InputWarning>& out) {
+void warn_of_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<InputWarning>& out) {
   const BendStiffener& b = line.bend_stiffeners[i];
   const double most = b.at + (b.towards_a ? -1 : 1) * b.rows.back().first, total = length_of(line),
                from = std::clamp(std::min(b.at, most), 0.0, total),
@@ -125,16 +125,16 @@ void warn_of_elements(const Case& c, std::vector<InputWarning>& out) {
     const std::string key = "lines." + line.name;
     const Arcs arcs = node_arcs(line, places[l]);
     for (const PointMass& m : line.masses) {
-      doubt_place(line, arcs, m.at, key + ".masses", out);
-      doubt_sinking(c, line, arcs, m, out);
+      warn_of_place(line, arcs, m.at, key + ".masses", out);
+      warn_of_sinking(c, line, arcs, m, out);
     }
     for (const PointLoad& p : line.point_loads)
-      doubt_place(line, arcs, p.at, fmt::format("{}.loads[{}]", key, p.order), out);
-    for (std::size_t i = 0; i < line.bend_stiffeners.size(); ++i) doubt_stiffener(line, arcs, i, out);
+      warn_of_place(line, arcs, p.at, fmt::format("{}.loads[{}]", key, p.order), out);
+    for (std::size_t i = 0; i < line.bend_stiffeners.size(); ++i) warn_of_stiffener(line, arcs, i, out);
   }
   const auto elsewhere = [&](const std::string& name, double at, const std::string& key) {
     const Line& line = c.line(name);
-    doubt_place(line, node_arcs(line, places[static_cast<std::size_t>(c.line_index(name))]), at, key, out);
+    warn_of_place(line, node_arcs(line, places[static_cast<std::size_t>(c.line_index(name))]), at, key, out);
   };
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})

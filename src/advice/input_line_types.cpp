@@ -43,7 +43,7 @@ std::string density_hint(const Case& c, const LineType& t, double density, bool 
   return "; check both";
 }
 
-void doubt_contents(const LineType& t, std::vector<InputWarning>& out) {
+void warn_of_contents(const LineType& t, std::vector<InputWarning>& out) {
   const double density = t.contents_density;
   if (!(density > 0) || in_range(density, kLeastContents, kMostContents)) return;
   std::string hint = "is it meant?";
@@ -57,7 +57,7 @@ void doubt_contents(const LineType& t, std::vector<InputWarning>& out) {
 }
 
 // A coating that is thicker than half of the pipe in it, by the keys of the file: the type has but the sums.
-bool doubt_coatings(const Case& c, const LineType& t, std::vector<InputWarning>& out) {
+bool warn_of_coatings(const Case& c, const LineType& t, std::vector<InputWarning>& out) {
   const Value* types = c.tree ? c.tree->find("line_types") : nullptr;
   const Value* type = types ? types->find(t.name) : nullptr;
   const Value* pipe = type ? type->find("pipe") : nullptr;
@@ -77,10 +77,10 @@ bool doubt_coatings(const Case& c, const LineType& t, std::vector<InputWarning>&
 }
 
 // Pipes that the formulas of the codes were not fitted to.
-void doubt_slenderness(const LineType& t, std::vector<InputWarning>& out) {
+void warn_of_slenderness(const LineType& t, std::vector<InputWarning>& out) {
   if (!t.steel) return;
   const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
-  const auto doubt = [&](const std::string& what, const char* field) {
+  const auto warn = [&](const std::string& what, const char* field) {
     out.push_back({fmt::format("line_types.{}.pipe.wall_thickness", t.name),
                    fmt::format("D/t is {:.3g}, and {}: {} is no check of this pipe; give it another wall, or "
                                "judge it by other means",
@@ -88,12 +88,12 @@ void doubt_slenderness(const LineType& t, std::vector<InputWarning>& out) {
                    14});
   };
   if (slender > kMostSlender || slender < kLeastSlender)
-    doubt(fmt::format("DNV-ST-F101's formulas for combined loads are for {:g} to {:g}", kLeastSlender,
-                      kMostSlender),
-          "'dnv_local_buckling'");
+    warn(fmt::format("DNV-ST-F101's formulas for combined loads are for {:g} to {:g}", kLeastSlender,
+                     kMostSlender),
+         "'dnv_local_buckling'");
   if (slender > kMostSlenderApi)
-    doubt(fmt::format("API RP 1111's formula for bending with pressure is for {:g} at most", kMostSlenderApi),
-          "'api_bending_pressure'");
+    warn(fmt::format("API RP 1111's formula for bending with pressure is for {:g} at most", kMostSlenderApi),
+         "'api_bending_pressure'");
 }
 
 }  // namespace
@@ -101,9 +101,9 @@ void doubt_slenderness(const LineType& t, std::vector<InputWarning>& out) {
 void warn_of_line_types(const Case& c, std::vector<InputWarning>& out) {
   const bool water = c.environment.water.present;
   for (const LineType& t : c.line_types) {
-    doubt_contents(t, out);
-    doubt_slenderness(t, out);
-    if (doubt_coatings(c, t, out)) continue;  // all else follows from it
+    warn_of_contents(t, out);
+    warn_of_slenderness(t, out);
+    if (warn_of_coatings(c, t, out)) continue;  // all else follows from it
     const std::string key = "line_types." + t.name;
     const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);
     if (density > (water ? kHeavy : kHeavyInAir) || density < kLight)

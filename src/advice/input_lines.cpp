@@ -29,7 +29,7 @@ double allowed_strain(const LineType& t) {
   return t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter) > kMetal ? kMetalStrain : kFibreStrain;
 }
 
-// One doubt of the section that a tension [N] stretches or overloads.
+// One warning of the section that a tension [N] stretches or overloads.
 void bears(const Case& c, const Section& s, double tension, const std::string& key, const std::string& why,
            std::vector<InputWarning>& out) {
   const LineType& t = c.line_type(s.type);
@@ -48,7 +48,7 @@ void bears(const Case& c, const Section& s, double tension, const std::string& k
   }
 }
 
-void doubt_span(const Case& c, const Line& line, std::vector<InputWarning>& out) {
+void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   if (!is_held(line.end_a) || !is_held(line.end_b)) return;
   const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
   double length = length_of(line);  // what is outside of feeders
@@ -62,8 +62,10 @@ void doubt_span(const Case& c, const Line& line, std::vector<InputWarning>& out)
       line.sections.begin(), line.sections.end(),
       [&](const Section& a, const Section& b) { return c.line_type(a.type).EA < c.line_type(b.type).EA; });
   // A body that moves by its own equations gives way.
-  const auto gives = [&](const End& e) { return e.kind == EndKind::body && c.floats(c.body_index(e.body)); };
-  if (chord > loose && !gives(line.end_a) && !gives(line.end_b))
+  const auto yields_to_line = [&](const End& e) {
+    return e.kind == EndKind::body && c.floats(c.body_index(e.body));
+  };
+  if (chord > loose && !yields_to_line(line.end_a) && !yields_to_line(line.end_b))
     bears(c, weakest, (chord - loose) / give, key,
           fmt::format("a length of {:.6g} m over a distance of {:.6g} m between its ends", loose, chord),
           out);
@@ -90,7 +92,7 @@ void doubt_span(const Case& c, const Line& line, std::vector<InputWarning>& out)
 
 // At the higher end of a line hangs at least what is between the heights of its ends, at the end of one that
 // hangs freely all of it that does not lie.
-void doubt_weight(const Case& c, const Line& line, std::vector<InputWarning>& out) {
+void warn_of_weight(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   const bool a = is_held(line.end_a), b = is_held(line.end_b);
   if ((!a && !b) || line.start == Start::points || line.start == Start::other_run) return;
   const Vec3 top = a && (!b || end_position(c, line.end_a).z() >= end_position(c, line.end_b).z())
@@ -115,7 +117,7 @@ void doubt_weight(const Case& c, const Line& line, std::vector<InputWarning>& ou
           fmt::format("its own weight over {:.4g} m of height", height), out);
 }
 
-void doubt_loads(const Case& c, const Line& line, std::vector<InputWarning>& out) {
+void warn_of_loads(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   for (const PointLoad& p : line.point_loads) {
     double end = 0;
     for (const Section& s : line.sections) {
@@ -134,9 +136,9 @@ void doubt_loads(const Case& c, const Line& line, std::vector<InputWarning>& out
 
 void warn_of_lines(const Case& c, std::vector<InputWarning>& out) {
   for (const Line& line : c.lines) {
-    doubt_span(c, line, out);
-    doubt_weight(c, line, out);
-    doubt_loads(c, line, out);
+    warn_of_span(c, line, out);
+    warn_of_weight(c, line, out);
+    warn_of_loads(c, line, out);
   }
 }
 

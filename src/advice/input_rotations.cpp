@@ -15,7 +15,7 @@ namespace {
 constexpr double kTurned = 0.17;  // rad, about ten degrees
 
 // A rotation vector [rad] of a motion.
-void doubt_rotation(const Body& b, const Vec3& about, const char* motion, std::vector<InputWarning>& out) {
+void warn_of_rotation(const Body& b, const Vec3& about, const char* motion, std::vector<InputWarning>& out) {
   const double size = about.norm();
   if (!(size > 0)) return;
   const Vec3 space = about / size, own = exp_so3(b.rotation).conjugate() * space;
@@ -36,13 +36,13 @@ void doubt_rotation(const Body& b, const Vec3& about, const char* motion, std::v
 void warn_of_rotations(const Case& c, std::vector<InputWarning>& out) {
   for (const Body& b : c.bodies) {
     if (const auto* h = std::get_if<HarmonicMotion>(&b.motion))
-      doubt_rotation(b, h->rotation_amplitude, "harmonic", out);
+      warn_of_rotation(b, h->rotation_amplitude, "harmonic", out);
     const auto* t = std::get_if<TableMotion>(&b.motion);
     if (t && !t->of_waves && !t->rotation.empty())
-      doubt_rotation(b,
-                     *std::max_element(t->rotation.begin(), t->rotation.end(),
-                                       [](const Vec3& x, const Vec3& y) { return x.norm() < y.norm(); }),
-                     "table", out);
+      warn_of_rotation(b,
+                       *std::max_element(t->rotation.begin(), t->rotation.end(),
+                                         [](const Vec3& x, const Vec3& y) { return x.norm() < y.norm(); }),
+                       "table", out);
   }
 }
 

@@ -52,7 +52,7 @@ constexpr double kBow = 0.01;       // of the length that lies
 // in very soft clay to 4200 in hard clay, at rest; rock and fast motion are stiffer, and mud is softer.
 constexpr double kSoftBed = 2e3, kStiffBed = 1e9;
 
-void doubt_depths(const Case& c, std::vector<InputWarning>& out) {
+void warn_of_depths(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
   if (!w.present || !bed.present || bed.surface || bed.slope > 0 || !(w.depth > 0)) return;
@@ -67,8 +67,8 @@ void doubt_depths(const Case& c, std::vector<InputWarning>& out) {
 
 // An anchor above the water as far as the bed is below: a lost minus sign. One in the lower half of the
 // water, but well above the bed: another depth than that of the bed.
-void doubt_anchor(const Case& c, const Line& line, const End& e, const char* which,
-                  std::vector<InputWarning>& out) {
+void warn_of_anchor(const Case& c, const Line& line, const End& e, const char* which,
+                    std::vector<InputWarning>& out) {
   if (e.kind != EndKind::anchor) return;
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
@@ -90,7 +90,7 @@ void doubt_anchor(const Case& c, const Line& line, const End& e, const char* whi
                    6});
 }
 
-void doubt_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
+void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
   double least = std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ Vec3 current_at(const Water& w, double depth) {
   return factor * (vector(u) + (depth - u.depth) / (l.depth - u.depth) * (vector(l) - vector(u)));
 }
 
-void doubt_current(const Case& c, const Line& line, std::vector<InputWarning>& out) {
+void warn_of_current(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const Seabed& bed = c.environment.seabed;
   if (!c.statics.enabled || w.current.profile.empty() || w.current.ramp > 0 || !bed.present || bed.surface ||
@@ -155,7 +155,7 @@ void doubt_current(const Case& c, const Line& line, std::vector<InputWarning>& o
        8, Effect::part});
 }
 
-void doubt_soil(const Case& c, std::vector<InputWarning>& out) {
+void warn_of_soil(const Case& c, std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   if (!bed.present || bed.force_table) return;
   const bool by_length = bed.basis == StiffnessBasis::per_length;
@@ -175,7 +175,7 @@ void doubt_soil(const Case& c, std::vector<InputWarning>& out) {
 }
 
 // Nothing of a buoy is taken for granted, as it is of lines.
-void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector<InputWarning>& out) {
+void warn_of_buoy(const Case& c, const Line& line, const PointMass& m, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool moves = c.dynamics.enabled || !w.current.profile.empty();
   if (!w.present || !moves || m.drag_area > 0 || m.Ca > 0 || m.mass >= w.density * m.volume) return;
@@ -190,16 +190,17 @@ void doubt_buoy(const Case& c, const Line& line, const PointMass& m, std::vector
 // The wave that stands for a sea of linear waves: its peak, or the highest of those given. Period 0: none.
 Waves::Row leading_wave(const Waves& w) {
   Waves::Row out;
-  if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table)
-    out.period = w.peak_period, out.direction = w.direction;
-  else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::components)
+  if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table) {
+    out.period = w.peak_period;
+    out.direction = w.direction;
+  } else if (w.kind == Waves::Kind::regular || w.kind == Waves::Kind::components)
     out = *std::max_element(w.rows.begin(), w.rows.end(),
                             [](const Waves::Row& a, const Waves::Row& b) { return a.height < b.height; });
   return out;
 }
 
 // Linear waves are those of still water: the current neither stretches nor steepens them.
-void doubt_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
+void warn_of_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
   constexpr double kMuch = 0.1;  // of the speed of the waves: a fifth of their length
   const Water& w = c.environment.water;
   const Waves::Row wave = leading_wave(w.waves);
@@ -223,15 +224,15 @@ void doubt_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
 }  // namespace
 
 void warn_of_sea(const Case& c, std::vector<InputWarning>& out) {
-  doubt_soil(c, out);
-  doubt_depths(c, out);
-  doubt_bed_in_reach(c, out);
-  doubt_waves_on_current(c, out);
+  warn_of_soil(c, out);
+  warn_of_depths(c, out);
+  warn_of_bed_in_reach(c, out);
+  warn_of_waves_on_current(c, out);
   for (const Line& line : c.lines) {
-    doubt_anchor(c, line, line.end_a, "end_a", out);
-    doubt_anchor(c, line, line.end_b, "end_b", out);
-    doubt_current(c, line, out);
-    for (const PointMass& m : line.masses) doubt_buoy(c, line, m, out);
+    warn_of_anchor(c, line, line.end_a, "end_a", out);
+    warn_of_anchor(c, line, line.end_b, "end_b", out);
+    warn_of_current(c, line, out);
+    for (const PointMass& m : line.masses) warn_of_buoy(c, line, m, out);
   }
 }
 

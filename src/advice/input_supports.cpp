@@ -29,7 +29,7 @@ Here section_at(const Case& c, const Line& line, bool from_a, double from) {
   return out;
 }
 
-void doubt_line(const Case& c, const Line& line, std::vector<InputWarning>& out) {
+void warn_of_line(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   const SupportBox* before = nullptr;
   const End* end = nullptr;
   double arc = 0;
@@ -69,7 +69,7 @@ void doubt_line(const Case& c, const Line& line, std::vector<InputWarning>& out)
 }  // namespace
 
 void warn_of_supports(const Case& c, std::vector<InputWarning>& out) {
-  for (const Line& line : c.lines) doubt_line(c, line, out);
+  for (const Line& line : c.lines) warn_of_line(c, line, out);
 }
 
 }  // namespace hawser::advice

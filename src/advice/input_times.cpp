@@ -1,4 +1,4 @@
-// Whether steps and outputs are short enough for what moves the lines, and whether something is struck at t =
+// Whether steps and outputs are short enough for what moves the lines, and whether there is an impact at t =
 // 0.
 #include <fmt/format.h>
 
@@ -54,7 +54,7 @@ bool is_member(const Case& c, const Line& line) {
   return rigid(line.end_a) || rigid(line.end_b);
 }
 
-void doubt_step(const Case& c, const Period& drive, std::vector<InputWarning>& out) {
+void warn_of_step(const Case& c, const Period& drive, std::vector<InputWarning>& out) {
   const double step = c.dynamics.step;
   if (!(step > 0)) return;
   if (drive.length > 0 && step > drive.length / kSteps) {
@@ -75,7 +75,7 @@ void doubt_step(const Case& c, const Period& drive, std::vector<InputWarning>& o
                    9, Effect::resolution});
 }
 
-void doubt_outputs(const Case& c, const Period& drive, std::vector<InputWarning>& out) {
+void warn_of_outputs(const Case& c, const Period& drive, std::vector<InputWarning>& out) {
   const double every = c.output.every;
   if (every > c.dynamics.duration)
     out.push_back(
@@ -115,7 +115,7 @@ double jump(const Case& c, const Body& b) {
   return first > kJump * most ? first : 0;
 }
 
-bool jumps_anyhow(const TableMotion& t) { return t.between == BetweenRows::linear && !t.time.empty(); }
+bool always_jumps(const TableMotion& t) { return t.between == BetweenRows::linear && !t.time.empty(); }
 
 }  // namespace
 
@@ -124,12 +124,12 @@ StartSpeeds start_speeds(const Case& c, const Body& b) {
   if (b.mass || b.on || !c.statics.enabled) return out;
   // Straight lines between rows jump at all of them, and rows of waves are given with their ramp.
   const auto* table = std::get_if<TableMotion>(&b.motion);
-  if (b.motion.index() != 0 && b.ramp == 0 && !(table && (jumps_anyhow(*table) || table->of_waves))) {
+  if (b.motion.index() != 0 && b.ramp == 0 && !(table && (always_jumps(*table) || table->of_waves))) {
     Body alone = b;
     alone.drift.reset();
     out.motion = jump(c, alone);
   }
-  if (b.drift && b.drift->ramp == 0 && !jumps_anyhow(b.drift->table)) {
+  if (b.drift && b.drift->ramp == 0 && !always_jumps(b.drift->table)) {
     Body alone = b;
     alone.motion = {};
     out.drift = jump(c, alone);
@@ -139,22 +139,23 @@ StartSpeeds start_speeds(const Case& c, const Body& b) {
 
 namespace {
 
-void doubt_start(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+void warn_of_start(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   const StartSpeeds speed = start_speeds(c, b);
-  const auto doubt = [&](double first, const char* key) {
+  const auto warn = [&](double first, const char* key) {
     if (first > 0)
       out.push_back({fmt::format("bodies.{}.{}", b.name, key),
-                     fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: it strikes "
-                                 "them; a 'ramp' of some periods starts it smoothly",
+                     fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: that is an "
+                                 "impact on them; a 'ramp' of some periods starts it smoothly",
                                  first),
                      11, Effect::part});
   };
-  doubt(speed.motion, "motion"), doubt(speed.drift, "motion.drift");
+  warn(speed.motion, "motion");
+  warn(speed.drift, "motion.drift");
 }
 
 }  // namespace
 
-void doubt_releases(const Case& c, std::vector<InputWarning>& out) {
+void warn_of_releases(const Case& c, std::vector<InputWarning>& out) {
   for (std::size_t i = 0; i < c.events.size(); ++i) {
     const Action& r = c.events[i].action;
     if (r.kind != Action::Kind::release) continue;
@@ -172,10 +173,10 @@ void doubt_releases(const Case& c, std::vector<InputWarning>& out) {
 
 namespace {
 
-// A jump of a feeder's speed stretches the element at its mouth at once, whose damper then pulls with v
+// A jump of a feeder's speed stretches the element at its feed point at once, whose damper then pulls with v
 // beta EA/l: more, the shorter it is.
-void doubt_feed(const Case& c, const std::string& line, bool at_b, double jump, const std::string& key,
-                const char* remedy, std::vector<InputWarning>& out) {
+void warn_of_feed(const Case& c, const std::string& line, bool at_b, double jump, const std::string& key,
+                  const char* remedy, std::vector<InputWarning>& out) {
   const Line& of = c.lines[c.line_index(line)];
   const LineType& type = c.line_type((at_b ? of.sections.back() : of.sections.front()).type);
   if (!(std::abs(jump) > kLeastJump) || !(type.stiffness_damping > 0)) return;
@@ -187,7 +188,7 @@ void doubt_feed(const Case& c, const std::string& line, bool at_b, double jump, 
        16, Effect::part});
 }
 
-void doubt_feeds(const Case& c, std::vector<InputWarning>& out) {
+void warn_of_feeds(const Case& c, std::vector<InputWarning>& out) {
   const auto starts = [](const Feed& f) {
     return f.tension == 0 && !f.speed.empty() ? f.speed.front().second : 0.0;
   };
@@ -195,14 +196,14 @@ void doubt_feeds(const Case& c, std::vector<InputWarning>& out) {
     for (const bool at_b : {false, true})
       if (const auto& feed = (at_b ? line.end_b : line.end_a).feed; feed && c.statics.enabled) {
         const double first = fed_by(*feed, 0).speed;
-        doubt_feed(c, line.name, at_b, feed->tension == 0 ? first : 0,
-                   fmt::format("lines.{}.{}.feed", line.name, at_b ? "end_b" : "end_a"),
-                   fmt::format("'speed_table: [[0, 0], [2, {:g}]]'", first).c_str(), out);
+        warn_of_feed(c, line.name, at_b, feed->tension == 0 ? first : 0,
+                     fmt::format("lines.{}.{}.feed", line.name, at_b ? "end_b" : "end_a"),
+                     fmt::format("'speed_table: [[0, 0], [2, {:g}]]'", first).c_str(), out);
       }
   for (std::size_t i = 0; i < c.events.size(); ++i) {
     const Action& a = c.events[i].action;
     if (a.kind == Action::Kind::feed && a.ramp == 0)
-      doubt_feed(c, a.line, a.at_b, starts(a.law), fmt::format("events[{}]", i), "a 'ramp' of 2 s", out);
+      warn_of_feed(c, a.line, a.at_b, starts(a.law), fmt::format("events[{}]", i), "a 'ramp' of 2 s", out);
   }
 }
 
@@ -210,12 +211,12 @@ void doubt_feeds(const Case& c, std::vector<InputWarning>& out) {
 
 void warn_of_times(const Case& c, std::vector<InputWarning>& out) {
   if (!c.dynamics.enabled) return;
-  doubt_releases(c, out);
-  doubt_feeds(c, out);
+  warn_of_releases(c, out);
+  warn_of_feeds(c, out);
   const Period drive = driving(c);
-  doubt_step(c, drive, out);
-  doubt_outputs(c, drive, out);
-  for (const Body& b : c.bodies) doubt_start(c, b, out);
+  warn_of_step(c, drive, out);
+  warn_of_outputs(c, drive, out);
+  for (const Body& b : c.bodies) warn_of_start(c, b, out);
 }
 
 }  // namespace hawser::advice

@@ -1,4 +1,4 @@
-// The doubts of all subjects as notes with the line of the file, many of one kind cut short.
+// The input warnings of all subjects as notes with the line of the file, many of one kind cut short.
 #include "hawser/advice/input_warnings.hpp"
 
 #include <fmt/format.h>

@@ -21,8 +21,8 @@ std::string when_text(const model::Case& c, double time) {
   return c.statics.enabled && time == 0 ? "at rest" : fmt::format("t = {:.6g} s", time);
 }
 
-std::string overused(const model::Case& c, const Extreme& at, const std::string& exceeded,
-                     const std::string& label) {
+std::string utilisation_warning(const model::Case& c, const Extreme& at, const std::string& exceeded,
+                                const std::string& label) {
   if (!(at.value > 1)) return {};
   return fmt::format("line {} is {} at arc length {:.6g} m, {}: its {} is {:.3g}", at.line, exceeded, at.arc,
                      when_text(c, at.time), label, at.value);
@@ -32,7 +32,7 @@ std::string overused(const model::Case& c, const Extreme& at, const std::string&
 // with theta' = 0 at the foot, buckles there where the compression is that of the first zero of Ai', 1.019
 // (EI w²)^(1/3). Then its shape carries what presses, and its moments grow with it. A short one is a strut,
 // which its weight does not hold: Euler's pi² EI/L².
-std::string buckles(const model::Case& c, const Extreme& at) {
+std::string compression_warning(const model::Case& c, const Extreme& at) {
   if (!(at.value < 0)) return {};
   const model::Line& line = c.line(at.line);
   double arc = 0;
@@ -54,7 +54,7 @@ std::string buckles(const model::Case& c, const Extreme& at) {
       at.line, -at.value / 1000, at.arc, when_text(c, at.time), limit / 1000);
 }
 
-std::string too_deep(const model::Case& c, const Extreme& at) {
+std::string penetration_warning(const model::Case& c, const Extreme& at) {
   const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
   // What the case allows is none of its surprises.
   double allowed = 0;
@@ -69,7 +69,7 @@ std::string too_deep(const model::Case& c, const Extreme& at) {
                           "the line's EA asks: is its tension more than it bears?");
 }
 
-std::string overbent(const model::Case& c, const Extreme& at) {
+std::string curvature_warning(const model::Case& c, const Extreme& at) {
   constexpr double kYielded =
       0.005;  // total strain at which the yield stress of pipe steel is defined (API 5L)
   const auto lies = [&](const model::SupportBox& b) { return b.line == at.line; };

@@ -1,6 +1,6 @@
 // Proportions of a line type that no section of any material has: of stiffnesses to each other, of diameters,
 // of strength and of the radius that it may be bent to. Mass and EA over the area are in
-// doubts_line_types.cpp.
+// input_line_types.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -98,7 +98,10 @@ class Proportions {
     double last = 0;  // 1/m
     const char* key = "EI";
     if (t_.moment_table) last = t_.moment_table->last();
-    if (t_.plastic_bending) last = t_.plastic_bending->last(), key = "plasticity";
+    if (t_.plastic_bending) {
+      last = t_.plastic_bending->last();
+      key = "plasticity";
+    }
     const double strain = 0.5 * last * t_.outer_diameter;
     if (last == 0 || between(strain, 1e-5, 2)) return;
     warn(3, key,

@@ -22,7 +22,7 @@ std::string impact_peak(const std::string& line, const ImpactPeak& at) {
     why = fmt::format("it comes up from {:.3g} kN within {:.2g} s, and the steps damp axial waves",
                       at.from / 1000, at.within);
   return fmt::format(
-      "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that of a blow "
+      "the largest tension of line {} ({:.4g} kN at arc length {:.4g} m, t = {:.6g} s) is that of an impact "
       "which is not resolved: {}, so that it may be higher or lower, on another number of ranks as well. "
       "Where it matters, compare with dynamics.{}: {:.2g} s and elements half as long",
       line, at.tension / 1000, at.arc, at.time, why, at.fixed ? "step" : "max_step", at.shorter);

@@ -41,7 +41,7 @@ std::string stays_inside(const model::Line& line, const std::string& volume, con
                      where_inside(s), remedy(line, s));
 }
 
-std::string left_out_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
+std::string excluded_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
                             double without) {
   return fmt::format(
       "lines.{}.end_{}: starts {} volume {}; the {:.3g} m of line up to where it is clear of it have no "

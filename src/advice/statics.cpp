@@ -33,7 +33,7 @@ std::string lies_on_bed(const std::string& line, double lies, bool laid, double 
   return fmt::format("lines.{}: {:.4g} m on the seabed, {}", line, lies, friction);
 }
 
-std::string unstable_on_the_way(int equilibria) {
+std::string unstable_equilibria_left(int equilibria) {
   return fmt::format(
       "statics left {} unstable equilibri{} on its way (the lines buckled or snapped): they can rest in more "
       "than one shape, see whether this is the one meant, and say so by `start` if it is not",

@@ -76,7 +76,7 @@ void spectrum_rows(const Case& c, std::vector<InputWarning>& out) {
 }
 
 // What starts over a time that the run does not reach, and motion that no run shows.
-void unseen_motion(const Case& c, std::vector<InputWarning>& out) {
+void short_period_motion(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool waves = w.waves.kind != Waves::Kind::none;
   const auto ramp = [&](double length, const std::string& key) {
@@ -105,7 +105,7 @@ void warn_of_surroundings(const Case& c, std::vector<InputWarning>& out) {
   dry_bed(c, out);
   shallow_waves(c, out);
   spectrum_rows(c, out);
-  unseen_motion(c, out);
+  short_period_motion(c, out);
 }
 
 }  // namespace hawser::advice

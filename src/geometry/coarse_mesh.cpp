@@ -62,7 +62,10 @@ CoarseMesh coarse_mesh(std::span<const Vec3> vertices, std::span<const std::arra
 
   CoarseMesh out;
   std::vector<Cell> at(static_cast<size_t>(count));
-  for (size_t i = 0; i < cell.size(); ++i) at[cell[i]].sum += vertices[i], ++at[cell[i]].members;
+  for (size_t i = 0; i < cell.size(); ++i) {
+    at[cell[i]].sum += vertices[i];
+    ++at[cell[i]].members;
+  }
   for (const auto& t : triangles) {
     const Vec3& x = vertices[t[0]];
     const Vec3 area_normal = (vertices[t[1]] - x).cross(vertices[t[2]] - x);
@@ -75,7 +78,8 @@ CoarseMesh coarse_mesh(std::span<const Vec3> vertices, std::span<const std::arra
   for (size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
     if (cell[a] == cell[b] || cell[b] == cell[c] || cell[c] == cell[a]) continue;
-    out.triangles.push_back({cell[a], cell[b], cell[c]}), out.from.push_back(static_cast<int>(t));
+    out.triangles.push_back({cell[a], cell[b], cell[c]});
+    out.from.push_back(static_cast<int>(t));
   }
   return out;
 }

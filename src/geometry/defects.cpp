@@ -59,7 +59,7 @@ double Defects::Hole::distance(const Vec3& y) const {
 Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTree& tree) {
   Defects out;
   const std::size_t n = mesh.triangles.size();
-  out.unsure.assign(n, false);
+  out.undecided.assign(n, false);
   out.straight.assign(n, false);
   out.internal.assign(n, false);
   for (const auto& corners : boundaries(mesh)) out.holes.push_back(around(mesh, corners));
@@ -77,20 +77,20 @@ Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTr
   for (std::size_t t = 0; t < n; ++t) {
     Box own;
     for (std::size_t i = 0; i < 3; ++i) own.add(mesh.corner(t, i));
-    for (std::size_t p = 0; p < piece.size() && few && !out.unsure[t]; ++p)
-      out.unsure[t] = p != static_cast<std::size_t>(topo.component[t]) && piece[p].overlaps(own);
-    if (!few) out.unsure[t] = true;
+    for (std::size_t p = 0; p < piece.size() && few && !out.undecided[t]; ++p)
+      out.undecided[t] = p != static_cast<std::size_t>(topo.component[t]) && piece[p].overlaps(own);
+    if (!few) out.undecided[t] = true;
     const Vec3 c = mesh.centroid(t);
     double reach = 0;
     for (std::size_t i = 0; i < 3; ++i) reach = std::max(reach, (mesh.corner(t, i) - c).norm());
     for (const Defects::Hole& h : out.holes)
       if (h.distance(c) <= 2 * std::min(2 * h.radius, 0.5 * (h.to - h.from).norm()) + reach) {
-        out.unsure[t] = true;
+        out.undecided[t] = true;
         break;
       }
-    // On the facet itself, its own angle left out, the number is half way between those of the two sides.
+    // On the facet itself, its own angle excluded, the number is half way between those of the two sides.
     const double middle = tree.winding_number(mesh, c, 3, static_cast<int>(t));
-    if (std::abs(middle - 0.5) > 0.4) out.unsure[t] = out.straight[t] = true;
+    if (std::abs(middle - 0.5) > 0.4) out.undecided[t] = out.straight[t] = true;
     // Internal only as a whole: at the corners and the middles of the edges too.
     bool internal = middle > 1.05;
     for (std::size_t i = 0; i < 6 && internal; ++i) {
@@ -107,7 +107,8 @@ Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTr
     out.internal.assign(n, false);
     out.internal_facets = 0;
   }
-  if (std::find(out.unsure.begin(), out.unsure.end(), true) == out.unsure.end()) out.unsure.clear();
+  if (std::find(out.undecided.begin(), out.undecided.end(), true) == out.undecided.end())
+    out.undecided.clear();
   return out;
 }
 

@@ -21,7 +21,7 @@ struct Defects {
   };
   // Facets near which the winding number must be asked; empty: none. These are facets about whose middle it
   // does not pass 1/2, those by a hole, and those where pieces may overlap.
-  std::vector<bool> unsure;
+  std::vector<bool> undecided;
   // Those of them that are not to be bent, as w does not tell their sides apart: about whose middle it does
   // not pass 1/2. By a hole and where pieces overlap it does.
   std::vector<bool> straight;

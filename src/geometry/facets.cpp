@@ -104,7 +104,8 @@ void NearestFacet::visit(int t) {
   if (!(p.squared_distance <= squared)) return;
   if (p.squared_distance == squared && foot && t > foot->triangle) return;
   foot = Foot{p, t};
-  squared = p.squared_distance, reach = padded();
+  squared = p.squared_distance;
+  reach = padded();
 }
 
 double NearestFacet::padded() const { return (1 + 1e-9) * std::sqrt(squared) + rounding_; }

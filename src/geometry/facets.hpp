@@ -54,7 +54,9 @@ class Facets {
   bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < triangles_.size(); }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
-    p.array(self.vertices_), p.array(self.triangles_), p.array(self.bends_);
+    p.array(self.vertices_);
+    p.array(self.triangles_);
+    p.array(self.bends_);
     p.array(self.bulges_);
     p.flags(self.thin_);
   }

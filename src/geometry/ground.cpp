@@ -64,7 +64,8 @@ TriangleMesh ground_under(TriangleMesh sheet) {
     for (size_t e = 0; e < 3; ++e) {
       if (topo.neighbours[i][e] != kOpenEdge) continue;
       const int from = t[e], to = t[(e + 1) % 3];
-      add(to, from, below + from), add(to, below + from, below + to);
+      add(to, from, below + from);
+      add(to, below + from, below + to);
     }
   }
   return sheet;

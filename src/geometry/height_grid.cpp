@@ -19,7 +19,8 @@ void natural_slopes(const std::vector<double>& t, Get&& get, Set&& set) {
   // h1 s[i-1] + 2 (h0 + h1) s[i] + h0 s[i+1] = 3 (h1 d0 + h0 d1), d the slopes of the chords.
   std::vector<double> upper(n), right(n);
   const auto chord = [&](size_t i) { return (get(i + 1) - get(i)) / (t[i + 1] - t[i]); };
-  upper[0] = 0.5, right[0] = 1.5 * chord(0);
+  upper[0] = 0.5;
+  right[0] = 1.5 * chord(0);
   for (size_t i = 1; i + 1 < n; ++i) {
     const double h0 = t[i] - t[i - 1], h1 = t[i + 1] - t[i];
     const double pivot = 2 * (h0 + h1) - h1 * upper[i - 1];
@@ -42,14 +43,23 @@ struct Basis {
     cell = static_cast<size_t>(above - t.begin()) - 1;
     const double h = t[cell + 1] - t[cell], in = std::clamp(at, t.front(), t.back());
     const double u = (in - t[cell]) / h, v = 1 - u;
-    value[0] = v * v * (1 + 2 * u), value[1] = u * u * (3 - 2 * u);
-    value[2] = h * u * v * v, value[3] = -h * u * u * v;
-    slope[0] = -6 * u * v / h, slope[1] = 6 * u * v / h;
-    slope[2] = v * (1 - 3 * u), slope[3] = u * (3 * u - 2);
-    bend[0] = (12 * u - 6) / (h * h), bend[1] = -bend[0];
-    bend[2] = (6 * u - 4) / h, bend[3] = (6 * u - 2) / h;
+    value[0] = v * v * (1 + 2 * u);
+    value[1] = u * u * (3 - 2 * u);
+    value[2] = h * u * v * v;
+    value[3] = -h * u * u * v;
+    slope[0] = -6 * u * v / h;
+    slope[1] = 6 * u * v / h;
+    slope[2] = v * (1 - 3 * u);
+    slope[3] = u * (3 * u - 2);
+    bend[0] = (12 * u - 6) / (h * h);
+    bend[1] = -bend[0];
+    bend[2] = (6 * u - 4) / h;
+    bend[3] = (6 * u - 2) / h;
     if (in == at) return;
-    for (int i = 0; i < 4; ++i) value[i] += (at - in) * slope[i], bend[i] = 0;
+    for (int i = 0; i < 4; ++i) {
+      value[i] += (at - in) * slope[i];
+      bend[i] = 0;
+    }
   }
 };
 
@@ -81,10 +91,12 @@ HeightGrid::HeightGrid(std::vector<double> x, std::vector<double> y, const std::
           [=](size_t j, double s) { column[j * nx].*to = s; });
     }
   };
-  along_y(&Node::z, &Node::y), along_y(&Node::x, &Node::xy);
+  along_y(&Node::z, &Node::y);
+  along_y(&Node::x, &Node::xy);
 
   const auto [low, high] = std::minmax_element(height.begin(), height.end());
-  lowest_ = *low, highest_ = *high;
+  lowest_ = *low;
+  highest_ = *high;
   // The slope of a cell lies between the differences of its Bézier points.
   for (size_t j = 0; j + 1 < ny; ++j)
     for (size_t i = 0; i + 1 < nx; ++i) {
@@ -95,7 +107,9 @@ HeightGrid::HeightGrid(std::vector<double> x, std::vector<double> y, const std::
           const Node& n = nodes_[(j + b) * nx + i + a];
           const double dx = a ? -h : h, dy = b ? -k : k;
           const size_t r = 3 * b, c = 3 * a, r1 = b ? 2 : 1, c1 = a ? 2 : 1;
-          p[r][c] = n.z, p[r][c1] = n.z + dx * n.x, p[r1][c] = n.z + dy * n.y;
+          p[r][c] = n.z;
+          p[r][c1] = n.z + dx * n.x;
+          p[r1][c] = n.z + dy * n.y;
           p[r1][c1] = n.z + dx * n.x + dy * n.y + dx * dy * n.xy;
         }
       double by_x = 0, by_y = 0;
@@ -112,7 +126,8 @@ HeightGrid::Height HeightGrid::at(double x, double y) const {
   const Basis a(x_, x), b(y_, y);
   const size_t nx = x_.size();
   Height h;
-  h.slope.setZero(), h.bend.setZero();
+  h.slope.setZero();
+  h.bend.setZero();
   for (size_t j = 0; j < 2; ++j)
     for (size_t i = 0; i < 2; ++i) {
       const Node& n = nodes_[(b.cell + j) * nx + a.cell + i];
@@ -122,7 +137,8 @@ HeightGrid::Height HeightGrid::at(double x, double y) const {
         const double value = a.value[p] * z[k] + a.value[q] * s[k];
         const double slope = a.slope[p] * z[k] + a.slope[q] * s[k];
         h.z += b.value[r] * value;
-        h.slope[0] += b.value[r] * slope, h.slope[1] += b.slope[r] * value;
+        h.slope[0] += b.value[r] * slope;
+        h.slope[1] += b.slope[r] * value;
         h.bend(0, 0) += b.value[r] * (a.bend[p] * z[k] + a.bend[q] * s[k]);
         h.bend(0, 1) += b.slope[r] * slope;
         h.bend(1, 1) += b.bend[r] * value;
@@ -161,7 +177,10 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
       const double then = square(next, g);
       // Near the answer the square no longer tells: Newton's step is taken.
       if (!(then <= now + 1e-14 * now)) continue;
-      p = next, f = g, now = then, done = true;
+      p = next;
+      f = g;
+      now = then;
+      done = true;
       break;
     }
     if (!done || step.norm() <= 1e-14 * size) break;

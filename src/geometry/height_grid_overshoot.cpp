@@ -36,7 +36,10 @@ struct Cell {
     const double k = -0.5 * (b + std::copysign(std::sqrt(root), b));
     double best = 0, by = 0;
     for (const double u : {a != 0 ? k / a : 0, k != 0 ? m / k : 0})
-      if (u > 0 && u < 1 && beyond(at(u)) > by) best = u, by = beyond(at(u));
+      if (u > 0 && u < 1 && beyond(at(u)) > by) {
+        best = u;
+        by = beyond(at(u));
+      }
     return best;
   }
 };

@@ -171,8 +171,10 @@ class Bends {
 
   SmoothPatch patch(int t) const {
     SmoothPatch q;
-    for (int i = 0; i < 3; ++i)
-      q.p[at(i)] = vertex(corner_vertex(t, i)), q.c[at(i)] = bend_[at(edge_[at(t)][at(i)])];
+    for (int i = 0; i < 3; ++i) {
+      q.p[at(i)] = vertex(corner_vertex(t, i));
+      q.c[at(i)] = bend_[at(edge_[at(t)][at(i)])];
+    }
     return q;
   }
 
@@ -186,7 +188,10 @@ class Bends {
     const Vec3 flat = (q.p[1] - q.p[0]).cross(q.p[2] - q.p[0]);
     const double uv[3][2] = {{0, 0}, {1, 0}, {0, 1}};
     Vec3 a[3], b[3];
-    for (int k = 0; k < 3; ++k) a[k] = q.by_u(uv[k][0], uv[k][1]), b[k] = q.by_v(uv[k][0], uv[k][1]);
+    for (int k = 0; k < 3; ++k) {
+      a[k] = q.by_u(uv[k][0], uv[k][1]);
+      b[k] = q.by_v(uv[k][0], uv[k][1]);
+    }
     for (int k = 0; k < 3; ++k)
       for (int l = k; l < 3; ++l) {
         const Vec3 N = 0.5 * (a[k].cross(b[l]) + a[l].cross(b[k]));

@@ -211,7 +211,7 @@ DuplicateResult drop_duplicates(TriangleMesh& mesh) {
   const auto add = [&](int n, const char* one, const char* more) {
     if (n == 0) return;
     if (!out.sentence.empty()) out.sentence += "; ";
-    out.sentence += std::to_string(n) + " " + (n == 1 ? one : more) + " left out";
+    out.sentence += std::to_string(n) + " " + (n == 1 ? one : more) + " excluded";
   };
   add(out.copies, "triangle that is listed more than once", "triangles that are listed more than once");
   add(out.back_to_back, "", "triangles that lie back to back and bound nothing");
@@ -227,8 +227,10 @@ int drop_flat_pieces(TriangleMesh& mesh, double thickness) {
   std::vector<Vec3> normal(n, Vec3::Zero()), at(n);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 a = view.area_vector(t);
-    if (a.squaredNorm() > normal[piece(t)].squaredNorm())
-      normal[piece(t)] = a, at[piece(t)] = view.corner(t, 0);
+    if (a.squaredNorm() > normal[piece(t)].squaredNorm()) {
+      normal[piece(t)] = a;
+      at[piece(t)] = view.corner(t, 0);
+    }
     for (const int other : topo.neighbours[t])
       if (other == kOpenEdge) drop[piece(t)] = false;
   }

@@ -12,7 +12,7 @@
 namespace hawser::detail {
 namespace {
 
-constexpr double kAlike = 0.9;       // cosine: directions nearer than that are of one facet group
+constexpr double kParallel = 0.9;    // cosine: directions nearer than that are of one facet group
 constexpr double kCone = 0.974;      // of half that angle
 constexpr double kConcave = 0.2;     // rad, in all: less makes no second facet group
 constexpr double kFlatEdge = 1e-10;  // 1 - cosine of an edge that counts as flat
@@ -89,7 +89,7 @@ FacetGroup::Facet MeshFacetGroups::ball(int t) const {
 }
 
 // What may come within reach of the axis, with its normals; true if all of it looks alike.
-bool MeshFacetGroups::alike(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const {
+bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const {
   out.clear();
   Vec3 mean = Vec3::Zero();
   Box around;
@@ -152,13 +152,13 @@ bool MeshFacetGroups::bulging(std::vector<Near>& near) const {
 
 bool MeshFacetGroups::one(std::span<const Vec3> axis, double reach) const {
   thread_local std::vector<Near> near;
-  return alike(axis, reach, near) || bulging(near);
+  return parallel(axis, reach, near) || bulging(near);
 }
 
 // Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
 bool MeshFacetGroups::cut(int t, int edge, int other) const {
   const Vec3 n = normals_.quick_face(facets_, t), m = normals_.quick_face(facets_, other);
-  if (n.isZero(0) || m.isZero(0) || n.dot(m) > kAlike || !rises(facets_, n, t, edge, other)) return false;
+  if (n.isZero(0) || m.isZero(0) || n.dot(m) > kParallel || !rises(facets_, n, t, edge, other)) return false;
   if (!facets_.curved(t) && !facets_.curved(other)) return true;
   int k = 0;
   while (k < 2 && normals_.neighbour(other, k) != t) ++k;
@@ -166,7 +166,7 @@ bool MeshFacetGroups::cut(int t, int edge, int other) const {
   return facets_.patch(t)
              .normal(a[0], a[1])
              .normalized()
-             .dot(facets_.patch(other).normal(b[0], b[1]).normalized()) <= kAlike;
+             .dot(facets_.patch(other).normal(b[0], b[1]).normalized()) <= kParallel;
 }
 
 // The nearest points of the flat facet and a chord.
@@ -250,7 +250,10 @@ std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& 
   const FacetGroup::Facet* first = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const FacetGroup::Facet& f : group.facets)
-    if (const double squared = (f.centre - y).squaredNorm(); squared < least) least = squared, first = &f;
+    if (const double squared = (f.centre - y).squaredNorm(); squared < least) {
+      least = squared;
+      first = &f;
+    }
   if (first) best.visit(first->triangle);
   for (const FacetGroup::Facet& f : group.facets) {
     const double far = std::sqrt(best.squared) + f.radius;
@@ -267,7 +270,7 @@ std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& 
 std::vector<FacetGroup::Facet> MeshFacetGroups::around(std::span<const Vec3> axis, double reach) const {
   thread_local std::vector<Near> near;
   std::vector<FacetGroup::Facet> out;
-  if (alike(axis, reach, near) || bulging(near)) return out;
+  if (parallel(axis, reach, near) || bulging(near)) return out;
   for (const Near& f : near)
     if (!f.normal.isZero(0)) out.push_back(f);
   return out;
@@ -348,7 +351,10 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
         const double far = f.at.distance + facet.radius;
         if (squared_distance_to_chord(facet.centre, p, q) > far * far) return false;  // others are nearer
         const Approach a = approach(facet.triangle, p, q);
-        if (a.distance < f.at.distance) f.at = a, f.nearest = facet.triangle;
+        if (a.distance < f.at.distance) {
+          f.at = a;
+          f.nearest = facet.triangle;
+        }
         return f.at.distance == 0;  // none is nearer
       });
   // Whole facets were taken; those that do not come near are none of it.
@@ -369,13 +375,13 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
       add(backs, p.group);
       continue;
     }
-    const auto alike =
+    const auto parallel =
         std::max_element(facet_groups.begin(), facet_groups.end(), [&](const Part& a, const Part& b) {
           return a.direction.dot(p.direction) < b.direction.dot(p.direction);
         });
-    if (alike != facet_groups.end() && (alike->direction.dot(p.direction) > kAlike ||
-                                        static_cast<int>(facet_groups.size()) == FacetGroups::kMost - 1))
-      add(alike->group, p.group);
+    if (parallel != facet_groups.end() && (parallel->direction.dot(p.direction) > kParallel ||
+                                           static_cast<int>(facet_groups.size()) == FacetGroups::kMost - 1))
+      add(parallel->group, p.group);
     else
       facet_groups.push_back(std::move(p));
   }

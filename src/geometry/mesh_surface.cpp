@@ -33,9 +33,9 @@ struct MeshSurface::Data {
   ConstArray<detail::Defects::Hole> holes;
   BoxTree hole_tree;  // of boxes around them
   Box bounds;
-  double small = 0;          // m, lengths below are rounding or need a bound
-  WindingTree winding;       // where defects or features without a pseudonormal need it, else empty
-  std::vector<bool> unsure;  // facets near which the winding number decides; empty: none
+  double small = 0;             // m, lengths below are rounding or need a bound
+  WindingTree winding;          // where defects or features without a pseudonormal need it, else empty
+  std::vector<bool> undecided;  // facets near which the winding number decides; empty: none
   int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
   bool convex = false;  // one facet group everywhere
@@ -47,13 +47,18 @@ struct MeshSurface::Data {
     FacetSearch::pack(self.active, p);
     FacetSearch::pack(self.whole, p);
     p.value(self.partial);
-    p.flags(self.is_active), p.flags(self.border_vertex);
+    p.flags(self.is_active);
+    p.flags(self.border_vertex);
     p.array(self.holes);
     BoxTree::pack(self.hole_tree, p);
-    p.value(self.bounds), p.value(self.small);
+    p.value(self.bounds);
+    p.value(self.small);
     WindingTree::pack(self.winding, p);
-    p.flags(self.unsure);
-    p.value(self.curved), p.value(self.sharp), p.value(self.internal), p.value(self.bulge);
+    p.flags(self.undecided);
+    p.value(self.curved);
+    p.value(self.sharp);
+    p.value(self.internal);
+    p.value(self.bulge);
     p.value(self.convex);
   }
   detail::MeshFacetGroups facet_groups() const { return {facets, normals, active.tree()}; }
@@ -79,13 +84,14 @@ struct MeshSurface::Data {
   // m: the body begins nowhere nearer to y than that without an active facet: in a hole, or at an inactive
   // part, behind which it is less than zero. No farther than `most` is looked.
   double closed_within(const Vec3& y, double most, int hint) const;
-  std::optional<SurfacePoint> seen(const Vec3& y, double max_distance, const FacetSearch::Foot& c) const;
+  std::optional<SurfacePoint> query_foot(const Vec3& y, double max_distance,
+                                         const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
                         bool behind) const;
   Mat3 curvature_at_vertex(int triangle, int corner, double length, const SurfacePoint& s) const;
   // Whether y is behind the surface at its closest point c, with the pseudonormal there.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
-    if (!unsure.empty() && unsure[static_cast<std::size_t>(c.triangle)])
+    if (!undecided.empty() && undecided[static_cast<std::size_t>(c.triangle)])
       return winding.inside(mesh(), over_flat(c, y));
     if (c.feature == Feature::face && !facets.curved(c.triangle))
       return pseudonormal.dot(y - facets.corner(c.triangle, 0)) < 0;
@@ -150,12 +156,14 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   }
   MeshBends bends;
   if (options.smooth) bends = mesh_bends(mesh, topo, options.crease_angle, defects.straight);
-  d.curved = bends.curved, d.sharp = bends.sharp, d.bulge = bends.bulge;
+  d.curved = bends.curved;
+  d.sharp = bends.sharp;
+  d.bulge = bends.bulge;
   d.facets = Facets(mesh, std::move(bends.of));
   mesh = {};
   d.normals = detail::Pseudonormals(d.facets, topo);
   if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
-  d.unsure = std::move(defects.unsure);
+  d.undecided = std::move(defects.undecided);
   // Internal facets are no part of the surface; `met` are the active ones that are.
   std::vector<bool> outer, met = active;
   if (d.internal > 0) {
@@ -219,7 +227,7 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   // What is inside is met however deep.
   if (!foot && d.bounds.contains(y) && (d.winding.empty() || d.winding.inside(d.mesh(), y)))
     foot = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
-  return foot ? d.seen(y, max_distance, *foot) : std::nullopt;
+  return foot ? d.query_foot(y, max_distance, *foot) : std::nullopt;
 }
 
 std::optional<SurfacePoint> MeshSurface::query_again(const Vec3& y, double max_distance, int hint,
@@ -232,12 +240,12 @@ std::optional<SurfacePoint> MeshSurface::query_again(const Vec3& y, double max_d
     foot = d.active.nearest(d.facets, y, near);
   }
   if (!foot || !(foot->squared_distance <= max_distance * max_distance)) return query(y, max_distance, hint);
-  return d.seen(y, max_distance, d.on_face_or_edge(*foot, y));
+  return d.query_foot(y, max_distance, d.on_face_or_edge(*foot, y));
 }
 
 // What is seen from y of its nearest point.
-std::optional<SurfacePoint> MeshSurface::Data::seen(const Vec3& y, double max_distance,
-                                                    const FacetSearch::Foot& c) const {
+std::optional<SurfacePoint> MeshSurface::Data::query_foot(const Vec3& y, double max_distance,
+                                                          const FacetSearch::Foot& c) const {
   const int t = c.triangle;
   const Vec3 pseudonormal = normals.at(facets, t, c);
   const bool is_behind = behind(c, y, pseudonormal);

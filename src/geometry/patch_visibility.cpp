@@ -15,7 +15,7 @@ Vec3 direction(int i, int n) {
 
 constexpr int kRays = 9, kVoters = 15;
 
-// Rays both ways from the largest triangles of the patch: `tell` is told what each meets and whether it
+// Rays both ways from the largest triangles of the patch: `visit` gets what each meets and whether it
 // leaves from the front.
 template <class F>
 void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& patch, F tell) {
@@ -49,24 +49,26 @@ int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vecto
 
 double one_sided_visibility(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch) {
   int rays[2] = {0, 0}, free[2] = {0, 0};
-  each_ray(mesh, tree, patch,
-           [&](int crossings, bool front) { ++rays[front], free[front] += crossings == 0; });
+  each_ray(mesh, tree, patch, [&](int crossings, bool front) {
+    ++rays[front];
+    free[front] += crossings == 0;
+  });
   if (rays[0] == 0 || rays[1] == 0) return 0;
   return std::abs(static_cast<double>(free[0]) / rays[0] - static_cast<double>(free[1]) / rays[1]);
 }
 
 double enclosing(const MeshView& mesh, const WindingTree& tree, std::span<const int> triangles,
                  double margin) {
-  double area = 0, good = 0;
+  double area = 0, visible = 0;
   const std::size_t step = triangles.size() / 20000 + 1;
   for (std::size_t k = 0; k < triangles.size(); k += step) {
     const int t = triangles[k];
     const double a = mesh.area_vector(t).norm();
     const double middle = tree.winding_number(mesh, mesh.centroid(t), 3, t);
     area += a;
-    if (middle > margin && middle < 1 - margin) good += a;
+    if (middle > margin && middle < 1 - margin) visible += a;
   }
-  return area > 0 ? good / area : 0;
+  return area > 0 ? visible / area : 0;
 }
 
 }  // namespace hawser::detail

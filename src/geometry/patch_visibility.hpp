@@ -17,7 +17,7 @@ int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vecto
 double one_sided_visibility(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch);
 
 // Share of the area of the triangles that has an inside behind it and an outside before it: the winding
-// number on a triangle, its own angle left out, is above `margin` and below 1 - margin. Of very many some are
+// number on a triangle, its own angle excluded, is above `margin` and below 1 - margin. Of very many some are
 // asked.
 double enclosing(const MeshView& mesh, const WindingTree& tree, std::span<const int> triangles,
                  double margin = 0.02);

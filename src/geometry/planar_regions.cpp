@@ -33,7 +33,8 @@ double least_extent(const TriangleMesh& mesh, const std::vector<int>& region, co
   Eigen::Vector2d lo = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity()), hi = -lo;
   each([&](const Eigen::Vector2d& x) {
     const Eigen::Vector2d y = axes.transpose() * x;
-    lo = lo.cwiseMin(y), hi = hi.cwiseMax(y);
+    lo = lo.cwiseMin(y);
+    hi = hi.cwiseMax(y);
   });
   return (hi - lo).minCoeff();
 }
@@ -43,19 +44,19 @@ double least_extent(const TriangleMesh& mesh, const std::vector<int>& region, co
 std::vector<double> planar_widths(const TriangleMesh& mesh, const Topology& topo,
                                   const std::vector<Vec3>& normals) {
   std::vector<double> width(mesh.triangles.size(), 0);
-  std::vector<bool> seen(mesh.triangles.size(), false);
+  std::vector<bool> visited(mesh.triangles.size(), false);
   std::vector<int> region;
   const double cosine = std::cos(kFlat);
-  for (std::size_t first = 0; first < seen.size(); ++first) {
+  for (std::size_t first = 0; first < visited.size(); ++first) {
     const Vec3& n = normals[first];
-    if (seen[first] || n.isZero(0)) continue;
-    seen[first] = true;
+    if (visited[first] || n.isZero(0)) continue;
+    visited[first] = true;
     region.assign(1, static_cast<int>(first));
     for (std::size_t i = 0; i < region.size(); ++i)
       for (const int u : topo.neighbours[static_cast<std::size_t>(region[i])]) {
-        if (u < 0 || seen[static_cast<std::size_t>(u)]) continue;
+        if (u < 0 || visited[static_cast<std::size_t>(u)]) continue;
         if (!(normals[static_cast<std::size_t>(u)].dot(n) > cosine)) continue;
-        seen[static_cast<std::size_t>(u)] = true;
+        visited[static_cast<std::size_t>(u)] = true;
         region.push_back(u);
       }
     const double w = least_extent(mesh, region, n);

@@ -64,12 +64,13 @@ TriangleMesh capsule(const Vec3& from, const Vec3& to, double radius) {
 }
 
 struct Facets {
-  const Box& seen;
+  const Box& extent;
 
   TriangleMesh operator()(const PlaneShape& s) const {
     const Vec3 n = s.normal.stableNormalized(), ex = n.unitOrthogonal(), ey = n.cross(ex);
-    const Vec3 middle = seen.empty() ? s.point : Vec3(seen.centre() - n.dot(seen.centre() - s.point) * n);
-    const double half = seen.diagonal() > 0 ? 0.5 * seen.diagonal() : 1;
+    const Vec3 middle =
+        extent.empty() ? s.point : Vec3(extent.centre() - n.dot(extent.centre() - s.point) * n);
+    const double half = extent.diagonal() > 0 ? 0.5 * extent.diagonal() : 1;
     TriangleMesh m;
     m.vertices = {middle + half * (-ex - ey), middle + half * (ex - ey), middle + half * (ex + ey),
                   middle + half * (ey - ex)};
@@ -120,6 +121,6 @@ std::shared_ptr<const Surface> make_surface(const Primitive& shape) {
   return std::visit(MakeSurface{}, shape);
 }
 
-TriangleMesh facets(const Primitive& shape, const Box& seen) { return std::visit(Facets{seen}, shape); }
+TriangleMesh facets(const Primitive& shape, const Box& extent) { return std::visit(Facets{extent}, shape); }
 
 }  // namespace hawser

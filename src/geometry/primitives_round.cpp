@@ -12,8 +12,8 @@ namespace {
 // directions stay defined on the medial axis.
 constexpr double kNear = 1e-6, kOnAxis = 1e-12;
 
-void need(bool good, const char* sentence) {
-  if (!good) throw std::invalid_argument(sentence);
+void need(bool condition, const char* sentence) {
+  if (!condition) throw std::invalid_argument(sentence);
 }
 
 Mat3 outer(const Vec3& a) { return a * a.transpose(); }

@@ -58,7 +58,10 @@ Pseudonormals::Pseudonormals(const Facets& facets, const Topology& topo) : neigh
     }
   }
   for (std::size_t v = 0; v < vertex.size(); ++v)
-    if (undefined[v] || vertex[v].norm() < 1e-6) vertex[v].setZero(), complete_ = false;
+    if (undefined[v] || vertex[v].norm() < 1e-6) {
+      vertex[v].setZero();
+      complete_ = false;
+    }
   vertex_ = std::move(vertex);
   for (std::size_t t = 0; t < neighbours_.size() && complete_; ++t)
     for (const int u : neighbours_[t])

@@ -38,7 +38,8 @@ class Pseudonormals {
   bool complete() const { return complete_; }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
-    p.array(self.vertex_), p.array(self.neighbours_);
+    p.array(self.vertex_);
+    p.array(self.neighbours_);
     p.value(self.complete_);
   }
 

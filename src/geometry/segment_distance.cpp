@@ -27,7 +27,8 @@ Best solve(const Vec3& r, const Vec3& u, const Vec3& v) {
   const double uu = u.squaredNorm(), vv = v.squaredNorm();
   const auto at = [&](double s, double t) {
     Best b;
-    b.s = s, b.t = t;
+    b.s = s;
+    b.t = t;
     b.w = r + s * u - t * v;
     b.squared = b.w.squaredNorm();
     return b;
@@ -84,7 +85,10 @@ SegmentPair closest_points_of_segments(const Vec3& a0, const Vec3& a1, const Vec
   SegmentPair p;
   if (size > kSmall && size < kLarge) {
     const Best best = solve(r, u, v);
-    p.s = best.s, p.t = best.t, p.difference = best.w, p.distance = std::sqrt(best.squared);
+    p.s = best.s;
+    p.t = best.t;
+    p.difference = best.w;
+    p.distance = std::sqrt(best.squared);
   } else if (size > 0) {
     // A power of two leaves the digits alone.
     const int e = std::ilogb(size);
@@ -92,8 +96,10 @@ SegmentPair closest_points_of_segments(const Vec3& a0, const Vec3& a1, const Vec
       return Vec3(std::ldexp(x[0], by), std::ldexp(x[1], by), std::ldexp(x[2], by));
     };
     const Best best = solve(scaled(r, -e), scaled(u, -e), scaled(v, -e));
-    p.s = best.s, p.t = best.t;
-    p.difference = scaled(best.w, e), p.distance = std::ldexp(std::sqrt(best.squared), e);
+    p.s = best.s;
+    p.t = best.t;
+    p.difference = scaled(best.w, e);
+    p.distance = std::ldexp(std::sqrt(best.squared), e);
   } else {
     p.s = p.t = 0.5;
   }

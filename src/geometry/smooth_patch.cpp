@@ -36,7 +36,10 @@ OnCurve nearest_on_curve(const Vec3& y, const Vec3& a, const Vec3& b, const Vec3
   double best = (y - at(s)).squaredNorm();
   for (const double other : {0.0, 0.5, 1.0}) {
     const double squared = (y - at(other)).squaredNorm();
-    if (squared < best) best = squared, s = other;
+    if (squared < best) {
+      best = squared;
+      s = other;
+    }
   }
   double lo = 0, hi = 1;
   for (int i = 0; i < 40; ++i) {
@@ -86,8 +89,10 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
     const Vec3 r = y - q.point(u, v);
     const double now = r.squaredNorm();
     if (now > squared * (1 + 1e-12)) {  // too far: half the step
-      du *= 0.5, dv *= 0.5;
-      u -= du, v -= dv;
+      du *= 0.5;
+      dv *= 0.5;
+      u -= du;
+      v -= dv;
       converged = std::max(std::abs(du), std::abs(dv)) < 1e-9;
       continue;
     }
@@ -96,16 +101,22 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
     const double gu = r.dot(a), gv = r.dot(b);
     double muu = a.dot(a), muv = a.dot(b), mvv = b.dot(b);
     const double iuu = muu, iuv = muv, ivv = mvv;
-    muu -= r.dot(uu), muv -= r.dot(uv), mvv -= r.dot(vv);
+    muu -= r.dot(uu);
+    muv -= r.dot(uv);
+    mvv -= r.dot(vv);
     double det = muu * mvv - muv * muv;
     // Beyond a centre of curvature the second derivative is not positive: Gauss and Newton's instead.
     if (!(muu > 0 && det > 1e-6 * (iuu * ivv - iuv * iuv))) {
-      muu = iuu, muv = iuv, mvv = ivv;
+      muu = iuu;
+      muv = iuv;
+      mvv = ivv;
       det = muu * mvv - muv * muv;
     }
     if (!(det > 0)) break;
-    du = (mvv * gu - muv * gv) / det, dv = (muu * gv - muv * gu) / det;
-    u += du, v += dv;
+    du = (mvv * gu - muv * gv) / det;
+    dv = (muu * gv - muv * gu) / det;
+    u += du;
+    v += dv;
     converged = std::max(std::abs(du), std::abs(dv)) < 1e-9;  // quadratic: the next would be rounding
     if (std::min({u, v, 1 - u - v}) < -0.5) break;
   }
@@ -113,7 +124,8 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
   if (inside) {
     out.point = q.point(u, v);
     out.squared_distance = (y - out.point).squaredNorm();
-    out.u = u, out.v = v;
+    out.u = u;
+    out.v = v;
     if (converged) return out;
   }
   const double found = inside ? out.squared_distance : std::numeric_limits<double>::infinity();
@@ -130,7 +142,8 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
     out.squared_distance = c.squared;
     out.feature = c.s == 0 ? vertex_feature(i) : c.s == 1 ? vertex_feature((i + 1) % 3) : edge_feature(i);
     const auto at = on_edge(i, c.s);
-    out.u = at[0], out.v = at[1];
+    out.u = at[0];
+    out.v = at[1];
   }
   return out;
 }
@@ -144,7 +157,8 @@ bool one_nearest_point(const Vec3& y, const SmoothPatch& q) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 &a = q.p[(i + 1) % 3], &b = q.p[(i + 2) % 3];
     slope[i] = (b - a).norm() / size;
-    hull[i] = q.p[i] - y, hull[i + 3] = 0.5 * (q.p[i] + a + q.c[i]) - y;
+    hull[i] = q.p[i] - y;
+    hull[i + 3] = 0.5 * (q.p[i] + a + q.c[i]) - y;
   }
   double shrinks = 0, bends = 0;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -35,8 +35,11 @@ std::optional<SurfacePoint> TestedSurface::query(const Vec3& y, double max_dista
   const bool deep = in && !partial_;
   auto p = mesh_->query(y, deep ? std::numeric_limits<double>::infinity() : max_distance, hint);
   if (!p) return p;
-  if (in != (p->distance < 0) && p->distance != 0)
-    p->distance = -p->distance, p->normal = -p->normal, p->curvature = -p->curvature;
+  if (in != (p->distance < 0) && p->distance != 0) {
+    p->distance = -p->distance;
+    p->normal = -p->normal;
+    p->curvature = -p->curvature;
+  }
   if (p->distance > max_distance) return std::nullopt;
   return p;
 }

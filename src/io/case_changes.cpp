@@ -32,7 +32,8 @@ class Change {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
       refuse("", "is no KEY=VALUE; write for example --set dynamics.duration=600");
-    key_ = text.substr(0, text.find_last_not_of(" \t=", equals) + 1), given_ = text.substr(equals + 1);
+    key_ = text.substr(0, text.find_last_not_of(" \t=", equals) + 1);
+    given_ = text.substr(equals + 1);
     if (given_.find_first_not_of(" \t") == std::string::npos)
       refuse("", "has nothing after the '='; 'null' removes a key");
     read_steps();
@@ -187,7 +188,8 @@ class Change {
   void remove(Value& parent, const Value& v, const std::string& path) const {
     if (parent.kind != Kind::map) refuse(path, "'null' removes keys, not entries of lists");
     const auto at = &v - parent.items.data();
-    parent.items.erase(parent.items.begin() + at), parent.keys.erase(parent.keys.begin() + at);
+    parent.items.erase(parent.items.begin() + at);
+    parent.keys.erase(parent.keys.begin() + at);
   }
 
   const std::string &text_, &file_;

@@ -66,24 +66,26 @@ void examine(Case& c) {
   check_bed(c);
   // What can change all results first, then what the reader has noted, then the rest.
   using advice::Effect;
-  std::vector<std::string> notes = advice::input_notes(c, Effect::whole, Effect::whole);
+  std::vector<std::string> notes = advice::input_notes(c, Effect::all, Effect::all);
   notes.insert(notes.end(), c.notes.begin(), c.notes.end());
   c.notes = std::move(notes);
   for (std::string& n : advice::input_notes(c, Effect::part)) c.notes.push_back(std::move(n));
 }
 
-Case read_document(const std::string& text, const std::string& path, const ReadingNews& news, MPI_Comm comm,
-                   const CaseChanges& changes) {
+Case read_document(const std::string& text, const std::string& path, const ReadProgress& read_progress,
+                   MPI_Comm comm, const CaseChanges& changes) {
   Case c;
-  c.text = text, c.file = path, c.changes = changes;
+  c.text = text;
+  c.file = path;
+  c.changes = changes;
   c.path = fs::absolute(path).lexically_normal().string();
   c.directory = fs::path(c.path).parent_path().string();
   const auto tree = std::make_shared<Value>(parse_yaml(text, path));
   const Value& root = *tree;
   c.change_notes = change_document(*tree, changes, path);
   model::check_structure(*tree, model::case_schema(), path);
-  if (const Value* title = root.find("title"); news.title)
-    news.title(title && !title->text.empty() ? title->text : c.path);
+  if (const Value* title = root.find("title"); read_progress.title)
+    read_progress.title(title && !title->text.empty() ? title->text : c.path);
   c.inputs = {c.path};
   const CaseSource source{path, c.directory, comm, &c.inputs};
   read_all(root, source, {}, c);
@@ -96,8 +98,13 @@ Case read_document(const std::string& text, const std::string& path, const Readi
 
 model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm comm) {
   Case out;
-  out.text = c.text, out.file = c.file, out.path = c.path, out.directory = c.directory;
-  out.tree = c.tree, out.changes = c.changes, out.change_notes = c.change_notes;
+  out.text = c.text;
+  out.file = c.file;
+  out.path = c.path;
+  out.directory = c.directory;
+  out.tree = c.tree;
+  out.changes = c.changes;
+  out.change_notes = c.change_notes;
   out.inputs = {c.path};
   const CaseSource source{c.file, c.directory, comm, &out.inputs};
   read_all(*c.tree, source, lengths, out);
@@ -105,10 +112,10 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
   return model::with_cuts(std::move(out));
 }
 
-model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news,
-                           MPI_Comm comm, const CaseChanges& changes) {
+model::Case read_case_text(const std::string& text, const std::string& path,
+                           const ReadProgress& read_progress, MPI_Comm comm, const CaseChanges& changes) {
   try {
-    return read_document(text, path, news, comm, changes);
+    return read_document(text, path, read_progress, comm, changes);
   } catch (const InputError& e) {
     // What is wrong may be in another line of the file than what was changed.
     const std::string why = e.what();
@@ -117,7 +124,7 @@ model::Case read_case_text(const std::string& text, const std::string& path, con
   }
 }
 
-model::Case read_case(const std::string& path, const ReadingNews& news, MPI_Comm comm,
+model::Case read_case(const std::string& path, const ReadProgress& read_progress, MPI_Comm comm,
                       const CaseChanges& changes) {
   if (const std::string why = unreadable(path, "case", kMostCase); !why.empty())
     model::fail(path, 0, "", why);
@@ -128,7 +135,7 @@ model::Case read_case(const std::string& path, const ReadingNews& news, MPI_Comm
     if (in && fs::file_size(path, error) == 0 && !error) model::fail(path, 1, "", "the file is empty");
     model::fail(path, 0, "", "cannot be read");
   }
-  return read_case_text(text.str(), path, news, comm, changes);
+  return read_case_text(text.str(), path, read_progress, comm, changes);
 }
 
 }  // namespace hawser::io

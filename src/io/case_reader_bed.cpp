@@ -11,7 +11,7 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/mesh_reader.hpp"
-#include "hawser/io/once_a_host.hpp"
+#include "hawser/io/shared_on_host.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/schema.hpp"
@@ -61,10 +61,12 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
         refuse_row(i, fmt::format("{:g} m is beyond {:g} m from the origin; is it in other units than "
                                   "metres, or a mark for no data?",
                                   coordinate, kFarthest));
-    x.push_back(rows[i][0]), y.push_back(rows[i][1]);
+    x.push_back(rows[i][0]);
+    y.push_back(rows[i][1]);
   }
   if (rows.empty()) refuse(v["file"], path + ": the file has no rows");
-  x = distinct(std::move(x)), y = distinct(std::move(y));
+  x = distinct(std::move(x));
+  y = distinct(std::move(y));
   if (x.size() < 2 || y.size() < 2)
     refuse(v["file"], "{}: a grid has two columns and two rows at least, but there {} x and {} y", path,
            x.size() == 1 ? "is 1" : fmt::format("are {}", x.size()), y.size());
@@ -83,7 +85,8 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
     if (given[k] >= 0)
       refuse_row(i, fmt::format("x {:g}, y {:g} is there twice, first in line {}", rows[i][0], rows[i][1],
                                 line[given[k]]));
-    given[k] = static_cast<int>(i), z[k] = up * rows[i][2];
+    given[k] = static_cast<int>(i);
+    z[k] = up * rows[i][2];
   }
   const auto missing = std::find(given.begin(), given.end(), -1);
   if (missing != given.end()) {
@@ -107,7 +110,7 @@ std::shared_ptr<const HeightGrid> read_grid(const Value& v, const CaseSource& so
 
 std::shared_ptr<const MeshSurface> read_mesh_bed(const Value& v, const CaseSource& source) {
   const std::string path = source.input(v["file"].text);
-  return once_a_host(source.comm, Host(source.comm), [&] {
+  return shared_on_host(source.comm, Host(source.comm), [&] {
     try {
       TriangleMesh sheet = read_sheet(path, v["scale"].number);
       const size_t top = sheet.triangles.size();
@@ -134,15 +137,21 @@ void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& b
   double low = 0, high = 0;
   if (const Value* g = v.find("grid")) {
     const auto grid = read_grid(*g, source, notes);
-    low = grid->lowest(), high = grid->highest();
-    bed.surface = grid, bed.file = source.input((*g)["file"].text);
+    low = grid->lowest();
+    high = grid->highest();
+    bed.surface = grid;
+    bed.file = source.input((*g)["file"].text);
   } else if (const Value* m = v.find("mesh")) {
     const auto mesh = read_mesh_bed(*m, source);
     const MeshView t = mesh->mesh();
-    low = std::numeric_limits<double>::infinity(), high = -low;
-    for (size_t i = 0; i < t.vertices.size() / 2; ++i)  // the other half is the floor
-      low = std::min(low, t.vertices[i].z()), high = std::max(high, t.vertices[i].z());
-    bed.surface = mesh, bed.file = source.input((*m)["file"].text);
+    low = std::numeric_limits<double>::infinity();
+    high = -low;
+    for (size_t i = 0; i < t.vertices.size() / 2; ++i) {  // the other half is the floor
+      low = std::min(low, t.vertices[i].z());
+      high = std::max(high, t.vertices[i].z());
+    }
+    bed.surface = mesh;
+    bed.file = source.input((*m)["file"].text);
   } else {
     return;
   }

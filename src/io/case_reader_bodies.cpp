@@ -25,9 +25,9 @@ void check_coverage(const Value& v, const std::vector<WaveForceTable>& tables, i
       "the bow, where {:.3g} % of the sea's energy goes",
       what, table.directions().size(), table.directions().size() == 1 ? "" : "s",
       table.directions().front() / kDegree, table.directions().back() / kDegree, share.direction / kDegree,
-      100 * share.astray);
-  if (share.astray > most) model::refuse(v["wamit"], where + ": give files with directions there");
-  if (share.astray > kSmall) notes.push_back(key + ": " + where);
+      100 * share.uncovered);
+  if (share.uncovered > most) model::refuse(v["wamit"], where + ": give files with directions there");
+  if (share.uncovered > kSmall) notes.push_back(key + ": " + where);
   const auto beyond = [&](double energy, const char* which, double omega) {
     if (energy > kSmall)
       notes.push_back(

@@ -18,7 +18,7 @@ using model::Value;
 
 // Rows of t and factor, from a file or written there.
 TimeFactor read_time_factor(const Value& v, const CaseSource& source) {
-  const GivenRows given = read_given_rows(v, source);
+  const InputRows given = read_input_rows(v, source);
   const auto& [at, rows] = given;
   if (rows.size() < 2) refuse(at, "a table of factors needs at least 2 rows, found {}", rows.size());
   std::vector<TimeFactor::Row> out;
@@ -45,7 +45,7 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
 
 // Rows of a spectrum; the period [s] of its peak.
 double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) {
-  const auto [at, rows] = read_given_rows(s, source);
+  const auto [at, rows] = read_input_rows(s, source);
   const double unit = s["frequency"].number;
   double energy = 0;
   SpectrumRow peak;
@@ -95,12 +95,12 @@ void check_stokes(const Value& v, const model::Environment& e, std::vector<std::
   const std::string key = "environment.waves.stokes";
   try {
     const StokesWave wave(model::stokes_input(e));
-    constexpr double kGood = 40;  // Hedges (1995)
-    if (wave.ursell() > kGood)
+    constexpr double kUrsellLimit = 40;  // Hedges (1995)
+    if (wave.ursell() > kUrsellLimit)
       notes.push_back(
           fmt::format("{}: the wave is long for its depth: its Ursell number is {:.3g}, and fifth-order "
                       "theory is good up to {:g}",
-                      key, wave.ursell(), kGood));
+                      key, wave.ursell(), kUrsellLimit));
   } catch (const std::invalid_argument& error) {
     refuse(v["stokes"], error.what());
   }

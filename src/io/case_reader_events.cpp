@@ -36,13 +36,18 @@ void finish_event(const Value& v, model::Event& e, const model::Case& c) {
   if (causes > 1 || (causes == 0 && !near))
     refuse(v, "give one of 'time', 'tension', 'when', 'after' and 'stage': what it waits for");
   if (v["delay"].given && !v.has("after")) refuse(v["delay"], "goes with 'after'");
-  if (causes == 0) cause.kind = Cause::Kind::near, cause.limit = a.within, cause.below = true;
+  if (causes == 0) {
+    cause.kind = Cause::Kind::near;
+    cause.limit = a.within;
+    cause.below = true;
+  }
   if (v.has("tension")) {
     if (a.kind != Action::Kind::release)
       refuse(v["tension"],
              "is that of an end that is released or a line that is cut; give 'when: {tension: {line, at, "
              "above}}'");
-    cause.line = a.line, cause.arc = a.cut >= 0 ? a.cut : a.at_b ? model::kEndB : 0;
+    cause.line = a.line;
+    cause.arc = a.cut >= 0 ? a.cut : a.at_b ? model::kEndB : 0;
   }
   if (const Value* when = v.find("when"))
     if (const Value* position = when->find("position"))

@@ -24,7 +24,8 @@ void finish_end(const Value& v, const SectionLengths& lengths, const model::Case
 
 void finish_buried(const Value& v, double length, const model::Line& l, const model::Case& c,
                    model::Buried& b) {
-  to_length(b.from, length), to_length(b.to, length);
+  to_length(b.from, length);
+  to_length(b.to, length);
   if (!v.has("to")) b.to = length;
   double end = 0, thick = 0;
   for (const model::Section& s : l.sections) {
@@ -107,7 +108,10 @@ void finish_target(const Value& v, const Value& sections, model::LengthTarget& t
     t.section = static_cast<int>(s->number) - 1;
   }
   const double given = length(t.section);
-  if (!v.has("between")) t.least = 0.5 * given, t.most = 1.5 * given;
+  if (!v.has("between")) {
+    t.least = 0.5 * given;
+    t.most = 1.5 * given;
+  }
   if (!(t.least < given && given < t.most))
     refuse(v["between"],
 
@@ -119,17 +123,17 @@ void finish_target(const Value& v, const Value& sections, model::LengthTarget& t
 void finish_start(const Value& line, const Value* whole, OtherRuns& others, model::Case& c, model::Line& l) {
   const Value& start = line["start"];
   if (whole && !start.given) {
-    l.left = others.shape(*whole, l.name, false);
-    if (!l.left) {
+    l.previous_shape = others.shape(*whole, l.name, false);
+    if (!l.previous_shape) {
       c.notes.push_back(line.where + ": is not in " + (*whole)["from"].text + ", and starts by itself");
       return;
     }
     l.start = model::Start::other_run;
-    check_left_shape(l, (*whole)["from"], line.where, others.parted(), c.notes);
+    check_previous_shape(l, (*whole)["from"], line.where, others.parted(), c.notes);
   } else if (start.has("from")) {
     l.start = model::Start::other_run;
-    l.left = others.shape(start, start.has("line") ? start["line"].text : l.name, true);
-    check_left_shape(l, start["from"], start.where, others.parted(), c.notes);
+    l.previous_shape = others.shape(start, start.has("line") ? start["line"].text : l.name, true);
+    check_previous_shape(l, start["from"], start.where, others.parted(), c.notes);
   }
 }
 
@@ -142,7 +146,8 @@ void finish_line(const Value& v, const Value* whole, const SectionLengths& lengt
   };
   each("sections", l.sections, [&](const Value& x, auto& s) { finish_section(x, lengths, s); });
   const double length = model::length_of(l);
-  finish_end(v["end_a"], lengths, c, l.end_a), finish_end(v["end_b"], lengths, c, l.end_b);
+  finish_end(v["end_a"], lengths, c, l.end_a);
+  finish_end(v["end_b"], lengths, c, l.end_b);
   finish_start(v, whole, others, c, l);
   each("buried", l.buried, [&](const Value& x, auto& b) { finish_buried(x, length, l, c, b); });
   if (l.target) finish_target(v["target"], v["sections"], *l.target);

@@ -29,7 +29,8 @@ void finish_end(const Value& v, model::LinkEnd& e, const model::Case& c) {
 }  // namespace
 
 void finish_link(const Value& v, model::Link& l, const model::Case& c) {
-  finish_end(v["end_a"], l.end_a, c), finish_end(v["end_b"], l.end_b, c);
+  finish_end(v["end_a"], l.end_a, c);
+  finish_end(v["end_b"], l.end_b, c);
   LinkLaw& law = l.law;
   if (const Value* table = v.find("force_table")) {
     std::vector<MonotoneCubic::Row> r = table->rows();

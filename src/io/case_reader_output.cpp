@@ -22,8 +22,8 @@ void finish_output(const Value& v, const CaseSource& source, model::Case& c) {
     refuse(v["file"], "must end in .h5, found " + model::quote(v["file"].text));
   // What is there is kept under another name, in place of what had that.
   for (const model::Line& l : c.lines)
-    for (const std::string& replaced : {o.file, kept_name(o.file)})
-      if (std::error_code same; l.left && fs::equivalent(l.left->file, replaced, same))
+    for (const std::string& replaced : {o.file, backup_name(o.file)})
+      if (std::error_code same; l.previous_shape && fs::equivalent(l.previous_shape->file, replaced, same))
         refuse_key(v.has("file") ? v["file"] : v, "output.file",
                    "{} is the run that line '{}' starts from, and would be overwritten; give another 'file'",
                    replaced, l.name);

@@ -86,9 +86,9 @@ std::string other_units(double size, const SizeLimits& limits, const model::Case
 
 Vec3 as_vec3(const Value& v) { return {v.items[0].number, v.items[1].number, v.items[2].number}; }
 
-GivenRows read_given_rows(const Value& v, const CaseSource& source) {
+InputRows read_input_rows(const Value& v, const CaseSource& source) {
   const bool from_file = v.has("file");
-  GivenRows given{v[from_file ? "file" : "rows"], {}};
+  InputRows given{v[from_file ? "file" : "rows"], {}};
   if (from_file) {
     given.rows = read_rows(source.input(given.at.text), given.at);
     return given;
@@ -100,7 +100,7 @@ GivenRows read_given_rows(const Value& v, const CaseSource& source) {
   return given;
 }
 
-void check_time(const GivenRows& given, size_t i) {
+void check_time(const InputRows& given, size_t i) {
   if (i == 0) return;
   const double before = given.rows[i - 1][0], now = given.rows[i][0];
   if (!(now > before))
@@ -132,11 +132,18 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
   for (const Column& k : columns) {
     if (k.rows.empty()) continue;
     Vec3 least = k.rows.front(), most = least;
-    for (const Vec3& x : k.rows) least = least.cwiseMin(x), most = most.cwiseMax(x);
+    for (const Vec3& x : k.rows) {
+      least = least.cwiseMin(x);
+      most = most.cwiseMax(x);
+    }
     for (const RowCurve::Overshoot& o : RowCurve(m.time, k.rows, m.between).overshoots(kOvershoot)) {
       ++places;
       const double span = most[o.component] - least[o.component], share = span > 0 ? o.by / span : 0;
-      if (share > worst_share) worst = o, worst_share = share, column = &k;
+      if (share > worst_share) {
+        worst = o;
+        worst_share = share;
+        column = &k;
+      }
     }
   }
   if (!column) return;
@@ -154,7 +161,7 @@ void note_overshoot(const model::TableMotion& m, const std::string& key, std::ve
 
 void read_motion_table(const Value& table, const CaseSource& source, model::TableMotion& m,
                        std::vector<std::string>& notes) {
-  const GivenRows given = read_given_rows(table, source);
+  const InputRows given = read_input_rows(table, source);
   const auto& [at, rows] = given;
   if (rows.size() < 2) refuse(at, "a table of motion needs at least 2 rows, found {}", rows.size());
   const std::size_t columns = rows.front().size();

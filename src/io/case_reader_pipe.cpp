@@ -49,14 +49,20 @@ void read_strength(const Value& p, const Material& m, bool uneven, model::LineTy
     return;
   }
   PipeSteel s;
-  s.outer = p["outer_diameter"].number, s.wall = p["wall_thickness"].number;
-  s.modulus = m.E, s.poisson = m.poisson;
+  s.outer = p["outer_diameter"].number;
+  s.wall = p["wall_thickness"].number;
+  s.modulus = m.E;
+  s.poisson = m.poisson;
   for (const PipeGrade& g : kPipeGrades)
-    if (p["grade"].is(g.name)) s.smys = g.smys, s.smts = g.smts;
+    if (p["grade"].is(g.name)) {
+      s.smys = g.smys;
+      s.smts = g.smts;
+    }
   s.safety_class = p["safety_class"].is("low") ? 1.04 : p["safety_class"].is("medium") ? 1.14 : 1.26;
   s.cold_expanded = p["fabrication"].is("UOE");
   s.fabrication = s.cold_expanded ? 0.85 : p["fabrication"].is("UO") ? 0.93 : 1;
-  s.ovality = p["ovality"].number, s.material_factor = p["material_factor"].number;
+  s.ovality = p["ovality"].number;
+  s.material_factor = p["material_factor"].number;
   t.steel = s;
   constexpr double kUneven = 1.07;  // DNV-ST-F101 table 4-5
   if (uneven) t.conditions.seabed = kUneven;
@@ -81,12 +87,14 @@ void read_pipe(const Value& v, bool uneven_bed, model::LineType& t) {
   double inertia = m.density * polar(d, D), outside = D;
   for (const Value& layer : p["coatings"].items) {
     const double next = outside + 2 * layer["thickness"].number, density = layer["density"].number;
-    t.mass_per_length += density * area(outside, next), inertia += density * polar(outside, next);
+    t.mass_per_length += density * area(outside, next);
+    inertia += density * polar(outside, next);
     outside = next;
   }
   t.rotary_inertia = Vec3(inertia, inertia / 2, inertia / 2);
   t.outer_diameter = t.contact_diameter = outside;
-  t.wall_diameter = D, t.inner_diameter = d;
+  t.wall_diameter = D;
+  t.inner_diameter = d;
   read_strength(p, m, uneven_bed, t);
 }
 

@@ -22,7 +22,7 @@ constexpr double kDegree = M_PI / 180;
 constexpr double kOneDirection = 1;  // deg from the only direction of a table, that it does not stand for
 constexpr double kWideGap = 100;     // deg between directions, beyond which straight lines hide a side
 
-// Whether a table of both sides is told to be of one.
+// Whether a table of both sides is declared as of one.
 bool both_sides(const std::vector<RaoTable::Row>& rows) {
   const auto on = [&](double sign) {
     return std::any_of(rows.begin(), rows.end(),
@@ -33,7 +33,7 @@ bool both_sides(const std::vector<RaoTable::Row>& rows) {
 
 RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& source,
                     std::vector<std::string>& notes) {
-  const auto [at, rows] = read_given_rows(rao, source);
+  const auto [at, rows] = read_input_rows(rao, source);
   const double sign = rao["phase"].is("lead") ? 1 : -1;
   std::vector<RaoTable::Row> table;
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -49,7 +49,8 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
         refuse(at, "amplitudes must not be negative, but row {} has {:g}: turn its phase by 180 deg", i + 1,
                r[k]);
     RaoTable::Row& row = table.emplace_back();
-    row.omega = 2 * M_PI / r[0], row.direction = r[1] * kDegree;
+    row.omega = 2 * M_PI / r[0];
+    row.direction = r[1] * kDegree;
     for (size_t k = 0; k < 6; ++k)
       row.response[k] =
           std::polar(1.0, sign * r[3 + 2 * k] * kDegree) * (r[2 + 2 * k] * (k < 3 ? 1 : kDegree));
@@ -72,16 +73,19 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
 // A table of 0 to 180 deg has a neighbour of 180 at 360: what goes to 270 is half of both, and nothing rolls.
 void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                 std::vector<std::string>& notes) {
-  size_t astray = 0;
+  size_t uncovered = 0;
   DirectionGap gap;
   double direction = 0;
   for (const WaveComponent& w : waves.components()) {
     const double to = std::atan2(w.y, w.x) - bow;
     const DirectionGap b = table.neighbours(to);
     if (b.to - b.from <= kWideGap * kDegree * (1 + 1e-9)) continue;
-    if (astray++ == 0) gap = b, direction = to;
+    if (uncovered++ == 0) {
+      gap = b;
+      direction = to;
+    }
   }
-  if (astray == 0) return;
+  if (uncovered == 0) return;
   // Into the gap, however many times round.
   direction = gap.from + std::fmod(std::fmod(direction - gap.from, 2 * M_PI) + 2 * M_PI, 2 * M_PI);
   notes.push_back(
@@ -89,9 +93,9 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
                   "and {:.4g} deg, the table's next directions: give rows between them, or 'symmetry: "
                   "port_starboard' if the table is that of one side",
                   key,
-                  astray == 1 ? fmt::format("the wave goes to {:.4g} deg", direction / kDegree)
-                              : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts",
-                                            astray, direction / kDegree),
+                  uncovered == 1 ? fmt::format("the wave goes to {:.4g} deg", direction / kDegree)
+                                 : fmt::format("{} components of the sea go to {:.4g} deg and thereabouts",
+                                               uncovered, direction / kDegree),
                   gap.from / kDegree, gap.to / kDegree));
 }
 
@@ -104,12 +108,20 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
     const double to = std::atan2(w.y, w.x) - bow;
     const DirectionGap b = table.neighbours(to);
     if (const double off = std::abs(std::remainder(to - b.from, 2 * M_PI)) / kDegree;
-        b.from == b.to && off > std::max(furthest, kOneDirection))
-      furthest = off, only = b.from / kDegree;
+        b.from == b.to && off > std::max(furthest, kOneDirection)) {
+      furthest = off;
+      only = b.from / kDegree;
+    }
     const double energy = w.amplitude * w.amplitude;
     all += energy;
-    if (w.omega > table.highest() * (1 + 1e-9)) fast += energy, highest = std::max(highest, w.omega);
-    if (w.omega < table.lowest() * (1 - 1e-9)) slow += energy, lowest = std::min(lowest, w.omega);
+    if (w.omega > table.highest() * (1 + 1e-9)) {
+      fast += energy;
+      highest = std::max(highest, w.omega);
+    }
+    if (w.omega < table.lowest() * (1 - 1e-9)) {
+      slow += energy;
+      lowest = std::min(lowest, w.omega);
+    }
   }
   if (furthest > 0)
     notes.push_back(
@@ -131,7 +143,7 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
 // has not.
 void check_phases(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                   std::vector<std::string>& notes) {
-  constexpr double kTold = 0.01;  // of the sea's energy
+  constexpr double kReportedShare = 0.01;  // of the sea's energy
   std::map<RaoTable::Turn, double> found;
   double all = 0;
   for (const WaveComponent& w : waves.components()) {
@@ -139,7 +151,7 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
     all += energy;
     for (const RaoTable::Turn& t : table.turns(w.omega, std::atan2(w.y, w.x) - bow)) found[t] += energy;
   }
-  std::erase_if(found, [&](const auto& f) { return f.second < kTold * all; });
+  std::erase_if(found, [&](const auto& f) { return f.second < kReportedShare * all; });
   if (found.empty()) return;
   const auto& [t, energy] = *std::max_element(
       found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -189,7 +201,8 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
     VectorMotion drifted, turned;
     drift.at(std::max(m.time.back(), 0.0), drifted, turned);
     motion.at(m.time.back(), offset, rotation, drifted.value);
-    m.offset.push_back(offset), m.rotation.push_back(rotation);
+    m.offset.push_back(offset);
+    m.rotation.push_back(rotation);
   }
   return m;
 }

@@ -46,7 +46,8 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
             "{} has no output at {:g} s: of its {} outputs from {:g} to {:g} s the nearest is at {:.9g} s",
             path, wanted, times.size(), times.front(), times.back(), times[row]);
     }
-    r.path = path, r.time = times[row];
+    r.path = path;
+    r.time = times[row];
     const h5::Id file = h5::open_read(path);
     r.lines = h5::read_texts(file, "lines/name");
     r.first = h5::read_array(file, "lines/first_node").values;
@@ -63,8 +64,8 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
   return r;
 }
 
-std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, const std::string& name,
-                                                         bool must) {
+std::shared_ptr<const model::PreviousShape> OtherRuns::shape(const Value& start, const std::string& name,
+                                                             bool must) {
   const Run& r = run(start["from"], start.find("time"));
   const auto found = std::find(r.lines.begin(), r.lines.end(), name);
   if (found == r.lines.end()) {
@@ -73,7 +74,7 @@ std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, con
     refuse(at, "{} has no line {}{} (lines: {})", r.path, model::quote(name),
            model::did_you_mean(name, r.lines), fmt::join(r.lines, ", "));
   }
-  auto left = std::make_shared<model::LeftShape>();
+  auto left = std::make_shared<model::PreviousShape>();
   left->file = r.path;
   parted_ = false;
   add_shape(r, static_cast<size_t>(found - r.lines.begin()), *left);
@@ -81,13 +82,14 @@ std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, con
   for (int k = 2;; ++k) {
     const auto part = std::find(r.lines.begin(), r.lines.end(), fmt::format("{} part {}", name, k));
     if (part == r.lines.end()) break;
-    model::LeftShape next;
+    model::PreviousShape next;
     add_shape(r, static_cast<size_t>(part - r.lines.begin()), next);
     parted_ = (next.position.front() - left->position.back()).norm() > kTogether * next.arc.back();
     if (parted_) break;
     const double end = left->arc.back();
     for (size_t n = 1; n < next.arc.size(); ++n) {
-      left->arc.push_back(end + next.arc[n]), left->position.push_back(next.position[n]);
+      left->arc.push_back(end + next.arc[n]);
+      left->position.push_back(next.position[n]);
       if (n < next.rotation.size()) left->rotation.push_back(next.rotation[n]);
     }
   }
@@ -95,7 +97,7 @@ std::shared_ptr<const model::LeftShape> OtherRuns::shape(const Value& start, con
   return left;
 }
 
-void OtherRuns::add_shape(const Run& r, size_t line, model::LeftShape& left) {
+void OtherRuns::add_shape(const Run& r, size_t line, model::PreviousShape& left) {
   const size_t first = static_cast<size_t>(r.first[line]), count = static_cast<size_t>(r.count[line]);
   for (size_t n = first; n < first + count; ++n) {
     left.arc.push_back(r.arc[n]);
@@ -111,20 +113,20 @@ void OtherRuns::add_shape(const Run& r, size_t line, model::LeftShape& left) {
   }
 }
 
-void check_left_shape(const model::Line& line, const Value& at, const std::string& key, bool parted,
-                      std::vector<std::string>& notes) {
+void check_previous_shape(const model::Line& line, const Value& at, const std::string& key, bool parted,
+                          std::vector<std::string>& notes) {
   constexpr double kSame = 1e-6, kMost = 0.2;  // of the length
-  const double here = model::length_of(line), there = line.left->arc.back();
+  const double here = model::length_of(line), there = line.previous_shape->arc.back();
   if (std::abs(here - there) > kMost * here)
     refuse_key(at, key, "the line is {:g} m long, but {:g} m in {}; they may differ by {:g} %{}", here, there,
-               line.left->file, 100 * kMost,
+               line.previous_shape->file, 100 * kMost,
                parted ? ". It is cut there, and its parts have come apart: give a 'time' before that, or "
                         "make each part a line"
                       : "");
   if (std::abs(here - there) > kSame * here)
     notes.push_back(fmt::format(
         "{}: the line is {:g} m long and was {:g} m in {}; its shape is taken by share of the length", key,
-        here, there, line.left->file));
+        here, there, line.previous_shape->file));
 }
 
 }  // namespace hawser::io

@@ -146,9 +146,11 @@ class Group {
 
     SupportBox b;
     b.name = fmt::format("{} {}", name_, ++count_);
-    b.key = e.where, b.line = line_.name;
+    b.key = e.where;
+    b.line = line_.name;
     if (v_.has("body")) b.body = v_["body"].text;
-    b.along = p.at.along, b.up = p.at.up;
+    b.along = p.at.along;
+    b.up = p.at.up;
     const double r = 0.5 * e["roller_diameter"].number, length = e["roller_length"].number;
     const double angle = v ? e["angle_deg"].number : 0;
     if (const double needed = (r + radius_) * std::tan(angle); length < needed)
@@ -208,7 +210,9 @@ class Group {
     }
     const Vec3 place = pose.to_space(b.at - b.rise * b.up);
     model::Body o;
-    o.name = b.name, o.position = pose.position, o.rotation = log_so3(pose.rotation);
+    o.name = b.name;
+    o.position = pose.position;
+    o.rotation = log_so3(pose.rotation);
     if (c_.body_index(o.name) >= 0)
       refuse(v_, "the body of one of its boxes is called '{}' as another is; give the group another name",
              o.name);
@@ -223,7 +227,10 @@ class Group {
       const Vec3 a = model::end_position(c_, line.end_a), way = model::end_position(c_, line.end_b) - a;
       const double share = std::clamp((place - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
       const double away = (a + share * way - place).norm();
-      if (away < nearest) nearest = away, o.on = model::Ride{line.name, share * model::length_of(line), true};
+      if (away < nearest) {
+        nearest = away;
+        o.on = model::Ride{line.name, share * model::length_of(line), true};
+      }
     }
     c_.bodies.push_back(std::move(o));
     return c_.bodies.back().name;
@@ -237,10 +244,13 @@ class Group {
         refuse(v_, "one of its rollers is called '{}' as another volume is; give the group another name",
                o.name);
     model::take(e, o);
-    o.shape = shape, o.body = b.body, o.roller = true;
-    if (const Value& k = e["normal_stiffness"]; !k.is("auto"))
-      o.basis = model::StiffnessBasis::per_length,
+    o.shape = shape;
+    o.body = b.body;
+    o.roller = true;
+    if (const Value& k = e["normal_stiffness"]; !k.is("auto")) {
+      o.basis = model::StiffnessBasis::per_length;
       o.normal_stiffness = per_length(k.number, shape.radius, radius_);
+    }
     return o;
   }
 

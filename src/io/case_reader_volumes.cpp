@@ -31,12 +31,12 @@ void finish_contact(const Value& v, model::Contact& to) {
     refuse(v["rolling"], "needs 'method: line'; nodes touch without turning");
   const Value* pairs = v["between_lines"].find("pairs");
   if (!pairs) return;
-  std::set<std::pair<std::string, std::string>> seen;
+  std::set<std::pair<std::string, std::string>> listed;
   for (const Value& p : pairs->items) {
     model::BetweenLines::Tuned& t = to.between_lines.pairs.emplace_back();
     t.settings = to.between_lines.general;  // what a pair does not say is as for all
     model::take(p, t, true);
-    if (!seen.insert(ordered(t.first, t.second)).second)
+    if (!listed.insert(ordered(t.first, t.second)).second)
       refuse_key(p, p["lines"].where, "lines {} and {} have settings already", model::quote(t.first),
                  model::quote(t.second));
   }

@@ -21,8 +21,10 @@ namespace {
 
 // Finaliser of MurmurHash3, 64 bits: every bit of the input reaches every bit of the output.
 std::uint64_t mix(std::uint64_t h) {
-  h ^= h >> 33, h *= 0xff51afd7ed558ccdULL;
-  h ^= h >> 33, h *= 0xc4ceb9fe1a85ec53ULL;
+  h ^= h >> 33;
+  h *= 0xff51afd7ed558ccdULL;
+  h ^= h >> 33;
+  h *= 0xc4ceb9fe1a85ec53ULL;
   return h ^ (h >> 33);
 }
 
@@ -42,10 +44,10 @@ std::string describe(const Checkpoint& c, int nodes_total) {
   return out.str();
 }
 
-void agree(MPI_Comm comm, bool good, const std::string& names) {
+void agree(MPI_Comm comm, bool valid, const std::string& names) {
   std::uint64_t hash = checkpoint_sum(names, 0, 0);
   // If the largest hash and the largest complement belong to one value, all ranks have it.
-  std::uint64_t most[3] = {hash, ~hash, good ? 0u : 1u};
+  std::uint64_t most[3] = {hash, ~hash, valid ? 0u : 1u};
   MPI_Allreduce(MPI_IN_PLACE, most, 3, MPI_UINT64_T, MPI_MAX, comm);
   if (most[0] != ~most[1]) throw std::logic_error("checkpoint: names differ between ranks");
   if (most[2]) throw std::logic_error("checkpoint: values do not belong to the owned nodes");
@@ -54,7 +56,7 @@ void agree(MPI_Comm comm, bool good, const std::string& names) {
 constexpr double kMostKinds = 100;  // of records of a term
 constexpr int kRecordHead = 4;      // numbers of a record before its values
 
-// How many nodes' records are handed over at a time: an even part of them, so that terms which look through
+// How many nodes' records are passed on at a time: an even part of them, so that terms which look through
 // all that they keep for each part do so a limited number of times.
 int nodes_at_a_time(int nodes_total) {
   constexpr int kParts = 16, kFewest = 500;
@@ -143,15 +145,15 @@ bool fits(const CheckpointHistory& history, const HistoryRecord& r) {
 // its records and the records by node: node, kind, key, length, values.
 CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_total,
                                const std::vector<int>& owned) {
-  bool good = true;
+  bool valid = true;
   for (const auto& [name, field] : c.nodes)
-    good =
-        good && (field.make || field.values.size() == owned.size() * static_cast<size_t>(field.components));
+    valid =
+        valid && (field.make || field.values.size() == owned.size() * static_cast<size_t>(field.components));
   CheckpointRoom room;
   for (const auto& [name, history] : c.history) {
     const auto look = [&, &history = history](const std::vector<HistoryRecord>& records) {
       for (const auto& r : records) {
-        good = good && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
+        valid = valid && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
         room.size += kRecordHead + static_cast<long long>(r.values.size());
       }
     };
@@ -160,7 +162,7 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
     for (int n = 0; history.make && n < nodes_total; n += some) look(history.make({n, n + some}));
   }
   room.index = describe(c, nodes_total);
-  agree(comm, good, room.index);
+  agree(comm, valid, room.index);
   all_reduce(comm, MPI_SUM, room.size);
   room.size += 1 + std::ssize(c.scalars) + std::ssize(c.history);
   for (const auto& [name, field] : c.nodes)
@@ -190,7 +192,10 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
 
   for (auto& [name, field] : c.nodes) {
     std::vector<RowRun> runs = runs_of(owned);
-    for (RowRun& run : runs) run.first = at + run.first * field.components, run.count *= field.components;
+    for (RowRun& run : runs) {
+      run.first = at + run.first * field.components;
+      run.count *= field.components;
+    }
     if (field.make) field.values = field.make();
     if (field.values.size() != owned.size() * static_cast<size_t>(field.components))
       throw std::logic_error("checkpoint: " + name + " has the wrong size");
@@ -221,7 +226,8 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
         long long& to = start[r->node - of.first];
         const long long length = kRecordHead + std::ssize(r->values);
         if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
-        runs.back().count += length, to += length;
+        runs.back().count += length;
+        to += length;
         values.insert(values.end(), {static_cast<double>(r->node), static_cast<double>(r->kind),
                                      static_cast<double>(r->key), static_cast<double>(r->values.size())});
         values.insert(values.end(), r->values.begin(), r->values.end());

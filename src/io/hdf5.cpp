@@ -207,7 +207,8 @@ Array read_row(hid_t file, const std::string& name, hsize_t row) {
   if (whole.empty() || row >= whole[0]) throw std::runtime_error("dataset " + name + " has no such row");
   Array a{{whole.begin() + 1, whole.end()}, {}};
   Shape first(whole.size(), 0), count = whole;
-  first[0] = row, count[0] = 1;
+  first[0] = row;
+  count[0] = 1;
   hsize_t n = 1;
   for (const hsize_t k : a.shape) n *= k;
   a.values.resize(n);

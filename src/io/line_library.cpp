@@ -99,8 +99,10 @@ model::LineType library_line_type(const Value& v) {
   t.drag_diameter = of("drag_diameter");
   t.mass_per_length = of("mass_per_length");
   t.EA = of("EA");
-  t.Cd_normal = of("Cd_normal"), t.Cd_axial = of("Cd_axial");
-  t.Ca_normal = of("Ca_normal"), t.Ca_axial = of("Ca_axial");
+  t.Cd_normal = of("Cd_normal");
+  t.Cd_axial = of("Cd_axial");
+  t.Ca_normal = of("Ca_normal");
+  t.Ca_axial = of("Ca_axial");
   if (!(t.breaking_load > 0) || !(t.EA > 0))
     refuse(v["diameter"],
            "{:g} m is beyond what the formulas of {} are made for (the diameter is in m, or with its unit: "
@@ -127,8 +129,8 @@ std::string line_library_markdown() {
   const Value& all = library();
   for (std::size_t i = 0; i < all.items.size(); ++i) {
     const Value& e = all.items[i];
-    const auto column = [&e](const char* key, const char* otherwise = "outer_diameter") {
-      return formula(e.has(key) ? e[key] : e[otherwise]);
+    const auto column = [&e](const char* key, const char* fallback = "outer_diameter") {
+      return formula(e.has(key) ? e[key] : e[fallback]);
     };
     const std::string breaks = column("breaking_load");
     s += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", all.keys[i],

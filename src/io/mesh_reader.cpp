@@ -101,8 +101,8 @@ std::string many(int n, const char* one, const char* more) {
   return fmt::format("{} {}", n, n == 1 ? one : more);
 }
 
-// A mesh that is open, inconsistent or inside out: mend what can be, say what is wrong and what is assumed.
-void mend(const std::string& path, LoadedMesh& loaded, bool closed) {
+// A mesh that is open, inconsistent or inside out: repair what can be, say what is wrong and what is assumed.
+void repair_mesh(const std::string& path, LoadedMesh& loaded, bool closed) {
   const MeshReport found = loaded.report;
   const RepairResult repaired = repair(loaded.mesh);
   loaded.report = inspect(loaded.mesh);
@@ -162,7 +162,7 @@ void drop_double(const std::string& path, LoadedMesh& loaded) {
     loaded.notes.push_back(path + ": " + d.sentence);
   if (const int flat = drop_flat_pieces(loaded.mesh, rounding(loaded.mesh)); flat > 0)
     loaded.notes.push_back(
-        fmt::format("{}: {} of no thickness left out", path, many(flat, "piece", "pieces")));
+        fmt::format("{}: {} of no thickness excluded", path, many(flat, "piece", "pieces")));
   weld(loaded.mesh);  // corners that no triangle has now
   if (loaded.mesh.triangles.empty())
     bad(path,
@@ -195,7 +195,7 @@ LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
         "the mesh is not closed: {} open edges and {} edges of more than two triangles in {} triangles; the "
         "volume says `closed: required`",
         report.open_edges, report.non_manifold_edges, report.triangles);
-  if (!report.valid()) mend(path, loaded, closed);
+  if (!report.valid()) repair_mesh(path, loaded, closed);
   report.welded = welded.welded;
   report.removed = welded.removed;
   return loaded;

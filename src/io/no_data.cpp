@@ -27,19 +27,24 @@ OddHeights odd_heights(const std::vector<double>& z, double spacing) {
   std::size_t at = 0;
   double gap = 0;
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i)
-    if (sorted[i + 1] - sorted[i] > gap) gap = sorted[i + 1] - sorted[i], at = i;
+    if (sorted[i + 1] - sorted[i] > gap) {
+      gap = sorted[i + 1] - sorted[i];
+      at = i;
+    }
   const bool low = at + 1 <= sorted.size() / 2;
   const std::size_t count = low ? at + 1 : sorted.size() - at - 1;
   const double spread = low ? sorted.back() - sorted[at + 1] : sorted[at] - sorted.front();
   const double limit = low ? sorted[at] : sorted[at + 1];
   const auto odd = [&](double h) { return low ? h <= limit : h >= limit; };
   const bool mark = is_mark(low ? sorted.front() : sorted.back());
-  // A mark is sure where it is farther from the others than half of what they span. Other heights are only
-  // told of where they are far beyond and steeper than any wall of a pit: ten times the distance of places.
+  // A mark is sure where it is farther from the others than half of what they span. Other heights give a
+  // note only where they are far beyond and steeper than any wall of a pit: ten times the distance of places.
   constexpr double kBeyond = 5, kSteep = 10;
   OddHeights out;
   if (!(gap > (mark ? 0.5 : kBeyond) * spread) || !(gap > (mark ? 1 : kSteep) * spacing)) return out;
-  out.mark = mark, out.count = count, out.gap = gap;
+  out.mark = mark;
+  out.count = count;
+  out.gap = gap;
   out.first = static_cast<std::size_t>(std::find_if(z.begin(), z.end(), odd) - z.begin());
   return out;
 }

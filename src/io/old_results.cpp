@@ -1,5 +1,5 @@
-// How an earlier results file is told by its attribute and its XDMF file by its first characters, and how
-// both are renamed before new ones replace them.
+// How an earlier results file is recognised by its attribute and its XDMF file by its first characters, and
+// how both are renamed before new ones replace them.
 #include "hawser/io/old_results.hpp"
 
 #include <exception>
@@ -36,12 +36,12 @@ bool is_xdmf(const std::string& path) {
   return text == kXdmfBegin;
 }
 
-void keep_results(const std::string& path) {
+void back_up_results(const std::string& path) {
   for (const std::string& name : {path, xdmf_beside(path)}) {
     if (!fs::exists(fs::symlink_status(name))) continue;
     std::error_code e;
-    fs::rename(name, kept_name(name), e);
-    if (e) throw WriteError(cannot_write(kept_name(name), e.message()));
+    fs::rename(name, backup_name(name), e);
+    if (e) throw WriteError(cannot_write(backup_name(name), e.message()));
   }
 }
 

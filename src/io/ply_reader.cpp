@@ -110,7 +110,8 @@ std::string read_header(std::istream& in, std::uintmax_t bytes, Format& format,
       words >> name;
       if (name == "list") {
         words >> name >> word;
-        p.length = number_type(name), p.item = number_type(word);
+        p.length = number_type(name);
+        p.item = number_type(word);
         if (p.length.bytes == 0 || p.length.kind == 'f')
           return fmt::format("the PLY type '{}' cannot count", name);
         name = word;

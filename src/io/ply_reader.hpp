@@ -10,7 +10,7 @@
 namespace hawser::io {
 
 // Vertices (x, y, z of the element `vertex`, times scale) and faces (the list `vertex_indices` or
-// `vertex_index`; polygons as fans, fewer than three corners left out) to `mesh`. Returns what is wrong with
+// `vertex_index`; polygons as fans, fewer than three corners excluded) to `mesh`. Returns what is wrong with
 // the file, a sentence, or nothing. `bytes`: size of the file.
 std::string read_ply(const std::string& path, std::uintmax_t bytes, double scale, TriangleMesh& mesh);
 

@@ -20,7 +20,7 @@ bool whole(double x) { return x == std::round(x); }
 
 std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& rows, double gravity) {
   std::vector<std::string> out;
-  double longest = 0, farthest = 0, latest = 0, most = 0, steepest = 0, follows = 0, least = HUGE_VAL;
+  double longest = 0, farthest = 0, latest = 0, most = 0, steepest = 0, phase_following = 0, least = HUGE_VAL;
   bool broken_direction = false, broken_phase = false;
   std::set<double> directions;
   for (const std::vector<double>& r : rows) {
@@ -39,7 +39,7 @@ std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& r
     const double slope = 4 * M_PI * M_PI / (gravity * r[0] * r[0]) * 180 / M_PI;
     const double turns = std::max(r[8], r[10]) / slope;
     steepest = std::max(steepest, turns);
-    follows = std::max(follows, r[6]);
+    phase_following = std::max(phase_following, r[6]);
     if (turns > 0) least = std::min(least, turns);
   }
   if (longest < 3 && rows.size() > 1)
@@ -50,7 +50,7 @@ std::vector<std::string> odd_rao_units(const std::vector<std::vector<double>>& r
     out.push_back(fmt::format("all phases are within {:g} deg: are they in rad?", latest));
   if (most > 20)
     out.push_back(fmt::format("it moves {:g} m for each m of a wave: are translations in m/m?", most));
-  if (steepest > 0 && steepest < 0.05 && follows > 0.3)
+  if (steepest > 0 && steepest < 0.05 && phase_following > 0.3)
     out.push_back(fmt::format(
         "in waves of 10 s and more roll and pitch are {:.2g} of the wave's slope at most: are they in "
         "rad/m, not deg/m?",

@@ -26,7 +26,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What the disk has not yet been told to keep through a power cut is at most this old.
+// What is not yet flushed to the disk, against power cuts, is at most this old.
 constexpr std::chrono::seconds kFlushEvery{10};
 // Writing the XDMF text anew, and outputs, take at most these shares of the time.
 constexpr double kXdmfShare = 0.02, kOutputShare = 0.05;
@@ -315,7 +315,7 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
 }
 
 ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultContents contents,
-                                std::vector<int> owned, double time, const ClashesTold& told) {
+                                std::vector<int> owned, double time, const ReportedClashes& reported) {
   ResultProgress progress;
   const int rank = rank_of(comm);
   std::string error;
@@ -341,10 +341,10 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
                     had.slot_text,
                     progress.sequence,
                     0,
-                    static_cast<long long>(told.open.size())};
+                    static_cast<long long>(reported.open.size())};
   // A run that failed left with its last output also what ended later; older checkpoints do not know what
   // went to another file.
-  if (n[0] > 0 && !progress.clashes.empty()) n[5] = std::min(told.ended, progress.clashes[n[0] - 1]);
+  if (n[0] > 0 && !progress.clashes.empty()) n[5] = std::min(reported.ended, progress.clashes[n[0] - 1]);
   MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);
   progress.output_times.resize(n[0]);
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
@@ -356,7 +356,7 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
     for (const double t : progress.output_times) m.xdmf->add(t);
   m.sequence = n[4];
   m.clashes = n[5];
-  const ClashTables clashes{{}, told.open};
+  const ClashTables clashes{{}, reported.open};
   const ResultLast kept{clashes};
   m.build({std::max<long long>(m.contents.expected_outputs, n[0] + 1),
            std::max<long long>(m.contents.expected_steps, n[1] + 1),
@@ -406,7 +406,8 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   w.clashes.push_back(clashes);
   m.wait(poses);
   if (!alone) {
-    w.fields.resize(fields.size()), w.ends.resize(ends.size());
+    w.fields.resize(fields.size());
+    w.ends.resize(ends.size());
     // Nodes of bodies come after those of lines, and are not in the rows.
     for (size_t i = 0; i < fields.size(); ++i) {
       const auto last = fields[i].begin() + m.line_nodes * c.fields[i].components;

@@ -75,7 +75,9 @@ void write_description(hid_t file, const ResultContents& c) {
   std::vector<int> first, nodes, line_of, number;
   std::vector<double> arc;
   for (const auto& line : c.lines) {
-    names.push_back(line.name), first.push_back(line.first_node), nodes.push_back(line.nodes);
+    names.push_back(line.name);
+    first.push_back(line.first_node);
+    nodes.push_back(line.nodes);
     arc.insert(arc.end(), line.arc.begin(), line.arc.end());
     line_of.insert(line_of.end(), static_cast<size_t>(line.nodes), static_cast<int>(names.size()) - 1);
   }
@@ -197,15 +199,29 @@ void write_summary(hid_t file, const std::vector<SummaryRow>& rows) {
     h5::check(H5Tinsert(type, name, at, t), "summary");
     at += H5Tget_size(t);
   };
-  column("quantity", text), column("line", text), column("value", H5T_NATIVE_DOUBLE);
-  column("unit", text), column("time", H5T_NATIVE_DOUBLE), column("arc_length", H5T_NATIVE_DOUBLE);
+  column("quantity", text);
+  column("line", text);
+  column("value", H5T_NATIVE_DOUBLE);
+  column("unit", text);
+  column("time", H5T_NATIVE_DOUBLE);
+  column("arc_length", H5T_NATIVE_DOUBLE);
   std::string bytes(std::max<size_t>(size * rows.size(), 1), '\0');
   for (size_t i = 0; i < rows.size(); ++i) {
     char* to = &bytes[i * size];
-    const auto put_text = [&](const std::string& s) { s.copy(to, s.size()), to += width; };
-    const auto put = [&](double v) { std::memcpy(to, &v, sizeof v), to += sizeof v; };
-    put_text(rows[i].quantity), put_text(rows[i].line), put(rows[i].value);
-    put_text(rows[i].unit), put(rows[i].time), put(rows[i].arc_length);
+    const auto put_text = [&](const std::string& s) {
+      s.copy(to, s.size());
+      to += width;
+    };
+    const auto put = [&](double v) {
+      std::memcpy(to, &v, sizeof v);
+      to += sizeof v;
+    };
+    put_text(rows[i].quantity);
+    put_text(rows[i].line);
+    put(rows[i].value);
+    put_text(rows[i].unit);
+    put(rows[i].time);
+    put(rows[i].arc_length);
   }
   write_all(file, "summary", type, {rows.size()}, bytes.data(), type);
 }
@@ -277,7 +293,8 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
     const auto copy = [&](const char* part, hid_t type, hsize_t n) {
       copy_rows(h5::open_dataset(from, slot + part), h5::open_dataset(to, slot + part), type, n);
     };
-    copy("/index", H5T_NATIVE_CHAR, h[2]), copy("/values", H5T_NATIVE_DOUBLE, h[1]);
+    copy("/index", H5T_NATIVE_CHAR, h[2]);
+    copy("/values", H5T_NATIVE_DOUBLE, h[1]);
     copy("/header", H5T_NATIVE_UINT64, 4);
   }
 }
@@ -411,7 +428,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
     std::remove(made.c_str());
     throw WriteError(text);
   }
-  if (from.empty()) keep_results(path);
+  if (from.empty()) back_up_results(path);
   put_in_place(made, path);
 }
 

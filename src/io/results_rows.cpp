@@ -55,23 +55,23 @@ void SharedFile::close() {
 }
 
 void SharedFile::note(const std::exception& e) {
-  ours_ = dynamic_cast<const std::logic_error*>(&e) || dynamic_cast<const InputError*>(&e);
-  const bool told = ours_ || dynamic_cast<const WriteError*>(&e);
-  trouble_ = told ? e.what() : cannot_write(path_, e.what());
+  internal_ = dynamic_cast<const std::logic_error*>(&e) || dynamic_cast<const InputError*>(&e);
+  const bool reported = internal_ || dynamic_cast<const WriteError*>(&e);
+  error_ = reported ? e.what() : cannot_write(path_, e.what());
 }
 
 void SharedFile::agree() {
   const int size = ranks_of(comm_);
-  int who = trouble_.empty() ? size : rank_;
+  int who = error_.empty() ? size : rank_;
   all_reduce(comm_, MPI_MIN, who);
   if (who == size) return;
-  auto length = static_cast<int>(trouble_.size());
+  auto length = static_cast<int>(error_.size());
   MPI_Bcast(&length, 1, MPI_INT, who, comm_);
-  trouble_.resize(length);
-  MPI_Bcast(trouble_.data(), length, MPI_CHAR, who, comm_);
-  MPI_Bcast(&ours_, 1, MPI_C_BOOL, who, comm_);
-  const std::string text = std::exchange(trouble_, "");
-  if (ours_) throw std::runtime_error(text);
+  error_.resize(length);
+  MPI_Bcast(error_.data(), length, MPI_CHAR, who, comm_);
+  MPI_Bcast(&internal_, 1, MPI_C_BOOL, who, comm_);
+  const std::string text = std::exchange(error_, "");
+  if (internal_) throw std::runtime_error(text);
   throw WriteError(text);
 }
 
@@ -92,11 +92,15 @@ void SharedFile::write_runs(const std::string& name, hid_t type, long long row,
     h5::Shape start(shape.size(), 0), block(shape);
     hsize_t total = 0, inner = row >= 0 ? static_cast<hsize_t>(rows) : 1;
     for (size_t i = axis + 1; i < shape.size(); ++i) inner *= shape[i];
-    if (row >= 0) start[0] = static_cast<hsize_t>(row), block[0] = static_cast<hsize_t>(rows);
+    if (row >= 0) {
+      start[0] = static_cast<hsize_t>(row);
+      block[0] = static_cast<hsize_t>(rows);
+    }
     const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, name);
     h5::check(H5Sselect_none(space), name);
     for (const auto& run : runs) {
-      start[axis] = static_cast<hsize_t>(run.first), block[axis] = static_cast<hsize_t>(run.count);
+      start[axis] = static_cast<hsize_t>(run.first);
+      block[axis] = static_cast<hsize_t>(run.count);
       const H5S_seloper_t how = total == 0 ? H5S_SELECT_SET : H5S_SELECT_OR;
       h5::check(H5Sselect_hyperslab(space, how, start.data(), nullptr, block.data(), nullptr), name);
       total += block[axis] * inner;
@@ -111,7 +115,8 @@ void SharedFile::write_rows(const std::string& name, hid_t type, long long first
     const hid_t set = open_.at(name);
     h5::Shape count = h5::shape_of(set), start(count.size(), 0);
     if (empty(count)) return;
-    start[0] = static_cast<hsize_t>(first), count[0] = static_cast<hsize_t>(rows);
+    start[0] = static_cast<hsize_t>(first);
+    count[0] = static_cast<hsize_t>(rows);
     hsize_t total = here ? 1 : 0;
     for (const hsize_t n : count) total *= n;
     const h5::Id space = h5::own(H5Dget_space(set), H5Sclose, name);

@@ -1,5 +1,5 @@
-// The parser of STL files: how the text form is told from the binary form, words and numbers of the one,
-// records of the other, and a sentence for whatever is malformed.
+// The parser of STL files: how the text form is distinguished from the binary form, words and numbers of the
+// one, records of the other, and a sentence for whatever is malformed.
 #include "stl_reader.hpp"
 
 #include <fmt/format.h>
@@ -118,7 +118,7 @@ std::string read_text(std::string_view text, double scale, TriangleMesh& mesh) {
   return mesh.triangles.empty() ? "the STL text has no facets" : "";
 }
 
-std::uint32_t facets_told(const std::string& file) {
+std::uint32_t facet_count(const std::string& file) {
   std::array<unsigned char, 4> raw;
   std::memcpy(raw.data(), file.data() + kHeader - 4, 4);
   return raw[0] | raw[1] << 8U | raw[2] << 16U | std::uint32_t{raw[3]} << 24U;
@@ -129,7 +129,7 @@ std::string read_binary(const std::string& file, double scale, TriangleMesh& mes
     return fmt::format(
         "is no STL file: a text begins with 'solid', and a binary file has {} bytes at least, not {}",
         kHeader, file.size());
-  const std::uintmax_t n = facets_told(file);
+  const std::uintmax_t n = facet_count(file);
   if (n == 0) return "the binary STL file says that it has no facets";
   if (kHeader + kFacet * n > file.size())
     return fmt::format(
@@ -171,7 +171,7 @@ std::string read_stl(const std::string& path, std::uintmax_t bytes, double scale
   std::string file(bytes, '\0');
   std::ifstream in(path, std::ios::binary);
   if (!in.read(file.data(), static_cast<std::streamsize>(bytes))) return "cannot be read";
-  const bool fits = bytes >= kHeader && bytes == kHeader + kFacet * facets_told(file);
+  const bool fits = bytes >= kHeader && bytes == kHeader + kFacet * facet_count(file);
   if (fits || !is_text(file)) return read_binary(file, scale, mesh);
   std::string_view text = file;
   text.remove_prefix(mark_length(text));

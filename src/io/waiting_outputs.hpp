@@ -37,8 +37,12 @@ struct WaitingOutputs {
       to.resize(from.size());
       for (size_t i = 0; i < from.size(); ++i) part(from[i], to[i]);
     };
-    parts(fields, out.fields), parts(ends, out.ends), parts(moved, out.moved);
-    part(position, out.position), part(rotation, out.rotation), part(clashes, out.clashes);
+    parts(fields, out.fields);
+    parts(ends, out.ends);
+    parts(moved, out.moved);
+    part(position, out.position);
+    part(rotation, out.rotation);
+    part(clashes, out.clashes);
     part(times, out.times);
     return out;
   }

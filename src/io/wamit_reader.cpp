@@ -109,7 +109,7 @@ void read_hydrostatics(const std::string& stem, const WamitUnits& units, std::ve
   }
 }
 
-// Values by frequency, direction [rad, 0 to 2 pi] and mode. Rows that are left out are zero; the directions
+// Values by frequency, direction [rad, 0 to 2 pi] and mode. Rows that are excluded are zero; the directions
 // -180 and 180 degrees are the same.
 class ForceRows {
  public:
@@ -299,7 +299,7 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
       data.name, 100 * taken / std::max(all, 1e-300), period);
   if (taken > kMuch * all)
     throw std::runtime_error(found + ": waves that a body makes cannot drive it; is the sign that of WAMIT?");
-  if (taken > kSome * all) notes.push_back(found + "; it is left out");
+  if (taken > kSome * all) notes.push_back(found + "; it is excluded");
 }
 
 // Of a matrix over its largest diagonal entries.
@@ -333,22 +333,22 @@ HydrodynamicData read_wamit(const std::string& stem, const WamitUnits& units, Se
           fmt::format("{}: 'second_order' needs {}, and there is none", stem,
                       order == SecondOrder::full ? "a file .12d of one body" : "a file .12d, .8, .9 or .7"));
   }
-  constexpr double kAskew = 0.05;
-  double askew = has_infinite ? asymmetry(data.infinite) : 0;
+  constexpr double kAsymmetry = 0.05;
+  double asymmetric = has_infinite ? asymmetry(data.infinite) : 0;
   std::string worst = "at infinite frequency";
   for (size_t k = 0; k < data.omega.size(); ++k) {
-    if (const double here = asymmetry(data.added_mass[k]); here > askew) {
-      askew = here;
+    if (const double here = asymmetry(data.added_mass[k]); here > asymmetric) {
+      asymmetric = here;
       worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
     }
     make_symmetric(data.added_mass[k]);
   }
   for (Eigen::MatrixXd& m : data.damping) make_symmetric(m);
-  if (askew > kAskew)
+  if (asymmetric > kAsymmetry)
     notes.push_back(
         fmt::format("{}.1: added mass differs from its transpose by up to {:.2g} % of the diagonal, "
                     "{}; the mean of both is used",
-                    stem, 100 * askew, worst));
+                    stem, 100 * asymmetric, worst));
   if (has_infinite)
     make_symmetric(data.infinite);
   else

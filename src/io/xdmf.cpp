@@ -51,7 +51,7 @@ const std::string kChar = "NumberType=\"Char\" Precision=\"1\"";
 
 // A whole dataset, or a box cut out of it in the way XDMF 3 writes such boxes itself:
 // file:/dataset|start:stride:count:shape. (ParaView 5.11 reads no ItemType="HyperSlab" for node fields.)
-// Of rows it is told no more than up to the one it shall read, so the text stays true when the HDF5 file is
+// It gets no rows beyond the one that it shall read, so the text stays true when the HDF5 file is
 // made anew with more room.
 std::string item(const std::string& h5, const Slab& s) {
   std::string text = h5 + ":/" + s.dataset;
@@ -133,8 +133,11 @@ void XdmfWriter::add_lines(std::string& text) const {
              {nodes},
              {total},
              true};
-      if (f.components > 1)
-        s.start.push_back(0), s.count.push_back(f.components), s.shape.push_back(f.components);
+      if (f.components > 1) {
+        s.start.push_back(0);
+        s.count.push_back(f.components);
+        s.shape.push_back(f.components);
+      }
       const char* kind = f.components == 1 ? "Scalar" : f.components == 3 ? "Vector" : "Matrix";
       if (f.name == "position")
         text += "<Geometry GeometryType=\"XYZ\">" + item(h5_name_, s) + "</Geometry>\n";

@@ -99,7 +99,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void open(Value::Kind kind, const YAML::Mark& mark, YAML::anchor_t anchor) {
     if (stack_.size() >= kDeepest) model::fail(file_, line_of(mark), path(), "is nested too deeply");
-    if (wants_key()) no_key(line_of(mark));
+    if (expects_key()) no_key(line_of(mark));
     Frame f;
     f.value.kind = kind;
     f.value.line = line_of(mark);
@@ -128,7 +128,7 @@ class TreeBuilder final : public YAML::EventHandler {
     add(std::move(v));
   }
 
-  bool wants_key() const {
+  bool expects_key() const {
     return !stack_.empty() && stack_.back().value.kind == Value::Kind::map && !stack_.back().has_key;
   }
   [[noreturn]] void no_key(int line) const {
@@ -203,7 +203,7 @@ void refuse_deep_brackets(const std::string& text, const std::string& file) {
 }
 
 // What the parser says, in words of its users.
-std::string in_words(const std::string& said) {
+std::string in_words(const std::string& message) {
   static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
       {"illegal map value",
        "a colon stands where no key can be; text that holds a colon and a blank needs quotes ('Case 3: a "
@@ -222,9 +222,9 @@ std::string in_words(const std::string& said) {
        "a backslash within double quotes begins a special character; use single quotes, or / in paths"},
       {"unknown escape character",
        "a backslash within double quotes begins a special character; use single quotes, or / in paths"}};
-  for (const auto& [theirs, ours] : kWords)
-    if (said.starts_with(theirs)) return std::string(ours);
-  return said.empty() ? "the text breaks off" : said;
+  for (const auto& [library_text, text] : kWords)
+    if (message.starts_with(library_text)) return std::string(text);
+  return message.empty() ? "the text breaks off" : message;
 }
 
 }  // namespace

@@ -60,12 +60,12 @@ class Lines {
   bool inside() const { return !open_.empty(); }
   bool quoted() const { return inside() && (open_.back().kind == '"' || open_.back().kind == '\''); }
 
-  void blame(std::size_t line, std::string text) {
+  void fault(std::size_t line, std::string text) {
     if (!unfit_) unfit_ = {number(line), std::move(text)};
   }
   void left_open() {
     if (quoted() && !open_quote_) open_quote_ = {open_.back().line, open_.back().kind};
-    blame(open_.back().line, fmt::format("the {} {} that opens in this line is not closed",
+    fault(open_.back().line, fmt::format("the {} {} that opens in this line is not closed",
                                          quoted() ? "quote" : "bracket", open_.back().kind));
     open_.clear();
   }
@@ -101,19 +101,24 @@ class Lines {
         const char quote = open_.back().kind;
         if ((quote == '"' && c == '\\') || (quote == '\'' && c == '\'' && next == '\''))
           ++i;
-        else if (c == quote)
-          open_.pop_back(), value = false, check_after_quote(raw, i);
+        else if (c == quote) {
+          open_.pop_back();
+          value = false;
+          check_after_quote(raw, i);
+        }
         continue;
       }
       if (c == '#' && (i == 0 || raw[i - 1] == ' ' || raw[i - 1] == '\t')) return i;
       if (c == ' ' || c == '\t') continue;
       if (value && (c == '"' || c == '\''))
         open_.push_back({c, lines_.size()});
-      else if ((c == '[' || c == '{') && (value || inside()))
-        open_.push_back({c, lines_.size()}), value = true;
-      else if ((c == ']' || c == '}') && (value || inside() || closed))
-        close(c), closed = !inside();
-      else
+      else if ((c == '[' || c == '{') && (value || inside())) {
+        open_.push_back({c, lines_.size()});
+        value = true;
+      } else if ((c == ']' || c == '}') && (value || inside() || closed)) {
+        close(c);
+        closed = !inside();
+      } else
         value = ((c == ':' || c == '-') && next == ' ') || (c == ',' && inside());
     }
     return raw.size();
@@ -123,13 +128,13 @@ class Lines {
     const std::size_t next = raw.find_first_not_of(" \t\r", at + 1);
     if (next == std::string::npos || std::string_view(",]}:#").find(raw[next]) != std::string_view::npos)
       return;
-    blame(lines_.size(), fmt::format("the quote {} ends in the middle of a text: within such quotes write {}",
+    fault(lines_.size(), fmt::format("the quote {} ends in the middle of a text: within such quotes write {}",
                                      raw[at], raw[at] == '"' ? "\\\"" : "''"));
   }
 
   void close(char c) {
     if (inside() && open_.back().kind == (c == ']' ? '[' : '{')) return open_.pop_back();
-    blame(lines_.size(), !inside() ? fmt::format("the bracket '{}' closes none that is open", c)
+    fault(lines_.size(), !inside() ? fmt::format("the bracket '{}' closes none that is open", c)
                                    : fmt::format("the bracket '{}' does not close the '{}' of line {}", c,
                                                  open_.back().kind, number(open_.back().line)));
   }
@@ -148,15 +153,15 @@ std::string unseparated(const std::string& line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     if (start && c != ' ' && c != '-')
-      if (std::string said = model::missing_blank(std::string_view(line).substr(i)); !said.empty())
-        return said;
+      if (std::string fault = model::missing_blank(std::string_view(line).substr(i)); !fault.empty())
+        return fault;
     start = c == '{' || c == ',' || (start && (c == ' ' || c == '-'));
   }
   return "";
 }
 
 // What a line begins with that YAML takes for text; null: nothing like that.
-const char* strange_begin(const Line& line) {
+const char* unexpected_begin(const Line& line) {
   if (line.empty() || line.flow) return nullptr;
   const std::string_view begin = std::string_view(line.text).substr(line.indent);
   if (begin.starts_with("//")) return "a comment begins with '#', not with '//'";
@@ -222,7 +227,10 @@ std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_
     const Line& l = lines[i];
     if (l.empty() || l.flow) continue;
     bool dropped = false;
-    while (!levels.empty() && levels.back().indent > l.indent) levels.pop_back(), dropped = true;
+    while (!levels.empty() && levels.back().indent > l.indent) {
+      levels.pop_back();
+      dropped = true;
+    }
     const bool known = !levels.empty() && levels.back().indent == l.indent;
     if (i == at && !known && levels.empty() && dropped)
       return YamlFault{
@@ -279,17 +287,17 @@ std::optional<YamlFault> find_yaml_fault(const std::string& text, int line) {
   while (before > 0 && lines[before - 1].empty()) --before;
   const std::size_t near[] = {last - 1, before > 0 ? before - 1 : before};
   for (const std::size_t i : near)
-    if (std::string said = unseparated(lines[i].text); !said.empty())
-      return YamlFault{static_cast<int>(i) + 1, std::move(said)};
+    if (std::string fault = unseparated(lines[i].text); !fault.empty())
+      return YamlFault{static_cast<int>(i) + 1, std::move(fault)};
   for (std::size_t i = 0; i < last; ++i)
-    if (const char* said = strange_begin(lines[i])) return YamlFault{static_cast<int>(i) + 1, said};
+    if (const char* fault = unexpected_begin(lines[i])) return YamlFault{static_cast<int>(i) + 1, fault};
   for (const std::size_t i : near)
-    if (std::string said = bracket_without_colon(lines[i]); !said.empty())
-      return YamlFault{number(i), std::move(said)};
+    if (std::string fault = bracket_without_colon(lines[i]); !fault.empty())
+      return YamlFault{number(i), std::move(fault)};
   if (parts.unfit() && parts.unfit()->line <= line) return parts.unfit();
   for (const std::size_t i : near)
-    if (std::string said = line_without_colon(lines[i]); !said.empty())
-      return YamlFault{number(i), std::move(said)};
+    if (std::string fault = line_without_colon(lines[i]); !fault.empty())
+      return YamlFault{number(i), std::move(fault)};
   return wrong_indent(lines, last - 1);
 }
 

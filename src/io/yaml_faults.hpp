@@ -13,7 +13,7 @@ struct YamlFault {
 
 // Looks for tabs in indentation, colons that are missing or without a blank after them, brackets and quotes
 // that are not closed and keys that do not begin in one column, comments and entries of lists that YAML takes
-// for text, in `text` around the line (from 1) where the parser gave up. Nothing: it is something else.
+// for text, in `text` around the line (from 1) where the parser failed. Nothing: it is something else.
 std::optional<YamlFault> find_yaml_fault(const std::string& text, int line);
 
 // A quote that nothing closes up to the end of the text, which the parser takes for a value.

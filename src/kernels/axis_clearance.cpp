@@ -40,12 +40,21 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
     // At a side of the square that it would leave, along the side.
     const bool no_xi = (at.xi <= 0 && g > 0) || (at.xi >= 1 && g < 0);
     const bool no_eta = (at.eta <= 0 && h > 0) || (at.eta >= 1 && h < 0);
-    if (no_xi) g = 0, gg = 1, gh = 0;
-    if (no_eta) h = 0, hh = 1, gh = 0;
+    if (no_xi) {
+      g = 0;
+      gg = 1;
+      gh = 0;
+    }
+    if (no_eta) {
+      h = 0;
+      hh = 1;
+      gh = 0;
+    }
     const double scale = std::max(a1.squaredNorm(), b1.squaredNorm());
     if (!(gg > 1e-12 * scale) || !(hh > 1e-12 * scale) || !(gg * hh - gh * gh > 1e-12 * gg * hh)) {
       // Not convex here, or parallel: the slopes alone, a little stiffer.
-      gg = no_xi ? 1 : a1.squaredNorm() + 1e-9 * scale, hh = no_eta ? 1 : b1.squaredNorm() + 1e-9 * scale;
+      gg = no_xi ? 1 : a1.squaredNorm() + 1e-9 * scale;
+      hh = no_eta ? 1 : b1.squaredNorm() + 1e-9 * scale;
       gh = no_xi || no_eta ? 0 : -a1.dot(b1);
     }
     const double det = gg * hh - gh * gh;
@@ -59,7 +68,10 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
       const Vec3 next = a.point(xi) - b.point(eta);
       if (!(next.squaredNorm() < size)) continue;
       moved = std::max(std::abs(xi - at.xi), std::abs(eta - at.eta));
-      at.xi = xi, at.eta = eta, r = next, size = next.squaredNorm();
+      at.xi = xi;
+      at.eta = eta;
+      r = next;
+      size = next.squaredNorm();
       taken = true;
     }
     if (!taken || moved < 1e-15) break;
@@ -93,9 +105,13 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
     if (!(w.least < best.distance)) continue;
     if (w.a.sagitta + w.b.sagitta <= resolution || w.level >= kMostLevels) {
       AxisApproach start;
-      start.xi = w.a.from + w.chords.s * w.a.share, start.eta = w.b.from + w.chords.t * w.b.share;
+      start.xi = w.a.from + w.chords.s * w.a.share;
+      start.eta = w.b.from + w.chords.t * w.b.share;
       const AxisApproach there = polish(a, b, start);
-      if (there.distance < best.distance) best = there, found = true;
+      if (there.distance < best.distance) {
+        best = there;
+        found = true;
+      }
       continue;
     }
     const bool first = w.a.sagitta >= w.b.sagitta;
@@ -133,8 +149,14 @@ std::optional<AxisToSurface> nearest_to(const DistanceField& field, const Bezier
     Vec3 normal;
     // A place further away than this has nothing nearer than the best in the pieces beside it.
     if (const auto d = field(axis.point(xi), best.distance + piece, normal)) {
-      p.distance = *d, p.slope = normal.dot(axis.slope(xi)), p.known = true;
-      if (p.distance < best.distance) best.distance = p.distance, best.xi = xi, found = true;
+      p.distance = *d;
+      p.slope = normal.dot(axis.slope(xi));
+      p.known = true;
+      if (p.distance < best.distance) {
+        best.distance = p.distance;
+        best.xi = xi;
+        found = true;
+      }
     }
     return p;
   };

@@ -37,7 +37,10 @@ AxisProjection closest_point_on(const AxisShape& axis, const Vec3& x) {
   double least = 0;
   for (int i = 0; i < kPlaces; ++i) {
     const double d = (x - axis.point(i / (kPlaces - 1.0))).squaredNorm();
-    if (i == 0 || d < least) best = i, least = d;
+    if (i == 0 || d < least) {
+      best = i;
+      least = d;
+    }
   }
   double lo = std::max(best - 1, 0) / (kPlaces - 1.0), hi = std::min(best + 1, kPlaces - 1) / (kPlaces - 1.0);
   double eta = best / (kPlaces - 1.0);

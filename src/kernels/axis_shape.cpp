@@ -4,9 +4,13 @@
 namespace hawser {
 
 AxisShape::AxisShape(const AxisEnds& e) : count_(e.beam ? 4 : 2), length_(e.length), c_(e.tangent) {
-  X_.fill(Vec3::Zero()), V_.fill(Vec3::Zero());
+  X_.fill(Vec3::Zero());
+  V_.fill(Vec3::Zero());
   if (!e.beam) {
-    X_[0] = e.x1, X_[1] = e.x2, V_[0] = e.v1, V_[1] = e.v2;
+    X_[0] = e.x1;
+    X_[1] = e.x2;
+    V_[0] = e.v1;
+    V_[1] = e.v2;
     slope_bound_ = (e.x2 - e.x1).norm();
     return;
   }

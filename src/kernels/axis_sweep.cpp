@@ -21,13 +21,14 @@ std::array<Piece, 2> halves(const Piece& p) {
   for (const BezierAxis& b : p.b)
     along = std::max({along, (b.b[3] - b.b[0]).norm(), (b.b[2] - b.b[1]).norm()});
   std::array<Piece, 2> out{p, p};
-  if (p.b[0].way_to(p.b[1]) > along) {
+  if (p.b[0].farthest_distance(p.b[1]) > along) {
     out[0].b[1] = out[1].b[0] = between(p.b[0], p.b[1]);
     return out;
   }
   for (size_t i = 0; i < 2; ++i) {
     const auto half = p.b[i].halves();
-    out[0].b[i] = half[0], out[1].b[i] = half[1];
+    out[0].b[i] = half[0];
+    out[1].b[i] = half[1];
   }
   out[0].to = out[1].from = 0.5 * (p.from + p.to);
   return out;
@@ -37,7 +38,7 @@ std::array<Piece, 2> halves(const Piece& p) {
 
 bool goes_through(const DistanceField& field, const BezierAxis& from, const BezierAxis& to, double radius,
                   bool pressed) {
-  if (!(from.way_to(to) > radius)) return false;
+  if (!(from.farthest_distance(to) > radius)) return false;
   std::vector<Piece> pieces{{{from, to}}};
   while (!pieces.empty()) {
     const Piece piece = pieces.back();

@@ -17,8 +17,16 @@ inline void force(const Local& o, const BeamReference& r, double* f) {
   const Row fd = times(o.Rm, o.n);
   Vec3 f1 = vec(times(o.B, q) + left(o.m, o.Psi1));
   Vec3 f2 = vec(left(q, o.B) + left(o.m, o.Psi2));
-  if (r.axes) f1 = *r.axes * f1, f2 = *r.axes * f2;
-  for (int i = 0; i < 3; ++i) f[i] = -fd[i], f[3 + i] = f1[i], f[6 + i] = fd[i], f[9 + i] = f2[i];
+  if (r.axes) {
+    f1 = *r.axes * f1;
+    f2 = *r.axes * f2;
+  }
+  for (int i = 0; i < 3; ++i) {
+    f[i] = -fd[i];
+    f[3 + i] = f1[i];
+    f[6 + i] = fd[i];
+    f[9 + i] = f2[i];
+  }
 }
 
 // Hessian of a_k = 2 y_k/(l + y1).
@@ -39,14 +47,32 @@ inline void expand(const Local& o, const BeamReference& r, const Blocks& b, doub
   Mat m11 = b.one_one, m12 = b.one_two, m21 = b.two_one, m22 = b.two_two;
   if (r.axes) {
     const Mat A = load(*r.axes), At = transpose(A);
-    d1 = d1 * At, d2 = d2 * At, a = A * a, c = A * c;
-    m11 = A * m11 * At, m12 = A * m12 * At, m21 = A * m21 * At, m22 = A * m22 * At;
+    d1 = d1 * At;
+    d2 = d2 * At;
+    a = A * a;
+    c = A * c;
+    m11 = A * m11 * At;
+    m12 = A * m12 * At;
+    m21 = A * m21 * At;
+    m22 = A * m22 * At;
   }
   const auto put = [K](int i, int j, const Mat& m) { store(m, K + 36 * i + 3 * j, 12); };
-  put(0, 0, dd), put(0, 2, -dd), put(2, 0, -dd), put(2, 2, dd);
-  put(0, 1, -d1), put(2, 1, d1), put(0, 3, -d2), put(2, 3, d2);
-  put(1, 0, -a), put(1, 2, a), put(3, 0, -c), put(3, 2, c);
-  put(1, 1, m11), put(1, 3, m12), put(3, 1, m21), put(3, 3, m22);
+  put(0, 0, dd);
+  put(0, 2, -dd);
+  put(2, 0, -dd);
+  put(2, 2, dd);
+  put(0, 1, -d1);
+  put(2, 1, d1);
+  put(0, 3, -d2);
+  put(2, 3, d2);
+  put(1, 0, -a);
+  put(1, 2, a);
+  put(3, 0, -c);
+  put(3, 2, c);
+  put(1, 1, m11);
+  put(1, 3, m12);
+  put(3, 1, m21);
+  put(3, 3, m22);
 }
 
 // Derivative of (I -+ hat/2 + eta hat²) m with respect to psi; `sign` is that of the hat term.
@@ -94,7 +120,8 @@ void damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, co
   g.Y1 = hat_times(vd, transpose(o.B)) - hat_times(wm, Z1) + W * o.Psi1;
   g.Y2 = hat_times(vd, o.B) - hat_times(wm, Z2) + W * o.Psi2;
   const Mat R = inverse_jacobian_derivative(o, w2, 1) - inverse_jacobian_derivative(o, w1, -1);
-  g.R1 = R * o.Psi1, g.R2 = R * o.Psi2;
+  g.R1 = R * o.Psi1;
+  g.R2 = R * o.Psi2;
 }
 
 // By the unstretched length: the gradients (n, m) of the energy, at fixed chord and rotations.
@@ -110,7 +137,7 @@ ByLength by_length(const BeamSection& s, const Local& o) {
     return -iL * (1 - P) / (1 + P);
   };
   const double tension = o.N - o.EA * o.l * iL;  // d(N L)/dL
-  if (s.plastic)                                 // bends are not felt: beam_feed
+  if (s.plastic)                                 // bends do not act on the feeder: beam_feed
     return {tension * o.eps_y - (o.N * iL) * o.d, tension * o.eps_psi - iL * Row{o.mpsi[0], 0, 0, 0}};
   return {tension * o.eps_y - (o.N * iL) * o.d + (bend(s.EI3) * o.m3) * o.da2 + (bend(s.EI2) * o.m2) * o.da3,
           tension * o.eps_psi - iL * o.mpsi};
@@ -170,10 +197,14 @@ HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, co
   }
   for (int i = 0; i < 3; ++i) Hpp.r[i] += diagonal[i] * unit(i);
   Mat Hpy = transpose(Hyp);
-  if (s.gives > 0) {
-    const ByLength felt = by_length(s, o), all = s.plastic ? with_bends(s, r, o, felt) : felt;
-    const Row n = s.gives * all.n, m = s.gives * all.m;
-    Hyy += outer(-n, felt.n), Hyp += outer(-n, felt.m), Hpy += outer(-m, felt.n), Hpp += outer(-m, felt.m);
+  if (s.length_by_force > 0) {
+    const ByLength with_bending = by_length(s, o),
+                   all = s.plastic ? with_bends(s, r, o, with_bending) : with_bending;
+    const Row n = s.length_by_force * all.n, m = s.length_by_force * all.m;
+    Hyy += outer(-n, with_bending.n);
+    Hyp += outer(-n, with_bending.m);
+    Hpy += outer(-m, with_bending.n);
+    Hpp += outer(-m, with_bending.m);
   }
 
   const Row q = cross(o.n, o.y);
@@ -218,7 +249,9 @@ HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, co
     const Mat p1 = Gpy * Z1 + g.Gpp * o.Psi1, p2 = Gpy * Z2 + g.Gpp * o.Psi2;
     const Mat T1 = transpose(Z1), T2 = transpose(Z2);  // theta row: Z' dn + Psi' dm
     Blocks v;
-    v.dd = g.Gyy, v.d1 = c1, v.d2 = c2;
+    v.dd = g.Gyy;
+    v.d1 = c1;
+    v.d2 = c2;
     v.one_d = T1 * g.Gyy + Psi1t * Gpy;
     v.one_one = T1 * c1 + Psi1t * p1;
     v.one_two = T1 * c2 + Psi1t * p2;

@@ -49,8 +49,12 @@ struct Local {
 
 // Angular velocities of the ends in element axes.
 inline void spins(const BeamReference& r, const BeamEnds& e, Row& w1, Row& w2) {
-  w1 = load(e.w1), w2 = load(e.w2);
-  if (r.axes) w1 = load(Vec3(r.axes->transpose() * e.w1)), w2 = load(Vec3(r.axes->transpose() * e.w2));
+  w1 = load(e.w1);
+  w2 = load(e.w2);
+  if (r.axes) {
+    w1 = load(Vec3(r.axes->transpose() * e.w1));
+    w2 = load(Vec3(r.axes->transpose() * e.w2));
+  }
 }
 
 // Bending that is not linear: gradient and Hessian of its energy in (psi2, psi3, a3, a2).
@@ -66,8 +70,10 @@ inline BendingMoment by_table(const BeamSection& s, double c2, double c3) {
   const double rest = c > 0 ? (v.slope - secant) / (c * c) : 0;
   BendingMoment o;
   o.energy = v.energy + 0.5 * linear * c * c;
-  o.m[0] = (secant + linear) * c2, o.m[1] = (secant + linear) * c3;
-  o.K[0][0] = secant + linear + rest * c2 * c2, o.K[1][1] = secant + linear + rest * c3 * c3;
+  o.m[0] = (secant + linear) * c2;
+  o.m[1] = (secant + linear) * c3;
+  o.K[0][0] = secant + linear + rest * c2 * c2;
+  o.K[1][1] = secant + linear + rest * c3 * c3;
   o.K[0][1] = o.K[1][0] = rest * c2 * c3;
   return o;
 }
@@ -77,8 +83,10 @@ inline BendingMoment with_memory(const BeamSection& s, double c2, double c3, con
   BendingMoment o = s.plastic->at(c2, c3, set);
   const double linear = s.EI2 - s.plastic->initial();
   o.energy += 0.5 * linear * (c2 * c2 + c3 * c3);
-  o.m[0] += linear * c2, o.m[1] += linear * c3;
-  o.K[0][0] += linear, o.K[1][1] += linear;
+  o.m[0] += linear * c2;
+  o.m[1] += linear * c3;
+  o.K[0][0] += linear;
+  o.K[1][1] += linear;
   return o;
 }
 
@@ -119,7 +127,9 @@ inline Bending bending_by_law(const BeamSection& s, const BeamReference& r, cons
 inline void axial_by_table(const BeamSection& s, Local& o) {
   const double share = s.EA / s.tension->initial();
   const ResponseCurve::Value v = s.tension->at(o.strain);
-  o.N = share * v.force, o.EA = share * v.slope, o.axial_energy = share * v.energy;
+  o.N = share * v.force;
+  o.EA = share * v.slope;
+  o.axial_energy = share * v.energy;
 }
 
 inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool rates,
@@ -127,7 +137,8 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
   Quat q1 = e.q1, q2 = e.q2;
   if (r.axes) {
     const Quat a(*r.axes);
-    q1 = q1 * a, q2 = q2 * a;
+    q1 = q1 * a;
+    q2 = q2 * a;
   }
   const Quat relative = q1.conjugate() * q2;
   const Vec3 psi = log_so3(relative);
@@ -149,7 +160,8 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
   o.d = il * o.y;
   o.g = o.d + unit(0);
   const double ic = 1 / (o.l + o.y[0]);
-  o.a2 = 2 * ic * o.y[1], o.a3 = 2 * ic * o.y[2];
+  o.a2 = 2 * ic * o.y[1];
+  o.a3 = 2 * ic * o.y[2];
   o.da2 = ic * (2 * unit(1) - o.a2 * o.g);
   o.da3 = ic * (2 * unit(2) - o.a3 * o.g);
   o.eps_y = iL * o.d + 0.2 * (o.a2 * o.da2 + o.a3 * o.da3);
@@ -161,14 +173,16 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
   o.k3 = 12 * iL * s.EI3 / (1 + shear * s.EI3);
   o.D = iL * Row{s.GJ, s.EI2, s.EI3, 0};
 
-  o.N = s.EA * o.strain, o.EA = s.EA;
+  o.N = s.EA * o.strain;
+  o.EA = s.EA;
   if (s.tension) axial_by_table(s, o);
   o.m2 = o.k2 * o.a3;
   o.m3 = o.k3 * o.a2;
   o.mpsi = o.D * (o.psi - load(r.psi));
   if (s.bends_by_law()) {
     const Bending b = bending_by_law(s, r, o);
-    o.m2 = b.g[2], o.m3 = b.g[3];
+    o.m2 = b.g[2];
+    o.m3 = b.g[3];
     o.mpsi = Row{o.mpsi[0], b.g[0], b.g[1], 0};
   }
   if (rates) {

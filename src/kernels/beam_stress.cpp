@@ -47,13 +47,15 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
   out.moment1 = mean - bend;
   out.moment2 = mean + bend;
   if (s.plastic) {
-    out.curvature1 = kinematic(-1), out.curvature2 = kinematic(1);
+    out.curvature1 = kinematic(-1);
+    out.curvature2 = kinematic(1);
     if (!r.set) return out;
     const auto left = [&](size_t place) {
       const auto [c2, c3] = s.plastic->residual(r.set + place * s.plastic->memory());
       return std::hypot(c2, c3);
     };
-    out.residual1 = left(0), out.residual2 = left(kBendingPlaces - 1);
+    out.residual1 = left(0);
+    out.residual2 = left(kBendingPlaces - 1);
     return out;
   }
   const Vec3 EI(s.GJ, s.EI2, s.EI3);
@@ -75,7 +77,8 @@ BeamFeed beam_feed(const BeamSection& s, const BeamReference& r, const BeamEnds&
   const Row p = o.psi - load(r.psi);
   if (s.plastic) {
     const double torsion = o.D[0] * p[0] * p[0];
-    out.force += 0.5 * torsion * iL, out.slope -= torsion * iL * iL;
+    out.force += 0.5 * torsion * iL;
+    out.slope -= torsion * iL * iL;
     return out;
   }
   const auto bend = [&](double EI, double twice) {  // twice the energy of antisymmetric bending
@@ -83,9 +86,11 @@ BeamFeed beam_feed(const BeamSection& s, const BeamReference& r, const BeamEnds&
     out.force += 0.5 * twice * iL * (1 - P) / (1 + P);
     out.slope -= twice * iL * iL * (1 - 3 * P) / ((1 + P) * (1 + P));
   };
-  bend(s.EI3, o.k3 * o.a2 * o.a2), bend(s.EI2, o.k2 * o.a3 * o.a3);
+  bend(s.EI3, o.k3 * o.a2 * o.a2);
+  bend(s.EI2, o.k2 * o.a3 * o.a3);
   const double twice = dot(p, o.D * p);
-  out.force += 0.5 * twice * iL, out.slope -= twice * iL * iL;
+  out.force += 0.5 * twice * iL;
+  out.slope -= twice * iL * iL;
   return out;
 }
 

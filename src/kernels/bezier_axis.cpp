@@ -24,7 +24,7 @@ double BezierAxis::slope_bound() const {
 double BezierAxis::sagitta() const {
   return 0.75 * std::max((b[1] - (2 * b[0] + b[3]) / 3).norm(), (b[2] - (b[0] + 2 * b[3]) / 3).norm());
 }
-double BezierAxis::way_to(const BezierAxis& other) const {
+double BezierAxis::farthest_distance(const BezierAxis& other) const {
   double squared = 0;
   for (std::size_t i = 0; i < b.size(); ++i) squared = std::max(squared, (other.b[i] - b[i]).squaredNorm());
   return std::sqrt(squared);

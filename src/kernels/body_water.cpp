@@ -85,7 +85,9 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
     to.topRows<3>() = -wet.share * R * (at_centre + at_drag);
     to.bottomRows<3>() = -wet.share * (c * at_centre + d * at_drag);
   };
-  put(centre_K, drag_K, out.K), put(centre_C, drag_C, out.C), put(centre_M, Columns::Zero(), out.M);
+  put(centre_K, drag_K, out.K);
+  put(centre_C, drag_C, out.C);
+  put(centre_M, Columns::Zero(), out.M);
   out.K.topRightCorner<3, 3>() += wet.share * R * hat(all);
   Vec6 wholly;
   wholly << R * all, b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag);

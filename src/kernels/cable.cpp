@@ -29,7 +29,7 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   o.t = o.l > 0 ? Vec3(d / o.l) : Vec3(0, 0, 0);
   o.strain = (o.l - s.length) / s.length - s.free_strain;
   o.dv = e.v2 - e.v1;
-  o.rate = (o.t.dot(o.dv) - s.grows * o.l / s.length) / s.length;
+  o.rate = (o.t.dot(o.dv) - s.length_rate * o.l / s.length) / s.length;
   o.tension = 0;
   o.damped = false;
   o.springs = 1;
@@ -64,7 +64,8 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
   const double share = e0 > 0 && e1 > 0 ? 1 : grown / way;
   double taut, end;  // mean over the taut way; tension at the end
   if (!s.tension) {
-    taut = 0.5 * s.EA * (p0 + p1), end = s.EA * p1;
+    taut = 0.5 * s.EA * (p0 + p1);
+    end = s.EA * p1;
     if (share == 1) return {taut, 0.5 * s.EA, 1};
   } else {
     const ResponseCurve::Value b = s.axial(p1);
@@ -94,7 +95,10 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   o.damper = s.EA * beta / step.h * o.grown;
   o.filter = step.filter * s.EA * (o.grown - e.share * from.stretch);
   o.tension = o.elastic + o.damper + o.filter;
-  if (o.tension <= 0) return o.tension = o.damper = o.filter = 0, o;
+  if (o.tension <= 0) {
+    o.tension = o.damper = o.filter = 0;
+    return o;
+  }
   const double way = strain - from.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
@@ -134,7 +138,7 @@ void cable_mean(const CableSection& s, const CableStart& from, const CableStep& 
   const double across = m.tension > 0 ? m.tension / (from.length + m.l) : 0;
   out.force = m.tension * m.n;
   // d strain = (dl - (l/L) dL) / L
-  const Vec3 along = (m.slope / s.length * (1 - m.l / s.length * s.follows)) * m.t;
+  const Vec3 along = (m.slope / s.length * (1 - m.l / s.length * s.length_by_chord)) * m.t;
   out.k = m.n * along.transpose() - (across * m.n) * m.t.transpose();
   out.k.diagonal().array() += across;
   out.c.setZero();
@@ -146,15 +150,15 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
   // Of a changed unstretched length the ends' way is the mean length times the growth of the strain, which
   // the forces of the material work on, and the mean stretch times what was let out
   // (docs/theory/feeders.md#energy).
-  const double let_out = s.length - from.rest,
+  const double fed_length = s.length - from.rest,
                stretch =
                    1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
-  const double way = m.l - from.length - stretch * let_out;
-  const double energy = let_out == 0
+  const double way = m.l - from.length - stretch * fed_length;
+  const double energy = fed_length == 0
                             ? 0
                             : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
                                      s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
-  const double fed = (energy - m.tension * stretch) * let_out;
+  const double fed = (energy - m.tension * stretch) * fed_length;
   // Where it would push, the spring has worked against what holds it back alone.
   if (m.tension == 0) {
     const double spent = -m.elastic * way;
@@ -177,7 +181,8 @@ void cable_pull(const CableSection& s, const CableEnds& e, double slack, CablePu
   Vec3 along = (stiff - across) * o.t;
   // rate = (t.dv - L' l/L)/L turns with the chord: its gradient is (dv - t (t.dv))/(l L) - L' t/L²
   if (o.damped)
-    along += (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv)) - (ea * s.beta * s.grows / s.length) * o.t;
+    along +=
+        (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv)) - (ea * s.beta * s.length_rate / s.length) * o.t;
   const Vec3 damped = (o.damped ? ea * s.beta : 0.0) * o.t;
   for (int j = 0; j < 3; ++j)
     for (int i = 0; i < 3; ++i) {

@@ -168,7 +168,8 @@ CatenaryShape catenary(const Vec3& end_a, const Vec3& end_b, const std::vector<C
     }
     x += a * step;
     if (error.norm() < best) {
-      best = error.norm(), best_x = x;
+      best = error.norm();
+      best_x = x;
     } else if (best < 1e-11 * scale) {
       break;  // at round-off
     }

@@ -59,7 +59,9 @@ EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double fricti
       const double above = top;
       top += s.end_load.z();
       if (top < lies) {  // a clump weight on the bed
-        r.lowest = i, r.hanging = 0, r.V = above;
+        r.lowest = i;
+        r.hanging = 0;
+        r.V = above;
         break;
       }
     }
@@ -69,9 +71,14 @@ EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double fricti
     const Vec3 start(H, 0, down ? lies : bottom);
     Mat3 d;
     const Vec3 chord = catenary_chord(start, s.load, length, s.EA, &d, s.free_strain);
-    r.at.x += chord.x(), r.at.z += chord.z();
-    r.xx += d(0, 0), r.xz += d(0, 2), r.zz += d(2, 2);
-    r.lowest = i, r.hanging = length, r.V = start.z();
+    r.at.x += chord.x();
+    r.at.z += chord.z();
+    r.xx += d(0, 0);
+    r.xz += d(0, 2);
+    r.zz += d(2, 2);
+    r.lowest = i;
+    r.hanging = length;
+    r.V = start.z();
     top = bottom;
   }
   // What lies.
@@ -83,8 +90,11 @@ EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double fricti
     if (l <= 0) continue;
     const double pulled = drag * l > T ? T / drag : l;
     const double laid = (1 + s.free_strain) * l + pulled * (T - 0.5 * drag * pulled) / s.EA;
-    r.at.x += laid / along, r.at.z += laid * slope / along;
-    r.xx += pulled / s.EA, r.xz += slope * pulled / s.EA, r.zz += slope * slope * pulled / s.EA;
+    r.at.x += laid / along;
+    r.at.z += laid * slope / along;
+    r.xx += pulled / s.EA;
+    r.xz += slope * pulled / s.EA;
+    r.zz += slope * slope * pulled / s.EA;
     T = std::max(0.0, T - drag * l);
   }
   return r;
@@ -110,7 +120,8 @@ Pull first_guess(const std::vector<CatenarySection>& sections, double length, do
     double compliance = 0;
     for (const CatenarySection& s : sections) compliance += s.length / s.EA;
     const double T = (std::hypot(to.x, to.z) - length) / compliance;
-    H += T * to.x / std::hypot(to.x, to.z), V += T * to.z / std::hypot(to.x, to.z);
+    H += T * to.x / std::hypot(to.x, to.z);
+    V += T * to.z / std::hypot(to.x, to.z);
   }
   return {H, V, {}};
 }
@@ -142,7 +153,8 @@ std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double
         break;
       a = 0.5 * (low + high);
     }
-    H += a * dH, V += a * dV;
+    H += a * dH;
+    V += a * dV;
     const double next = std::hypot(r.at.x - to.x, r.at.z - to.z);
     if (next >= error && error < 1e-10 * scale) break;
     error = next;
@@ -162,7 +174,8 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
   for (const CatenarySection& s : sections) {
     if (s.load.head<2>().norm() > 0 || s.end_load.head<2>().norm() > 0 || !(s.EA > 0) || !(s.length > 0))
       return {};
-    length += (1 + s.free_strain) * s.length, weight -= s.load.z() * s.length;
+    length += (1 + s.free_strain) * s.length;
+    weight -= s.load.z() * s.length;
   }
   const double height = to.z - slope * to.x;
   const double along = std::hypot(1, slope);
@@ -191,7 +204,10 @@ std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end
   }
   out.grounded_ = out.pieces_.empty() ? 0 : out.pieces_.back().end;
   double T = pull->H * along;
-  for (auto p = out.pieces_.rbegin(); p != out.pieces_.rend(); ++p) p->T_end = T, T = p->tension(p->start);
+  for (auto p = out.pieces_.rbegin(); p != out.pieces_.rend(); ++p) {
+    p->T_end = T;
+    T = p->tension(p->start);
+  }
   double x = 0;
   for (auto& p : out.pieces_) {
     p.x_end = 0;

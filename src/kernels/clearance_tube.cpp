@@ -36,13 +36,16 @@ void ClearanceTube::set(const BezierAxis& axis, double clearance) {
 
 double ClearanceTube::left(const BezierAxis& axis) const {
   if (!(clearance_ > 0)) return -1;
-  return clearance_ - (1 + kMargin) * at_.way_to(axis);
+  return clearance_ - (1 + kMargin) * at_.farthest_distance(axis);
 }
 
 double least_distance(const std::vector<ClearancePoint>& places, double slope, double bend, double& worst) {
   double least = std::numeric_limits<double>::infinity();
   const auto take = [&](double distance, double xi) {
-    if (!(distance >= least)) least = distance, worst = xi;
+    if (!(distance >= least)) {
+      least = distance;
+      worst = xi;
+    }
   };
   take(places.front().distance - slope * places.front().xi, 0);
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {

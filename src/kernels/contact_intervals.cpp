@@ -62,9 +62,10 @@ class Scan {
   }
 
   void add(const ContactInterval& s) {
-    if (!out_.empty() && out_.back().to == s.from && !out_.back().to_moves && !s.from_moves)
-      out_.back().to = s.to, out_.back().to_moves = s.to_moves;
-    else
+    if (!out_.empty() && out_.back().to == s.from && !out_.back().to_moves && !s.from_moves) {
+      out_.back().to = s.to;
+      out_.back().to_moves = s.to_moves;
+    } else
       out_.push_back(s);
   }
 
@@ -119,11 +120,13 @@ class Scan {
         add({root(m, M, first, F), root(m, M, last, L), true, true});
         return;
       }
-      if (M.slope < 0)
-        a = m, A = M;
-      else if (M.slope > 0)
-        b = m, B = M;
-      else
+      if (M.slope < 0) {
+        a = m;
+        A = M;
+      } else if (M.slope > 0) {
+        b = m;
+        B = M;
+      } else
         return;
     }
   }
@@ -140,9 +143,9 @@ class Scan {
       (X.gap < 0 ? in : out) = x;
       double next = x - X.gap / X.slope;
       // Newton must stay inside and at least halve its step; else the bracket is halved.
-      const bool good = (next - in) * (next - out) < 0 && std::abs(next - x) < 0.5 * last;
+      const bool inside = (next - in) * (next - out) < 0 && std::abs(next - x) < 0.5 * last;
       if (std::isfinite(next) && std::abs(next - x) <= kRoot) return std::clamp(next, 0.0, 1.0);
-      if (!good) next = 0.5 * (in + out);
+      if (!inside) next = 0.5 * (in + out);
       last = std::abs(next - x);
       if (last <= kRoot) return next;
       x = next;
@@ -184,7 +187,8 @@ std::vector<ContactInterval> contact_intervals(const AxisGapFunction& gap, const
       if (!(a < m && m < b)) continue;
       const AxisGap at = gap(m, half);
       scan.piece(a, from, m, at, levels - 1);
-      a = m, from = at;
+      a = m;
+      from = at;
     }
     scan.piece(a, from, b, to, levels - 1);
   };
@@ -205,7 +209,8 @@ std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>&
         });
     if (touched) {
       if (out.back().to < s.from) filled.push_back({out.back().to, s.from});
-      out.back().to = s.to, out.back().to_moves = s.to_moves;
+      out.back().to = s.to;
+      out.back().to_moves = s.to_moves;
     } else {
       out.push_back(s);
     }
@@ -213,7 +218,8 @@ std::vector<ContactInterval> as_split_before(const std::vector<ContactInterval>&
       const double m = h.middle();
       if (!(out.back().from < m && m < out.back().to)) continue;
       const ContactInterval rest{m, out.back().to, false, out.back().to_moves};
-      out.back().to = m, out.back().to_moves = false;
+      out.back().to = m;
+      out.back().to_moves = false;
       out.push_back(rest);
     }
   }

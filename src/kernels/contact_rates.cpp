@@ -34,9 +34,12 @@ Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const
   if (!law.friction.active()) return normal_part;
 
   PointState<Dual> there;
-  there.gap = dual(trial.gap, gap_rate), there.force = dual(N.force, N_rate);
-  there.roll = dual(trial.roll, by.roll), there.lever = trial.lever;
-  there.point = dual(trial.point, by.point), there.normal = dual(n, n_rate);
+  there.gap = dual(trial.gap, gap_rate);
+  there.force = dual(N.force, N_rate);
+  there.roll = dual(trial.roll, by.roll);
+  there.lever = trial.lever;
+  there.point = dual(trial.point, by.point);
+  there.normal = dual(n, n_rate);
   there.velocity = dual(trial.velocity, by.velocity);
   const ContactStartOf<Dual> from{dual(start.point, by.start_point), dual(start.gap, by.start_gap),
                                   dual(start.tangent, by.start_tangent), dual(start.slip, by.start_slip),

@@ -32,11 +32,13 @@ void CurrentProfile::at(double depth, Vec3& velocity, Vec3& by_depth) const {
     constexpr double kLast = 1e-3;
     const double up = 1 - depth / water_depth_;
     const double r = std::max(up, kLast), p = std::pow(r, exponent_);
-    if (up >= kLast)
-      by_depth = -exponent_ * p / (r * water_depth_) * velocity, velocity *= p;
-    else if (up > 0)
-      by_depth = -p / (kLast * water_depth_) * velocity, velocity *= p * up / kLast;
-    else
+    if (up >= kLast) {
+      by_depth = -exponent_ * p / (r * water_depth_) * velocity;
+      velocity *= p;
+    } else if (up > 0) {
+      by_depth = -p / (kLast * water_depth_) * velocity;
+      velocity *= p * up / kLast;
+    } else
       velocity.setZero();
     return;
   }

@@ -42,7 +42,8 @@ FedElement feed_step(const std::function<FedPull(double)>& pull, const FeedLaw& 
     const double newton = L - here.g / here.slope;
     const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
     if (std::abs(next - L) <= 1e-16 * L) break;
-    L = next, here = at(L);
+    L = next;
+    here = at(L);
   }
   return {L, 1 / here.slope};
 }

@@ -24,15 +24,20 @@ class Shape {
   Shape(const FlexibleLine& line, std::vector<Vec3> start) : line_(line), x_(std::move(start)) {
     const size_t n = x_.size();
     free_.assign(n, true);
-    free_.front() = !line_.held_a, free_.back() = !line_.held_b;
-    load_.assign(n, Vec3::Zero()), lift_.assign(n, 0), press_.assign(n, 0), radius_.assign(n, 0);
+    free_.front() = !line_.held_a;
+    free_.back() = !line_.held_b;
+    load_.assign(n, Vec3::Zero());
+    lift_.assign(n, 0);
+    press_.assign(n, 0);
+    radius_.assign(n, 0);
     double heaviest = 0;
     for (size_t i = 0; i + 1 < n; ++i) {
       const auto& p = line_.pieces[i];
       length_ += p.length;
       heaviest = std::max(heaviest, (p.load.norm() + p.buoyancy) / p.length);
       for (size_t k : {i, i + 1}) {
-        load_[k] += 0.5 * p.length * p.load, lift_[k] += 0.5 * p.length * p.buoyancy;
+        load_[k] += 0.5 * p.length * p.load;
+        lift_[k] += 0.5 * p.length * p.buoyancy;
         press_[k] += 0.5 * p.length;
         radius_[k] = std::max(radius_[k], p.radius);
       }
@@ -42,7 +47,8 @@ class Shape {
     bed_ = line_.bed ? std::min(line_.bed_stiffness, heaviest / kSink) : 0;
 
     for (size_t i = 0; i < n; ++i) {
-      load_[i] += line_.points[i].load, lift_[i] += line_.points[i].buoyancy;
+      load_[i] += line_.points[i].load;
+      lift_[i] += line_.points[i].buoyancy;
       size_ += line_.points[i].load.norm() + line_.points[i].buoyancy;
     }
     // What the ends' distance is beyond the length stretches the line.
@@ -107,10 +113,12 @@ class Shape {
       const double tension = share_ * p.EA * pull * rise;
       const double stiff =
           share_ * p.EA * (rise * rise + pull * round_ * round_ / (2 * root * root * root)) / p.length;
-      g[i] -= tension * t, g[i + 1] += tension * t;
+      g[i] -= tension * t;
+      g[i + 1] += tension * t;
       if (!hessian) continue;
       between_[i] = tension / l * Mat3::Identity() + (stiff - tension / l) * t * t.transpose();
-      diagonal_[i] += between_[i], diagonal_[i + 1] += between_[i];
+      diagonal_[i] += between_[i];
+      diagonal_[i + 1] += between_[i];
     }
     for (size_t i = 0; i < n; ++i)
       if (!free_[i]) g[i].setZero();
@@ -147,8 +155,13 @@ class Shape {
 
   void descend() {
     const size_t n = x_.size();
-    gradient_.resize(n), trial_gradient_.resize(n), step_.resize(n), trial_.resize(n);
-    diagonal_.resize(n), between_.resize(n - 1), up_.resize(n - 1);
+    gradient_.resize(n);
+    trial_gradient_.resize(n);
+    step_.resize(n);
+    trial_.resize(n);
+    diagonal_.resize(n);
+    between_.resize(n - 1);
+    up_.resize(n - 1);
     double shift = 0.1 * size_ / length_;
     const double least = 1e-6 * size_ / length_;
     for (int it = 0; it < kMostIterations; ++it) {
@@ -211,7 +224,8 @@ std::vector<Vec3> flexible_shape(const FlexibleLine& line, std::vector<Vec3> sta
   if (pieces <= kCoarsest) return Shape(line, std::move(start)).run(0);
   // Coarse first: a few long pieces come far in a step, where many short ones would creep.
   FlexibleLine coarse = line;
-  coarse.pieces.clear(), coarse.points.clear();
+  coarse.pieces.clear();
+  coarse.points.clear();
   std::vector<Vec3> from{start.front()};
   std::vector<double> arc{0}, kept{0};
   for (const auto& p : line.pieces) arc.push_back(arc.back() + p.length);
@@ -221,7 +235,8 @@ std::vector<Vec3> flexible_shape(const FlexibleLine& line, std::vector<Vec3> sta
     coarse.pieces.push_back(i + 1 < end ? joined(line.pieces[i], line.pieces[i + 1]) : line.pieces[i]);
     if (i + 1 < end) coarse.points.back() = sum(coarse.points.back(), line.points[i + 1], 0.5);
     coarse.points.push_back(i + 1 < end ? sum(line.points[end], line.points[i + 1], 0.5) : line.points[end]);
-    from.push_back(start[end]), kept.push_back(arc[end]);
+    from.push_back(start[end]);
+    kept.push_back(arc[end]);
   }
   const std::vector<Vec3> found = flexible_shape(coarse, std::move(from));
   for (size_t i = 0; i < start.size(); ++i)

@@ -1,5 +1,5 @@
-// When a contact strikes within a step, what energy a time step may then create or lose, and the longest step
-// that every line can bear.
+// When there is an impact within a step, what energy a time step may then create or lose, and the longest
+// step that every line can bear.
 #include "hawser/kernels/impact.hpp"
 
 #include <algorithm>
@@ -23,10 +23,10 @@ double until_contact(double away, double speed, double acceleration) {
   return 2 * away / (speed + std::sqrt(root));
 }
 
-// Relative to what is bearable for its line; of two lines for the one that bears less.
-double weight(int line, int other, std::span<const double> bearable) {
-  double least = bearable[line];
-  if (other >= 0) least = std::min(least, bearable[other]);
+// Over the energy tolerance of its line; of two lines over the smaller one.
+double weight(int line, int other, std::span<const double> energy_tolerance) {
+  double least = energy_tolerance[line];
+  if (other >= 0) least = std::min(least, energy_tolerance[other]);
   return least > 0 ? 1 / least : 1 / std::numeric_limits<double>::min();
 }
 
@@ -48,21 +48,27 @@ double largest(double most, const Sum& sum, const What& what) {
 
 }  // namespace
 
-bool may_impact(double slowness, double seen, double speed, double acceleration) {
+bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration) {
   const double rounding = 1 + 1e-9;
-  return std::hypot(slowness * speed, slowness * slowness * acceleration) * rounding > seen;
+  return std::hypot(inverse_frequency * speed, inverse_frequency * inverse_frequency * acceleration) *
+             rounding >
+         significant_depth;
 }
 
-bool follows(double slowness, double h) { return h <= kAbove * M_PI / kSteps * slowness; }
+bool resolves_contact(double inverse_frequency, double h) {
+  return h <= kAbove * M_PI / kSteps * inverse_frequency;
+}
 
-std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass, const Approach& at) {
-  const double by_speed = slowness * std::abs(at.closing),
-               by_acceleration = slowness * slowness * std::abs(at.acceleration);
-  if (!(std::hypot(by_speed, by_acceleration) > seen)) return {};
-  const double step = 2 * M_PI / kSteps * slowness;
+std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
+                                        const Approach& at) {
+  const double by_speed = inverse_frequency * std::abs(at.closing),
+               by_acceleration = inverse_frequency * inverse_frequency * std::abs(at.acceleration);
+  if (!(std::hypot(by_speed, by_acceleration) > significant_depth)) return {};
+  const double step = 2 * M_PI / kSteps * inverse_frequency;
   ImpactEvent s;
-  s.at_ = at, s.slowness_ = slowness;
-  s.half_ = 0.5 * mass / (slowness * slowness);
+  s.at_ = at;
+  s.inverse_frequency_ = inverse_frequency;
+  s.half_ = 0.5 * mass / (inverse_frequency * inverse_frequency);
   s.energy_ = s.half_ * (by_speed * by_speed + by_acceleration * by_acceleration);
   s.crossing_ = kNever;
   s.resolved_ = kAbove * step;
@@ -73,7 +79,7 @@ std::optional<ImpactEvent> impact_event(double slowness, double seen, double mas
     // Accelerations change on the way.
     s.crossing_ = std::min(until_contact(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
     s.resolved_ += s.crossing_;
-  } else if (!(by_acceleration > seen)) {
+  } else if (!(by_acceleration > significant_depth)) {
     return {};  // it leaves; else it shakes as fast as the contact would
   }
   if (s.crossing_ < kShort * step) s.crossing_ = kNever;
@@ -83,12 +89,12 @@ std::optional<ImpactEvent> impact_event(double slowness, double seen, double mas
 double ImpactEvent::crossed(double h) const {
   if (!(h > crossing_)) return 0;
   const double speed = std::abs(at_.closing);
-  h = std::min(h, resolved_ + 2 * M_PI / kSteps * slowness_);  // longer ones: unresolved()
+  h = std::min(h, resolved_ + 2 * M_PI / kSteps * inverse_frequency_);  // longer ones: unresolved()
   if (at_.gap < 0) {
     const double out = at_.gap + speed * h + 0.25 * at_.acceleration * h * h;
     return std::min(-half_ * at_.gap * std::max(out, 0.0), energy_);
   }
-  const double z = 0.5 * h / slowness_;
+  const double z = 0.5 * h / inverse_frequency_;
   // If it would turn before, it is counted on as it comes.
   const double root = speed * speed - 2 * at_.acceleration * at_.gap;
   const double in =
@@ -96,50 +102,51 @@ double ImpactEvent::crossed(double h) const {
   return std::min(half_ * at_.gap * std::max(in, 0.0) / (1 + z * z), energy_);
 }
 
-double ImpactEvent::period() const { return at_.gap < 0 ? 2 * M_PI * slowness_ : kNever; }
+double ImpactEvent::period() const { return at_.gap < 0 ? 2 * M_PI * inverse_frequency_ : kNever; }
 
-double crossing_error(double slowness, double seen, double force, double potential, double path,
-                      double speed) {
-  return slowness * speed > seen ? std::max(0.5 * force * path - potential, 0.0) : 0;
+double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
+                      double path, double speed) {
+  return inverse_frequency * speed > significant_depth ? std::max(0.5 * force * path - potential, 0.0) : 0;
 }
 
 double LineMotion::energy() const {
   const double whole = mass > 0 ? 0.5 * momentum.squaredNorm() / mass : 0, inner = kinetic - whole;
-  return (inner > kRounding * kinetic ? inner : 0) + striking;
+  return (inner > kRounding * kinetic ? inner : 0) + impact_energy;
 }
 
-std::vector<double> bearable(std::span<const LineMotion> lines) {
-  int struck = 0;
-  for (const LineMotion& l : lines) struck += l.striking > kErrorOfStep * l.energy();
+std::vector<double> energy_tolerance(std::span<const LineMotion> lines) {
+  int lines_with_impacts = 0;
+  for (const LineMotion& l : lines) lines_with_impacts += l.impact_energy > kErrorOfStep * l.energy();
   std::vector<double> out;
-  for (const LineMotion& l : lines) out.push_back(kErrorOfStep * std::max(struck, 1) * l.energy());
+  for (const LineMotion& l : lines)
+    out.push_back(kErrorOfStep * std::max(lines_with_impacts, 1) * l.energy());
   return out;
 }
 
-double growing_step(std::span<const LineMotion> stored, std::span<const double> bearable, double share,
-                    double last) {
-  double rate = 0;  // 1/s², of what is bearable for its line
+double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
+                           double share, double last) {
+  double rate = 0;  // 1/s², over the energy tolerance of the line
   for (size_t l = 0; l < stored.size(); ++l)
     if (const double held = share * stored[l].energy(); held > 0)
-      rate = std::max(rate, held / std::max(bearable[l], std::numeric_limits<double>::min()));
+      rate = std::max(rate, held / std::max(energy_tolerance[l], std::numeric_limits<double>::min()));
   return last > 0 && rate > 0 ? std::max(2 * last, std::hypot(last, 1 / std::sqrt(rate))) : kNever;
 }
 
-bool bearable_impacts(std::span<const UnresolvedImpact> impacts, std::span<const double> bearable,
+bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
                       const Sum& sum) {
   double error = 0;
-  for (const UnresolvedImpact& i : impacts) error += weight(i.line, i.other, bearable) * i.energy;
+  for (const UnresolvedImpact& i : impacts) error += weight(i.line, i.other, energy_tolerance) * i.energy;
   sum({&error, 1});
   return error <= 1;
 }
 
-StepLimit bounded_step(std::span<const ImpactEvent> strikes, std::span<const double> bearable, double most,
-                       const Sum& sum) {
+StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
+                              double most, const Sum& sum) {
   std::vector<double> weights;
-  for (const ImpactEvent& s : strikes) weights.push_back(weight(s.line, s.other, bearable));
+  for (const ImpactEvent& s : impacts) weights.push_back(weight(s.line, s.other, energy_tolerance));
   const auto total = [&](const auto& error) {
     double t = 0;
-    for (size_t i = 0; i < strikes.size(); ++i) t += weights[i] * error(strikes[i]);
+    for (size_t i = 0; i < impacts.size(); ++i) t += weights[i] * error(impacts[i]);
     return t;
   };
   StepLimit limit;

@@ -39,10 +39,13 @@ inline Mat rotary(const MassSection& s) {
 
 inline void kinematics(const MassSection& s, const MassEnds& e, const Vec3& dead, const Mat& J, Local& o) {
   const double L = s.length, mL = s.mass_per_length * L;
-  o.R[0] = rotation(e.q1), o.R[1] = rotation(e.q2);
+  o.R[0] = rotation(e.q1);
+  o.R[1] = rotation(e.q2);
   o.c = load(Vec3(axes(s).col(0)));
-  o.w[0] = load(e.w1), o.w[1] = load(e.w2);
-  o.alpha[0] = load(e.alpha1), o.alpha[1] = load(e.alpha2);
+  o.w[0] = load(e.w1);
+  o.w[1] = load(e.w2);
+  o.alpha[0] = load(e.alpha1);
+  o.alpha[1] = load(e.alpha2);
   const Mat3* given[2] = {e.directors1, e.directors2};
   for (int i = 0; i < 2; ++i) {
     if (given[i]) {
@@ -55,19 +58,24 @@ inline void kinematics(const MassSection& s, const MassEnds& e, const Vec3& dead
     }
     o.spin[i] = times(J, o.w[i]);
   }
-  o.A[0] = load(e.a1), o.A[2] = load(e.a2);
+  o.A[0] = load(e.a1);
+  o.A[2] = load(e.a2);
   const Row q = load(dead);
   for (int i = 0; i < 4; ++i) {
     o.F[i] = -(kLoad[i] * L) * q;
     for (int j = 0; j < 4; ++j) o.F[i] += (kMass[i][j] * mL) * o.A[j];
   }
-  o.back[0] = left(o.F[1], o.R[0]), o.back[1] = left(o.F[3], o.R[1]);
+  o.back[0] = left(o.F[1], o.R[0]);
+  o.back[1] = left(o.F[3], o.R[1]);
 }
 
 inline void force(const MassSection& s, const Local& o, const Mat& J, double* f) {
   for (int i = 0; i < 2; ++i) {
     const Row m = s.length * cross(o.c, o.back[i]) + times(J, o.alpha[i]) + cross(o.w[i], o.spin[i]);
-    for (int k = 0; k < 3; ++k) f[6 * i + k] = o.F[2 * i][k], f[6 * i + 3 + k] = m[k];
+    for (int k = 0; k < 3; ++k) {
+      f[6 * i + k] = o.F[2 * i][k];
+      f[6 * i + 3 + k] = m[k];
+    }
   }
 }
 
@@ -112,12 +120,18 @@ HAWSER_CLONES void beam_mass_tangent(const MassSection& s, const MassEnds& e, co
         c += hat_times(o.w[i], J) - hat(o.spin[i]);
         m += J;
       }
-      put(M, 2 * i, 2 * j, identity(xx)), put(M, 2 * i, 2 * j + 1, xt * A[j]);
-      put(M, 2 * i + 1, 2 * j, tx * row), put(M, 2 * i + 1, 2 * j + 1, m);
-      put(C, 2 * i, 2 * j, zero), put(C, 2 * i, 2 * j + 1, xt * W[j]);
-      put(C, 2 * i + 1, 2 * j, zero), put(C, 2 * i + 1, 2 * j + 1, c);
-      put(K, 2 * i, 2 * j, zero), put(K, 2 * i, 2 * j + 1, xt * T[j]);
-      put(K, 2 * i + 1, 2 * j, zero), put(K, 2 * i + 1, 2 * j + 1, k);
+      put(M, 2 * i, 2 * j, identity(xx));
+      put(M, 2 * i, 2 * j + 1, xt * A[j]);
+      put(M, 2 * i + 1, 2 * j, tx * row);
+      put(M, 2 * i + 1, 2 * j + 1, m);
+      put(C, 2 * i, 2 * j, zero);
+      put(C, 2 * i, 2 * j + 1, xt * W[j]);
+      put(C, 2 * i + 1, 2 * j, zero);
+      put(C, 2 * i + 1, 2 * j + 1, c);
+      put(K, 2 * i, 2 * j, zero);
+      put(K, 2 * i, 2 * j + 1, xt * T[j]);
+      put(K, 2 * i + 1, 2 * j, zero);
+      put(K, 2 * i + 1, 2 * j + 1, k);
     }
   }
 }

@@ -51,7 +51,9 @@ struct LinePairPass::Rows {
 
   void add(size_t row, double s, double along_slave, double along_master) {
     used[count++] = row;
-    share[row] = s, by_xi[row] = along_slave, by_eta[row] = along_master;
+    share[row] = s;
+    by_xi[row] = along_slave;
+    by_eta[row] = along_master;
   }
   auto begin() const { return used.begin(); }
   auto end() const { return used.begin() + static_cast<std::ptrdiff_t>(count); }
@@ -65,9 +67,14 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   for (size_t j = 0; j < na; ++j) r.add(at_slave_ + j, p.H[j], dH[j], 0);
   for (size_t k = 0; k < nb; ++k) r.add(at_master_ + k, -p.G[k], 0, -dG[k]);
   if (!set_.law.friction.active()) return r;
-  if (slave_.beam()) r.add(turn_slave_, wa_ * (1 - xi), -wa_, 0), r.add(turn_slave_ + 1, wa_ * xi, wa_, 0);
-  if (master_.beam())
-    r.add(turn_master_, wb_ * (1 - eta), 0, -wb_), r.add(turn_master_ + 1, wb_ * eta, 0, wb_);
+  if (slave_.beam()) {
+    r.add(turn_slave_, wa_ * (1 - xi), -wa_, 0);
+    r.add(turn_slave_ + 1, wa_ * xi, wa_, 0);
+  }
+  if (master_.beam()) {
+    r.add(turn_master_, wb_ * (1 - eta), 0, -wb_);
+    r.add(turn_master_ + 1, wb_ * eta, 0, wb_);
+  }
   return r;
 }
 
@@ -148,7 +155,8 @@ struct LinePairPass::Slopes {
         of(s.by, turn + i) = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.was);
     } else {
       const Six turned = (of_master ? wb_ : wa_) * by_moved * section_turn_by_chord(axis, p.was);
-      of(s.by, position) += turned, of(s.by, position + 1) -= turned;
+      of(s.by, position) += turned;
+      of(s.by, position + 1) -= turned;
     }
   }
   return s;
@@ -190,7 +198,7 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   return m;
 }
 
-// Where negative stiffness is left out: as if nearest points and normals stayed.
+// Where negative stiffness is excluded: as if nearest points and normals stayed.
 void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                               AttachedForces& g) const {
   const Vec3& nrm = p.foot.normal;

@@ -52,7 +52,8 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   Tangential<S> r;
   r.force = f.force;
   r.couple = f.force.cross(v.away);
-  r.slip[0] = f.slip.dot(b), r.slip[1] = f.slip.dot(l);
+  r.slip[0] = f.slip.dot(b);
+  r.slip[1] = f.slip.dot(l);
   r.slides = f.slides;
   return r;
 }
@@ -69,23 +70,27 @@ Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Forc
   by.template head<3>() = r.normal.by_gap * at.away.normalized();
   by[Force::kRate] = r.normal.by_rate;
   Local<Dual> v;
-  v.away = dual(at.away, Force::kAway), v.along = dual(at.along, Force::kAlong);
+  v.away = dual(at.away, Force::kAway);
+  v.along = dual(at.along, Force::kAlong);
   v.moved = dual(at.moved, Force::kMoved);
   v.force = Dual(r.normal.force, by);
   for (int c = 0; c < 2; ++c) v.slip[c] = Dual(at.slip[c], Inputs, Force::kSlip + c);
   if constexpr (Inputs == Force::kInputs) {
-    v.away_before = dual(at.away_before, Force::kAwayBefore), v.slope = dual(at.slope, Force::kSlope);
+    v.away_before = dual(at.away_before, Force::kAwayBefore);
+    v.slope = dual(at.slope, Force::kSlope);
     v.slope_before = dual(at.slope_before, Force::kSlopeBefore);
     v.along_before = dual(at.along_before, Force::kAlongBefore);
   }
   const Tangential<Dual> t = tangential<Dual>(law, at, v);
   Tangential<double> out;
   for (int c = 0; c < 3; ++c) {
-    out.force[c] = t.force[c].value(), out.couple[c] = t.couple[c].value();
+    out.force[c] = t.force[c].value();
+    out.couple[c] = t.couple[c].value();
     r.by.row(c).template head<Inputs>() += t.force[c].derivatives().transpose();
     r.by.row(3 + c).template head<Inputs>() += t.couple[c].derivatives().transpose();
   }
-  out.slip[0] = t.slip[0].value(), out.slip[1] = t.slip[1].value();
+  out.slip[0] = t.slip[0].value();
+  out.slip[1] = t.slip[1].value();
   out.slides = t.slides;
   return out;
 }
@@ -127,8 +132,11 @@ Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Forc
     t = derived<Force::kInputs>(law, at, r);
   else
     t = derived<Force::kAwayBefore>(law, at, r);
-  r.friction = t.force, r.couple = t.couple, r.slides = t.slides;
-  r.slip[0] = t.slip[0], r.slip[1] = t.slip[1];
+  r.friction = t.force;
+  r.couple = t.couple;
+  r.slides = t.slides;
+  r.slip[0] = t.slip[0];
+  r.slip[1] = t.slip[1];
   r.force += r.friction;
   return r;
 }

@@ -37,7 +37,8 @@ AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool rubs, 
 
 Stencil stencil_of(const PairAxis& one, const PairAxis& other) {
   Stencil s;
-  one.now.attach(s, 0), other.now.attach(s, 2);
+  one.now.attach(s, 0);
+  other.now.attach(s, 2);
   return s;
 }
 
@@ -97,8 +98,14 @@ std::vector<LinePairPass::Panel> LinePairPass::panels() const {
        split_intervals(contact_intervals(gap, {slave_.now.slope_bound()}, levels, kinks(levels)),
                        panel_levels(slave_.ends.length, set_.slave_radius))) {
     Panel p{s.from, s.to, s.from_moves ? End::gap : End::fixed, s.to_moves ? End::gap : End::fixed};
-    if (p.from < set_.part[0]) p.from = set_.part[0], p.at_from = End::fixed;
-    if (p.to > set_.part[1]) p.to = set_.part[1], p.at_to = End::fixed;
+    if (p.from < set_.part[0]) {
+      p.from = set_.part[0];
+      p.at_from = End::fixed;
+    }
+    if (p.to > set_.part[1]) {
+      p.to = set_.part[1];
+      p.at_to = End::fixed;
+    }
     if (!(p.from < p.to)) continue;
     if (part_ == ProjectOn::element)
       split(p, out);
@@ -125,7 +132,8 @@ void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
   Panel rest = panel;
   for (int i = 0; i < n; ++i) {
     out.push_back({rest.from, cuts[i].from, rest.at_from, cuts[i].at_from});
-    rest.from = cuts[i].from, rest.at_from = cuts[i].at_from;
+    rest.from = cuts[i].from;
+    rest.at_from = cuts[i].at_from;
   }
   out.push_back(rest);
 }
@@ -161,11 +169,14 @@ LinePairPass::Point LinePairPass::point(double xi) const {
   Point p;
   p.xi = xi;
   p.foot = projection(master_.now, part_, slave_.now.point(xi));
-  p.H = slave_.now.functions(xi), p.G = master_.now.functions(p.foot.eta);
-  p.slope = slave_.now.slope(xi), p.along = master_.now.slope(p.foot.eta);
+  p.H = slave_.now.functions(xi);
+  p.G = master_.now.functions(p.foot.eta);
+  p.slope = slave_.now.slope(xi);
+  p.along = master_.now.slope(p.foot.eta);
   p.velocity = set_.moves ? Vec3(slave_.now.velocity(xi) - master_.now.velocity(p.foot.eta)) : Vec3::Zero();
   if (set_.law.friction.active()) {
-    p.Ta = slave_.turn_at(xi), p.Tb = master_.turn_at(p.foot.eta);
+    p.Ta = slave_.turn_at(xi);
+    p.Tb = master_.turn_at(p.foot.eta);
     p.was = slave_.start.point(xi) - master_.start.point(p.foot.eta);
   }
   return p;
@@ -178,9 +189,12 @@ LinePairPoint LinePairPass::local(const Point& p, const Start& s) const {
   l.rate = p.foot.normal.dot(p.velocity);
   if (set_.law.friction.active()) {
     l.moved = l.away - wa_ * (p.Ta * p.was) - wb_ * (p.Tb * p.was);
-    l.slip[0] = s.slip[0], l.slip[1] = s.slip[1];
-    l.is_new = s.is_new, l.away_before = p.was;
-    l.slope = p.slope, l.slope_before = slave_.start.slope(p.xi);
+    l.slip[0] = s.slip[0];
+    l.slip[1] = s.slip[1];
+    l.is_new = s.is_new;
+    l.away_before = p.was;
+    l.slope = p.slope;
+    l.slope_before = slave_.start.slope(p.xi);
     l.along_before = master_.start.slope(p.foot.eta);
   }
   return l;
@@ -189,14 +203,22 @@ LinePairPoint LinePairPass::local(const Point& p, const Start& s) const {
 LinePairHistory LinePairPass::left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
                                           double weight) const {
   LinePairHistory h;
-  h.xi = p.xi, h.from = panel.from, h.to = panel.to;
-  h.opens = panel.at_from == End::gap, h.closes = panel.at_to == End::gap;
+  h.xi = p.xi;
+  h.from = panel.from;
+  h.to = panel.to;
+  h.opens = panel.at_from == End::gap;
+  h.closes = panel.at_to == End::gap;
   h.weight = weight;
   h.eta = p.foot.eta;
-  h.slip[0] = c.slip[0], h.slip[1] = c.slip[1];
-  h.force = c.force, h.friction = c.friction, h.normal = p.foot.normal;
-  h.normal_force = c.normal.force, h.damping_force = c.normal.force - c.normal.elastic;
-  h.potential = c.normal.potential, h.gap = c.gap;
+  h.slip[0] = c.slip[0];
+  h.slip[1] = c.slip[1];
+  h.force = c.force;
+  h.friction = c.friction;
+  h.normal = p.foot.normal;
+  h.normal_force = c.normal.force;
+  h.damping_force = c.normal.force - c.normal.elastic;
+  h.potential = c.normal.potential;
+  h.gap = c.gap;
   return h;
 }
 

@@ -14,15 +14,21 @@ template <int n>
 void put_water(const Water& first, const Water& second, Motion<n>& m) {
   const Water* w[2] = {&first, &second};
   for (int i = 0; i < 2; ++i) {
-    m.u[i] = load(w[i]->velocity), m.by_height[i] = load(w[i]->by_height), m.a[i] = load(w[i]->acceleration);
+    m.u[i] = load(w[i]->velocity);
+    m.by_height[i] = load(w[i]->by_height);
+    m.a[i] = load(w[i]->acceleration);
     m.surface[i] = w[i]->surface;
   }
 }
 
 Motion<2> cable_motion(const CableInWater& e) {
   Motion<2> m;
-  m.X[0] = load(e.x1), m.X[1] = load(e.x2), m.V[0] = load(e.v1), m.V[1] = load(e.v2);
-  m.A[0] = load(e.a1), m.A[1] = load(e.a2);
+  m.X[0] = load(e.x1);
+  m.X[1] = load(e.x2);
+  m.V[0] = load(e.v1);
+  m.V[1] = load(e.v2);
+  m.A[0] = load(e.a1);
+  m.A[1] = load(e.a2);
   put_water(e.water1, e.water2, m);
   return m;
 }
@@ -45,13 +51,19 @@ void beam_motion(const WaterSection& s, const WaterEnds& e, BeamMotion& o) {
   const MassEnds& r = e.motion;
   const double L = s.length;
   o.c = load(Vec3(Vec3::UnitX()));
-  o.Q[0] = rotation(r.q1), o.Q[1] = rotation(r.q2);
-  o.w[0] = load(r.w1), o.w[1] = load(r.w2);
+  o.Q[0] = rotation(r.q1);
+  o.Q[1] = rotation(r.q2);
+  o.w[0] = load(r.w1);
+  o.w[1] = load(r.w2);
   o.given = r.directors1 != nullptr;
   const Row alpha[2] = {load(r.alpha1), load(r.alpha2)};
   const Mat3* directors[2] = {r.directors1, r.directors2};
-  o.m.X[0] = load(e.x1), o.m.X[2] = load(e.x2), o.m.V[0] = load(r.v1), o.m.V[2] = load(r.v2);
-  o.m.A[0] = load(r.a1), o.m.A[2] = load(r.a2);
+  o.m.X[0] = load(e.x1);
+  o.m.X[2] = load(e.x2);
+  o.m.V[0] = load(r.v1);
+  o.m.V[2] = load(r.v2);
+  o.m.A[0] = load(r.a1);
+  o.m.A[2] = load(r.a2);
   for (int i = 0; i < 2; ++i) {
     o.rate[i] = cross(o.w[i], o.c);
     o.m.X[2 * i + 1] = L * times(o.Q[i], o.c);
@@ -70,7 +82,10 @@ void beam_motion(const WaterSection& s, const WaterEnds& e, BeamMotion& o) {
 void put_beam_force(const WaterSection& s, const BeamMotion& o, const Row* F, double* f) {
   for (int i = 0; i < 2; ++i) {
     const Row m = s.length * cross(o.c, left(F[2 * i + 1], o.Q[i]));
-    for (int k = 0; k < 3; ++k) f[6 * i + k] = F[2 * i][k], f[6 * i + 3 + k] = m[k];
+    for (int k = 0; k < 3; ++k) {
+      f[6 * i + k] = F[2 * i][k];
+      f[6 * i + 3 + k] = m[k];
+    }
   }
 }
 
@@ -132,11 +147,20 @@ void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, 
       if (!b.given) Ct += o.M[i][t] * W[k];
       if (i % 2) {
         const Mat& r = row[i / 2];
-        Kx = r * Kx, Cx = r * Cx, Mx = r * Mx, Kt = r * Kt, Ct = r * Ct, Mt = r * Mt;
+        Kx = r * Kx;
+        Cx = r * Cx;
+        Mx = r * Mx;
+        Kt = r * Kt;
+        Ct = r * Ct;
+        Mt = r * Mt;
         if (i == t) Kt += s.length * hat_times(b.c, hat(left(o.f[i], b.Q[k])));
       }
-      put(K, i, x, Kx), put(C, i, x, Cx), put(M, i, x, Mx);
-      put(K, i, t, Kt), put(C, i, t, Ct), put(M, i, t, Mt);
+      put(K, i, x, Kx);
+      put(C, i, x, Cx);
+      put(M, i, x, Mx);
+      put(K, i, t, Kt);
+      put(C, i, t, Ct);
+      put(M, i, t, Mt);
     }
 }
 
@@ -208,8 +232,12 @@ Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam
   // Hermite's cubics are linear where the tangents are the chord and change as it does.
   Motion<4> m;
   for (int i = 0; i < 2; ++i) {
-    m.X[2 * i] = c.X[i], m.V[2 * i] = c.V[i], m.A[2 * i] = c.A[i];
-    m.X[2 * i + 1] = c.X[1] - c.X[0], m.V[2 * i + 1] = c.V[1] - c.V[0], m.A[2 * i + 1] = c.A[1] - c.A[0];
+    m.X[2 * i] = c.X[i];
+    m.V[2 * i] = c.V[i];
+    m.A[2 * i] = c.A[i];
+    m.X[2 * i + 1] = c.X[1] - c.X[0];
+    m.V[2 * i + 1] = c.V[1] - c.V[0];
+    m.A[2 * i + 1] = c.A[1] - c.A[0];
   }
   put_water(e.water1, e.water2, m);
   Forces<4> o;

@@ -32,7 +32,8 @@ LinkTension link_tension(const LinkLaw& law, double length, double speed) {
   double damper = law.damping * speed, slope = law.damping;
   if (law.damper) {
     const ResponseCurve::Value v = law.damper->at(speed);
-    damper = v.force, slope = v.slope;
+    damper = v.force;
+    slope = v.slope;
   }
   LinkTension t{s.force + damper, s.slope, slope, s.energy, damper * speed};
   if (!law.tension_only) return t;

@@ -1,5 +1,5 @@
 // The slopes at the rows that make a piecewise cubic monotone, and its value, derivatives and integral: the
-// curve beneath tables of force and of stiffness.
+// curve below tables of force and of stiffness.
 #include "hawser/kernels/monotone_cubic.hpp"
 
 #include <algorithm>

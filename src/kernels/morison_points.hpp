@@ -23,7 +23,10 @@ struct Rule<false> {
   static constexpr double at[2] = {0.21132486540518711775, 0.78867513459481288225};
   static constexpr double weight[2] = {0.5, 0.5};
   static constexpr double edge[3] = {0, 0.5, 1};  // of the pieces that the points represent
-  static void shape(double s, double* N) { N[0] = 1 - s, N[1] = s; }
+  static void shape(double s, double* N) {
+    N[0] = 1 - s;
+    N[1] = s;
+  }
 };
 template <>
 struct Rule<true> {
@@ -33,7 +36,10 @@ struct Rule<true> {
   static constexpr double edge[4] = {0, 5.0 / 18, 13.0 / 18, 1};
   static void shape(double s, double* N) {
     const double r = 1 - s;
-    N[0] = r * r * (1 + 2 * s), N[1] = s * r * r, N[2] = s * s * (3 - 2 * s), N[3] = -s * s * r;
+    N[0] = r * r * (1 + 2 * s);
+    N[1] = s * r * r;
+    N[2] = s * s * (3 - 2 * s);
+    N[3] = -s * s * r;
   }
 };
 
@@ -118,8 +124,12 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
   Row by_z[n][2];   // through the current
   if constexpr (tangent)
     for (int j = 0; j < n; ++j) {
-      by_chord[j] = Mat{}, by_z[j][0] = by_z[j][1] = zero;
-      for (int k = 0; k < n; ++k) out.K[j][k] = Mat{}, out.C[j][k] = Mat{};
+      by_chord[j] = Mat{};
+      by_z[j][0] = by_z[j][1] = zero;
+      for (int k = 0; k < n; ++k) {
+        out.K[j][k] = Mat{};
+        out.C[j][k] = Mat{};
+      }
     }
   const Mat P = identity(1) - outer(t, t);
 
@@ -137,8 +147,10 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const bool partly = wet.slope11 > 0 || wet.slope22 > 0;
     double from[n], to[n];  // minus the derivatives of h1 and h2 by heights
     for (int j = 0; j < n; ++j) from[j] = to[j] = N[j];
-    from[0] -= piece.from, from[end] += piece.from;
-    to[0] -= piece.to, to[end] += piece.to;
+    from[0] -= piece.from;
+    from[end] += piece.from;
+    to[0] -= piece.to;
+    to[end] += piece.to;
     // Derivatives of h1, h2 and b times the second derivatives of the integral.
     Row by1[n], by2[n], by_b[n];
     if (tangent && partly) {
@@ -157,7 +169,8 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
       if (partly) {
         // By Euler's theorem on homogeneous functions.
         const double G = B * (wet.integral - piece.h1 * wet.share1 - piece.h2 * wet.share2) / band.b;
-        out.f[0] += G * db[0], out.f[end] += G * db[end];
+        out.f[0] += G * db[0];
+        out.f[end] += G * db[end];
         if constexpr (tangent) {
           for (int k = 0; k < n; ++k) {
             for (int j = 0; j < n; ++j) out.K[j][k].r[2] -= (B * from[j]) * by1[k] + (B * to[j]) * by2[k];
@@ -169,8 +182,10 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
           }
           if (beam && !convex) {  // a section wider than the element is long would rather stand
             const Mat k2 = (G / band.b) * (band.by_lean * by_chord2_of(t, inverse) - outer(db[end], db[end]));
-            out.K[0][0] += k2, out.K[end][end] += k2;
-            out.K[0][end] -= k2, out.K[end][0] -= k2;
+            out.K[0][0] += k2;
+            out.K[end][end] += k2;
+            out.K[0][end] -= k2;
+            out.K[end][0] -= k2;
           }
         }
       }
@@ -222,7 +237,8 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
           const double ty = dot(t, y[j]);
           const Row across = y[j] - ty * t;
           by_chord[j] += (-wF * N[j] * inverse) * T + (wF * inverse * ma) * (outer(t, across) + ty * P);
-          by_z[j][0] -= (wF * N[j] * (1 - z)) * d[0], by_z[j][1] -= (wF * N[j] * z) * d[1];
+          by_z[j][0] -= (wF * N[j] * (1 - z)) * d[0];
+          by_z[j][1] -= (wF * N[j] * z) * d[1];
         }
         if (partly)
           for (int k = 0; k < n; ++k) {
@@ -236,9 +252,12 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const Mat added = identity(s.added_normal) + outer(ma * t, t);
     for (int j = 0; j < n; ++j) {
       for (int k = 0; k < n; ++k) out.M[j][k] = masses[j][k] * added;
-      out.K[j][end] += by_chord[j], out.K[j][0] -= by_chord[j];
-      for (int r = 0; r < 3; ++r)
-        out.K[j][0].r[r][2] += by_z[j][0][r], out.K[j][end].r[r][2] += by_z[j][1][r];
+      out.K[j][end] += by_chord[j];
+      out.K[j][0] -= by_chord[j];
+      for (int r = 0; r < 3; ++r) {
+        out.K[j][0].r[r][2] += by_z[j][0][r];
+        out.K[j][end].r[r][2] += by_z[j][1][r];
+      }
     }
   }
 }

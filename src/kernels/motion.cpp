@@ -76,8 +76,10 @@ void RowCurve::bend_monotone() {
   const size_t n = time_.size();
   std::vector<double> h(n - 1);
   std::vector<Vec3> secant(n - 1), slope(n, Vec3::Zero());
-  for (size_t i = 0; i + 1 < n; ++i)
-    h[i] = time_[i + 1] - time_[i], secant[i] = (value_[i + 1] - value_[i]) / h[i];
+  for (size_t i = 0; i + 1 < n; ++i) {
+    h[i] = time_[i + 1] - time_[i];
+    secant[i] = (value_[i + 1] - value_[i]) / h[i];
+  }
   const auto end = [](double chord, double next) {
     const double parabola = 2 * chord - next;
     return chord > 0 ? std::clamp(parabola, 0.0, 3 * chord) : std::clamp(parabola, 3 * chord, 0.0);
@@ -140,7 +142,10 @@ RowCurve::Activity RowCurve::activity() const {
 std::vector<RowCurve::Overshoot> RowCurve::overshoots(double share) const {
   std::vector<Overshoot> out;
   Vec3 least = Vec3::Constant(HUGE_VAL), most = -least;
-  for (const Vec3& x : value_) least = least.cwiseMin(x), most = most.cwiseMax(x);
+  for (const Vec3& x : value_) {
+    least = least.cwiseMin(x);
+    most = most.cwiseMax(x);
+  }
   for (size_t i = 0; i + 1 < time_.size(); ++i)
     for (int c = 0; c < 3; ++c) {
       const double h = time_[i + 1] - time_[i], p = value_[i][c], q = value_[i + 1][c];
@@ -213,7 +218,8 @@ RigidMotion::RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw l
 void RigidMotion::set_drift(DriftLaw drift) {
   if (!(drift.ramp >= 0)) throw std::invalid_argument("the ramp of a drift must not be negative");
   if (!(drift.harmonic.period > 0)) throw std::invalid_argument("the period of a drift must be positive");
-  drift_ = std::move(drift), drifts_ = true;
+  drift_ = std::move(drift);
+  drifts_ = true;
 }
 
 namespace {

@@ -20,7 +20,9 @@ PlasticBending::PlasticBending(std::span<const Row> rows) {
       throw std::invalid_argument("row " + std::to_string(i + 1) + " makes the curve steeper than before");
     if (i == 0) initial_ = slope;
     if (i > 0) springs_.push_back({std::max(before - slope, 0.0), c});
-    c = c_next, m = m_next, before = slope;
+    c = c_next;
+    m = m_next;
+    before = slope;
   }
   if (springs_.empty()) throw std::invalid_argument("at least two rows are needed");
   hardening_ = before;
@@ -28,22 +30,27 @@ PlasticBending::PlasticBending(std::span<const Row> rows) {
 
 BendingMoment PlasticBending::at(double c2, double c3, const double* set) const {
   BendingMoment o;
-  o.m[0] = hardening_ * c2, o.m[1] = hardening_ * c3;
+  o.m[0] = hardening_ * c2;
+  o.m[1] = hardening_ * c3;
   o.energy = 0.5 * hardening_ * (c2 * c2 + c3 * c3);
   o.K[0][0] = o.K[1][1] = hardening_;
   for (const Spring& s : springs_) {
     const double e2 = c2 - (set ? set[0] : 0), e3 = c3 - (set ? set[1] : 0), e = std::hypot(e2, e3);
     if (set) set += 2;
     if (e <= s.yield) {
-      o.m[0] += s.stiffness * e2, o.m[1] += s.stiffness * e3;
-      o.K[0][0] += s.stiffness, o.K[1][1] += s.stiffness;
+      o.m[0] += s.stiffness * e2;
+      o.m[1] += s.stiffness * e3;
+      o.K[0][0] += s.stiffness;
+      o.K[1][1] += s.stiffness;
       o.energy += 0.5 * s.stiffness * e * e;
       continue;
     }
     // On the yield circle only what is across the direction resists.
     const double secant = s.stiffness * s.yield / e, n2 = e2 / e, n3 = e3 / e;
-    o.m[0] += secant * e2, o.m[1] += secant * e3;
-    o.K[0][0] += secant * n3 * n3, o.K[1][1] += secant * n2 * n2;
+    o.m[0] += secant * e2;
+    o.m[1] += secant * e3;
+    o.K[0][0] += secant * n3 * n3;
+    o.K[1][1] += secant * n2 * n2;
     o.K[0][1] -= secant * n2 * n3;
     o.energy += 0.5 * s.stiffness * s.yield * s.yield;
   }
@@ -56,7 +63,8 @@ double PlasticBending::bend(double c2, double c3, double* set) const {
   for (const Spring& s : springs_) {
     const double e2 = c2 - set[0], e3 = c3 - set[1], e = std::hypot(e2, e3), beyond = e - s.yield;
     if (beyond > 0) {
-      set[0] += beyond * e2 / e, set[1] += beyond * e3 / e;
+      set[0] += beyond * e2 / e;
+      set[1] += beyond * e3 / e;
       dissipated += s.stiffness * s.yield * beyond;
     }
     set += 2;
@@ -66,7 +74,11 @@ double PlasticBending::bend(double c2, double c3, double* set) const {
 
 std::pair<double, double> PlasticBending::residual(const double* set) const {
   double r2 = 0, r3 = 0;
-  for (const Spring& s : springs_) r2 += s.stiffness * set[0], r3 += s.stiffness * set[1], set += 2;
+  for (const Spring& s : springs_) {
+    r2 += s.stiffness * set[0];
+    r3 += s.stiffness * set[1];
+    set += 2;
+  }
   return {r2 / initial_, r3 / initial_};
 }
 
@@ -90,7 +102,8 @@ std::vector<PlasticBending::Row> ramberg_osgood(double EI, double yield_moment, 
     const double m = most * k / kFine, slope = yield * (1 + A * B * std::pow(m, B - 1));
     const double bend = yield * A * B * (B - 1) * std::pow(m, B - 2);  // of the curvature by the moment
     const double density = k == 0 ? 0 : std::sqrt(bend / (slope * m));
-    sum.push_back(k == 0 ? 0 : sum.back() + density), at.push_back(m);
+    sum.push_back(k == 0 ? 0 : sum.back() + density);
+    at.push_back(m);
   }
   std::vector<PlasticBending::Row> out;
   for (int r = 1; r <= rows; ++r) {

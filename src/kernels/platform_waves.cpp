@@ -85,7 +85,7 @@ void PlatformWaves::add_newman(const Eigen::MatrixXd& drift) {
 }
 
 // sum_ij z_i conj(z_j) F_ij with z_i = a_i exp(i phase_i), F Hermitian: by its eigenvalues and -vectors
-// F = sum_m weight_m v_m v_m^H it is sum_m weight_m |sum_i v_mi z_i|². Modes that are small are left out.
+// F = sum_m weight_m v_m v_m^H it is sum_m weight_m |sum_i v_mi z_i|². Modes that are small are excluded.
 void PlatformWaves::add_full(const DifferenceForceTable& table) {
   constexpr double kNegligible = 1e-4;
   const auto n = static_cast<Eigen::Index>(components_.size());

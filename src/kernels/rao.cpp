@@ -23,7 +23,8 @@ RaoTable::RaoTable(std::vector<Row> rows) {
     if (!(r.omega > 0)) throw std::invalid_argument("frequencies of responses must be above 0");
     r.direction = all_round(r.direction);
     if (2 * M_PI - r.direction < kSame) r.direction = 0;
-    add(omega_, r.omega), add(direction_, r.direction);
+    add(omega_, r.omega);
+    add(direction_, r.direction);
   }
   std::sort(omega_.begin(), omega_.end());
   std::sort(direction_.begin(), direction_.end());
@@ -35,7 +36,8 @@ RaoTable::RaoTable(std::vector<Row> rows) {
   for (const Row& r : rows) {
     const size_t i = place(direction_, r.direction) * omega_.size() + place(omega_, r.omega);
     if (given[i]) throw std::invalid_argument("a frequency and direction of responses is there twice");
-    rows_[i] = r.response, given[i] = 1;
+    rows_[i] = r.response;
+    given[i] = 1;
     for (size_t k = 0; k < 6; ++k) largest_[k] = std::max(largest_[k], std::abs(r.response[k]));
   }
   if (std::find(given.begin(), given.end(), 0) != given.end())
@@ -96,7 +98,8 @@ RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& 
     double in[6], out[6];  // of cos and sin omega t
     for (size_t k = 0; k < 6; ++k) {
       const std::complex<double> z = w.amplitude * r[k] * std::polar(1.0, -psi);
-      in[k] = z.real(), out[k] = -z.imag();
+      in[k] = z.real();
+      out[k] = -z.imag();
     }
     terms_.push_back({w.omega, w.number * w.x, w.number * w.y, turned(in[0], in[1], in[2]),
                       turned(out[0], out[1], out[2]), turned(in[3], in[4], in[5]),
@@ -106,7 +109,8 @@ RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& 
 }
 
 void RaoMotion::at(double t, Vec3& offset, Vec3& rotation, const Vec3& drifted) const {
-  offset.setZero(), rotation.setZero();
+  offset.setZero();
+  rotation.setZero();
   for (const Term& m : terms_) {
     const double angle = m.omega * t - m.kx * drifted.x() - m.ky * drifted.y();
     const double c = std::cos(angle), s = std::sin(angle);

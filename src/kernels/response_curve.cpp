@@ -43,7 +43,8 @@ std::vector<ResponseCurve::Row> through_zero(std::span<const ResponseCurve::Row>
 ResponseCurve::ResponseCurve(std::span<const Row> rows, bool odd)
     : curve_(through_zero(rows, odd), {}, kLeast) {
   const MonotoneCubic::Value zero = curve_.at(0);
-  initial_ = zero.slope, integral_ = zero.integral;
+  initial_ = zero.slope;
+  integral_ = zero.integral;
 }
 
 ResponseCurve::Value ResponseCurve::at(double strain) const {

@@ -20,8 +20,10 @@ RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, co
   const Vec3 phi = turned(s, rest), p = b.turning_stiffness.cwiseProduct(phi);
   const Vec3 W0 = s.q.conjugate() * rest.angular_velocity, Jw = b.inertia * s.w;
   const Mat3 T = inverse_right_jacobian(phi);
-  r.inertia.head<3>() = b.mass * s.a, r.inertia.tail<3>() = b.inertia * s.alpha;
-  r.applied.head<3>() = -b.weight, r.applied.tail<3>() = s.w.cross(Jw);
+  r.inertia.head<3>() = b.mass * s.a;
+  r.inertia.tail<3>() = b.inertia * s.alpha;
+  r.applied.head<3>() = -b.weight;
+  r.applied.tail<3>() = s.w.cross(Jw);
   r.held.head<3>() =
       b.stiffness.cwiseProduct(s.x - rest.position) + b.damping.cwiseProduct(s.v - rest.velocity);
   r.held.tail<3>() = T.transpose() * p + b.turning_damping.cwiseProduct(s.w - W0);
@@ -41,7 +43,7 @@ namespace {
 
 // Force and moment about the centre of mass, body axes.
 std::array<Vec3, 2> load_in_body(const RigidBodyLoad& load, const RigidBodyState& s) {
-  const Quat to_body = load.follows ? Quat::Identity() : s.q.conjugate();
+  const Quat to_body = load.body_fixed ? Quat::Identity() : s.q.conjugate();
   const Vec3 F = to_body * load.force;
   return {F, load.arm.cross(F) + to_body * load.moment};
 }
@@ -53,18 +55,18 @@ void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResid
   const auto [F, moment] = load_in_body(load, s);
   to.applied.head<3>() -= s.q * F;
   to.applied.tail<3>() -= moment;
-  if (load.follows)
+  if (load.body_fixed)
     to.K.topRightCorner<3, 3>() += s.q.toRotationMatrix() * hat(F);
   else
     to.K.bottomRightCorner<3, 3>() -= hat(load.arm) * hat(F) + hat(s.q.conjugate() * load.moment);
 }
 
 double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
-  return load.follows ? 0 : -load.force.dot(s.x + s.q * load.arm);
+  return load.body_fixed ? 0 : -load.force.dot(s.x + s.q * load.arm);
 }
 
 double load_power(const RigidBodyLoad& load, const RigidBodyState& s) {
-  if (!load.follows) return load.moment.dot(s.q * s.w);
+  if (!load.body_fixed) return load.moment.dot(s.q * s.w);
   return (s.q * load.force).dot(s.v) + (load.arm.cross(load.force) + load.moment).dot(s.w);
 }
 

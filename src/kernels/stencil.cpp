@@ -43,7 +43,10 @@ wide::Mat block_at(const Matrix& m, size_t row, size_t column) {
 AttachedForces::AttachedForces(int n, bool couples, bool derivatives)
     : positions(static_cast<size_t>(n)), rotates(couples) {
   F.fill(Vec3::Zero());
-  if (derivatives) K.setZero(), C.setZero();
+  if (derivatives) {
+    K.setZero();
+    C.setZero();
+  }
 }
 
 void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double* K, double* C) const {
@@ -52,14 +55,17 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
   for (size_t i = 0; i < g.positions; ++i) {
     const AttachedPosition& p = at[i];
     Row& r = rows[count++];
-    r.index = i, r.of = &p;
+    r.index = i;
+    r.of = &p;
     if (p.position >= 0) r.add(p.position);
     if (p.rotation >= 0) r.add_turning(p.rotation, -p.R * hat(p.arm), -p.R * hat(p.w.cross(p.arm)));
   }
   for (size_t i = 0; g.rotates && i < turns.size(); ++i) {
     if (turns[i].rotation < 0) continue;
     Row& r = rows[count++];
-    r.index = AttachedForces::kPositions + i, r.couple = true, r.of = &turns[i];
+    r.index = AttachedForces::kPositions + i;
+    r.couple = true;
+    r.of = &turns[i];
     r.add_turning(turns[i].rotation, turns[i].R, Mat3::Zero());
   }
   const int m = 3 * blocks;
@@ -81,7 +87,10 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
           if (q.turns) k = k * q.E;
           if (C && !column.couple) {
             wide::Mat c = block_at(g.C, row.index, column.index);
-            if (q.turns) k += c * q.D, c = c * q.E;
+            if (q.turns) {
+              k += c * q.D;
+              c = c * q.E;
+            }
             if (p.turns) c = wide::transposed_times(p.E, c);
             put(C, p.block, q.block, c);
           }

@@ -43,7 +43,10 @@ T dispersion(const StokesInput& in, const T& k) {
   const Dispersion<T> f(kd);
   const T e = 0.5 * in.height * k, e2 = e * e;
   T C2 = f.C2, C4 = f.C4;
-  if (in.transport && !deep) C2 = C2 + f.D2 / all, C4 = C4 + f.D4 / all;
+  if (in.transport && !deep) {
+    C2 = C2 + f.D2 / all;
+    C4 = C4 + f.D4 / all;
+  }
   return sqrt(T(k / in.gravity)) * in.current - 2 * M_PI / in.period / sqrt(T(k * in.gravity)) + f.C0 +
          e2 * C2 + e2 * e2 * C4;
 }
@@ -143,7 +146,8 @@ StokesWave::StokesWave(const StokesInput& input) : input_(input) {
                 3 * u * (e3 * s.A33 + e5 * s.A53),
                 4 * u * e4 * s.A44,
                 5 * u * e5 * s.A55};
-  cos_ = std::cos(input.direction), sin_ = std::sin(input.direction);
+  cos_ = std::cos(input.direction);
+  sin_ = std::sin(input.direction);
 }
 
 double StokesWave::length() const { return 2 * M_PI / k_; }
@@ -178,9 +182,12 @@ WaveMotion StokesWave::at(const Vec3& x, double t, double factor, double rate) c
     const double n = static_cast<double>(j);
     const double c = std::cos(n * theta), s = std::sin(n * theta);
     const double across = potential_[j] * std::cosh(n * k_ * y), up = potential_[j] * std::sinh(n * k_ * y);
-    u += across * c, w += up * s;
-    ux -= n * k_ * across * s, uz += n * k_ * up * c;
-    ut += n * omega_ * across * s, wt -= n * omega_ * up * c;
+    u += across * c;
+    w += up * s;
+    ux -= n * k_ * across * s;
+    uz += n * k_ * up * c;
+    ut += n * omega_ * across * s;
+    wt -= n * omega_ * up * c;
   }
   const double carried = u * ux + w * uz, lifted = u * uz - w * ux;  // w_x = u_z, w_z = -u_x
   const auto vector = [this](double along, double z) { return Vec3(cos_ * along, sin_ * along, z); };

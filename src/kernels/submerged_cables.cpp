@@ -147,10 +147,14 @@ void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, doubl
 }  // namespace
 
 void WaterSections4::set(int lane, const WaterSection& s) {
-  length[lane] = s.length, radius[lane] = s.radius, buoyancy[lane] = s.buoyancy;
+  length[lane] = s.length;
+  radius[lane] = s.radius;
+  buoyancy[lane] = s.buoyancy;
   displaced_mass[lane] = s.displaced_mass;
-  added_normal[lane] = s.added_normal, added_axial[lane] = s.added_axial;
-  drag_normal[lane] = s.drag_normal, drag_axial[lane] = s.drag_axial;
+  added_normal[lane] = s.added_normal;
+  added_axial[lane] = s.added_axial;
+  drag_normal[lane] = s.drag_normal;
+  drag_axial[lane] = s.drag_axial;
 }
 
 // The section gets wet over its radius above and below the axis; see morison_points.hpp.

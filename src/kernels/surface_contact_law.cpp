@@ -18,7 +18,8 @@ using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kInputs, 1>>;
 PointState<Dual> dual(const ContactTrial& t, const NormalForce& n) {
   const auto made = [](double value, const Vec3& by_point, const Vec3& by_velocity) {
     Dual d(value, Eigen::Matrix<double, kInputs, 1>::Zero());
-    d.derivatives().head<3>() = by_point, d.derivatives().segment<3>(kVelocity) = by_velocity;
+    d.derivatives().head<3>() = by_point;
+    d.derivatives().segment<3>(kVelocity) = by_velocity;
     return d;
   };
   const Vec3 none = Vec3::Zero();
@@ -30,7 +31,8 @@ PointState<Dual> dual(const ContactTrial& t, const NormalForce& n) {
     s.normal[c] = made(t.normal[c], t.curvature.col(c), none);
     s.velocity[c] = made(t.velocity[c], none, Vec3::Unit(c));
   }
-  s.roll = Dual(t.roll, kInputs, kRoll), s.lever = t.lever;
+  s.roll = Dual(t.roll, kInputs, kRoll);
+  s.lever = t.lever;
   return s;
 }
 
@@ -53,7 +55,8 @@ PointContact volume_contact(const ContactLaw& law, const ContactStart& start, co
     const Friction<Dual> f = point_friction(law, start, dual(trial, r.normal));
     for (int c = 0; c < 3; ++c) {
       const auto& by = f.force[c].derivatives();
-      r.friction[c] = f.force[c].value(), r.slip[c] = f.slip[c].value();
+      r.friction[c] = f.force[c].value();
+      r.slip[c] = f.slip[c].value();
       r.by_point.row(c) += by.head<3>().transpose();
       r.by_velocity.row(c) += by.segment<3>(kVelocity).transpose();
       r.by_roll[c] = by[kRoll];
@@ -64,7 +67,9 @@ PointContact volume_contact(const ContactLaw& law, const ContactStart& start, co
         point_friction(law, start,
                        PointState<double>{trial.gap, r.normal.force, trial.roll, trial.lever, trial.point, n,
                                           trial.velocity});
-    r.friction = f.force, r.slip = f.slip, r.slides = f.slides;
+    r.friction = f.force;
+    r.slip = f.slip;
+    r.slides = f.slides;
   }
   r.force += r.friction;
   return r;

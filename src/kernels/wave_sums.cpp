@@ -14,13 +14,13 @@ namespace {
 
 constexpr std::size_t kVector = 8;
 // At a depth d motion has exp(-k d) + exp(-k (2 h - d)) of what it has, less the second, in the mean water
-// level: at most 2 exp(-k d), a component's with k d above this less than kLeftOut of it.
-const double kUnfelt = std::log(2 / WaveSums::kLeftOut);
+// level: at most 2 exp(-k d), a component's with k d above this less than kNegligible of it.
+const double kNegligibleExponent = std::log(2 / WaveSums::kNegligible);
 // exp of minus it is below rounding.
 constexpr double kNothing = 37;
 
 // Sine and cosine of an angle in quarter turns, whose reduction to an eighth of a turn is exact in them. By
-// Taylor's series to below (pi/4)^15/15! = 2e-14, beside which kLeftOut is large.
+// Taylor's series to below (pi/4)^15/15! = 2e-14, beside which kNegligible is large.
 struct SineCosine {
   double sine, cosine;
 };
@@ -29,8 +29,12 @@ inline SineCosine sine_cosine(double quarters) {
   const double x = M_PI / 2 * (quarters - whole), y = x * x;
   const int quadrant = static_cast<int>(whole);
   double s = 1, c = 1;
-  for (int n = 12; n > 0; n -= 2) s = 1 - s * y / (n * (n + 1)), c = 1 - c * y / ((n + 1) * (n + 2));
-  s *= x, c = 1 - 0.5 * y * c;
+  for (int n = 12; n > 0; n -= 2) {
+    s = 1 - s * y / (n * (n + 1));
+    c = 1 - c * y / ((n + 1) * (n + 2));
+  }
+  s *= x;
+  c = 1 - 0.5 * y * c;
   const double first = quadrant & 1 ? c : s, second = quadrant & 1 ? s : c;
   return {quadrant & 2 ? -first : first, (quadrant + 1) & 2 ? -second : second};
 }
@@ -42,7 +46,8 @@ double elevation(std::size_t n, const double* phase, const double* per_time, dou
   double sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const SineCosine of = sine_cosine(along_x[i] * x + along_y[i] * y + (phase[i] - per_time[i] * t));
-    sine[i] = of.sine, cosine[i] = of.cosine;
+    sine[i] = of.sine;
+    cosine[i] = of.cosine;
     sum += amplitude[i] * of.cosine;
   }
   return sum;
@@ -60,11 +65,17 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) : depth_
   for (const WaveComponent& c : components) {
     const double bottom = depth > 0 ? std::exp(-2 * c.number * depth) : 0;
     constexpr double kQuarters = 2 / M_PI;  // in a radian
-    number_.push_back(c.number), omega_.push_back(c.omega), amplitude_.push_back(c.amplitude);
-    along_x_.push_back(kQuarters * c.number * c.x), along_y_.push_back(kQuarters * c.number * c.y);
-    per_time_.push_back(kQuarters * c.omega), phase_.push_back(kQuarters * c.phase);
-    x_.push_back(c.x), y_.push_back(c.y);
-    speed_.push_back(c.amplitude * c.omega / (1 - bottom)), bottom_.push_back(bottom);
+    number_.push_back(c.number);
+    omega_.push_back(c.omega);
+    amplitude_.push_back(c.amplitude);
+    along_x_.push_back(kQuarters * c.number * c.x);
+    along_y_.push_back(kQuarters * c.number * c.y);
+    per_time_.push_back(kQuarters * c.omega);
+    phase_.push_back(kQuarters * c.phase);
+    x_.push_back(c.x);
+    y_.push_back(c.y);
+    speed_.push_back(c.amplitude * c.omega / (1 - bottom));
+    bottom_.push_back(bottom);
   }
   height_beyond_.assign(components.size() + 1, 0);
   for (std::size_t i = components.size(); i-- > 0;)
@@ -76,30 +87,37 @@ std::size_t WaveSums::up_to(double most) const {
   return (static_cast<std::size_t>(end - number_.begin()) + kVector - 1) / kVector * kVector;
 }
 
-std::size_t WaveSums::felt(double z) const { return z < 0 ? up_to(kUnfelt / -z) : number_.size(); }
+std::size_t WaveSums::significant_components(double z) const {
+  return z < 0 ? up_to(kNegligibleExponent / -z) : number_.size();
+}
 
 HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n, Phases& out) const {
-  out.sine.resize(n), out.cosine.resize(n);
+  out.sine.resize(n);
+  out.cosine.resize(n);
   out.surface = elevation(n, phase_.data(), per_time_.data(), t, along_x_.data(), x, along_y_.data(), y,
                           amplitude_.data(), out.sine.data(), out.cosine.data());
 }
 
-// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both are exp kz where the bed is not
-// felt.
+// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both are exp kz where the bed does
+// not matter.
 HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
                                         Vec3& acceleration) const {
-  const std::size_t n = std::min(felt(z), at.sine.size());
+  const std::size_t n = std::min(significant_components(z), at.sine.size());
   const double above = std::max(depth_ + z, 0.0);  // the bed
   const std::size_t shallow = depth_ > 0 ? std::min(n, up_to(kNothing / std::max(2 * above, 1e-9))) : 0;
   const double *sine = at.sine.data(), *cosine = at.cosine.data();
   double ux = 0, uy = 0, uz = 0, ax = 0, ay = 0, az = 0;
   const auto add = [&](std::size_t i, double across, double up) {
     const double forward = across * cosine[i], growing = omega_[i] * across * sine[i];
-    ux += x_[i] * forward, uy += y_[i] * forward, uz += up * sine[i];
-    ax += x_[i] * growing, ay += y_[i] * growing, az -= omega_[i] * up * cosine[i];
+    ux += x_[i] * forward;
+    uy += y_[i] * forward;
+    uz += up * sine[i];
+    ax += x_[i] * growing;
+    ay += y_[i] * growing;
+    az -= omega_[i] * up * cosine[i];
   };
   for (std::size_t i = 0; i < shallow; ++i) {
-    // A vector that begins with what is felt may end with waves so short that both are zero.
+    // A vector that begins with what is significant may end with waves so short that both are zero.
     const double e = std::exp(number_[i] * z),
                  back = bottom_[i] / std::max(e, std::numeric_limits<double>::min());
     add(i, speed_[i] * (e + back), speed_[i] * (e - back));

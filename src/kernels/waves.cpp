@@ -35,18 +35,19 @@ WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
     : components_{wave->component()}, depth_(wave->depth()), stokes_(std::move(wave)) {}
 
 // How many components, the longest waves first, are summed for a place at the height z. At the bed those that
-// are felt there are enough: the motion depends on the elevation eta only by Wheeler's stretching, which
-// moves the place by h (h + z)/(h + eta)² d eta when eta changes by d eta, and the motion exp(kz) of any
-// component then changes by at most 1/(e |z|) times that. This is bounded by WaveSums::kLeftOut for what is
-// left out. Everywhere else all components are summed, since a tall body below needs the elevation above it.
+// are significant there are enough: the motion depends on the elevation eta only by Wheeler's stretching,
+// which moves the place by h (h + z)/(h + eta)² d eta when eta changes by d eta, and the motion exp(kz) of
+// any component then changes by at most 1/(e |z|) times that. This is bounded by WaveSums::kNegligible for
+// what is excluded. Everywhere else all components are summed, since a tall body below needs the elevation
+// above it.
 std::size_t WaveField::components_summed(double z) const {
   const double height = sums_.height_beyond(0), h = depth_;
   if (stretching_ != Stretching::wheeler || !(h > height) || !(z < -height)) return sums_.size();
   const double highest = h * (z + height) / (h - height);  // under the deepest trough
   const double moves = h * std::abs(h + z) / ((h - height) * (h - height));
-  const std::size_t n = sums_.felt(highest);
+  const std::size_t n = sums_.significant_components(highest);
   const double change = moves * sums_.height_beyond(n) / (M_E * -highest);
-  return change <= WaveSums::kLeftOut ? n : sums_.size();
+  return change <= WaveSums::kNegligible ? n : sums_.size();
 }
 
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
@@ -82,7 +83,8 @@ struct Grid {
   std::vector<double> omega, sum;
   Grid(double peak, double gamma, double from, double to, int cells) {
     const double step = std::log(to / from) / cells;
-    omega.resize(cells + 1), sum.assign(cells + 1, 0);
+    omega.resize(cells + 1);
+    sum.assign(cells + 1, 0);
     for (int i = 0; i <= cells; ++i) omega[i] = peak * from * std::exp(i * step);
     const auto f = [&](double w) { return w * shape(w, peak, gamma); };
     for (size_t i = 1; i < omega.size(); ++i) {
@@ -109,7 +111,8 @@ class Spreading {
  public:
   explicit Spreading(double s) : below_(kCells + 1, 0) {
     const double widest = std::min(M_PI, 9 / std::sqrt(s));  // beyond it there is less than 1e-9
-    first_ = -widest, step_ = 2 * widest / kCells;
+    first_ = -widest;
+    step_ = 2 * widest / kCells;
     const auto density = [&](int i) { return std::pow(std::cos((first_ + i * step_) / 2), 2 * s); };
     for (int i = 0; i < kCells; ++i) below_[i + 1] = below_[i] + density(i) + density(i + 1);
   }
@@ -141,7 +144,8 @@ void spread(std::vector<WaveComponent>& components, double mean, double spreadin
     WaveComponent& c = components[i];
     const double energy = c.amplitude * c.amplitude;
     const double theta = mean + shape.angle((so_far + 0.5 * energy) / all);
-    c.x = std::cos(theta), c.y = std::sin(theta);
+    c.x = std::cos(theta);
+    c.y = std::sin(theta);
     so_far += energy;
   }
 }
@@ -153,7 +157,8 @@ WaveComponent component_of(double energy, double from, double to, double directi
   c.amplitude = std::sqrt(2 * energy);
   c.omega = from + (0.25 + 0.5 * random.next()) * (to - from);
   c.phase = 2 * M_PI * random.next();
-  c.x = std::cos(direction), c.y = std::sin(direction);
+  c.x = std::cos(direction);
+  c.y = std::sin(direction);
   return c;
 }
 
@@ -175,7 +180,7 @@ std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, 
   std::vector<WaveComponent> out;
   for (int i = 0; i < count; ++i) {
     const size_t from = kFine * i, to = from + kFine;
-    // What the range leaves out goes to all bins.
+    // What the range excludes goes to all bins.
     const double energy = (g.sum[to] - g.sum[from]) / g.sum.back() * spectrum.height * spectrum.height / 16;
     out.push_back(component_of(energy, g.omega[from], g.omega[to], direction, random));
   }
@@ -204,7 +209,8 @@ std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, doubl
     const double sum = below(to);
     const WaveComponent c = component_of(sum - so_far, from, to, direction, random);
     if (sum > so_far) out.push_back(c);
-    from = to, so_far = sum;
+    from = to;
+    so_far = sum;
   }
   if (spreading > 0) spread(out, direction, spreading, random);
   return out;

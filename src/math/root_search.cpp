@@ -13,37 +13,54 @@ constexpr int kMostFailures = 6;  // before what lies beyond is left alone: each
 }  // namespace
 
 RootSearch::RootSearch(double start, double step, double low, double high) : next_(start) {
-  way_[0].step = step, way_[1].step = -step;
-  for (Way& w : way_) w.limit = w.step > 0 ? high : low, w.x = start, w.tried = w.step;
+  way_[0].step = step;
+  way_[1].step = -step;
+  for (Way& w : way_) {
+    w.limit = w.step > 0 ? high : low;
+    w.x = start;
+    w.tried = w.step;
+  }
 }
 
 double RootSearch::width() const { return std::abs(x_[1] - x_[0]); }
 
 void RootSearch::add(double value) {
   const std::pair<double, double> row(next_, value);
-  seen_.insert(std::upper_bound(seen_.begin(), seen_.end(), row), row);
+  values_.insert(std::upper_bound(values_.begin(), values_.end(), row), row);
   if (bracketed_) {
     const int same = (value > 0) == (f_[0] > 0) ? 0 : 1;
-    x_[2] = x_[same], f_[2] = f_[same];
-    if (same == 1) x_[1] = x_[0], f_[1] = f_[0];
-    x_[0] = next_, f_[0] = value, failures_ = 0;
+    x_[2] = x_[same];
+    f_[2] = f_[same];
+    if (same == 1) {
+      x_[1] = x_[0];
+      f_[1] = f_[0];
+    }
+    x_[0] = next_;
+    f_[0] = value;
+    failures_ = 0;
     return between();
   }
-  if (values_++ == 0) {
+  if (count_++ == 0) {
     return begin(value);
   }
   Way& w = way_[going_];
   if ((value > 0) != (w.f > 0)) {
     bracketed_ = true;
-    x_[0] = next_, f_[0] = value, x_[1] = w.x, f_[1] = w.f;
+    x_[0] = next_;
+    f_[0] = value;
+    x_[1] = w.x;
+    f_[1] = w.f;
     share_ = f_[0] / (f_[0] - f_[1]);
     next_ = x_[0] + std::clamp(share_, 0.02, 0.98) * (x_[1] - x_[0]);
-    x_[2] = x_[1], f_[2] = f_[1];
+    x_[2] = x_[1];
+    f_[2] = f_[1];
     return;
   }
   // The other way first, if this one leads away.
-  const bool away = values_ == 2 && std::abs(value) > std::abs(w.f) && !way_[1 - going_].ended;
-  w.x = next_, w.f = value, w.step *= w.failures > 0 ? 1 : kGrowth;
+  const bool away = count_ == 2 && std::abs(value) > std::abs(w.f) && !way_[1 - going_].ended;
+  w.x = next_;
+  w.f = value;
+  w.step *= w.failures > 0 ? 1 : kGrowth;
   if (w.x == w.limit) w.ended = true;
   if (away) going_ = 1 - going_;
   outward();
@@ -56,9 +73,10 @@ void RootSearch::fail() {
     next_ = x_[0] + share_ * (x_[1] - x_[0]);
     return;
   }
-  if (values_ == 0) return look_farther();
+  if (count_ == 0) return extend_range();
   Way& w = way_[going_];
-  w.limit = next_, w.step = 0.5 * (next_ - w.x);
+  w.limit = next_;
+  w.step = 0.5 * (next_ - w.x);
   if (++w.failures > kMostFailures) w.ended = true;
   outward();
 }
@@ -66,23 +84,34 @@ void RootSearch::fail() {
 // What was looked for on the way here, where the start has none, lies behind.
 void RootSearch::begin(double value) {
   Way &there = way_[going_], &back = way_[1 - going_];
-  if (looked_ > 0) back.limit = there.x, back.failures = 1, back.ended = false;
+  if (failures_at_start_ > 0) {
+    back.limit = there.x;
+    back.failures = 1;
+    back.ended = false;
+  }
   there.ended = next_ == there.limit;
-  for (Way& w : way_) w.x = next_, w.f = value;
+  for (Way& w : way_) {
+    w.x = next_;
+    w.f = value;
+  }
   going_ = value > 0 ? 1 : 0;
   outward();
 }
 
 // The start has no value: ever farther from it on either side.
-void RootSearch::look_farther() {
-  if (looked_++ > 0) way_[going_].x = next_, way_[going_].ended = next_ == way_[going_].limit;
+void RootSearch::extend_range() {
+  if (failures_at_start_++ > 0) {
+    way_[going_].x = next_;
+    way_[going_].ended = next_ == way_[going_].limit;
+  }
   if (!way_[1 - going_].ended) going_ = 1 - going_;
   Way& w = way_[going_];
   if (w.ended) {
     exhausted_ = true;
     return;
   }
-  next_ = w.x + w.tried, w.tried *= kGrowth;
+  next_ = w.x + w.tried;
+  w.tried *= kGrowth;
   if ((w.step > 0) != (next_ < w.limit)) next_ = w.limit;
 }
 

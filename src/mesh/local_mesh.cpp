@@ -94,7 +94,8 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
 void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
   const size_t chain = l.chain;
   if (l.chain_blocks > 0) l.global_block.resize(l.chain_blocks);
-  l.global.resize(chain), l.block.resize(chain);
+  l.global.resize(chain);
+  l.block.resize(chain);
   std::vector<int> more;
   for (int n : nodes)
     if (l.find(n) < 0) more.push_back(n);

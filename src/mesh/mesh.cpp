@@ -90,7 +90,8 @@ Mesh build_mesh(const model::Case& c) {
   size_t elements = 0;
   for (const model::Line& line : c.lines)
     for (const model::Section& s : line.sections) elements += s.elements;
-  m.elements.reserve(elements), m.nodes.reserve(elements + c.lines.size() + c.bodies.size());
+  m.elements.reserve(elements);
+  m.nodes.reserve(elements + c.lines.size() + c.bodies.size());
   for (size_t i = 0; i < c.lines.size(); ++i) {
     const auto& line = c.lines[i];
     LineSpan span;

@@ -39,7 +39,10 @@ std::vector<Edge> merged(std::vector<Edge> all) {
 std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> near) {
   std::vector<Edge> all;
   const auto add = [&](int a, int b, idx_t w) {
-    if (a != b) all.push_back({a, b, w}), all.push_back({b, a, w});
+    if (a != b) {
+      all.push_back({a, b, w});
+      all.push_back({b, a, w});
+    }
   };
   for (const Element& e : mesh.elements) add(e.first, e.second, kChainEdge);
   for (size_t n = 0; n < mesh.nodes.size(); ++n)
@@ -59,7 +62,8 @@ std::vector<idx_t> bisect(std::vector<idx_t> weight, const std::vector<Edge>& al
   if (weight.empty() || parts == 1) return part;
   for (const Edge& e : all) {
     ++start[e.from + 1];
-    next.push_back(e.to), edge.push_back(e.weight);
+    next.push_back(e.to);
+    edge.push_back(e.weight);
   }
   for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
   idx_t vertices = static_cast<idx_t>(weight.size()), constraints = 1, cut = 0;
@@ -84,7 +88,8 @@ struct Shares {
 // A whole line of more work than a rank's fair share of what is left gets a rank of its own.
 Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
   Shares s;
-  s.owner.assign(mesh.nodes.size(), -1), s.vertex = s.owner;
+  s.owner.assign(mesh.nodes.size(), -1);
+  s.vertex = s.owner;
   const auto work = [&](size_t n) { return mesh.nodes[n].rotates ? kBeamWork : kCableWork; };
   const auto each_node = [&](int line, const auto& what) {
     const LineSpan& l = mesh.lines[line];
@@ -103,14 +108,17 @@ Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
     std::vector<int>& share = alone ? s.owner : s.vertex;
     const int number = alone ? s.first : static_cast<int>(s.weight.size());
     each_node(line, [&](size_t n) { share[n] = number; });
-    if (alone)
-      left -= weight, ++s.first;
-    else
+    if (alone) {
+      left -= weight;
+      ++s.first;
+    } else
       s.weight.push_back(weight);
   }
   for (size_t n = 0; n < mesh.nodes.size(); ++n)
-    if (s.owner[n] < 0 && s.vertex[n] < 0)
-      s.vertex[n] = static_cast<int>(s.weight.size()), s.weight.push_back(work(n));
+    if (s.owner[n] < 0 && s.vertex[n] < 0) {
+      s.vertex[n] = static_cast<int>(s.weight.size());
+      s.weight.push_back(work(n));
+    }
   return s;
 }
 
@@ -134,11 +142,11 @@ std::vector<int> cut_graph(const Mesh& mesh, int ranks, std::span<const int> who
 
 // Nodes that other ranks see, once for each rank that does.
 size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner) {
-  std::vector<std::pair<int, int>> seen;
+  std::vector<std::pair<int, int>> pairs;
   for (const Edge& e : all)
-    if (const int rank = owner[e.to]; rank != owner[e.from]) seen.emplace_back(e.from, rank);
-  std::sort(seen.begin(), seen.end());
-  return static_cast<size_t>(std::unique(seen.begin(), seen.end()) - seen.begin());
+    if (const int rank = owner[e.to]; rank != owner[e.from]) pairs.emplace_back(e.from, rank);
+  std::sort(pairs.begin(), pairs.end());
+  return static_cast<size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ double mean_temperature_change(const Line& line, double from, double to) {
   double last = from, before = on_broken_line(rows, from), sum = 0;
   const auto go = [&](double s, double here) {
     sum += 0.5 * (s - last) * (before + here);
-    last = s, before = here;
+    last = s;
+    before = here;
   };
   for (const auto& [s, change] : rows)
     if (s > from && s < to) go(s, change);

@@ -41,7 +41,8 @@ void check_whole(const Case& c, const Issues& issue) {
         issue(key, "{:g} s make {:.3g} {} of a run of {:g} s; the limit is {:.3g}", each, d.duration / each,
               what, d.duration, kMostSteps);
     };
-    many(d.step, "dynamics.step", "steps"), many(d.max_step, "dynamics.max_step", "steps");
+    many(d.step, "dynamics.step", "steps");
+    many(d.max_step, "dynamics.max_step", "steps");
     many(c.output.every, "output.every", "outputs");
   }
   // A spline knows nothing beyond its rows, and going on with its last slope would be a guess.

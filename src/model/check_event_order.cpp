@@ -21,7 +21,10 @@ class EventOrder {
   EventOrder(const Case& c, const Issues& issue) : c_(c), all_(issue) {}
 
   void run() {
-    for (i_ = 0; i_ < c_.events.size(); ++i_) check_chain(), check_feeds();
+    for (i_ = 0; i_ < c_.events.size(); ++i_) {
+      check_chain();
+      check_feeds();
+    }
     check_ends();
     check_joints();
     check_volumes();
@@ -127,8 +130,10 @@ class EventOrder {
           bool released = false;
           for (std::size_t k = 0; k < c_.events.size(); ++k)
             if (const Action& a = c_.events[k].action;
-                a.kind == Kind::release && a.cut < 0 && a.line == l.name && a.at_b == b)
-              released = true, last = k;
+                a.kind == Kind::release && a.cut < 0 && a.line == l.name && a.at_b == b) {
+              released = true;
+              last = k;
+            }
           stay += !released;
         }
       if (stay > 0 || last == c_.events.size()) continue;
@@ -146,7 +151,7 @@ class EventOrder {
                        [&](const Volume& v) { return switches(event().action, v); }))
         issue("contact.volume", "there is no volume, support or group of supports '{}'{}",
               event().action.volume, did_you_mean(event().action.volume, names));
-    std::set<std::pair<std::size_t, std::size_t>> told;  // once for all rollers of a group
+    std::set<std::pair<std::size_t, std::size_t>> reported;  // once for all rollers of a group
     for (const Volume& v : c_.volumes) {
       std::vector<std::size_t> events;
       for (std::size_t k = 0; k < c_.events.size(); ++k)
@@ -158,7 +163,7 @@ class EventOrder {
       for (std::size_t k = 1; k < events.size(); ++k) {
         i_ = events[k];
         if (c_.events[events[k]].action.enabled == c_.events[events[k - 1]].action.enabled &&
-            told.insert({events[k], events[k - 1]}).second)
+            reported.insert({events[k], events[k - 1]}).second)
           issue("contact", "contact with volume '{}' is {} by the event before already", v.name,
                 event().action.enabled ? "on" : "off");
       }

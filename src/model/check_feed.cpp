@@ -143,7 +143,7 @@ void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const
     const Action& a = c.events[k].action;
     if (a.cut < 0 || a.whole != line.name) continue;
     inwards.stock = (at_b ? length_of(line) - a.cut : a.cut) - f.stock;
-    if (!(inwards.stock > 0)) continue;  // told already
+    if (!(inwards.stock > 0)) continue;  // reported already
     if (const double t = runs_out(inwards, end); t < end)
       issue(fmt::format("events[{}].cut.at", k),
             "arc length {:.6g} m of line '{}' is hauled in at its end {} by t = {:.4g} s, and a feeder "
@@ -176,7 +176,10 @@ void check_feed(const Case& c, const Line& line, bool at_b, const Issues& all) {
   const bool changes = std::any_of(c.events.begin(), c.events.end(), [&](const Event& e) {
     return e.action.kind == Action::Kind::feed && e.action.line == line.name && e.action.at_b == at_b;
   });
-  if (!changes) check_stock(c, f, issue), check_cuts(c, line, f, at_b, all);
+  if (!changes) {
+    check_stock(c, f, issue);
+    check_cuts(c, line, f, at_b, all);
+  }
   check_law(f, issue);
   for (const PointMass& m : line.masses)
     if ((at_b ? length_of(line) - m.at : m.at) < f.stock)

@@ -208,7 +208,7 @@ class LineCheck {
     using Target = LengthTarget::Kind;
     const bool bed = t.kind == Target::touchdown || t.kind == Target::laid_length;
     if (!c_.statics.enabled)
-      issue("target", "is met in static equilibrium, which this case leaves out ('statics: false')");
+      issue("target", "is met in static equilibrium, which this case does not compute ('statics: false')");
     if (bed && !c_.environment.seabed.present)
       issue("target", "is about the seabed, but there is no 'environment.seabed'");
     if (!bed && !held(t.at_a ? line_.end_a : line_.end_b))

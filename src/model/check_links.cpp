@@ -35,7 +35,8 @@ std::optional<Vec3> drawn(const Case& c, const LinkEnd& e) {
 void check_links(const Case& c, const Issues& issue) {
   for (const Link& l : c.links) {
     const std::string key = "links." + l.name;
-    check_end(c, l.end_a, key + ".end_a", issue), check_end(c, l.end_b, key + ".end_b", issue);
+    check_end(c, l.end_a, key + ".end_a", issue);
+    check_end(c, l.end_b, key + ".end_b", issue);
     const bool spring = l.law.stiffness > 0 || l.law.spring, damper = l.law.damping > 0 || l.law.damper;
     if (!spring && !damper)
       issue(key, "does nothing: give it a 'stiffness', a 'force_table', a 'damping' or a 'damping_table'");

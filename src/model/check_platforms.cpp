@@ -68,7 +68,7 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
   if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
   if (m.in_water) issue("", "stands in the place of 'in_water': give one of them");
   if (!m.weight)
-    issue("", "brings the buoyancy of the body, so that its weight acts as well: leave out 'weight'");
+    issue("", "brings the buoyancy of the body, so that its weight acts as well: remove 'weight'");
   if (h.excitation && c.environment.water.present && c.environment.water.waves.kind != Waves::Kind::none &&
       h.data->excitation.empty())
     issue("wamit",

@@ -65,7 +65,7 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, const
   if (below > first.rise && below > kSteep * ahead)
     issue(which,
           "is {:.4g} m below where the line lies on support '{}', {:.4g} m further on: the line would start "
-          "beneath its roller; raise the end or lower the support",
+          "below its roller; raise the end or lower the support",
           below, first.name, ahead);
 }
 
@@ -81,7 +81,10 @@ const End* end_before(const Case& c, const Line& line, const SupportBox& first) 
   double nearest = HUGE_VAL;
   for (const End* e : {&line.end_a, &line.end_b})
     if (is_held(*e))
-      if (const double d = (end_position(c, *e) - at).norm(); d < nearest) best = e, nearest = d;
+      if (const double d = (end_position(c, *e) - at).norm(); d < nearest) {
+        best = e;
+        nearest = d;
+      }
   return best;
 }
 

@@ -45,12 +45,16 @@ Line part_of(const Line& line, double from, double to, double length) {
     start += s.length;
   }
   const auto elsewhere = [&](const auto& p) { return p.at > to || (p.at <= from && !first); };
-  std::erase_if(out.masses, elsewhere), std::erase_if(out.point_loads, elsewhere);
+  std::erase_if(out.masses, elsewhere);
+  std::erase_if(out.point_loads, elsewhere);
   for (PointMass& m : out.masses) m.at -= from;
   for (PointLoad& p : out.point_loads) p.at -= from;
   for (BendStiffener& b : out.bend_stiffeners) b.at -= from;  // of both parts where it goes on
   for (auto& row : out.temperature_change) row.first -= from;
-  const auto cut = [&](double& a, double& b) { a = std::max(a, from) - from, b = std::min(b, to) - from; };
+  const auto cut = [&](double& a, double& b) {
+    a = std::max(a, from) - from;
+    b = std::min(b, to) - from;
+  };
   for (DistributedLoad& q : out.loads) {
     if (q.to < 0) q.to = length;
     cut(q.from, q.to);
@@ -94,7 +98,8 @@ class Cuts {
     }
     for (std::size_t k = 0; k + 1 < arcs_.size(); ++k) {
       Line part = part_of(line, arcs_[k], arcs_[k + 1], length);
-      part.name = names_[k], part.whole = whole;
+      part.name = names_[k];
+      part.whole = whole;
       if (k > 0) join(to.back(), part);
       to.push_back(std::move(part));
       if (k > 0)
@@ -123,7 +128,8 @@ class Cuts {
   void place(std::string& line, double& arc) const {
     std::size_t k = 0;
     while (k + 1 < names_.size() && arc > arcs_[k + 1] + kSame * arcs_.back()) ++k;
-    line = names_[k], arc -= arcs_[k];
+    line = names_[k];
+    arc -= arcs_[k];
   }
 
   void rename(const std::string& name) {
@@ -150,8 +156,8 @@ class Cuts {
       for (std::size_t i = 0, n = c_.output.clearances.size(); i < n; ++i) {
         Clearance more = c_.output.clearances[i];
         if (more.line != name && more.other_line != name) continue;
-        (more.line == name ? more.line : more.other_line) = names_[k],
-                                         more.name += fmt::format(" part {}", k + 1);
+        (more.line == name ? more.line : more.other_line) = names_[k];
+        more.name += fmt::format(" part {}", k + 1);
         c_.output.clearances.push_back(std::move(more));
       }
       BetweenLines& between = c_.contact.between_lines;

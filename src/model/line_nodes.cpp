@@ -29,23 +29,24 @@ using Moved = std::map<std::size_t, double>;
 // `at` [m]: where the section's nodes are without it. Each place has the node that is nearest to it, or the
 // one beside the section's end; of two that want the same node it is the nearer one's.
 Moved moved_nodes(const std::vector<double>& at, double from, const std::vector<double>& places) {
-  struct Wish {
+  struct NodeRequest {
     double place = 0, apart = 0, off = 0;
     std::size_t node = 0;
   };
   const std::size_t last = at.size() - 1;
-  std::vector<Wish> wishes;
+  std::vector<NodeRequest> requests;
   for (const double arc : places) {
     const double place = arc - from;
     const auto after = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), place) - at.begin());
     if (last < 2 || after == 0 || after > last) continue;
     const std::size_t nearest = place - at[after - 1] < at[after] - place ? after - 1 : after;
     const std::size_t node = std::clamp<std::size_t>(nearest, 1, last - 1);
-    wishes.push_back({place, kApart * (at[after] - at[after - 1]), std::abs(at[node] - place), node});
+    requests.push_back({place, kApart * (at[after] - at[after - 1]), std::abs(at[node] - place), node});
   }
-  std::stable_sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.off < b.off; });
+  std::stable_sort(requests.begin(), requests.end(),
+                   [](const NodeRequest& a, const NodeRequest& b) { return a.off < b.off; });
   Moved out = {{0, 0}, {last, at[last]}};
-  for (const Wish& w : wishes) {
+  for (const NodeRequest& w : requests) {
     const auto next = out.lower_bound(w.node);
     if (next->first == w.node || next->second - w.place < w.apart ||
         w.place - std::prev(next)->second < w.apart)

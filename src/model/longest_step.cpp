@@ -23,7 +23,7 @@ constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
 // that.
 constexpr double kOfFree = 60;
 
-// The shortest of what it is told.
+// The shortest of what is added.
 class Shortest {
  public:
   void of(double length, const std::string& reason) {
@@ -48,7 +48,8 @@ Sea sea(const Environment& e) {
   double energy = 0, flow = 0, squares = 0;
   const WaveField field = wave_field(e);
   for (const WaveComponent& k : field.components()) {
-    energy += k.amplitude * k.amplitude, flow += k.amplitude * k.amplitude * k.omega;
+    energy += k.amplitude * k.amplitude;
+    flow += k.amplitude * k.amplitude * k.omega;
     squares += std::pow(k.amplitude * k.omega, 2);
   }
   return flow > 0 ? Sea{2 * std::sqrt(squares), 2 * M_PI * energy / flow} : Sea{};
@@ -203,7 +204,8 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
   double length = 0, mass = 0, along = 0;
   for (const Section& s : line.sections) {
     const LineType& t = c.line_type(s.type);
-    length += s.length, mass += s.length * t.mass_per_length;
+    length += s.length;
+    mass += s.length * t.mass_per_length;
     along += s.length * std::sqrt(t.mass_per_length / t.EA);
     if (!c.environment.water.present || speed == 0) continue;
     const double area = 0.25 * M_PI * t.displaced() * t.displaced(),
@@ -256,7 +258,9 @@ double slowest_period(const Case& c, const Line& line) {
   for (const Section& s : line.sections) {
     const LineType& t = c.line_type(s.type);
     loose += s.length * (1 + thermal_strain(t, line, length, length + s.length));
-    length += s.length, mass += s.length * t.mass_per_length, give += s.length / t.EA;
+    length += s.length;
+    mass += s.length * t.mass_per_length;
+    give += s.length / t.EA;
     bend += s.length * (t.kind == LineKind::beam ? std::min(t.EI2, t.EI3) : 0.0);
   }
   if (length == 0 || mass == 0) return 0;
@@ -294,7 +298,8 @@ LongestStep longest_step(const Case& c) {
   const auto follow = [&](const LongestStep& what, double least) {
     if (what.length > 0) to.of(std::max(what.length, least * driven), what.reason);
   };
-  follow(own.best(), kLeastOwn), follow(drags.best(), kLeastDrag);
+  follow(own.best(), kLeastOwn);
+  follow(drags.best(), kLeastDrag);
   if (afloat.best().length > 0) to.of(afloat.best().length, afloat.best().reason);
   return to.best();
 }

@@ -36,7 +36,10 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
   for (const std::string& c : candidates) {
     if (c.size() > kLongest) continue;
     const double d = edit_distance(word, c);
-    if (best.empty() || d < best_distance) best = c, best_distance = d;
+    if (best.empty() || d < best_distance) {
+      best = c;
+      best_distance = d;
+    }
   }
   const double length = static_cast<double>(std::max(word.size(), best.size()));
   return best_distance <= std::max(1.0, 0.4 * length) && best_distance < length ? best : std::string();

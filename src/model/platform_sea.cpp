@@ -32,14 +32,14 @@ Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>&
     const double energy = w.amplitude * w.amplitude, direction = std::atan2(w.y, w.x) - heading;
     all += energy;
     if (!covered(table.directions(), direction)) {
-      if (out.astray == 0) out.direction = std::remainder(direction, 2 * M_PI);
-      out.astray += energy;
+      if (out.uncovered == 0) out.direction = std::remainder(direction, 2 * M_PI);
+      out.uncovered += energy;
     }
     if (w.omega > table.highest() * (1 + 1e-4)) out.shorter += energy;
     if (w.omega < table.lowest() * (1 - 1e-4)) out.longer += energy;
   }
   if (!(all > 0)) return out;
-  out.astray /= all;
+  out.uncovered /= all;
   out.shorter /= all;
   out.longer /= all;
   return out;

@@ -110,7 +110,8 @@ Key body_in_water() {
             at_least(0), or_else(kZero)),
        vec3({"Cd", by<BodyInWater>([](BodyInWater& w, const Value& v) {
                Vec3 Cd;
-               put(Cd, v), w.drag_area = w.drag_area.cwiseProduct(Cd);
+               put(Cd, v);
+               w.drag_area = w.drag_area.cwiseProduct(Cd);
              })},
             none, "drag coefficients along the body's axes", in_range(0, 100), or_else("[1, 1, 1]")),
        vec3({"centre_of_drag", &BodyInWater::drag_centre}, length, "in the body's frame",
@@ -188,7 +189,7 @@ Key body_loads() {
                        vec3({"moment", &BodyLoad::moment}, moment, "moment", or_else(kZero)),
                        vec3({"at", &BodyLoad::at}, length, "where the force acts, in the body's frame",
                             or_else(kZero)),
-                       word({"axes", &BodyLoad::follows}, {{"space", false}, {"body", true}},
+                       word({"axes", &BodyLoad::body_fixed}, {{"space", false}, {"body", true}},
                             "of force and moment: they stay, or turn with the body", or_else("space"))}),
               "constant forces on it, in statics too: thrust of a turbine or of thrusters");
 }

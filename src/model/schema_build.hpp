@@ -26,7 +26,8 @@ void put(M& x, const Value& v) {
   } else if constexpr (std::is_same_v<M, Vec3>) {
     x = Vec3(v.items[0].number, v.items[1].number, v.items[2].number);
   } else if constexpr (requires { typename M::first_type; }) {
-    put(x.first, v.items[0]), put(x.second, v.items[1]);
+    put(x.first, v.items[0]);
+    put(x.second, v.items[1]);
   } else if constexpr (requires {
                          x.emplace();
                          *x;
@@ -113,10 +114,10 @@ using enum Dimension;
 
 // What may stand behind a key's name, in any order: its help, its unit, the keys that it is put together
 // from, and any of the functions below.
-inline void say(Key& k, std::string about) { k.about = std::move(about); }
-inline void say(Key& k, Dimension unit) { k.unit = unit; }
-inline void say(Key& k, std::vector<Key> keys) { k.keys = std::move(keys); }
-inline void say(Key& k, std::invocable<Key&> auto what) { what(k); }
+inline void apply(Key& k, std::string about) { k.about = std::move(about); }
+inline void apply(Key& k, Dimension unit) { k.unit = unit; }
+inline void apply(Key& k, std::vector<Key> keys) { k.keys = std::move(keys); }
+inline void apply(Key& k, std::invocable<Key&> auto what) { what(k); }
 
 inline auto above(double x) {
   return [x](Key& k) { k.bounds.above = x; };
@@ -128,11 +129,17 @@ inline auto at_most(double x) {
   return [x](Key& k) { k.bounds.at_most = x; };
 }
 inline auto in_range(double least, double most) {
-  return [=](Key& k) { k.bounds.at_least = least, k.bounds.at_most = most; };
+  return [=](Key& k) {
+    k.bounds.at_least = least;
+    k.bounds.at_most = most;
+  };
 }
 // How many entries a list has; most = 0: no limit.
 inline auto items(std::size_t least, std::size_t most = 0) {
-  return [=](Key& k) { k.min_items = least, k.max_items = most; };
+  return [=](Key& k) {
+    k.min_items = least;
+    k.max_items = most;
+  };
 }
 inline constexpr auto required = [](Key& k) { k.required = true; };
 // Its default, as written, or in words.
@@ -147,57 +154,66 @@ inline auto at_most_one(std::vector<Group> groups) {
   return [groups](Key& k) { k.groups = groups; };
 }
 inline auto either(std::vector<Group> groups) {
-  return [groups](Key& k) { k.groups = groups, k.group_required = true; };
+  return [groups](Key& k) {
+    k.groups = groups;
+    k.group_required = true;
+  };
 }
 
-Key with(Key k, auto... said) { return (say(k, std::move(said)), ...), k; }
+Key with(Key k, auto... parts) {
+  (apply(k, std::move(parts)), ...);
+  return k;
+}
 
-Key make(Type type, Head head, auto... said) {
+Key make(Type type, Head head, auto... parts) {
   Key k;
   k.type = type;
   k.name = std::move(head.name);
   k.fields = std::move(head.fields);
-  return with(std::move(k), std::move(said)...);
+  return with(std::move(k), std::move(parts)...);
 }
 
-Key number(Head head, Dimension unit, auto... said) { return make(Type::number, head, unit, said...); }
-Key vec3(Head head, Dimension unit, auto... said) { return make(Type::vec3, head, unit, said...); }
-Key integer(Head head, auto... said) { return make(Type::integer, head, said...); }
-Key boolean(Head head, auto... said) { return make(Type::boolean, head, said...); }
-Key text(Head head, auto... said) { return make(Type::text, head, said...); }
-Key name(Head head, auto... said) { return make(Type::name, head, said...); }
-Key word(Head head, const std::vector<Word>& words, auto... said) {
-  Key k = make(Type::word, head, said...);
-  for (const Word& w : words) k.words.push_back(w.text), k.meanings.push_back(w.means);
+Key number(Head head, Dimension unit, auto... parts) { return make(Type::number, head, unit, parts...); }
+Key vec3(Head head, Dimension unit, auto... parts) { return make(Type::vec3, head, unit, parts...); }
+Key integer(Head head, auto... parts) { return make(Type::integer, head, parts...); }
+Key boolean(Head head, auto... parts) { return make(Type::boolean, head, parts...); }
+Key text(Head head, auto... parts) { return make(Type::text, head, parts...); }
+Key name(Head head, auto... parts) { return make(Type::name, head, parts...); }
+Key word(Head head, const std::vector<Word>& words, auto... parts) {
+  Key k = make(Type::word, head, parts...);
+  for (const Word& w : words) {
+    k.words.push_back(w.text);
+    k.meanings.push_back(w.means);
+  }
   return k;
 }
-Key reference(Head head, std::string to, auto... said) {
-  Key k = make(Type::reference, head, said...);
+Key reference(Head head, std::string to, auto... parts) {
+  Key k = make(Type::reference, head, parts...);
   k.refers = std::move(to);
   return k;
 }
-Key list(Head head, Key item, auto... said) {
-  return make(Type::list, head, std::vector{std::move(item)}, said...);
+Key list(Head head, Key item, auto... parts) {
+  return make(Type::list, head, std::vector{std::move(item)}, parts...);
 }
-Key map(Head head, std::vector<Key> keys, auto... said) {
-  return make(Type::map, head, std::move(keys), said...);
+Key map(Head head, std::vector<Key> keys, auto... parts) {
+  return make(Type::map, head, std::move(keys), parts...);
 }
-Key names(Head head, Key item, auto... said) {
-  return make(Type::names, head, std::vector{std::move(item)}, said...);
+Key names(Head head, Key item, auto... parts) {
+  return make(Type::names, head, std::vector{std::move(item)}, parts...);
 }
-Key one_of(Head head, std::vector<Key> alternatives, auto... said) {
-  return make(Type::one_of, head, std::move(alternatives), said...);
+Key one_of(Head head, std::vector<Key> alternatives, auto... parts) {
+  return make(Type::one_of, head, std::move(alternatives), parts...);
 }
 
 // Rows of numbers, of two columns.
-Key rows(Head head, auto... said) {
-  return list(std::move(head), list("", number("", none), items(2, 2)), said...);
+Key rows(Head head, auto... parts) {
+  return list(std::move(head), list("", number("", none), items(2, 2)), parts...);
 }
 
 // An arc length of a line.
-Key arc(Head head, auto... said) {
+Key arc(Head head, auto... parts) {
   return one_of(std::move(head),
-                {number("", length, at_least(0)), word("", {{"end_a", 0}, {"end_b", kEndB}})}, said...);
+                {number("", length, at_least(0)), word("", {{"end_a", 0}, {"end_b", kEndB}})}, parts...);
 }
 
 // Rows of force over penetration into the `force_table` of a volume or the seabed.

@@ -92,7 +92,8 @@ class Checker {
   Checker(const std::string& file, Value& root) : file_(file), root_(root) {}
 
   void check(Value& v, const Key& k, const std::string& path) {
-    v.where = path, v.schema = &k;
+    v.where = path;
+    v.schema = &k;
     switch (k.type) {
       case Type::number:
         return check_number(v, k, path, false);

@@ -9,7 +9,7 @@ namespace {
 // How lines touch lines; `own`: keys of the pair it is about, which takes what it does not say from the
 // settings for all.
 std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
-  const auto otherwise = [&](Key k, const char* literal, const char* note) {
+  const auto fallback = [&](Key k, const char* literal, const char* note) {
     if (of_a_pair) return with(std::move(k), or_else_note("as for all lines"));
     return literal ? with(std::move(k), or_else(literal)) : with(std::move(k), or_else_note(note));
   };
@@ -20,7 +20,7 @@ std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
     return of_a_pair ? set(&BetweenLines::Tuned::settings, &LinePairSettings::basis, b)
                      : set(&BetweenLines::general, &LinePairSettings::basis, b);
   };
-  own.push_back(otherwise(
+  own.push_back(fallback(
       one_of(
           "normal_stiffness",
           {word({"", in(&LinePairSettings::basis), in(&LinePairSettings::normal_stiffness)},
@@ -34,18 +34,18 @@ std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
                either({"per_length", "per_area"}))},
           "penalty against penetration"),
       "auto", nullptr));
-  own.push_back(otherwise(
+  own.push_back(fallback(
       number({"friction", in(&LinePairSettings::friction)}, none, "Coulomb coefficient", in_range(0, 10)),
       "0", nullptr));
-  own.push_back(otherwise(number({"mobilisation_length", in(&LinePairSettings::mobilisation_length)}, length,
-                                 "slip at which friction is fully there", above(0)),
-                          nullptr, "1 % of the mean contact diameter"));
-  own.push_back(otherwise(number({"smoothing", in(&LinePairSettings::smoothing)}, length,
-                                 "half width of the smooth start of the contact force", above(0)),
-                          nullptr, "0.1 % of the mean contact diameter"));
-  own.push_back(otherwise(number({"relative_damping", in(&LinePairSettings::relative_damping)}, none,
-                                 "damping of the contact spring over its critical damping", in_range(0, 2)),
-                          "0", nullptr));
+  own.push_back(fallback(number({"mobilisation_length", in(&LinePairSettings::mobilisation_length)}, length,
+                                "slip at which friction is fully there", above(0)),
+                         nullptr, "1 % of the mean contact diameter"));
+  own.push_back(fallback(number({"smoothing", in(&LinePairSettings::smoothing)}, length,
+                                "half width of the smooth start of the contact force", above(0)),
+                         nullptr, "0.1 % of the mean contact diameter"));
+  own.push_back(fallback(number({"relative_damping", in(&LinePairSettings::relative_damping)}, none,
+                                "damping of the contact spring over its critical damping", in_range(0, 2)),
+                         "0", nullptr));
   return own;
 }
 
@@ -53,9 +53,11 @@ Key between_lines() {
   const Key two = list("", reference("", "lines"), "two lines, or one twice for itself", items(2, 2));
   const Key upper = list("", reference("", "lines"), "the upper line and the lower one", items(2, 2));
   Key pair = two;
-  pair.name = "lines", pair.required = true;
+  pair.name = "lines";
+  pair.required = true;
   pair.fields = {by<BetweenLines::Tuned>([](BetweenLines::Tuned& t, const Value& v) {
-                   t.first = v.items[0].text, t.second = v.items[1].text;
+                   t.first = v.items[0].text;
+                   t.second = v.items[1].text;
                  }).put};
   return one_of(
       {"between_lines", &Contact::between_lines},

@@ -17,7 +17,10 @@ Field only(double Waves::Row::*field) {
   });
 }
 
-void friction_in_statics(Seabed& b, const Value& v) { b.full = v.is("full"), b.as_laid = !v.is("none"); }
+void friction_in_statics(Seabed& b, const Value& v) {
+  b.full = v.is("full");
+  b.as_laid = !v.is("none");
+}
 
 Key current() {
   return map(
@@ -131,7 +134,8 @@ Key waves() {
   return map(
       {"waves", within(&Environment::water, &Water::waves)},
       {map({"regular", by<Waves>([](Waves& w, const Value& v) {
-              w.kind = Waves::Kind::regular, take(v, w.rows.emplace_back());
+              w.kind = Waves::Kind::regular;
+              take(v, w.rows.emplace_back());
             })},
            one(), "one linear (Airy) wave"),
        map("jonswap", spectrum_keys(true), "irregular sea, Hasselmann et al. 1973"),
@@ -224,7 +228,7 @@ std::vector<Key> in_water() {
   return {
       number({"displaced_diameter", &LineType::displaced_diameter}, length,
              "of the volume that displaces water", above(0), or_else_note("`outer_diameter`")),
-      number({"drag_diameter", &LineType::drag_diameter}, length, "that drag is reckoned with", above(0),
+      number({"drag_diameter", &LineType::drag_diameter}, length, "that drag is computed with", above(0),
              or_else_note("`outer_diameter`")),
       number({"Cd_normal", &LineType::Cd_normal}, none,
              "drag coefficient across the line, on the drag diameter", in_range(0, 100), or_else("1.2")),

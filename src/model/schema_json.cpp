@@ -22,9 +22,15 @@ std::string quoted(std::string_view text) {
 // Lines of a JSON object or array, two blanks deeper at each level.
 class Writer {
  public:
-  void open(char bracket) { put(std::string(1, bracket)), ++depth_, first_ = true; }
+  void open(char bracket) {
+    put(std::string(1, bracket));
+    ++depth_;
+    first_ = true;
+  }
   void open(std::string_view name, char bracket) {
-    put(quoted(name) + ": " + bracket), ++depth_, first_ = true;
+    put(quoted(name) + ": " + bracket);
+    ++depth_;
+    first_ = true;
   }
   void close(char bracket) {
     --depth_;

@@ -8,8 +8,8 @@ namespace {
 constexpr const char* kFromPipe = "none: needed unless `library` or `pipe`";
 constexpr const char* kStiffness = "none: needed unless `bending: false` or `pipe`";
 
-Key condition(const char* where, double PipeConditions::*factor, const char* about, auto otherwise) {
-  return number({where, within(&LineType::conditions, factor)}, none, about, in_range(0.5, 2), otherwise);
+Key condition(const char* where, double PipeConditions::*factor, const char* about, auto fallback) {
+  return number({where, within(&LineType::conditions, factor)}, none, about, in_range(0.5, 2), fallback);
 }
 
 Key pipe() {
@@ -92,7 +92,10 @@ void moments(LineType& t, const Value& v) {
   t.moment_table = std::make_shared<const ResponseCurve>(v.rows(), true);
   t.EI2 = t.EI3 = t.moment_table->initial();
 }
-void two_axes(LineType& t, const Value& v) { t.EI2 = v.items[0].number, t.EI3 = v.items[1].number; }
+void two_axes(LineType& t, const Value& v) {
+  t.EI2 = v.items[0].number;
+  t.EI3 = v.items[1].number;
+}
 
 }  // namespace
 

@@ -5,8 +5,14 @@ namespace hawser::model::schema_build {
 namespace {
 
 void constant_speed(Feed& f, const Value& v) { f.speed = {{0, v.number}}; }
-void dead_band(Feed& f, const Value& v) { f.least = v.items[0].number, f.most = v.items[1].number; }
-void between(LengthTarget& t, const Value& v) { t.least = v.items[0].number, t.most = v.items[1].number; }
+void dead_band(Feed& f, const Value& v) {
+  f.least = v.items[0].number;
+  f.most = v.items[1].number;
+}
+void between(LengthTarget& t, const Value& v) {
+  t.least = v.items[0].number;
+  t.most = v.items[1].number;
+}
 void temperature(Line& l, const Value& v) {
   if (v.number != 0) l.temperature_change = {{0, v.number}};
 }
@@ -200,7 +206,7 @@ Key loads() {
 std::vector<Key> feed_law() {
   return {number({"speed", by<Feed>(constant_speed)}, velocity,
                  "constant; above 0 pays out, below 0 hauls in, 0 holds the line"),
-          number({"tension", &Feed::tension}, force, "that the feeder keeps to, at its mouth", above(0)),
+          number({"tension", &Feed::tension}, force, "that the feeder keeps to, at its feed point", above(0)),
           list({"dead_band", by<Feed>(dead_band)}, number("", force, at_least(0)),
                "tensions between which the feeder rests, once it has reached `tension`", items(2, 2),
                or_else_note("none: it never rests")),

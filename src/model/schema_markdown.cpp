@@ -12,7 +12,7 @@ using Type = Key::Type;
 constexpr const char* kHeader =
     R"(# Keys of a case file
 
-What every key means, with its unit and default. The user guide (How to write a case file) says how they go together.
+What every key means, with its unit and default. The user guide (How to write a case file) shows how they go together.
 Units are SI. A bare number is in the unit shown; another unit may follow the number, as in `850 mm`, `10 kN` or
 `3.5 deg` (see [units](#units)). **needed** means that the key must be given. `[]` after a key marks the items of a
 list.

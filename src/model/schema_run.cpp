@@ -40,7 +40,7 @@ Key dynamics() {
        number({"min_step", &Dynamics::min_step}, time, "smallest step, below which the run stops", above(0),
               or_else_note("chosen by the program")),
        boolean({"resolve_impacts", &Dynamics::resolve_impacts},
-               "where something strikes, a step that is fixed is divided as an automatic one would be: 22 in "
+               "at an impact a step that is fixed is divided as an automatic one would be: 22 in "
                "a period of the contact, ending at the touch; `false`: it stays as it is",
                or_else("true")),
        number({"rho_infinity", &Dynamics::rho_infinity}, none,

@@ -85,7 +85,8 @@ Field exactly() {
 
 void active_box(Volume& o, const Value& v) {
   Box& box = o.active_box.emplace();
-  put(box.lower, v.items[0]), put(box.upper, v.items[1]);
+  put(box.lower, v.items[0]);
+  put(box.upper, v.items[1]);
 }
 
 Key shape() {
@@ -187,7 +188,7 @@ Key volumes() {
            number({"scale", &Volume::scale}, none, "mesh units to m: 0.001 for a mesh in mm", above(0),
                   or_else("1")),
            word({"closed", &Volume::closed}, {{"required", true}, {"repair", false}},
-                "what to do with a mesh that is open or inconsistent: refuse it, or mend what can be and "
+                "what to do with a mesh that is open or inconsistent: refuse it, or repair what can be and "
                 "take for inside where the winding number is above 1/2",
                 or_else("repair")),
            word({"sign", &Volume::sign},
@@ -197,7 +198,8 @@ Key volumes() {
                  {"tetrahedron", SignTest::tetrahedra},
                  {"ray", SignTest::ray},
                  {"solid_angle", SignTest::solid_angle}},
-                "how inside is told from outside: `automatic` by pseudonormals, and by winding numbers where "
+                "how inside is distinguished from outside: `automatic` by pseudonormals, and by winding "
+                "numbers where "
                 "the mesh is not in order; the last three are those of OMAE2006-92155, look at every "
                 "triangle each time and, as `winding`, leave the facets flat",
                 or_else("automatic")),

@@ -153,8 +153,10 @@ std::string step_text(const Case& c) {
 
 std::string warmth_text(const Case& c, const Line& l) {
   double least = l.temperature_change.front().second, most = least;
-  for (const auto& [at, change] : l.temperature_change)
-    least = std::min(least, change), most = std::max(most, change);
+  for (const auto& [at, change] : l.temperature_change) {
+    least = std::min(least, change);
+    most = std::max(most, change);
+  }
   const bool colder = least < 0 && most <= 0;
   if (colder) std::tie(least, most) = std::pair(0 - most, 0 - least);
   const double expansion = expansion_of(c, l);
@@ -310,7 +312,9 @@ std::string summary(const Case& c) {
   long long nodes = 0, elements = 0, unknowns = 0;
   for (const Line& l : c.lines) {
     const LineSize z = size_of(c, l);
-    nodes += z.nodes, elements += z.elements, unknowns += z.unknowns;
+    nodes += z.nodes;
+    elements += z.elements;
+    unknowns += z.unknowns;
   }
   s += fmt::format("lines: {} ({} elements, {} nodes, {} unknowns)\n", c.lines.size(), elements, nodes,
                    unknowns);

@@ -95,15 +95,18 @@ std::string canonical(std::string_view unit) {
   for (std::size_t i = 0; i < unit.size(); ++i) {
     const std::string_view rest = unit.substr(i);
     if (rest.starts_with("²")) {
-      s += "^2", ++i;
+      s += "^2";
+      ++i;
     } else if (rest.starts_with("³")) {
-      s += "^3", ++i;
+      s += "^3";
+      ++i;
     } else if (rest.starts_with("·")) {
       ++i;
     } else if (unit[i] == ' ' || unit[i] == '.' || unit[i] == '*') {
       continue;
     } else if ((unit[i] == '2' || unit[i] == '3') && !s.empty() && s.back() != '^') {
-      s += '^', s += unit[i];
+      s += '^';
+      s += unit[i];
     } else {
       s += unit[i];
     }
@@ -141,25 +144,39 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
   Quantity q;
-  if (names_no_finite_number(text)) return q.status = Quantity::Status::not_finite, q;
+  if (names_no_finite_number(text)) {
+    q.status = Quantity::Status::not_finite;
+    return q;
+  }
   // from_chars takes no '+', and reads words such as "infinity" that are no number here.
   std::string_view digits = text;
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   const std::string_view unsigned_digits = digits.substr(digits.starts_with('-') ? 1 : 0);
   const char first = unsigned_digits.empty() ? ' ' : unsigned_digits.front();
-  if (!(first == '.' || (first >= '0' && first <= '9'))) return q.status = Quantity::Status::not_a_number, q;
+  if (!(first == '.' || (first >= '0' && first <= '9'))) {
+    q.status = Quantity::Status::not_a_number;
+    return q;
+  }
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error == std::errc::invalid_argument) return q.status = Quantity::Status::not_a_number, q;
-  if (error == std::errc::result_out_of_range) return q.status = Quantity::Status::not_finite, q;
+  if (error == std::errc::invalid_argument) {
+    q.status = Quantity::Status::not_a_number;
+    return q;
+  }
+  if (error == std::errc::result_out_of_range) {
+    q.status = Quantity::Status::not_finite;
+    return q;
+  }
   std::string_view unit = digits.substr(static_cast<std::size_t>(end - digits.data()));
   while (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
   // "1/7", as exponents are known by.
   if (d == Dimension::none && unit.starts_with('/')) {
     double divisor = 0;
     const auto [rest, bad] = std::from_chars(unit.data() + 1, unit.data() + unit.size(), divisor);
-    if (bad != std::errc() || rest != unit.data() + unit.size())
-      return q.status = Quantity::Status::not_a_number, q;
+    if (bad != std::errc() || rest != unit.data() + unit.size()) {
+      q.status = Quantity::Status::not_a_number;
+      return q;
+    }
     q.si = value / divisor;
     q.status = status_of(q.si);
     return q;
@@ -170,13 +187,18 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
   if (!u) {
     // "1,5" and "1.2.3" are misspelt numbers, not numbers in a strange unit.
     const char c = unit.front();
-    if (c == ',' || c == '.' || c == '_' || c == ':' || c == '-' || c == '+')
-      return q.status = Quantity::Status::not_a_number, q;
+    if (c == ',' || c == '.' || c == '_' || c == ':' || c == '-' || c == '+') {
+      q.status = Quantity::Status::not_a_number;
+      return q;
+    }
     const std::string name = canonical(unit);
     for (const Unit& candidate : units)
       if (candidate.name == name && name != "1") u = &candidate;
   }
-  if (!u) return q.status = Quantity::Status::wrong_unit, q;
+  if (!u) {
+    q.status = Quantity::Status::wrong_unit;
+    return q;
+  }
   q.si = value * u->multiply / u->divide;
   q.status = status_of(q.si);
   return q;

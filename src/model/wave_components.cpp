@@ -9,10 +9,14 @@ namespace hawser::model {
 StokesInput stokes_input(const Environment& e) {
   const Waves& w = e.water.waves;
   StokesInput in;
-  in.height = w.rows[0].height, in.period = w.rows[0].period;
-  in.direction = w.rows[0].direction, in.phase = w.rows[0].phase;
-  in.depth = e.water.depth, in.gravity = e.gravity;
-  in.current = w.current, in.transport = w.transport;
+  in.height = w.rows[0].height;
+  in.period = w.rows[0].period;
+  in.direction = w.rows[0].direction;
+  in.phase = w.rows[0].phase;
+  in.depth = e.water.depth;
+  in.gravity = e.gravity;
+  in.current = w.current;
+  in.transport = w.transport;
   return in;
 }
 
@@ -29,8 +33,11 @@ WaveField wave_field(const Environment& e) {
   } else {
     for (const Waves::Row& r : waves.rows) {
       WaveComponent one;
-      one.amplitude = r.height / 2, one.omega = 2 * M_PI / r.period, one.phase = r.phase;
-      one.x = std::cos(r.direction), one.y = std::sin(r.direction);
+      one.amplitude = r.height / 2;
+      one.omega = 2 * M_PI / r.period;
+      one.phase = r.phase;
+      one.x = std::cos(r.direction);
+      one.y = std::sin(r.direction);
       components.push_back(one);
     }
   }

@@ -8,7 +8,7 @@
 namespace hawser::record {
 namespace {
 // Shares of Audit::size(). Energy that is made feeds on itself; what is lost damps, and a run that is damped
-// a little is as good as one in thicker water.
+// a little is equivalent to one in thicker water.
 constexpr double kMadeReported = 0.01, kMadeWrong = 0.05, kLostReported = 0.05, kLostWrong = 0.20,
                  kUnresolvedReported = 0.02;
 // Share of the largest energy of motion and strain so far: energy that steps made and nothing has dissipated
@@ -33,7 +33,10 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   worked += std::abs(brought_in - brought_before) + passed;
   set_free = std::max(set_free, start.strain - e.strain);
   held = std::max(held, e.strain);
-  if (error < least_error) least_error = error, climb = {};
+  if (error < least_error) {
+    least_error = error;
+    climb = {};
+  }
   const double rise = error - least_error;
   least_by_water = std::min(least_by_water, e.by_water - start.by_water);
   const double taken_before = taken;
@@ -46,13 +49,17 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   there = std::max(there, e.kinetic + std::abs(e.strain - start.strain) - remains);
   const bool most = error - before > climb.value;
   if (most) climb = {error - before, time, h, -1, Step::ContactWith::nothing};
-  if (rise > made.value) made = {rise, time, h}, worst = climb;
+  if (rise > made.value) {
+    made = {rise, time, h};
+    worst = climb;
+  }
   if (-error > lost.value) lost = {-error, time, h};
   return most && climb.value > 1e-4 * size();
 }
 
 void Audit::located(int node, Step::ContactWith with) {
-  climb.node = node, climb.with = with;
+  climb.node = node;
+  climb.with = with;
   if (worst.time == climb.time) worst = climb;
 }
 
@@ -69,7 +76,8 @@ bool Audit::wrong() const {
          lost.value > kLostWrong * size();
 }
 
-std::string Audit::warning(bool fixed, const std::string& where, const std::string& striking) const {
+std::string Audit::warning(bool fixed, const std::string& where,
+                           const std::string& initial_velocity_key) const {
   if (!std::isfinite(error)) return advice::energy_is_no_number();
   const double making = made.value / (kMadeReported * size()), losing = lost.value / (kLostReported * size());
   if (std::max(making, losing) <= 1 && !wrong()) return "";
@@ -77,7 +85,7 @@ std::string Audit::warning(bool fixed, const std::string& where, const std::stri
   const std::string text = making > losing
                                ? advice::energy_made({made.value, made.time, size(), worst.value, worst.time,
                                                       worst.length, worst.with, fixed},
-                                                     where, at_start_of_motion ? striking : "")
+                                                     where, at_start_of_motion ? initial_velocity_key : "")
                                : advice::energy_lost(lost.value, lost.time, size(), lost.step, fixed);
   return wrong() ? text + advice::not_to_be_used() : text;
 }

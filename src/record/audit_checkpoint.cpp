@@ -19,19 +19,31 @@ constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
 // Each number of an audit with its name.
 template <class AnAudit, class Each>
 void numbers(AnAudit& a, Each&& each) {
-  each("audit.brought_in", a.brought_in), each("audit.error", a.error), each("audit.at_start", a.at_start);
-  each("audit.worked", a.worked), each("audit.set_free", a.set_free), each("audit.there", a.there);
-  each("audit.held", a.held), each("audit.least_error", a.least_error);
-  each("audit.taken", a.taken), each("audit.remains", a.remains);
-  each("audit.most_remains", a.most_remains), each("audit.least_by_water", a.least_by_water);
+  each("audit.brought_in", a.brought_in);
+  each("audit.error", a.error);
+  each("audit.at_start", a.at_start);
+  each("audit.worked", a.worked);
+  each("audit.set_free", a.set_free);
+  each("audit.there", a.there);
+  each("audit.held", a.held);
+  each("audit.least_error", a.least_error);
+  each("audit.taken", a.taken);
+  each("audit.remains", a.remains);
+  each("audit.most_remains", a.most_remains);
+  each("audit.least_by_water", a.least_by_water);
   for (const auto& [name, l] : {std::pair{"audit.made.", &a.made}, {"audit.lost.", &a.lost}}) {
     const std::string prefix = name;
-    each(prefix + "value", l->value), each(prefix + "time", l->time), each(prefix + "step", l->step);
+    each(prefix + "value", l->value);
+    each(prefix + "time", l->time);
+    each(prefix + "step", l->step);
   }
   for (const auto& [name, s] : {std::pair{"audit.climb.", &a.climb}, {"audit.worst.", &a.worst}}) {
     const std::string prefix = name;
-    each(prefix + "value", s->value), each(prefix + "time", s->time), each(prefix + "length", s->length);
-    each(prefix + "node", s->node), each(prefix + "touch", s->with);
+    each(prefix + "value", s->value);
+    each(prefix + "time", s->time);
+    each(prefix + "length", s->length);
+    each(prefix + "node", s->node);
+    each(prefix + "touch", s->with);
   }
 }
 

@@ -26,22 +26,30 @@ bool larger(const io::ClashRow& a, const io::ClashRow& b) {
 
 // Of a row or a touch, to where another of the same pair is.
 void widen(auto& to, const auto& by) {
-  to.from = std::min(to.from, by.from), to.to = std::max(to.to, by.to);
-  to.other_from = std::min(to.other_from, by.other_from), to.other_to = std::max(to.other_to, by.other_to);
+  to.from = std::min(to.from, by.from);
+  to.to = std::max(to.to, by.to);
+  to.other_from = std::min(to.other_from, by.other_from);
+  to.other_to = std::max(to.other_to, by.other_to);
 }
 
 void add(ActiveContact& sum, const ActiveContact& t) {
   widen(sum, t);
-  sum.force += t.force, sum.energy += t.energy, sum.depth = std::max(sum.depth, t.depth);
+  sum.force += t.force;
+  sum.energy += t.energy;
+  sum.depth = std::max(sum.depth, t.depth);
 }
 
 // Of two clashes that have met, the share of the second goes to the first.
 void add(io::ClashRow& sum, const io::ClashRow& r) {
-  sum.start = std::min(sum.start, r.start), sum.end = std::max(sum.end, r.end);
+  sum.start = std::min(sum.start, r.start);
+  sum.end = std::max(sum.end, r.end);
   widen(sum, r);
-  if (r.peak_force > sum.peak_force)
-    sum.peak_force = r.peak_force, sum.peak_time = r.peak_time, sum.peak_from = r.peak_from,
+  if (r.peak_force > sum.peak_force) {
+    sum.peak_force = r.peak_force;
+    sum.peak_time = r.peak_time;
+    sum.peak_from = r.peak_from;
     sum.peak_to = r.peak_to;
+  }
   sum.impulse += r.impulse;
   sum.peak_energy = std::max(sum.peak_energy, r.peak_energy);
   sum.penetration = std::max(sum.penetration, r.penetration);
@@ -104,10 +112,15 @@ std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const ActiveC
     }
     if (mine == open_.size()) {
       io::ClashRow& row = open_.emplace_back().row;
-      row.line = t.line, row.other_line = t.other_line;
-      row.volume = t.volume, row.other_volume = t.other_volume;
+      row.line = t.line;
+      row.other_line = t.other_line;
+      row.volume = t.volume;
+      row.other_volume = t.other_volume;
       row.start = row.end = row.peak_time = time;
-      row.from = t.from, row.to = t.to, row.other_from = t.other_from, row.other_to = t.other_to;
+      row.from = t.from;
+      row.to = t.to;
+      row.other_from = t.other_from;
+      row.other_to = t.other_to;
       now.emplace_back();
     }
     now[mine].take(t);
@@ -151,8 +164,12 @@ void ClashLog::follow(double time, std::vector<Now> now) {
       o.places = std::move(now[i].places);
       widen(o.row, t);
       o.row.penetration = std::max(o.row.penetration, t.depth);
-      if (t.force > o.row.peak_force)
-        o.row.peak_force = t.force, o.row.peak_time = time, o.row.peak_from = t.from, o.row.peak_to = t.to;
+      if (t.force > o.row.peak_force) {
+        o.row.peak_force = t.force;
+        o.row.peak_time = time;
+        o.row.peak_from = t.from;
+        o.row.peak_to = t.to;
+      }
       o.row.peak_energy = std::max(o.row.peak_energy, t.energy);
     } else if (time - o.row.end > settings_.merge_gap) {
       end(o.row);
@@ -180,8 +197,8 @@ std::vector<io::ClashRow> ClashLog::open() const {
 }
 
 io::ClashTables ClashLog::take() {
-  told_ = {told_.ended + static_cast<long long>(ended_.size()), open()};
-  return {std::exchange(ended_, {}), told_.open};
+  reported_ = {reported_.ended + static_cast<long long>(ended_.size()), open()};
+  return {std::exchange(ended_, {}), reported_.open};
 }
 
 std::vector<io::ClashRow> ClashLog::largest(size_t most) const {
@@ -235,7 +252,7 @@ class Take {
 
 std::vector<double> ClashLog::save() const {
   std::vector<double> v{time_, static_cast<double>(ended_count_)};
-  v.reserve(kRow * (open_.size() + ended_.size() + largest_.size() + told_.open.size()) + 8);
+  v.reserve(kRow * (open_.size() + ended_.size() + largest_.size() + reported_.open.size()) + 8);
   for (const auto* rows : {&ended_, &largest_}) {
     v.push_back(static_cast<double>(rows->size()));
     for (const io::ClashRow& r : *rows) put(v, r);
@@ -247,9 +264,9 @@ std::vector<double> ClashLog::save() const {
     v.push_back(static_cast<double>(o.places.size()));
     for (const auto& [from, to] : o.places) v.insert(v.end(), {from, to});
   }
-  v.push_back(static_cast<double>(told_.ended));
-  v.push_back(static_cast<double>(told_.open.size()));
-  for (const io::ClashRow& r : told_.open) put(v, r);
+  v.push_back(static_cast<double>(reported_.ended));
+  v.push_back(static_cast<double>(reported_.open.size()));
+  for (const io::ClashRow& r : reported_.open) put(v, r);
   return v;
 }
 
@@ -271,10 +288,10 @@ void ClashLog::restore(const std::vector<double>& values) {
       o.places.emplace_back(from, take.number());
     }
   }
-  told_ = {ended_count_ - static_cast<long long>(ended_.size()), open()};
+  reported_ = {ended_count_ - static_cast<long long>(ended_.size()), open()};
   if (take.done()) return;  // an older file
-  told_ = {static_cast<long long>(take.number()), {}};
-  for (size_t n = take.count(); n > 0; --n) told_.open.push_back(take.row());
+  reported_ = {static_cast<long long>(take.number()), {}};
+  for (size_t n = take.count(); n > 0; --n) reported_.open.push_back(take.row());
 }
 
 }  // namespace hawser::record

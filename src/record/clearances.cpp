@@ -27,7 +27,7 @@ Clearances::Clearances(const Subject& subject)
       case_(subject.model),
       mesh_(subject.local()),
       surfaces_(subject.surfaces),
-      seen_(case_.output.clearances.size()) {}
+      cache_(case_.output.clearances.size()) {}
 
 void Clearances::declare(Declarations& to) {
   for (const model::Clearance& k : case_.output.clearances) {
@@ -63,7 +63,10 @@ std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) 
 
 Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
   std::vector<Box> each;
-  for (const Shaped& e : elements) each.push_back(e.axis.box()), radius = std::max(radius, e.radius);
+  for (const Shaped& e : elements) {
+    each.push_back(e.axis.box());
+    radius = std::max(radius, e.radius);
+  }
   boxes = BoxTree(each, {}, 1);
 }
 
@@ -133,10 +136,10 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
 }
 
 Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, const Surface& surface,
-                                       const io::BodyPose& pose, std::vector<Seen>& seen) const {
+                                       const io::BodyPose& pose, std::vector<Cache>& cache) const {
   Best best;
   best.clearance = kFar;
-  seen.resize(elements.size());
+  cache.resize(elements.size());
   const Box box = surface.bounds();
   const Quat back = pose.rotation.conjugate();
   std::vector<BezierAxis> axes;
@@ -146,9 +149,9 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
     double moved = 0;
     for (size_t k = 0; k < 4; ++k) {
       axis.b[k] = back * (axis.b[k] - pose.position);
-      if (seen[i].known) moved = std::max(moved, (axis.b[k] - seen[i].axis.b[k]).norm());
+      if (cache[i].known) moved = std::max(moved, (axis.b[k] - cache[i].axis.b[k]).norm());
     }
-    double least = seen[i].known ? seen[i].least - moved : -kFar;
+    double least = cache[i].known ? cache[i].least - moved : -kFar;
     if (const double outside = distance(box, axis.box()); outside > 0) least = std::max(least, outside);
     order.emplace_back(least - elements[i].radius, i);
   }
@@ -160,7 +163,8 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
     const DistanceField field = [&](const Vec3& y, double within, Vec3& normal) -> std::optional<double> {
       const auto p = surface.query(y, within, hint);
       if (!p) return std::nullopt;
-      hint = p->triangle, normal = p->normal;
+      hint = p->triangle;
+      normal = p->normal;
       return p->distance;
     };
     const double length = mesh_.mesh->elements[e.element].length;
@@ -169,7 +173,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
     // A piece more is not excluded between the places looked at.
     const double piece = axes[i].slope_bound() / (1 << contact_levels(length, e.radius));
     const double nothing_below = near ? near->distance : within;
-    seen[i] = {axes[i], nothing_below - piece, std::isfinite(nothing_below)};
+    cache[i] = {axes[i], nothing_below - piece, std::isfinite(nothing_below)};
     if (!near) continue;
     best.clearance = near->distance - e.radius;
     best.arc = arc(e.element, near->xi);
@@ -205,7 +209,7 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
     while (case_.volumes[v].name != w.volume) ++v;
     const int body = case_.body_index(case_.volumes[v].body);
     add(to_volume(tree_of(line).elements, *surfaces_[v], body < 0 ? io::BodyPose{} : s.poses()[body],
-                  seen_[k]));
+                  cache_[k]));
   }
   smallest_of_ranks(comm_, values, numbers);
   const int rank = rank_of(comm_);

@@ -23,8 +23,10 @@ ContactPeaks::ContactPeaks(const model::Case& c, const System& system)
 }
 
 void ContactPeaks::find(const std::vector<Field>& fields) {
-  moment_ = find_field(fields, "bending_moment"), moment_2_ = find_field(fields, "bending_moment_2");
-  moment_3_ = find_field(fields, "bending_moment_3"), curvature_ = find_field(fields, "curvature");
+  moment_ = find_field(fields, "bending_moment");
+  moment_2_ = find_field(fields, "bending_moment_2");
+  moment_3_ = find_field(fields, "bending_moment_3");
+  curvature_ = find_field(fields, "curvature");
 }
 
 ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& e, const AxisShape& shape,
@@ -40,7 +42,8 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& 
   Vec3 force = -part(0), moment = -(q1 * part(1)), rest = part(0) + part(2);
   for (const auto& load : loads) {
     const AxisShape::Weights H = shape.functions(load.xi);
-    force += H[0] * load.force, moment += H[1] * shape.slope(0).cross(load.force);
+    force += H[0] * load.force;
+    moment += H[1] * shape.slope(0).cross(load.force);
   }
   Peak best;
   double most = -1;
@@ -52,8 +55,10 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& 
       if (before.xi < place.xi) m -= (shape.point(before.xi) - shape.point(place.xi)).cross(before.force);
     const Quat q = q1.slerp(place.xi, q2);
     const double about2 = m.dot(q * Vec3::UnitY()), about3 = m.dot(q * Vec3::UnitZ());
-    if (const double size = std::hypot(about2, about3); size > most)
-      most = size, best = {place.xi, about2, about3};
+    if (const double size = std::hypot(about2, about3); size > most) {
+      most = size;
+      best = {place.xi, about2, about3};
+    }
   }
   return best;
 }
@@ -78,7 +83,9 @@ void ContactPeaks::fill(const Kinematics& at, std::vector<std::vector<double>>& 
       const auto value = [&](int field) -> double& { return values[field][node]; };
       const double size = std::hypot(p.about2, p.about3);
       if (size <= value(moment_)) continue;
-      value(moment_) = size, value(moment_2_) = p.about2, value(moment_3_) = p.about3;
+      value(moment_) = size;
+      value(moment_2_) = p.about2;
+      value(moment_3_) = p.about3;
       value(curvature_) = std::max(value(curvature_), std::hypot(p.about2 / EI_[i][0], p.about3 / EI_[i][1]));
     }
   }

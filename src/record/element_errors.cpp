@@ -12,22 +12,22 @@
 namespace hawser::record {
 namespace {
 
-constexpr int kNumbers = 7;           // gathered of a node
-constexpr double kEdgeWarned = 0.02;  // of the largest tension
-constexpr double kGoodTurn = 0.2;     // rad: 1 - cos of it is about that share
-constexpr double kEvenly = 0.2;       // of T (1 - cos) counts where a line turns evenly, as on a drum
-constexpr double kWarned = 0.02;      // of the largest tension or moment, of sag and bends
-constexpr double kGood = 0.01;        // the share that elements of the recommended length leave
+constexpr int kNumbers = 7;                 // gathered of a node
+constexpr double kEdgeWarned = 0.02;        // of the largest tension
+constexpr double kRecommendedTurn = 0.2;    // rad: 1 - cos of it is about that share
+constexpr double kEvenly = 0.2;             // of T (1 - cos) counts where a line turns evenly, as on a drum
+constexpr double kWarned = 0.02;            // of the largest tension or moment, of sag and bends
+constexpr double kRecommendedError = 0.01;  // the share that elements of the recommended length leave
 
 double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 // By which share of what it shows a cubic of length x decay is wrong at its end, where a moment falls off
-// like exp(-s/decay); and of which length that is kGood.
+// like exp(-s/decay); and of which length that is kRecommendedError.
 double wrong_inside(double x) { return x * x / (12 + 4.2 * x); }
-constexpr double kGoodInside = 0.37;
+constexpr double kRecommendedInside = 0.37;
 // The same where the forces on the node say what the moment is: at ends and under what is attached.
 double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
-constexpr double kGoodAtEnd = 2.1;
+constexpr double kRecommendedAtEnd = 2.1;
 
 int owned_line_nodes(const LocalMesh& mesh) {
   int n = 0;
@@ -89,7 +89,7 @@ void ElementErrors::output(const Snapshot& s) {
     for (size_t n = 0, c = static_cast<size_t>(components); n < v.carried.size(); ++n)
       for (size_t k = 0; k < c; ++k)
         if (s.values[f][n * c + k] != 0) v.carried[n] = true;
-  look(s.at, v);
+  update(s.at, v);
 }
 
 std::vector<Finding> ElementErrors::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
@@ -106,17 +106,17 @@ std::vector<Finding> ElementErrors::findings(const std::vector<io::SummaryRow>& 
   return out;
 }
 
-void ElementErrors::look(const Kinematics& at, const Values& values) {
+void ElementErrors::update(const Kinematics& at, const Values& values) {
   const std::vector<At> all = gathered(at, values);
   const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>(lines_.size());
   for (size_t l = 0; l < lines_.size(); ++l) {
     const LineSpan& line = mesh_.mesh->lines[l];
     const std::span<const At> nodes(all.data() + line.first_node, static_cast<size_t>(line.nodes));
     const int first = inside[l][0], last = line.elements - inside[l][1];  // elements outside of feeders
-    if (!values.pressed.empty()) look_at_edges(line, nodes, at.time, lines_[l].edge);
-    look_at_sag(line, nodes, first, last, at.time, lines_[l].sag);
-    if (!(at.step > 0)) look_at_lifts(line, nodes, first, last, at.time, lines_[l].lift);
-    if (!values.moment.empty()) look_at_bends(line, nodes, first, last, at.time, lines_[l].bend);
+    if (!values.pressed.empty()) update_edges(line, nodes, at.time, lines_[l].edge);
+    update_sag(line, nodes, first, last, at.time, lines_[l].sag);
+    if (!(at.step > 0)) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
+    if (!values.moment.empty()) update_bends(line, nodes, first, last, at.time, lines_[l].bend);
   }
 }
 
@@ -124,8 +124,8 @@ void ElementErrors::look(const Kinematics& at, const Values& values) {
 // turns by alpha, the tensions T of the two elements are then in equilibrium although they differ by up to
 // T (1 - cos alpha); without friction they should be equal. Where it turns as much at the nodes beside that
 // one, the line follows a bend, and errors of both sides cancel for the most part.
-void ElementErrors::look_at_edges(const LineSpan& line, std::span<const At> nodes, double time,
-                                  Worst& worst) const {
+void ElementErrors::update_edges(const LineSpan& line, std::span<const At> nodes, double time,
+                                 Worst& worst) const {
   const auto turn_at = [&](size_t n) {
     return n > 0 && n + 1 < nodes.size() ? angle(nodes[n].x - nodes[n - 1].x, nodes[n + 1].x - nodes[n].x)
                                          : 0;
@@ -143,8 +143,8 @@ void ElementErrors::look_at_edges(const LineSpan& line, std::span<const At> node
 // A straight element is longer than the bent line between its ends by theta²/24 of its length, theta the
 // angle by which that turns. The line has so much more slack; what slack does to tension follows from the
 // shape.
-void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes, int first, int last,
-                                double time, Worst& worst) const {
+void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last,
+                               double time, Worst& worst) const {
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
   const auto element = [&](int i) -> const Element& { return mesh_.mesh->elements[line.first_element + i]; };
   // The turn at a node that nothing but the line's own loads make; -1: others do.
@@ -153,7 +153,7 @@ void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes,
         n > first && n < last && !nodes[n].carried && !mesh_.mesh->nodes[line.first_node + n].two_sided;
     return plain ? angle(chord(n - 1), chord(n)) : -1;
   };
-  double longer = 0, gives = 0, most = 0, tension = HUGE_VAL;
+  double longer = 0, compliance = 0, most = 0, tension = HUGE_VAL;
   Worst here;
   for (int i = first; i < last;) {
     int end = i;  // of what hangs from here on
@@ -165,10 +165,10 @@ void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes,
     for (int k = i; k < std::max(end, i + 1); ++k) {
       const Element& e = element(k);
       const double pull = 0.5 * (nodes[k].tension + nodes[k + 1].tension);
-      gives += e.length * std::max(pull, 0.0) / type(e).EA;
+      compliance += e.length * std::max(pull, 0.0) / type(e).EA;
       if (end == i) continue;  // it lies
       tension = std::min(tension, std::max(pull, 0.0));
-      gives += e.length * (chord(k) - way / length).squaredNorm();
+      compliance += e.length * (chord(k) - way / length).squaredNorm();
       const double a = turn(k), b = turn(k + 1), theta = std::min(a < 0 ? b : a, b < 0 ? a : b);
       if (e.beam || theta < 0) continue;  // cubics follow the sag
       const double more = e.length * theta * theta / 24;
@@ -180,15 +180,15 @@ void ElementErrors::look_at_sag(const LineSpan& line, std::span<const At> nodes,
     i = std::max(end, i + 1);
   }
   if (!(longer > 0)) return;
-  here.error = longer / gives * tension;
+  here.error = longer / compliance * tension;
   if (here.error > worst.error) worst = here;
 }
 
 // From where a cable leaves the bed its tension at rest grows by its weight in water times the height. An
 // element of which one end lies and the other hangs gives its weight to both by halves, wherever between them
 // the line leaves the bed, and two elements on the tension has the whole error.
-void ElementErrors::look_at_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last,
-                                  double time, Worst& worst) const {
+void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last,
+                                 double time, Worst& worst) const {
   if (!case_.lines[&line - mesh_.mesh->lines.data()].loads.empty()) return;
   for (int n = first; n <= last; ++n) {
     if (!nodes[n].carried || nodes[n].pressed > 0) continue;  // a volume's friction takes tension
@@ -219,8 +219,8 @@ void ElementErrors::look_at_lifts(const LineSpan& line, std::span<const At> node
 
 // On a support, at a clamp or where something is attached the moment of a beam under tension has a peak, from
 // which it falls off like exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend it has none.
-void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> nodes, int first, int last,
-                                  double time, Worst& worst) const {
+void ElementErrors::update_bends(const LineSpan& line, std::span<const At> nodes, int first, int last,
+                                 double time, Worst& worst) const {
   for (int n = first; n <= last; ++n) {
     const At& here = nodes[n];
     if (here.moment <= worst.error || !(here.tension > 0)) continue;
@@ -235,7 +235,13 @@ void ElementErrors::look_at_bends(const LineSpan& line, std::span<const At> node
       const bool falls = e.beam && nodes[n + side].moment < here.moment * std::exp(-0.5 * std::min(x, 1.0));
       const double error = falls ? here.moment * (at_end ? wrong_at_end(x) : wrong_inside(x)) : 0;
       if (error < least.error)
-        least = {error, node.arc, time, 0, e.length, decay, decay * (at_end ? kGoodAtEnd : kGoodInside)};
+        least = {error,
+                 node.arc,
+                 time,
+                 0,
+                 e.length,
+                 decay,
+                 decay * (at_end ? kRecommendedAtEnd : kRecommendedInside)};
     }
     if (least.error > worst.error && least.error < HUGE_VAL) worst = least;
   }
@@ -247,16 +253,16 @@ std::vector<std::string> ElementErrors::warnings(int line, double largest_tensio
   auto [edge, sag, bend, lift] = lines_[line];
   std::vector<std::string> out;
   if (edge.error > kEdgeWarned * largest_tension) {
-    edge.recommended = kGoodTurn;
+    edge.recommended = kRecommendedTurn;
     out.push_back(advice::turns_on_edge(name, edge, largest_tension));
   }
   if (sag.error > kWarned * largest_tension) {
-    sag.recommended = sag.length * std::sqrt(kGood * largest_tension / sag.error);
+    sag.recommended = sag.length * std::sqrt(kRecommendedError * largest_tension / sag.error);
     out.push_back(advice::sags_between_nodes(name, sag, largest_tension));
   }
   // Half an element's weight is the most that may be wrong.
   if (lift.error > kWarned * largest_tension) {
-    lift.recommended = 2 * kGood * largest_tension / lift.weight;
+    lift.recommended = 2 * kRecommendedError * largest_tension / lift.weight;
     out.push_back(advice::leaves_bed_within(name, lift, largest_tension));
   }
   if (bend.error > kWarned * largest_moment)

@@ -30,8 +30,10 @@ EndForces::EndForces(const System& system, const Feeders* feeders) : system_(sys
       if (global == span.first_node) end = 2 * g.line;
       if (global == span.first_node + span.nodes - 1) end = 2 * g.line + 1;
       if (end < 0 && !g.two_sided) continue;
-      if (at[node] < 0)
-        at[node] = static_cast<int>(places_.size()), places_.push_back({node, end, -1, -1, {}});
+      if (at[node] < 0) {
+        at[node] = static_cast<int>(places_.size());
+        places_.push_back({node, end, -1, -1, {}});
+      }
       Place& p = places_[at[node]];
       (second ? p.before : p.after) = static_cast<int>(i);
     }
@@ -55,32 +57,33 @@ void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
     if (p.before < 0) p.sides[0] = p.sides[1];
     if (p.after < 0) p.sides[1] = p.sides[0];
   }
-  if (feeders_) evaluate_mouths(at, carried);
+  if (feeders_) evaluate_feed_points(at, carried);
 }
 
-// The ends of what is inside feeders have what is at the mouth.
-void EndForces::evaluate_mouths(const Kinematics& at, std::span<const Vec3> carried) {
+// The ends of what is inside feeders have what is at the feed point.
+void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried) {
   const auto& elements = system_.mesh().elements;
-  mouths_.assign(feeders_->list().size(), {});
-  felt_.assign(mouths_.size(), 0);
-  for (size_t k = 0; k < mouths_.size(); ++k) {
+  feed_points_.assign(feeders_->list().size(), {});
+  feeder_forces_.assign(feed_points_.size(), 0);
+  for (size_t k = 0; k < feed_points_.size(); ++k) {
     const Feeder& f = feeders_->list()[k];
-    SectionForce& m = mouths_[k];
-    double felt = -HUGE_VAL;
+    SectionForce& m = feed_points_[k];
+    double feeder_force = -HUGE_VAL;
     m.force = m.moment = m.direction = Vec3::Constant(-HUGE_VAL);
-    if (const LocalElement* e = feeders_->at_mouth(f); e && e->counted) {
+    if (const LocalElement* e = feeders_->at_feed_point(f); e && e->counted) {
       m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
-      felt = m.tension();
+      feeder_force = m.tension();
       if (f.beam && !f.bar.plastic) {
         const Vec3 own = at.q[f.at_b ? e->second : e->first].conjugate() * m.moment;
-        felt += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
+        feeder_force += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
       }
     }
     for (Vec3* v : {&m.force, &m.moment, &m.direction}) all_reduce(system_.comm(), MPI_MAX, *v);
-    all_reduce(system_.comm(), MPI_MAX, felt);
-    m.beam = f.beam, felt_[k] = felt;
+    all_reduce(system_.comm(), MPI_MAX, feeder_force);
+    m.beam = f.beam;
+    feeder_forces_[k] = feeder_force;
     for (Place& p : places_)
-      if (p.end == 2 * f.line + f.at_b) p.sides = {mouths_[k], mouths_[k]};
+      if (p.end == 2 * f.line + f.at_b) p.sides = {feed_points_[k], feed_points_[k]};
   }
 }
 

@@ -28,7 +28,7 @@ Folds::Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders
   }
 }
 
-void Folds::look(const Kinematics& at, std::span<const double> before, std::span<const double> after) {
+void Folds::update(const Kinematics& at, std::span<const double> before, std::span<const double> after) {
   for (size_t i = 0; i < folds_.size(); ++i) {
     Fold& f = folds_[i];
     if (f.echo == 0) continue;
@@ -36,8 +36,14 @@ void Folds::look(const Kinematics& at, std::span<const double> before, std::span
     const Element& e = mesh_.element(l);
     const auto a = static_cast<size_t>(l.first), b = static_cast<size_t>(l.second);
     const double share = (at.x[b] - at.x[a]).norm() / (e.length * (1 + e.free_strain));
-    if (share < kFolded) f.share = std::min(f.share, share), f.until = HUGE_VAL;
-    if (f.until <= at.time) f.share = 1, f.until = 0;
+    if (share < kFolded) {
+      f.share = std::min(f.share, share);
+      f.until = HUGE_VAL;
+    }
+    if (f.until <= at.time) {
+      f.share = 1;
+      f.until = 0;
+    }
     if (f.until == 0 || share <= 1) continue;
     if (f.until == HUGE_VAL) f.until = at.time + f.echo;
     const bool first = l.first < mesh_.owned;

@@ -32,11 +32,16 @@ void Histories::declare(Declarations& to) {
     if (fields[f].history == Field::History::yes) shown_.push_back(f);
     if (fields[f].history == Field::History::behind_ends) shown_last_.push_back(f);
   }
-  tension_ = find("effective_tension"), wall_ = find("wall_tension");
-  before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
+  tension_ = find("effective_tension");
+  wall_ = find("wall_tension");
+  before_ = find("effective_tension_before");
+  after_ = find("effective_tension_after");
 
-  shear_ = find("shear_force"), torsion_ = find("torsion_moment"), moment_ = find("bending_moment");
-  moment_2_ = find("bending_moment_2"), moment_3_ = find("bending_moment_3");
+  shear_ = find("shear_force");
+  torsion_ = find("torsion_moment");
+  moment_ = find("bending_moment");
+  moment_2_ = find("bending_moment_2");
+  moment_3_ = find("bending_moment_3");
 
   const auto add = [&fields](io::ResultSeries& series, const std::vector<size_t>& which) {
     for (const size_t f : which) series.columns.push_back(fields[f]);
@@ -48,7 +53,8 @@ void Histories::declare(Declarations& to) {
     if (!h.body.empty()) {
       p.body = c.body_index(h.body);
     } else if (!h.volume.empty()) {
-      p.volume = h.volume, series.columns = kVolume;
+      p.volume = h.volume;
+      series.columns = kVolume;
     } else {
       const int line = c.line_index(h.line);
       const LineSpan& span = subject_.mesh().lines[line];
@@ -106,14 +112,14 @@ Histories::Point Histories::point_of(int line, double arc) const {
   return p;
 }
 
-double Histories::facing(int field, const SectionForce& s, const Quat& q, double otherwise) const {
-  if (field < 0 || !s.beam) return otherwise;
+double Histories::facing(int field, const SectionForce& s, const Quat& q, double fallback) const {
+  if (field < 0 || !s.beam) return fallback;
   if (field == shear_) return s.shear();
   if (field == torsion_) return s.moment.dot(q * Vec3::UnitX());
   if (field == moment_) return s.moment.cross(q * Vec3::UnitX()).norm();
   if (field == moment_2_) return s.moment.dot(q * Vec3::UnitY());
   if (field == moment_3_) return s.moment.dot(q * Vec3::UnitZ());
-  return otherwise;
+  return fallback;
 }
 
 // What node `side` of a point contributes. Where section forces jump at a node the point lies on one side of
@@ -140,7 +146,8 @@ std::vector<double> Histories::node_row(const Point& p, size_t side, const Snaps
         row.push_back(of(f));
     }
   };
-  vector(at.x[n]), vector(at.v[n]);
+  vector(at.x[n]);
+  vector(at.v[n]);
   show(shown_);
   if (p.end >= 0)
     for (const auto& e : s.ends) vector(std::span(e).subspan(3 * static_cast<size_t>(p.end), 3));

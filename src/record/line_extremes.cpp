@@ -96,10 +96,11 @@ std::vector<Finding> LineExtremes::findings(const std::vector<io::SummaryRow>& s
     const auto limited = std::find_if(fields_.begin(), fields_.end(), [&](const Field& f) {
       return !f.exceeded.empty() && row.quantity == "max " + f.extreme;
     });
-    if (limited != fields_.end()) add(advice::overused(case_, at, limited->exceeded, label_of(*limited)));
-    if (row.quantity == "min effective tension") add(advice::buckles(case_, at));
-    if (row.quantity == "max curvature") add(advice::overbent(case_, at));
-    if (row.quantity == "max penetration") add(advice::too_deep(case_, at));
+    if (limited != fields_.end())
+      add(advice::utilisation_warning(case_, at, limited->exceeded, label_of(*limited)));
+    if (row.quantity == "min effective tension") add(advice::compression_warning(case_, at));
+    if (row.quantity == "max curvature") add(advice::curvature_warning(case_, at));
+    if (row.quantity == "max penetration") add(advice::penetration_warning(case_, at));
   }
   return out;
 }
@@ -119,7 +120,9 @@ std::vector<io::SummaryRow> LineExtremes::table() const {
 void LineExtremes::save(io::Checkpoint& to) {
   for (const io::SummaryRow& r : table()) {
     const std::string key = "extreme." + r.line + "." + r.quantity;
-    to.scalars[key] = r.value, to.scalars[key + ".time"] = r.time, to.scalars[key + ".arc"] = r.arc_length;
+    to.scalars[key] = r.value;
+    to.scalars[key + ".time"] = r.time;
+    to.scalars[key + ".arc"] = r.arc_length;
   }
 }
 

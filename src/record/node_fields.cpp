@@ -96,7 +96,7 @@ void NodeFields::fill_field(size_t f, const Kinematics& at) {
   registry_.sources()[f].fill(at, values_[f + 2]);
 }
 
-// An element's tension is that of its middle, its moments leave out the load along it. At the ends of a line,
+// An element's tension is that of its middle, its moments exclude the load along it. At the ends of a line,
 // and where tension may jump, the values are those of the forces there (docs/theory/end-forces.md). The
 // wall's tension goes with the effective one: the pressures are those of the node already.
 void NodeFields::correct_ends(const Kinematics& at) {

@@ -20,7 +20,8 @@ NodeStatistics::NodeStatistics(const std::vector<io::ResultField>& fields, std::
     : from_(from) {
   for (std::size_t f = 0; f < fields.size(); ++f) {
     if (!fields[f].statistics) continue;
-    fields_.push_back(fields[f]), place_.push_back(f);
+    fields_.push_back(fields[f]);
+    place_.push_back(f);
     const double none = std::nan("");
     sums_.emplace_back(nodes * static_cast<std::size_t>(fields[f].components),
                        Sums{none, none, none, none, none, 0, none, 0});
@@ -38,8 +39,14 @@ void NodeStatistics::add(double time, const std::vector<std::vector<double>>& va
       const double last = std::exchange(s.last, v);
       if (std::isnan(v)) continue;
       if (std::isnan(s.least)) s = {v, time, v, time, v, 0, v, 0};
-      if (v < s.least) s.least = v, s.least_time = time;
-      if (v > s.most) s.most = v, s.most_time = time;
+      if (v < s.least) {
+        s.least = v;
+        s.least_time = time;
+      }
+      if (v > s.most) {
+        s.most = v;
+        s.most_time = time;
+      }
       if (!(h > 0) || std::isnan(last)) continue;
       // With the interval h a linear piece of mean m and variance (v - last)²/12 joins those before (Chan,
       // Golub and LeVeque 1983, equation 2.1, with the lengths of intervals as weights).
@@ -49,7 +56,8 @@ void NodeStatistics::add(double time, const std::vector<std::vector<double>>& va
       s.mean += share * off;
     }
   }
-  begun_ = true, latest_ = time;
+  begun_ = true;
+  latest_ = time;
 }
 
 std::vector<double> NodeStatistics::table(std::size_t field) const {
@@ -65,7 +73,8 @@ std::vector<double> NodeStatistics::table(std::size_t field) const {
 }
 
 void NodeStatistics::save(io::Checkpoint& to) const {
-  to.scalars[kBegun] = begun_, to.scalars[kLatest] = latest_;
+  to.scalars[kBegun] = begun_;
+  to.scalars[kLatest] = latest_;
   for (std::size_t f = 0; f < sums_.size(); ++f) {
     to.nodes[kPrefix + fields_[f].name] = {
         kSaved * fields_[f].components, {}, [&sums = sums_[f]] {
@@ -91,7 +100,8 @@ void NodeStatistics::restore(const io::Checkpoint& from) {
     const auto at = from.nodes.find(kPrefix + fields_[f].name);
     if (at == from.nodes.end() || at->second.values.size() != kSaved * sums_[f].size()) return;
   }
-  begun_ = scalar(kBegun) != 0, latest_ = scalar(kLatest);
+  begun_ = scalar(kBegun) != 0;
+  latest_ = scalar(kLatest);
   for (std::size_t f = 0; f < sums_.size(); ++f) {
     const double* v = from.nodes.at(kPrefix + fields_[f].name).values.data();
     for (Sums& s : sums_[f]) {

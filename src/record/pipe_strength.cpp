@@ -64,7 +64,9 @@ PipeStrength::PipeStrength(const Subject& subject)
 
 void PipeStrength::add_fields(std::vector<Field>& fields) {
   const auto find = [&](const char* name) { return find_field(fields, name); };
-  tension_ = find(kTension), moment_2_ = find(kMoment2), moment_3_ = find(kMoment3),
+  tension_ = find(kTension);
+  moment_2_ = find(kMoment2);
+  moment_3_ = find(kMoment3);
   curvature_ = find(kCurvature);
   if (codes_.empty() || std::min({tension_, moment_2_, moment_3_, curvature_}) < 0) return;
   const auto add = [&](const char* name, const char* label, const char* code) {

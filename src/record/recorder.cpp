@@ -43,7 +43,7 @@ Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, const i
   if (clashes_ && !append) clashes_->begin_file();
   file_ = std::make_unique<io::ResultsFile>(
       append ? io::ResultsFile::resume(subject_.comm(), path, std::move(contents), std::move(owned),
-                                       from->time, clashes_ ? clashes_->reported() : io::ClashesTold{})
+                                       from->time, clashes_ ? clashes_->reported() : io::ReportedClashes{})
              : io::ResultsFile::create(subject_.comm(), path, std::move(contents), std::move(owned)));
 }
 
@@ -139,7 +139,7 @@ void Recorder::find_worst(const Snapshot& s) {
                                                 {"line_contact_normal_force", With::line},
                                                 {"seabed_force", With::seabed}};
   fill(s, true);
-  const NodeValue most = subject_.dynamics().roughest();
+  const NodeValue most = subject_.dynamics().largest_acceleration_change();
   int with = 0;
   const int n = subject_.local().find(most.node);
   if (subject_.local().owns(n))
@@ -178,13 +178,15 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
 std::string Recorder::audit_warning() const {
   const int node = audit_.worst.node;
   const model::Case& c = subject_.model;
-  std::string striking;
+  std::string initial_velocity_key;
   for (const model::Body& b : c.bodies) {
     const advice::StartSpeeds speed = advice::start_speeds(c, b);
-    if (striking.empty() && speed.motion + speed.drift > 0)
-      striking = fmt::format("bodies.{}.{}", b.name, speed.motion > 0 ? "motion" : "motion.drift");
+    if (initial_velocity_key.empty() && speed.motion + speed.drift > 0)
+      initial_velocity_key =
+          fmt::format("bodies.{}.{}", b.name, speed.motion > 0 ? "motion" : "motion.drift");
   }
-  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node), striking);
+  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),
+                        initial_velocity_key);
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {

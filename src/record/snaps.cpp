@@ -10,10 +10,10 @@
 namespace hawser::record {
 namespace {
 
-const double kResolved = M_PI / 6;  // rad of the wave in a step, or while it passes an element
-constexpr double kBlow = 1.0 / 3;   // of a tension: what comes up at once, if it is one
-constexpr double kHeld = 0.02;      // of a tension: what falls by less goes on rising
-constexpr double kSame = 1 - 1e-9;  // of a tension that is written twice
+const double kResolved = M_PI / 6;       // rad of the wave in a step, or while it passes an element
+constexpr double kSuddenRise = 1.0 / 3;  // of a tension: what comes up at once, if it is one
+constexpr double kHeld = 0.02;           // of a tension: what falls by less goes on rising
+constexpr double kSame = 1 - 1e-9;       // of a tension that is written twice
 
 bool counts(const model::Case& c, const model::Line& line) {
   const auto in_frame = [&](const model::End& e) {
@@ -45,7 +45,7 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
   }
 }
 
-void Snaps::look(double time, double h, std::span<const double> on_a, std::span<const double> on_b) {
+void Snaps::update(double time, double h, std::span<const double> on_a, std::span<const double> on_b) {
   const bool steps = h > 0 && !before_.empty();
   before_.resize(passage_.size());
   for (size_t n = 0; n < passage_.size(); ++n) {
@@ -54,10 +54,14 @@ void Snaps::look(double time, double h, std::span<const double> on_a, std::span<
     Worst& w = worst_[node.line];
     Before& b = before_[n];
     const double tension = std::max({on_a[n], on_b[n], 0.0});
-    if (!steps || tension < (1 - kHeld) * b.last || tension <= b.low) b.low = tension, b.since = time;
+    if (!steps || tension < (1 - kHeld) * b.last || tension <= b.low) {
+      b.low = tension;
+      b.since = time;
+    }
     if (steps && w.node == static_cast<int>(n)) {
       const double fall = (w.tension - tension) / (h * h);
-      w.rate = std::sqrt(std::max(2 * std::min(w.rise, fall) / w.tension, 0.0)), w.node = -1;
+      w.rate = std::sqrt(std::max(2 * std::min(w.rise, fall) / w.tension, 0.0));
+      w.node = -1;
     }
     if (tension > w.tension) {
       const double rise = steps ? std::max(tension - b.last, 0.0) : 0;
@@ -69,7 +73,10 @@ void Snaps::look(double time, double h, std::span<const double> on_a, std::span<
            .passage = passage_[n],
            .from = b.low,
            .within = time - b.since};
-      if (steps) w.rise = rise / (h * h), w.node = static_cast<int>(n);
+      if (steps) {
+        w.rise = rise / (h * h);
+        w.node = static_cast<int>(n);
+      }
     }
     b.last = tension;
   }
@@ -80,8 +87,8 @@ std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, dou
   Worst w = worst_[line];
   if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
   const bool steps = w.angle > kResolved, elements = w.rate * w.passage > kResolved,
-             blow = w.tension - w.from > kBlow * w.tension && w.within < echo_[line];
-  if (!steps && !elements && !(damped && blow)) return {};
+             sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < echo_[line];
+  if (!steps && !elements && !(damped && sudden)) return {};
   using Cause = advice::ImpactPeak::Cause;
   return advice::impact_peak(name, {.cause = steps      ? Cause::steps
                                              : elements ? Cause::elements

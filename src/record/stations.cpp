@@ -45,7 +45,7 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
   double from = 0, to = span.length;          // m, arc lengths at the feeders
   for (const Feeder& o : feeders_->list()) {  // both, if there are two
     if (o.line != f.line) continue;
-    const int free = o.at_b ? span.nodes - 2 - o.mouth : o.mouth + 1;
+    const int free = o.at_b ? span.nodes - 2 - o.feed_point : o.feed_point + 1;
     (o.at_b ? last : first) = free;
     (o.at_b ? to : from) = arc(free) + (o.at_b ? o.length : -o.length);
   }

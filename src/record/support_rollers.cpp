@@ -17,10 +17,10 @@ constexpr int kHalvings = 40;
 // Where an element, from 0 to 1 along it, goes through the plane through `at` across `along`.
 double on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
   double low = 0, high = 1;
-  const bool grows = (shape.point(1) - at).dot(along) > 0;
+  const bool increasing = (shape.point(1) - at).dot(along) > 0;
   for (int k = 0; k < kHalvings; ++k) {
     const double middle = 0.5 * (low + high);
-    (((shape.point(middle) - at).dot(along) > 0) == grows ? high : low) = middle;
+    (((shape.point(middle) - at).dot(along) > 0) == increasing ? high : low) = middle;
   }
   return 0.5 * (low + high);
 }

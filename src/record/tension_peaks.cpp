@@ -19,8 +19,8 @@ void TensionPeaks::declare(Declarations& to) {
 }
 
 void TensionPeaks::step(const Snapshot& s) {
-  folds_.look(s.at, s.values[before_], s.values[after_]);
-  snaps_.look(s.step.time, s.step.h, s.values[before_], s.values[after_]);
+  folds_.update(s.at, s.values[before_], s.values[after_]);
+  snaps_.update(s.step.time, s.step.h, s.values[before_], s.values[after_]);
 }
 
 std::vector<Finding> TensionPeaks::findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {

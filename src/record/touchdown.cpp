@@ -1,5 +1,5 @@
 // The class Touchdowns: every rank looks for the first change of contact from either end among its
-// elements; the few nodes about it are then told to all, and the place is found from them.
+// elements; the few nodes about it are then sent to all, and the place is found from them.
 #include "hawser/record/touchdown.hpp"
 
 #include <algorithm>
@@ -161,12 +161,13 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
     if (lies(a) && lies(b)) laid[l] += g.length;
     if (lies(a) == lies(b)) continue;
     laid[l] += lies(a) ? straight(a, b, g.length) : straight(b, a, g.length);
-    first[2 * l] = std::min(first[2 * l], e.global), first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
+    first[2 * l] = std::min(first[2 * l], e.global);
+    first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
   }
   all_reduce(comm_, MPI_MIN, first);
   all_reduce(comm_, MPI_SUM, laid);
 
-  // Gap and slope, then place of the nodes about each. Which of its two nodes lies is told by the first sum.
+  // Gap and slope, then place of the nodes about each. The first sum shows which of its two nodes lies.
   std::vector<double> rows(2 * lines * 2 * kAbout * 5, 0);
   const auto row = [&](size_t k, int i) {
     return rows.data() + 5 * (2 * kAbout * k + static_cast<size_t>(i));
@@ -209,7 +210,8 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
       const Node& node = mesh.nodes[global];
       const double* v = row(k, global - e.first + kAbout - 1);
       n.gap[i] = {v[0], change.way * v[1], Vec3(v[2], v[3], v[4])};
-      n.arc[i] = change.way * node.arc, n.two_sided[i] = node.two_sided;
+      n.arc[i] = change.way * node.arc;
+      n.two_sided[i] = node.two_sided;
     }
     const double s = beyond(n, e.beam);
     (k % 2 == 0 ? t.from_a : t.from_b) =

@@ -38,7 +38,8 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
   }
   const Mesh& mesh = *local.mesh;
   if (!tension_ && !bending_) return;
-  breaking_.reserve(local.owned), radius_.reserve(local.owned);
+  breaking_.reserve(local.owned);
+  radius_.reserve(local.owned);
   for (std::size_t n = 0; n < static_cast<std::size_t>(local.owned); ++n) {
     const Node& node = mesh.nodes[local.global[n]];
     auto& breaking = breaking_.emplace_back();
@@ -58,10 +59,17 @@ Utilisation::Utilisation(const model::Case& c, const LocalMesh& local) {
 
 void Utilisation::add_fields(std::vector<Field>& fields) {
   const auto find = [&](const char* name) { return find_field(fields, name); };
-  before_ = find("effective_tension_before"), after_ = find("effective_tension_after");
+  before_ = find("effective_tension_before");
+  after_ = find("effective_tension_after");
   curvature_ = find("curvature");
-  if (tension_ && before_ >= 0) of_tension_ = static_cast<int>(fields.size()), fields.push_back(kTension);
-  if (bending_ && curvature_ >= 0) of_bending_ = static_cast<int>(fields.size()), fields.push_back(kBending);
+  if (tension_ && before_ >= 0) {
+    of_tension_ = static_cast<int>(fields.size());
+    fields.push_back(kTension);
+  }
+  if (bending_ && curvature_ >= 0) {
+    of_bending_ = static_cast<int>(fields.size());
+    fields.push_back(kBending);
+  }
 }
 
 void Utilisation::fill(const Snapshot&, Values& values) {

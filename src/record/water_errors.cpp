@@ -14,10 +14,10 @@
 namespace hawser::record {
 namespace {
 
-constexpr double kWarned = 0.02;   // of the largest force of the flow
-constexpr double kGood = 0.01;     // what elements of the length that is told leave of it; of the weight
-constexpr double kMatters = 1e-4;  // of the largest tension, which that turns by as many rad
-constexpr int kMostParts = 64;     // that are tried
+constexpr double kWarned = 0.02;    // of the largest force of the flow
+constexpr double kAccurate = 0.01;  // what elements of the recommended length leave of it; of the weight
+constexpr double kMatters = 1e-4;   // of the largest tension, which that turns by as many rad
+constexpr int kMostParts = 64;      // that are tried
 // Steps from one look in motion to the next. A look asks the waves at three points of every element, a step
 // at one: this is a sixteenth of what waves cost. A prime number does not go with the period of the waves.
 constexpr int kSteps = 47;
@@ -54,13 +54,13 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
 }
 
 double WaterErrors::Group::bears() const {
-  return std::max({kWarned * force, kGood * weight, kMatters * tension});
+  return std::max({kWarned * force, kAccurate * weight, kMatters * tension});
 }
 
-void WaterErrors::look_at_some(const Kinematics& at) {
+void WaterErrors::update_sampled(const Kinematics& at) {
   if (at.step > 0 && ++steps_ < kSteps) return;
   steps_ = 0;
-  look(at);
+  update(at);
 }
 
 WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::vector<bool>& groups) const {
@@ -76,7 +76,8 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
     const double z = water_->above_still_water(0.5 * (a.z() + b.z()));
     const double weight = case_.line_types[e.type].mass_per_length * case_.environment.gravity -
                           (z < 0 ? p.section.buoyancy : 0);
-    all[g] += f.error, all[n + g] += f.force;
+    all[g] += f.error;
+    all[n + g] += f.force;
     all[2 * n + g] += std::abs(weight) * p.section.length * chord.head<2>().norm();
     if (f.error <= where[g].error) continue;
     where[g] = {f.error,
@@ -97,18 +98,21 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
 
 // The parts into which elements of some groups are to be cut, by trial: errors fall with the square of the
 // length only where the elements follow what the water does, and they may have missed all of it.
-std::vector<int> WaterErrors::good_parts(const Kinematics& at, std::vector<bool> groups) const {
-  std::vector<int> good(groups.size(), kMostParts);
+std::vector<int> WaterErrors::sufficient_parts(const Kinematics& at, std::vector<bool> groups) const {
+  std::vector<int> sufficient(groups.size(), kMostParts);
   for (int parts = 2; parts < kMostParts && std::find(groups.begin(), groups.end(), true) != groups.end();
        parts *= 2) {
     const std::vector<double> error = sums(at, parts, groups).error;
     for (size_t g = 0; g < groups.size(); ++g)
-      if (groups[g] && error[g] <= kGood * groups_[g].force) good[g] = parts, groups[g] = false;
+      if (groups[g] && error[g] <= kAccurate * groups_[g].force) {
+        sufficient[g] = parts;
+        groups[g] = false;
+      }
   }
-  return good;
+  return sufficient;
 }
 
-void WaterErrors::look_at_tension(const Kinematics& at) {
+void WaterErrors::update_tension(const Kinematics& at) {
   std::vector<LineTension> lines(group_.size());
   structure_.tensions(at, lines);
   std::vector<double> largest(group_.size());
@@ -118,22 +122,26 @@ void WaterErrors::look_at_tension(const Kinematics& at) {
   for (size_t g = 0; g < largest.size(); ++g) groups_[g].tension = std::max(groups_[g].tension, largest[g]);
 }
 
-void WaterErrors::look(const Kinematics& at) {
+void WaterErrors::update(const Kinematics& at) {
   if (!water_) return;
   const size_t n = groups_.size();
-  look_at_tension(at);
+  update_tension(at);
   const Sums whole = sums(at, 1, std::vector<bool>(n, true));
-  std::vector<bool> worse(n);
+  std::vector<bool> exceeds(n);
   for (size_t i = 0; i < n; ++i) {
     Group& g = groups_[i];
-    g.force = std::max(g.force, whole.force[i]), g.weight = std::max(g.weight, whole.weight[i]);
-    worse[i] = whole.error[i] > std::max(g.error, g.bears());
+    g.force = std::max(g.force, whole.force[i]);
+    g.weight = std::max(g.weight, whole.weight[i]);
+    exceeds[i] = whole.error[i] > std::max(g.error, g.bears());
   }
-  const std::vector<int> parts = good_parts(at, worse);
+  const std::vector<int> parts = sufficient_parts(at, exceeds);
   for (size_t i = 0; i < n; ++i)
-    if (worse[i]) {
+    if (exceeds[i]) {
       Group& g = groups_[i];
-      g.error = whole.error[i], g.time = at.time, g.parts = parts[i], g.where = whole.where[i];
+      g.error = whole.error[i];
+      g.time = at.time;
+      g.parts = parts[i];
+      g.where = whole.where[i];
     }
 }
 
@@ -150,7 +158,7 @@ std::vector<std::string> WaterErrors::warnings() const {
     if (g.error <= g.bears() || !broadcast_largest(comm_, w.error, 0, w)) continue;
     const auto joined = std::count(group_.begin(), group_.end(), group_[w.line]);
     // Waves shorter than a line is thick are none of Morison's formula.
-    const double good = std::max(w.length / g.parts, std::min(w.diameter, w.length));
+    const double sufficient = std::max(w.length / g.parts, std::min(w.diameter, w.length));
     found.emplace_back(-g.error / g.force, advice::long_in_flow({.line = mesh_.mesh->lines[w.line].name,
                                                                  .length = w.length,
                                                                  .arc = w.arc,
@@ -162,7 +170,7 @@ std::vector<std::string> WaterErrors::warnings() const {
                                                                  .joined = joined,
                                                                  .force = g.force,
                                                                  .error = g.error,
-                                                                 .recommended = good}));
+                                                                 .recommended = sufficient}));
   }
   constexpr size_t kMost = 3;  // of a farm of lines that are alike
   std::stable_sort(found.begin(), found.end(),

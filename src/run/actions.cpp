@@ -57,8 +57,8 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
         packed = {y.x(), y.y(), y.z(), q.w(), q.x(), q.y(), q.z(), away(a, at)};
       }
       all_reduce(sim_.system().comm(), MPI_SUM, packed);
-      std::copy_n(packed.begin(), 3, found.place.begin()),
-          std::copy_n(packed.begin() + 3, 4, found.rotation.begin());
+      std::copy_n(packed.begin(), 3, found.place.begin());
+      std::copy_n(packed.begin() + 3, 4, found.rotation.begin());
       found.away = packed[7];
       constexpr double kRounding = 1e-6;  // m
       if (a.at && found.away > a.within + kRounding)
@@ -77,11 +77,11 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       if (const std::string where = sim_.inside(a, at); !where.empty()) refuse(where);
       break;
   }
-  again(a, found, at.time);
+  repeat(a, found, at.time);
   return found;
 }
 
-void Actions::again(const Action& a, const Found& found, double time) {
+void Actions::repeat(const Action& a, const Found& found, double time) {
   switch (a.kind) {
     case Action::Kind::release:
       std::erase_if(tied_, [&, n = node(a)](const TiedNode& s) { return sim_.local().global[s.node] == n; });
@@ -108,7 +108,8 @@ void Actions::hold(const Action& a, const Found& found) {
   const int n = sim_.local().find(node(a));
   if (n < 0) return;
   TiedNode s;
-  s.node = n, s.at = Vec3(found.place.data());
+  s.node = n;
+  s.at = Vec3(found.place.data());
   const int body = sim_.model().body_index(a.body);
   if (sim_.model().floats(body))
     s.frame = sim_.bodies().local_node(body);
@@ -116,7 +117,8 @@ void Actions::hold(const Action& a, const Found& found) {
     s.body = body;
   if (a.clamped && sim_.local().rotates(n)) {
     const auto& q = found.rotation;
-    s.rotation_mask = 7, s.rotation = Quat(q[0], q[1], q[2], q[3]);
+    s.rotation_mask = 7;
+    s.rotation = Quat(q[0], q[1], q[2], q[3]);
   }
   tied_.push_back(s);
 }
@@ -129,8 +131,10 @@ void Actions::feed(const Action& a, double speed, double time) {
     if (a.ramp > 0) law.speed = {{time, speed}, {time + a.ramp, a.law.speed.back().second}};
     f.feed = law;
     f.resting = law.has_band();
-    if (!law.speed.empty())
-      f.offset = f.length - model::fed_by(law, time).length, f.speed = model::fed_by(law, time).speed;
+    if (!law.speed.empty()) {
+      f.offset = f.length - model::fed_by(law, time).length;
+      f.speed = model::fed_by(law, time).speed;
+    }
   }
 }
 

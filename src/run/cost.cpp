@@ -50,13 +50,13 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     double first = 0;  // CPU s, at the end of the first iteration, which also sets up what all others use
     Events events(sim.system().comm(), sim);
     if (c.statics.enabled) {
-      const auto told = [&](const StaticsReport& now) {
+      const auto report = [&](const StaticsReport& now) {
         if (now.iterations <= 1) first = cpu_time();
         if (now.iterations <= 1 || !over()) return;
         trial.iteration = (cpu_time() - first) / (now.iterations - 1);
         throw Spent();
       };
-      events.come_to_rest([&](bool falls) { sim.solve_statics(told, falls); });
+      events.come_to_rest([&](bool falls) { sim.solve_statics(report, falls); });
     } else {
       sim.check_inside();
     }
@@ -72,12 +72,15 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
       d.run(
           trial.duration, [&](double t) { return std::min(times.next(t), events.next(t)); },
           [&](const StepInfo& info) {
-            feeder_nodes.agree(), events.apply_due(), feeder_nodes.hand_over();
+            feeder_nodes.agree();
+            events.apply_due();
+            feeder_nodes.transfer_node();
             if (look) look(d.kinematics());
             way.push_back({cpu_time() - at_rest, info.time});
             return !over();
           });
-      trial.reached = way.back().second, trial.moved = true;
+      trial.reached = way.back().second;
+      trial.moved = true;
       const auto half = std::find_if(way.begin(), way.end(),
                                      [&](const auto& w) { return w.first >= 0.5 * way.back().first; });
       const auto from = half == way.end() - 1 ? std::pair(0.0, 0.0) : *half;

@@ -44,7 +44,7 @@ constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
 constexpr double kTrial = 4;           // CPU s, of the trial run of `hawser check`
 constexpr double kLeast = 1;           // CPU s of it, that motion has where a search took the rest
 
-// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun hands on to all ranks: the run ends at the next output,
+// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun passes on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
 volatile std::sig_atomic_t stop_requested = 0;
 void request_stop(int signal) {
@@ -132,21 +132,22 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
     const bool save = info.time >= checkpoint_at - slack || last;
     // Whether somebody asked to stop, and whether a checkpoint is due by the clock, is agreed on where
     // everybody meets anyhow.
-    int agreed[2] = {0, 0};
+    int rethrow_on_all_ranks[2] = {0, 0};
     if (output || save) {
-      agreed[0] = stop_requested, agreed[1] = rank == 0 && checkpoints.due();
-      all_reduce(comm, MPI_MAX, agreed);
+      rethrow_on_all_ranks[0] = stop_requested;
+      rethrow_on_all_ranks[1] = rank == 0 && checkpoints.due();
+      all_reduce(comm, MPI_MAX, rethrow_on_all_ranks);
     }
-    const bool stop = agreed[0] != 0;
+    const bool stop = rethrow_on_all_ranks[0] != 0;
     if (output || stop) {
       recorder.output(d.kinematics());
       output_at = record::next_multiple(info.time, every);
     }
     // What was shown is the state before it, what is saved the one after.
-    for (const std::string& e : events.apply_due()) progress.say(e);
-    feeder_nodes.hand_over();
+    for (const std::string& e : events.apply_due()) progress.print(e);
+    feeder_nodes.transfer_node();
     if (save || stop) {
-      if (last || stop || checkpoint_every > 0 || agreed[1]) save_state();
+      if (last || stop || checkpoint_every > 0 || rethrow_on_all_ranks[1]) save_state();
       checkpoint_at = checkpoint_every > 0 ? record::next_multiple(info.time, checkpoint_every) : output_at;
     }
     stopped = stop && !last;
@@ -186,13 +187,13 @@ int run(MPI_Comm comm, const RunOptions& options) {
   const int rank = rank_of(comm), size = ranks_of(comm);
   const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
   Progress progress(speak);
-  model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
+  model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
   const OutputPlace place(comm, c.output.file, options.restart, c.inputs);
   c.output.file = place.path();
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
-  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
   const double end =
@@ -203,14 +204,14 @@ int run(MPI_Comm comm, const RunOptions& options) {
     checkpoint = read_restart(options.restart, sim);
     restart_notes = compare_changes(comm, options.restart, c.changes);
   }
-  progress.say(
+  progress.print(
       fmt::format("{} nodes on {}", sim.mesh().nodes.size(),
                   size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
-  for (const auto& n : place.notes()) progress.say("note: " + n);
-  for (const auto& n : restart_notes) progress.say("note: " + n);
-  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
+  for (const auto& n : place.notes()) progress.print("note: " + n);
+  for (const auto& n : restart_notes) progress.print("note: " + n);
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
   if (!restarted) {
-    for (const auto& w : sim.warnings()) progress.say("warning: " + w);
+    for (const auto& w : sim.warnings()) progress.print("warning: " + w);
     if (!c.statics.enabled) sim.check_inside();
   }
 
@@ -225,9 +226,9 @@ int run(MPI_Comm comm, const RunOptions& options) {
     return *made;
   };
   if (restarted) {
-    progress.say(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
+    progress.print(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
     if (checkpoint.time >= end * (1 - 1e-12))
-      progress.say("which is the end of the case: nothing left to compute");
+      progress.print("which is the end of the case: nothing left to compute");
   } else if (c.statics.enabled) {
     try {
       const Stage stage("statics");
@@ -244,14 +245,14 @@ int run(MPI_Comm comm, const RunOptions& options) {
   record::Recorder& recorder = recorder_of();
   FeederNodes feeder_nodes(sim);
   if (restarted) {
-    for (const std::string& e : events.restore(checkpoint)) progress.say(e);
+    for (const std::string& e : events.restore(checkpoint)) progress.print(e);
     feeder_nodes.restore(checkpoint, options.restart);
     restore(checkpoint, sim);
-    for (const std::string& e : events.apply_due()) progress.say(e);
+    for (const std::string& e : events.apply_due()) progress.print(e);
     // A new file begins with the state the run goes on from.
     if (!place.appends()) recorder.output(sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
-    for (const std::string& e : events.begin()) progress.say(e);
+    for (const std::string& e : events.begin()) progress.print(e);
     sim.dynamics().start(sim.state());
     // A start at rest is shown at rest: the velocities with which motions begin come after it.
     const Kinematics moving = sim.dynamics().kinematics();
@@ -265,11 +266,11 @@ int run(MPI_Comm comm, const RunOptions& options) {
 
   const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);
   progress.end();
-  for (const std::string& e : events.not_happened()) progress.say("note: " + e);
+  for (const std::string& e : events.not_happened()) progress.print("note: " + e);
   if (c.dynamics.enabled)
     for (const std::string& n :
          sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)))
-      progress.say("note: " + n);
+      progress.print("note: " + n);
   const std::string table = recorder.finish(progress.messages());
   if (speak) {
     print_results(c, recorder, table);
@@ -299,8 +300,8 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const int rank = rank_of(comm);
   if (ranks == 0) MPI_Comm_size(comm, &ranks);
   Progress progress(rank == 0);
-  model::Case c = io::read_case(case_path, news(progress), comm, changes);
-  const std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+  model::Case c = io::read_case(case_path, read_progress(progress), comm, changes);
+  const std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   if (rank != 0) return 0;
   progress.end();
   const double begun = cpu_time();
@@ -310,7 +311,8 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
         if (cpu_time() - begun > kTrial) throw TrialOver();
       });
     } catch (const TrialOver&) {
-      met = false, progress.end();
+      met = false;
+      progress.end();
     }
   const double searched = cpu_time() - begun;
   fmt::print("{}", model::summary(c));
@@ -355,7 +357,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
     tried = trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) {
       if (!std::exchange(rests, true))
         for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
-      water.look_at_some(at);
+      water.update_sampled(at);
     });
     for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
     fmt::print("{}\n", cost_sentence(tried));

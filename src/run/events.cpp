@@ -1,4 +1,4 @@
-// The class Events: which event happens at a state, and what the user is told of it. What it does there is in
+// The class Events: which event happens at a state, and the messages about it. What it does there is in
 // actions.cpp.
 #include "hawser/run/events.hpp"
 
@@ -77,8 +77,8 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
     case Cause::Kind::paid_out: {
       const Feeders& feeders = *sim_.feeders();
       const Feeder& f = feeders.list()[h.feeder];
-      if (!feeders.at_mouth(f)) return -HUGE_VAL;
-      return feeders.outside(f) - f.length + feeders.mouth(f, at, true).length - f.outside_at_start;
+      if (!feeders.at_feed_point(f)) return -HUGE_VAL;
+      return feeders.outside(f) - f.length + feeders.feed_point(f, at, true).length - f.outside_at_start;
     }
     case Cause::Kind::near:
       return own ? actions_.away(h.what.action, at) : -HUGE_VAL;
@@ -185,7 +185,7 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
                                  stage.empty() ? fmt::format("t = {:.6g} s", at.time) : "stage " + stage,
                                  a.subject(), a.participle(), how));
   if (a.kind != Action::Kind::release) return;
-  for (const LeftOut& out : sim_.left_out()) {
+  for (const ExcludedEnds& out : sim_.excluded_ends()) {
     const double length = a.at_b ? out.end_b : out.end_a;
     if (out.line == sim_.model().line_index(a.line) && length > 0)
       messages.push_back(
@@ -222,7 +222,7 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
 }
 
 // A line, or what carried one.
-bool Events::lets_go(const std::string& stage) const {
+bool Events::releases_end(const std::string& stage) const {
   return std::any_of(events_.begin(), events_.end(), [&](const Happening& h) {
     const Action& a = h.what.action;
     const bool carried = a.kind == Action::Kind::contact && !a.enabled;
@@ -232,14 +232,14 @@ bool Events::lets_go(const std::string& stage) const {
 }
 
 void Events::come_to_rest(const std::function<void(bool)>& solve,
-                          const std::function<void(const std::string&)>& say,
+                          const std::function<void(const std::string&)>& report,
                           const std::function<void(size_t)>& rested) {
   const std::vector<std::string>& stages = sim_.model().stages;
   if (stages.empty()) solve(false);
   for (size_t k = 0; k < stages.size(); ++k) {
-    say(fmt::format("stage {} of statics", stages[k]));
-    for (const std::string& e : at_rest(stages[k])) say(e);
-    solve(k > 0 && lets_go(stages[k]));
+    report(fmt::format("stage {} of statics", stages[k]));
+    for (const std::string& e : at_rest(stages[k])) report(e);
+    solve(k > 0 && releases_end(stages[k]));
     pay_out(stages[k], solve);
     rested(k);
   }
@@ -258,7 +258,8 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
   for (bool more = !left.empty(); more;) {
     more = false;
     for (auto& [f, length] : left) {
-      const double most = sim_.feeders()->element_length(*f, f->mouth), by = std::clamp(length, -most, most);
+      const double most = sim_.feeders()->element_length(*f, f->feed_point),
+                   by = std::clamp(length, -most, most);
       feeder_nodes.shift(*f, by);
       more |= (length -= by) != 0;
     }

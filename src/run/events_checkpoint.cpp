@@ -29,7 +29,8 @@ void Events::save(io::Checkpoint& to) const {
   for (const Happening& h : events_) {
     if (h.happened < 0) continue;
     const std::string key = kHappened + h.what.name;
-    to.scalars[key] = h.happened, to.scalars[key + kOrder] = h.order;
+    to.scalars[key] = h.happened;
+    to.scalars[key + kOrder] = h.order;
     Actions::Found found = h.found;
     for (const auto& [name, value] : entries(found)) to.scalars[key + name] = *value;
   }
@@ -41,7 +42,8 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   std::set<std::string> known;  // keys
   for (Happening& h : events_) {
     const std::string key = kHappened + h.what.name;
-    known.insert(key), known.insert(key + kOrder);
+    known.insert(key);
+    known.insert(key + kOrder);
     const auto at = from.scalars.find(key);
     if (at == from.scalars.end()) {
       if (h.what.cause.kind == Cause::Kind::time &&
@@ -79,7 +81,7 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   std::vector<std::string> messages;
   actions_.begin();
   for (const Happening* h : happened) {
-    actions_.again(h->what.action, h->found, h->happened);
+    actions_.repeat(h->what.action, h->found, h->happened);
     messages.push_back(fmt::format("note: {} was {} at t = {:.6g} s", h->what.action.subject(),
                                    h->what.action.participle(), h->happened));
   }

@@ -1,5 +1,6 @@
-// The class FeederNodes: when the element at a feeder's mouth is divided or joined with the next one, and how
-// the node between them moves then (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
+// The class FeederNodes: when the element at a feeder's feed point is divided or joined with the next one,
+// and how the node between them moves then
+// (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
 #include "hawser/run/feeder_nodes.hpp"
 
 #include <fmt/format.h>
@@ -14,9 +15,9 @@
 namespace hawser::run {
 namespace {
 
-// Of the length of the element behind it in the stock, how long the mouth's element is when a node has just
-// left; of its own length, how short it gets before a node is caught. Apart, so that a feeder that goes to
-// and fro does not let a node out and catch it in turn.
+// Of the length of the element behind it in the stock, how long the feed point's element is when a node has
+// just left; of its own length, how short it gets before a node is caught. Apart, so that a feeder that goes
+// to and fro does not let a node out and catch it in turn.
 constexpr double kLeft = 0.5, kCaught = 0.4;
 
 std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.{}.{}", f.name, what); }
@@ -34,38 +35,39 @@ void FeederNodes::agree() {
   const MPI_Comm comm = sim_.system().comm();
   for (Feeder& f : sim_.feeders()->list()) {
     if (!f.feed.speed.empty()) continue;
-    const bool known = sim_.feeders()->at_mouth(f) != nullptr;
+    const bool known = sim_.feeders()->at_feed_point(f) != nullptr;
     f.length = of_all(comm, known, f.length);
     f.speed = of_all(comm, known, f.speed);
-    f.grows = of_all(comm, known, f.grows);
+    f.length_rate = of_all(comm, known, f.length_rate);
     f.resting = of_all(comm, known, f.resting) > 0.5;
   }
 }
 
-void FeederNodes::hand_over() {
+void FeederNodes::transfer_node() {
   Feeders* all = sim_.feeders();
   if (!all) return;
   const double time = sim_.dynamics().committed().s.time;
   for (Feeder& f : all->list()) {
-    const double whole = all->element_length(f, f.mouth);
+    const double whole = all->element_length(f, f.feed_point);
     refuse_all_out(f, time);
-    if (f.mouth > 0 && f.length >= whole + kLeft * all->element_length(f, f.mouth - 1)) {
-      let_out(f);
+    if (f.feed_point > 0 && f.length >= whole + kLeft * all->element_length(f, f.feed_point - 1)) {
+      release_node(f);
     } else if (f.length <= kCaught * whole) {
       refuse_all_in(f, time);
-      haul_in(f);
+      catch_node(f);
     }
   }
 }
 
-void FeederNodes::hand_over(Feeder& f, int mouth, double length,
-                            const std::optional<Dynamics::Moved>& moved) {
-  sim_.dynamics().hand_over(
+void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
+                                const std::optional<Dynamics::Moved>& moved) {
+  sim_.dynamics().transfer_node(
       [&] {
-        if (mouth != f.mouth) sim_.structure().hand_over(sim_.system().comm(), f, mouth);
-        f.mouth = mouth, f.length = length;
+        if (feed_point != f.feed_point) sim_.structure().transfer_node(sim_.system().comm(), f, feed_point);
+        f.feed_point = feed_point;
+        f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;
-        sim_.feeders()->see_mouth(f);
+        sim_.feeders()->update_feed_point(f);
         return moved;
       },
       [&] { return sim_.feeders()->with_held(sim_.system().tied_nodes().list()); });
@@ -76,19 +78,21 @@ void FeederNodes::hand_over(Feeder& f, int mouth, double length,
 // in balance; velocity and acceleration are between those of the ends.
 Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
-  const double share = all.element_length(f, f.mouth) / f.length;  // from the free end
+  const double share = all.element_length(f, f.feed_point) / f.length;  // from the free end
   const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
-  const Mouth mouth = all.mouth(f, k, true);
-  const Feeders::Flow flow = all.flow(mouth, k, e, f.at_b);
+  const FeedPoint feed_point = all.feed_point(f, k, true);
+  const Feeders::Flow flow = all.flow(feed_point, k, e, f.at_b);
   const Vec3 a = k.a[i] + flow.acceleration;
   Dynamics::Moved m;
-  m.node = all.node(f, f.mouth), m.free = true;
+  m.node = all.node(f, f.feed_point);
+  m.free = true;
   m.x = k.x[j] - share * flow.chord;
   m.v = k.v[j] + share * (flow.velocity - k.v[j]);
   m.a = k.a[j] + share * (a - k.a[j]);
   if (f.beam) {
     // Of the material: the frames turn along the line as it is bent, and what leaves goes along that.
-    const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]), flows = -(mouth.speed / mouth.length) * turn;
+    const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]),
+               flows = -(feed_point.speed / feed_point.length) * turn;
     const double towards = (f.at_b ? 1 : -1) * flow.chord.norm();
     const Vec3 from = towards * (k.q[j] * Vec3::UnitX()), to = towards * (k.q[i] * Vec3::UnitX());
     const double s = share, r = 1 - share;
@@ -103,28 +107,29 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
   return m;
 }
 
-void FeederNodes::let_out(Feeder& f) {
+void FeederNodes::release_node(Feeder& f) {
   const Feeders& all = *sim_.feeders();
-  const int node = all.node(f, f.mouth);
-  const double whole = all.element_length(f, f.mouth);
+  const int node = all.node(f, f.feed_point);
+  const double whole = all.element_length(f, f.feed_point);
   std::optional<Dynamics::Moved> moved;
-  if (const LocalElement* e = all.at_mouth(f)) moved = leaving(f, sim_.dynamics().kinematics(), *e);
-  if (!f.beam) return hand_over(f, f.mouth - 1, f.length - whole, moved);
-  const double before = felt(f);
-  hand_over(f, f.mouth - 1, f.length - whole, moved);
+  if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, sim_.dynamics().kinematics(), *e);
+  if (!f.beam) return transfer_node(f, f.feed_point - 1, f.length - whole, moved);
+  const double before = feeder_force(f);
+  transfer_node(f, f.feed_point - 1, f.length - whole, moved);
   // Two elements follow a bent line more closely than one, and its length along them is another, by some 1e-7
   // of it: what is unstretched takes that, and the force on the feeder goes on.
-  const double more = (before - felt(f)) * (f.length + whole) / f.bar.EA;
+  const double more = (before - feeder_force(f)) * (f.length + whole) / f.bar.EA;
   if (moved) {
     const Kinematics k = sim_.dynamics().kinematics();
     const size_t n = sim_.local().find(node);
-    moved->x = k.x[n], moved->q = k.q[n];
+    moved->x = k.x[n];
+    moved->q = k.q[n];
   }
-  hand_over(f, f.mouth, f.length - more, moved);
+  transfer_node(f, f.feed_point, f.length - more, moved);
 }
 
 // N, on all ranks.
-double FeederNodes::felt(const Feeder& f) {
+double FeederNodes::feeder_force(const Feeder& f) {
   record::EndForces ends(sim_.system(), sim_.feeders());
   ends.evaluate(sim_.dynamics().kinematics(),
                 std::vector<Vec3>(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero()));
@@ -136,9 +141,10 @@ double FeederNodes::felt(const Feeder& f) {
 std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinematics& k,
                                                    double& length) const {
   const Feeders& all = *sim_.feeders();
-  const int held = all.node(f, f.mouth), caught = all.node(f, f.mouth + 1), next = all.node(f, f.mouth + 2);
+  const int held = all.node(f, f.feed_point), caught = all.node(f, f.feed_point + 1),
+            next = all.node(f, f.feed_point + 2);
   const LocalMesh& local = sim_.local();
-  const double own[2] = {f.length, all.element_length(f, f.mouth + 1)}, sum = own[0] + own[1];
+  const double own[2] = {f.length, all.element_length(f, f.feed_point + 1)}, sum = own[0] + own[1];
   std::optional<Dynamics::Moved> moved;
   length = 0;
   const int at[3] = {local.find(held), local.find(caught), local.find(next)};
@@ -159,14 +165,14 @@ std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinema
   return moved;
 }
 
-void FeederNodes::haul_in(Feeder& f) {
+void FeederNodes::catch_node(Feeder& f) {
   double length = 0;
   const std::optional<Dynamics::Moved> moved = caught(f, sim_.dynamics().kinematics(), length);
-  hand_over(f, f.mouth + 1, length, moved);
+  transfer_node(f, f.feed_point + 1, length, moved);
 }
 
 void FeederNodes::refuse_all_out(const Feeder& f, double time) const {
-  if (f.mouth == 0 && f.length >= sim_.feeders()->element_length(f, 0))
+  if (f.feed_point == 0 && f.length >= sim_.feeders()->element_length(f, 0))
     throw SolveError(
         "the stock at {} runs out at t = {:.6g} s: give the line more length there and the feeder that much "
         "more 'stock', or let the run end before",
@@ -177,8 +183,8 @@ void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
   const Feeders& all = *sim_.feeders();
   int others = 0;  // elements that another feeder of the line has
   for (const Feeder& o : sim_.feeders()->list())
-    if (o.line == f.line && o.at_b != f.at_b) others = o.mouth;
-  if (f.mouth + 2 + others >= all.elements(f))
+    if (o.line == f.line && o.at_b != f.at_b) others = o.feed_point;
+  if (f.feed_point + 2 + others >= all.elements(f))
     throw SolveError(
         "at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the run end before",
         time,
@@ -191,29 +197,33 @@ void FeederNodes::shift(Feeder& f, double by) {
   State& state = sim_.state();
   const auto put = [&](const std::optional<Dynamics::Moved>& moved) {
     const int n = moved ? sim_.local().find(moved->node) : -1;
-    if (n >= 0) state.x[n] = moved->x, state.q[n] = moved->q;
+    if (n >= 0) {
+      state.x[n] = moved->x;
+      state.q[n] = moved->q;
+    }
     sim_.system().spread(state);
   };
-  const auto set = [&](int mouth, double length) {
-    f.mouth = mouth, f.length = length;
+  const auto set = [&](int feed_point, double length) {
+    f.feed_point = feed_point;
+    f.length = length;
     f.offset = length - (f.feed.speed.empty() ? 0 : model::fed_by(f.feed, f.time).length);
-    all.see_mouth(f);
+    all.update_feed_point(f);
   };
-  set(f.mouth, f.length + by);
+  set(f.feed_point, f.length + by);
   for (;;) {
-    const double whole = all.element_length(f, f.mouth);
+    const double whole = all.element_length(f, f.feed_point);
     refuse_all_out(f, f.time);
-    if (f.mouth > 0 && f.length >= whole + kLeft * all.element_length(f, f.mouth - 1)) {
+    if (f.feed_point > 0 && f.length >= whole + kLeft * all.element_length(f, f.feed_point - 1)) {
       std::optional<Dynamics::Moved> moved;
-      if (const LocalElement* e = all.at_mouth(f)) moved = leaving(f, state.view(0), *e);
+      if (const LocalElement* e = all.at_feed_point(f)) moved = leaving(f, state.view(0), *e);
       put(moved);
-      set(f.mouth - 1, f.length - whole);
+      set(f.feed_point - 1, f.length - whole);
     } else if (f.length <= kCaught * whole) {
       refuse_all_in(f, f.time);
-      const double next = all.element_length(f, f.mouth + 1);
+      const double next = all.element_length(f, f.feed_point + 1);
       double length = 0;
       put(caught(f, state.view(0), length));
-      set(f.mouth + 1, f.length + next);
+      set(f.feed_point + 1, f.length + next);
     } else {
       break;
     }
@@ -229,10 +239,10 @@ void FeederNodes::save(io::Checkpoint& to) const {
   all_reduce(sim_.system().comm(), MPI_SUM, work);
   to.scalars["feeders.work"] = work;
   for (const Feeder& f : sim_.feeders()->list()) {
-    to.scalars[key(f, "mouth")] = f.mouth;
+    to.scalars[key(f, "feed_point")] = f.feed_point;
     to.scalars[key(f, "length")] = f.length;
     to.scalars[key(f, "speed")] = f.speed;
-    to.scalars[key(f, "grows")] = f.grows;
+    to.scalars[key(f, "length_rate")] = f.length_rate;
     to.scalars[key(f, "resting")] = f.resting;
     to.scalars[key(f, "outside at the start")] = f.outside_at_start;
     // Exactly where it was: a table of another run may pay out otherwise from here on, but not before.
@@ -246,7 +256,7 @@ void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
   };
   size_t there = 0, here = sim_.feeders() ? sim_.feeders()->list().size() : 0;
   for (const auto& [name, value] : from.scalars)
-    there += name.starts_with("feeder.") && name.ends_with(".mouth");
+    there += name.starts_with("feeder.") && name.ends_with(".feed_point");
   if (there != here)
     throw refuse(fmt::format("{} of its lines' ends {} fed, and {} in this case", there,
                              there == 1 ? "is" : "are", here));
@@ -254,20 +264,24 @@ void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
   const int rank = rank_of(sim_.system().comm());
   sim_.feeders()->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
   for (Feeder& f : sim_.feeders()->list()) {
-    if (!from.scalars.count(key(f, "mouth"))) throw refuse(f.name + " is not fed there");
+    if (!from.scalars.count(key(f, "feed_point"))) throw refuse(f.name + " is not fed there");
     const auto take = [&](const char* what) { return from.scalars.at(key(f, what)); };
-    const double mouth = take("mouth");
-    if (!(mouth >= 0 && mouth < sim_.feeders()->elements(f)) || !(take("length") > 0))
-      throw refuse(fmt::format("its checkpoint is damaged: the mouth at {} is {:g}", f.name, mouth));
-    f.mouth = static_cast<int>(mouth), f.length = take("length"), f.speed = take("speed"),
-    f.grows = take("grows");
-    f.resting = take("resting") > 0, f.time = from.time;
+    const double feed_point = take("feed_point");
+    if (!(feed_point >= 0 && feed_point < sim_.feeders()->elements(f)) || !(take("length") > 0))
+      throw refuse(
+          fmt::format("its checkpoint is damaged: the feed point of {} is {:g}", f.name, feed_point));
+    f.feed_point = static_cast<int>(feed_point);
+    f.length = take("length");
+    f.speed = take("speed");
+    f.length_rate = take("length_rate");
+    f.resting = take("resting") > 0;
+    f.time = from.time;
     f.outside_at_start = take("outside at the start");
     // A table that was changed goes on from the length there is.
     f.offset = take("offset");
     if (!f.feed.speed.empty() && std::abs(f.offset + model::fed_by(f.feed, f.time).length - f.length) > 1e-9)
       f.offset = f.length - model::fed_by(f.feed, f.time).length;
-    sim_.feeders()->see_mouth(f);
+    sim_.feeders()->update_feed_point(f);
   }
   System& system = sim_.system();
   system.tie(sim_.feeders()->with_held(system.tied_nodes().list()), BodyMotion(system.tied_nodes().motion()));

@@ -104,8 +104,10 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   size_t pairs = 0, wanted = 0;
   for (int i = 0; i < lines; ++i)
     for (int j = i; j < lines && takes_part[i]; ++j)
-      if (takes_part[j])
-        ++pairs, wanted += !std::binary_search(excluded.begin(), excluded.end(), std::pair(i, j));
+      if (takes_part[j]) {
+        ++pairs;
+        wanted += !std::binary_search(excluded.begin(), excluded.end(), std::pair(i, j));
+      }
   if (wanted == 0) return nullptr;
   options.shared = shared_places(c, *mesh.mesh);
   options.whole = first_parts(c);

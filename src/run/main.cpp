@@ -15,9 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/base/singleton.hpp"
 #include "hawser/io/line_library.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/model/schema.hpp"
@@ -35,7 +35,7 @@ using hawser::run::RunOptions;
 struct Petsc {
   int rank = 0;
   Petsc(int argc, char** argv) {
-    hawser::start_alone();
+    hawser::start_singleton();
     PetscInitialize(&argc, &argv, nullptr, nullptr);
     PetscPushErrorHandler(PetscIgnoreErrorHandler, nullptr);
     PetscPopSignalHandler();
@@ -75,11 +75,14 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   try {
     return work();
   } catch (const hawser::InputError& e) {
-    code = hawser::kExitInput, text = e.what();
+    code = hawser::kExitInput;
+    text = e.what();
   } catch (const hawser::SolveError& e) {
-    code = hawser::kExitSolve, text = e.what();
+    code = hawser::kExitSolve;
+    text = e.what();
   } catch (const hawser::io::WriteError& e) {
-    code = hawser::kExitWrite, text = e.what();
+    code = hawser::kExitWrite;
+    text = e.what();
   } catch (const std::exception& e) {
     // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
     std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
@@ -119,7 +122,7 @@ CommandLine::CommandLine() {
   cli.require_subcommand(1);
   cli.footer(
       "Run on several ranks with: mpirun -n 4 hawser run case.yaml\n"
-      "Exit codes: 0 done, 2 the input is wrong, 3 the solver gave up, 4 the run has ended but its energy "
+      "Exit codes: 0 done, 2 the input is wrong, 3 the solver failed, 4 the run has ended but its energy "
       "does not add up, 130 stopped by a signal, 1 anything else.");
 
   run_command = cli.add_subcommand("run", "Run a case: statics, then dynamics; results go to an HDF5 file.");
@@ -153,7 +156,7 @@ CommandLine::CommandLine() {
       ->check(hawser::run::whole_number(1, 10000))
       ->capture_default_str();
   modes_command->add_option("-o,--output", modes.output, "Results file (default: <case>-modes.h5)");
-  modes_command->add_flag("--without-added-mass", in_vacuum, "Leave out the added mass of the water");
+  modes_command->add_flag("--without-added-mass", in_vacuum, "Without the added mass of the water");
   modes_command->add_flag("-q,--quiet", modes.quiet, "Say nothing but errors");
   add_set(modes_command);
 
@@ -184,7 +187,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   if (argc > 1 && hawser::run::is_post_command(argv[1])) return hawser::run::post(argv + 1);
   // What follows a lone "--" is PETSc's.
-  std::vector<char*> mine, theirs{argv[0]};
+  std::vector<char*> mine, for_petsc{argv[0]};
   std::string options;
   bool after = false;
   for (int i = 0; i < argc; ++i) {
@@ -192,11 +195,11 @@ int main(int argc, char** argv) {
       after = true;
       continue;
     }
-    (after ? theirs : mine).push_back(argv[i]);
+    (after ? for_petsc : mine).push_back(argv[i]);
     if (after) options += (options.empty() ? "" : " ") + std::string(argv[i]);
   }
   mine.push_back(nullptr);
-  theirs.push_back(nullptr);
+  for_petsc.push_back(nullptr);
 
   CommandLine line;
   line.cli.failure_message([&](const CLI::App*, const CLI::Error& e) {
@@ -205,25 +208,28 @@ int main(int argc, char** argv) {
 
   // A question that the command line answers needs no MPI, but of several ranks one answers.
   std::optional<Petsc> petsc;
-  const auto begin = [&] { petsc.emplace(static_cast<int>(theirs.size()) - 1, theirs.data()); };
+  const auto begin = [&] { petsc.emplace(static_cast<int>(for_petsc.size()) - 1, for_petsc.data()); };
   if (hawser::launched()) begin();
-  const bool speaks = !petsc || petsc->rank == 0;
+  const bool prints = !petsc || petsc->rank == 0;
   try {
     line.cli.parse(static_cast<int>(mine.size()) - 1, mine.data());
   } catch (const CLI::ParseError& e) {
     std::ostringstream out, wrong;
     const bool failed = line.cli.exit(e, out, wrong) != 0;
-    if (speaks) std::fputs(out.str().c_str(), stdout), std::fputs(wrong.str().c_str(), stderr);
+    if (prints) {
+      std::fputs(out.str().c_str(), stdout);
+      std::fputs(wrong.str().c_str(), stderr);
+    }
     return failed ? hawser::kExitInput : 0;
   }
   if (*line.schema_command) {
-    if (speaks)
+    if (prints)
       std::fputs((line.json ? hawser::model::schema_json() : hawser::model::schema_markdown()).c_str(),
                  stdout);
     return 0;
   }
   if (*line.library_command) {
-    if (speaks) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
+    if (prints) std::fputs(hawser::io::line_library_markdown().c_str(), stdout);
     return 0;
   }
   line.run.options_text = line.modes.options_text = options;
@@ -237,8 +243,8 @@ int main(int argc, char** argv) {
                                                  line.changes, line.verbose);
     const int code = *line.run_command ? hawser::run::run(PETSC_COMM_WORLD, line.run)
                                        : hawser::run::modes(PETSC_COMM_WORLD, line.modes);
-    const auto left = unused(theirs);
-    if (speaks && !line.run.quiet && !line.modes.quiet && !left.empty())
+    const auto left = unused(for_petsc);
+    if (prints && !line.run.quiet && !line.modes.quiet && !left.empty())
       fmt::print("\nwarning: nothing in this run has used the PETSc option{} {}\n",
                  left.size() > 1 ? "s" : "", fmt::join(left, ", "));
     return code;

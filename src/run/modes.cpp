@@ -173,7 +173,7 @@ void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volu
 int modes(MPI_Comm comm, const ModesOptions& options) {
   const int rank = rank_of(comm);
   Progress progress(rank == 0 && !options.quiet);
-  model::Case c = io::read_case(options.case_path, news(progress), comm, options.changes);
+  model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
   const std::filesystem::path beside(c.path);
   const std::string wanted = options.output.empty()
                                  ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
@@ -181,15 +181,15 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   const OutputPlace place(comm, wanted, "", c.inputs);
   if (!c.statics.enabled)
     throw InputError(c.path +
-                     ": statics: modes are about the static equilibrium, which this case leaves out");
-  std::vector<LoadedVolume> volumes = load_volumes(c, comm, news(progress));
+                     ": statics: modes are about the static equilibrium, which this case does not compute");
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   c = with_targets_met(comm, std::move(c), volumes, progress);
   if (!options.added_mass)
     for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
-  for (const auto& n : place.notes()) progress.say("note: " + n);
-  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.say("note: " + n);
-  for (const auto& w : sim.warnings()) progress.say("warning: " + w);
+  for (const auto& n : place.notes()) progress.print("note: " + n);
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
+  for (const auto& w : sim.warnings()) progress.print("warning: " + w);
   Events events(comm, sim);
   const StaticsReport statics = solve_statics(sim, events, progress);
   const std::vector<NaturalMode> found = natural_modes(sim.system(), sim.state().view(0), options.count);

@@ -78,8 +78,8 @@ void OutputPlace::check() const {
 // Every file that the run makes, renames or removes, against those that it reads.
 void OutputPlace::check_inputs(const std::vector<std::string>& inputs) const {
   const std::string xdmf = io::xdmf_beside(path_);
-  for (const std::string& written : {path_, path_ + ".new", path_ + ".lock", io::kept_name(path_), xdmf,
-                                     xdmf + ".new", io::kept_name(xdmf)})
+  for (const std::string& written : {path_, path_ + ".new", path_ + ".lock", io::backup_name(path_), xdmf,
+                                     xdmf + ".new", io::backup_name(xdmf)})
     for (const std::string& input : inputs)
       if (same_file(written, input))
         throw refusal(path_, fmt::format("{} is a file that this run reads{}, and would be replaced; give "
@@ -90,8 +90,8 @@ void OutputPlace::check_inputs(const std::vector<std::string>& inputs) const {
 // Files that are there already, and that the run will replace.
 void OutputPlace::check_old() {
   const auto there = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
-  const auto check_one = [&](const std::string& name, bool ours) {
-    if (!there(name) || ours) return;
+  const auto check_one = [&](const std::string& name, bool is_results) {
+    if (!there(name) || is_results) return;
     throw refusal(path_, fs::is_directory(name) ? name + " is a folder"
                                                 : name +
                                                       " is not of hawser's making, and is not replaced; move "
@@ -102,7 +102,7 @@ void OutputPlace::check_old() {
   check_one(xdmf, io::is_xdmf(xdmf));
   for (const std::string& name : {path_ + ".new", xdmf + ".new"}) check_one(name, !fs::is_directory(name));
   if (appends_) return;
-  const std::string kept = io::kept_name(path_), kept_xdmf = io::kept_name(xdmf);
+  const std::string kept = io::backup_name(path_), kept_xdmf = io::backup_name(xdmf);
   check_one(kept, io::is_results(kept));
   check_one(kept_xdmf, io::is_xdmf(kept_xdmf));
   if (there(path_))

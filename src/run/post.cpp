@@ -23,14 +23,14 @@ constexpr const char* kData[] = {"share/hawser", HAWSER_DATA};
 
 // The folder of the package hawser_post; where there is none, a sentence says where it was looked for.
 fs::path package_folder(const fs::path& program) {
-  std::string seen;
+  std::string searched;
   for (const char* data : kData) {
     const fs::path folder = (program.parent_path() / data / "python").lexically_normal();
     std::error_code none;
     if (fs::is_directory(folder / "hawser_post", none)) return folder;
-    seen += (seen.empty() ? "neither in " : " nor in ") + folder.string();
+    searched += (searched.empty() ? "neither in " : " nor in ") + folder.string();
   }
-  std::fputs(fmt::format("hawser: the Python package hawser_post is {}\n", seen).c_str(), stderr);
+  std::fputs(fmt::format("hawser: the Python package hawser_post is {}\n", searched).c_str(), stderr);
   return {};
 }
 

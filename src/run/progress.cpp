@@ -1,5 +1,5 @@
 // The class Progress: text and timing of the messages about statics and time steps, the estimate of the time
-// left, and how a terminal is told from a log file.
+// left, and how a terminal is distinguished from a log file.
 #include "hawser/run/progress.hpp"
 
 #include <fmt/format.h>
@@ -38,7 +38,7 @@ std::string clock_text(double seconds) {
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
-Progress::Progress(bool speak) : speak_(speak), columns_(terminal_columns()) {}
+Progress::Progress(bool print_lines) : prints_(print_lines), columns_(terminal_columns()) {}
 
 void Progress::rewrite(std::string text) {
   // A line that wraps cannot be rewritten.
@@ -49,7 +49,7 @@ void Progress::rewrite(std::string text) {
 }
 
 void Progress::busy(const std::string& what, double took) {
-  if (!speak_) return;
+  if (!prints_) return;
   const auto now = Clock::now();
   if (columns_ > 0) {
     rewrite(what);
@@ -64,7 +64,7 @@ void Progress::busy(const std::string& what, double took) {
 }
 
 void Progress::statics(int iterations, int relaxation_steps, double residual) {
-  if (!speak_) return;
+  if (!prints_) return;
   const auto now = Clock::now();
   if (seconds(now - last_) < (columns_ > 0 ? kRewriteEvery : kLineEvery)) return;
   last_ = now;
@@ -82,13 +82,14 @@ void Progress::statics(int iterations, int relaxation_steps, double residual) {
 }
 
 void Progress::begin(double time, double end) {
-  start_ = time, duration_ = end;
+  start_ = time;
+  duration_ = end;
   began_ = last_ = Clock::now();
   next_share_ = std::floor(10 * time / std::max(duration_, 1e-300) + 1e-9) / 10 + 0.1;
 }
 
 void Progress::step(double time, double step, int iterations) {
-  if (!speak_) return;
+  if (!prints_) return;
   const double share = time / std::max(duration_, 1e-300);
   const auto now = Clock::now();
   const bool last = share >= 1 - 1e-9;
@@ -110,9 +111,9 @@ void Progress::step(double time, double step, int iterations) {
   }
 }
 
-void Progress::say(const std::string& text) {
+void Progress::print(const std::string& text) {
   if (text.starts_with("note: ") || text.starts_with("warning: ")) messages_.push_back(text);
-  if (!speak_) return;
+  if (!prints_) return;
   end();
   std::puts(text.c_str());
   std::fflush(stdout);

@@ -166,7 +166,9 @@ void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<doubl
       return !of.empty() && (k < 3 || m.rotates(static_cast<int>(n))) ? of[b + k] : 0.0;
     });
   };
-  rows(kReaction, reactions), rows(kMeanQ, mean.q), rows(kMeanF, mean.f);
+  rows(kReaction, reactions);
+  rows(kMeanQ, mean.q);
+  rows(kMeanF, mean.f);
 }
 
 }  // namespace
@@ -194,8 +196,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
   c.scalars["step.wait"] = d.control().wait();
-  c.scalars["step.ringing"] = d.control().ringing();
-  c.scalars["step.calm"] = d.control().calm();
+  c.scalars["step.ringing"] = d.control().impact_period();
+  c.scalars["step.calm"] = d.control().resolved_until();
   c.scalars["step.last"] = d.last_step();
   double work = d.support_work();
   all_reduce(simulation.system().comm(), MPI_SUM, work);
@@ -321,7 +323,10 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   }
   system.spread(s.s);
   system.spread(s.ax);
-  if (has_directors(m)) system.spread(s.aw), system.spread(s.ad);
+  if (has_directors(m)) {
+    system.spread(s.aw);
+    system.spread(s.ad);
+  }
 
   const auto rows = [&](const char* name) {
     std::vector<double> out(3 * static_cast<size_t>(m.blocks()), 0);
@@ -338,7 +343,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (int v = 0; contact && v < contact->volumes(); ++v)
     if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
       contact->raise_to(v, it->second);
-  simulation.raised_stiffness("");  // that was told by the run that raised it
+  simulation.raised_stiffness("");  // the run that raised it has reported that
 
   const int rank = rank_of(system.comm());
   Dynamics::Carried carried;
@@ -348,8 +353,8 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
   // Older files lack them.
   if (c.scalars.count("step.calm")) {
-    carried.step_ringing = c.scalars.at("step.ringing");
-    carried.step_calm = c.scalars.at("step.calm");
+    carried.step_impact_period = c.scalars.at("step.ringing");
+    carried.step_resolved_until = c.scalars.at("step.calm");
   }
   carried.last_step = c.scalars.at("step.last");
   carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;

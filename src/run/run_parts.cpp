@@ -44,7 +44,7 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
 
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
                              Progress& progress, const std::string& restart,
-                             const std::function<void()>& looked) {
+                             const std::function<void()>& on_iteration) {
   if (!has_targets(c)) return c;
   MetTargets met;
   try {
@@ -54,14 +54,14 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
                     comm, c, volumes,
                     [&](const StaticsReport& now) {
                       progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-                      if (looked) looked();
+                      if (on_iteration) on_iteration();
                     },
                     [&](const std::string& trial) { progress.busy(trial, 0); });
   } catch (const SolveError&) {
-    for (const std::string& n : model::grouped_notes(c.notes)) progress.say("note: " + n);  // may tell why
+    for (const std::string& n : model::grouped_notes(c.notes)) progress.print("note: " + n);  // may tell why
     throw;
   }
-  for (const std::string& f : met.found) progress.say("note: " + f);
+  for (const std::string& f : met.found) progress.print("note: " + f);
   met.model.output.file = c.output.file;  // which the command line may have said
   return std::move(met.model);
 }
@@ -78,19 +78,19 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
         progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
         if (reported || now.relaxation_steps < kLong) return;
         reported = true;
-        progress.say("note: " + advice::long_relaxation(kLong));
+        progress.print("note: " + advice::long_relaxation(kLong));
       },
       falls);
-  for (size_t i = before; i < sim.notes().size(); ++i) progress.say("note: " + sim.notes()[i]);
-  progress.say(fmt::format(
+  for (size_t i = before; i < sim.notes().size(); ++i) progress.print("note: " + sim.notes()[i]);
+  progress.print(fmt::format(
       "statics: {} iterations{}{}", s.iterations,
       s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
       !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
-  for (const std::string& line : sim.on_bed()) progress.say(line);
-  if (s.escapes > 0) progress.say("note: " + advice::unstable_on_the_way(s.escapes));
-  for (const std::string& w : sim.tilting_warnings()) progress.say("warning: " + w);
+  for (const std::string& line : sim.on_bed()) progress.print(line);
+  if (s.escapes > 0) progress.print("note: " + advice::unstable_equilibria_left(s.escapes));
+  for (const std::string& w : sim.tilting_warnings()) progress.print("warning: " + w);
   if (s.negative_eigenvalues > 0)
-    progress.say("warning: " + advice::unstable_at_rest(s.negative_eigenvalues));
+    progress.print("warning: " + advice::unstable_at_rest(s.negative_eigenvalues));
   return s;
 }
 
@@ -101,16 +101,16 @@ StaticsReport solve_statics(Simulation& sim, Events& events, Progress& progress,
   StaticsReport last;
   try {
     events.come_to_rest([&](bool falls) { last = solve_one(sim, progress, falls); },
-                        [&](const std::string& what) { progress.say(what); }, rested);
+                        [&](const std::string& what) { progress.print(what); }, rested);
   } catch (const SolveError&) {
-    progress.say("note: " + advice::statics_failed(sim.model()));
+    progress.print("note: " + advice::statics_failed(sim.model()));
     throw;
   }
   return last;
 }
 
-io::ReadingNews news(Progress& progress) {
-  return {[&progress](const std::string& title) { progress.say(title); },
+io::ReadProgress read_progress(Progress& progress) {
+  return {[&progress](const std::string& title) { progress.print(title); },
           [&progress](const std::string& what, double seconds) { progress.busy(what, seconds); }};
 }
 

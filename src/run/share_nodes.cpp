@@ -26,7 +26,7 @@ std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh&
   return candidates.elements();
 }
 
-std::vector<int> whole_lines(const model::Case& c) {
+std::vector<int> uncut_lines(const model::Case& c) {
   if (!c.contact.between_lines.enabled) return {};
   const std::vector<std::pair<int, int>> excluded = excluded_pairs(c);
   std::vector<int> whole;
@@ -39,7 +39,7 @@ std::vector<int> whole_lines(const model::Case& c) {
 
 std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
-  return partition(mesh, ranks, near_elements(c, mesh, bodies), whole_lines(c));
+  return partition(mesh, ranks, near_elements(c, mesh, bodies), uncut_lines(c));
 }
 
 }  // namespace hawser::run

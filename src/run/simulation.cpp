@@ -66,19 +66,19 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
 // Local nodes whose place is prescribed for as long as the run lasts.
 std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const Feeders* feeders,
                             const std::vector<TiedNode>& tied) {
-  std::set<int> let_go;  // nodes of the mesh
+  std::set<int> released;  // nodes of the mesh
   if (feeders) {
     const std::vector<int> fed = feeders->fed_nodes();
-    let_go.insert(fed.begin(), fed.end());
+    released.insert(fed.begin(), fed.end());
   }
   for (const model::Event& e : c.events)
     if (e.action.kind == model::Action::Kind::release) {
       const LineSpan& span = local.mesh->lines[c.line_index(e.action.line)];
-      let_go.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
+      released.insert(span.first_node + (e.action.at_b ? span.nodes - 1 : 0));
     }
   std::vector<int> held;
   for (const TiedNode& s : tied)
-    if (s.position_mask != 0 && !let_go.count(local.global[s.node])) held.push_back(s.node);
+    if (s.position_mask != 0 && !released.count(local.global[s.node])) held.push_back(s.node);
   return held;
 }
 
@@ -100,11 +100,15 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
     d.allowed_penetration = v.allowed_penetration;
     const AutomaticStiffness s = automatic_contact_stiffness(d);
     most = std::max(most, most_stiffness(d));
-    if (s.per_length > best.per_length) best = s, mass = t.mass_per_length;
+    if (s.per_length > best.per_length) {
+      best = s;
+      mass = t.mass_per_length;
+    }
   }
   v.basis = model::StiffnessBasis::per_length;
   v.normal_stiffness = best.per_length;
-  volume.automatic = true, volume.most = std::max(most, best.per_length);
+  volume.automatic = true;
+  volume.most = std::max(most, best.per_length);
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
   const bool too_short = c.dynamics.enabled && step > 0 && bounce < 1.5 * step;
   notes.push_back(
@@ -141,7 +145,10 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   const Kinematics at = start.state.view(0);
   bodies_->fix_drawn(comm, case_, at);
   if (!case_.links.empty()) add<Links>(comm, case_, local(), bodies_, at);
-  if (feeders_) feeders_->clamp(start.ends), start.tied = feeders_->with_held(start.tied);
+  if (feeders_) {
+    feeders_->clamp(start.ends);
+    start.tied = feeders_->with_held(start.tied);
+  }
   const std::vector<int> held = held_nodes(case_, local(), feeders_, start.tied);
   add_seabed(at, held);
   add_contact(at, held, surfaces);
@@ -175,7 +182,8 @@ void Simulation::add_lines() {
   add<LineMassTerm>(local(), case_);
   bool loads = false, masses = false, springs = false;
   for (const auto& line : case_.lines) {
-    loads |= !line.point_loads.empty(), masses |= !line.masses.empty();
+    loads |= !line.point_loads.empty();
+    masses |= !line.masses.empty();
     springs |= line.end_a.rotational_stiffness > 0 || line.end_b.rotational_stiffness > 0;
   }
   if (loads) add<PointLoads>(local(), point_loads(case_, local()));
@@ -191,7 +199,7 @@ void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& hel
     add<BuriedTerm>(system_->comm(), local(), case_, start, held);
 }
 
-// Contact of lines with volumes, and what is told of how they start beside them. InputError where lines start
+// Contact of lines with volumes, and the warnings of how they start beside them. InputError where lines start
 // below the supports that they are to lie on.
 void Simulation::add_contact(const Kinematics& start, const std::vector<int>& held,
                              const std::vector<std::shared_ptr<const Surface>>& surfaces) {
@@ -217,7 +225,7 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
   if (volumes_.empty()) return;
   auto* contact = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held),
                                          comm, case_.contact.method);
-  contact->leave_out(start_contact_.left_out);
+  contact->exclude_ends(start_contact_.excluded_ends);
   for (int v = 0; v < contact->volumes(); ++v) last_stiffness_.push_back(contact->stiffness(v));
 }
 
@@ -262,7 +270,8 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
   SeabedTerm& bed = *seabed();
   const auto solve = [&] {
     const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
-    report.iterations += more.iterations, report.escapes += more.escapes;
+    report.iterations += more.iterations;
+    report.escapes += more.escapes;
     report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
   };
   for (const double slip : {kFirstSlip / 30, 0.0}) {
@@ -303,7 +312,10 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   for (HasFriction* t : with_friction) t->enable_friction(true);
   for (RestrainedInStatics* t : restrained) t->hold(false);
   if (!restrained.empty()) {
-    for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) state_.v[n] = v[n], state_.w[n] = w[n];
+    for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) {
+      state_.v[n] = v[n];
+      state_.w[n] = w[n];
+    }
     system_->spread(state_);
   }
   if (contact || line_pairs) system_->commit(state_.view(0));
@@ -385,11 +397,14 @@ void Simulation::check_inside() const {
 std::string Simulation::inside(int volume, const Kinematics& at) const {
   ContactVolume v = volumes_[volume];
   v.off = false;
-  std::vector<LeftOut> left_out;
-  for (LeftOut l : start_contact_.left_out)
-    if (l.volume == volume) l.volume = 0, left_out.push_back(l);
+  std::vector<ExcludedEnds> excluded_ends;
+  for (ExcludedEnds l : start_contact_.excluded_ends)
+    if (l.volume == volume) {
+      l.volume = 0;
+      excluded_ends.push_back(l);
+    }
   bodies_->exchange_poses(system_->comm(), at);
-  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, left_out);
+  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, excluded_ends);
 }
 
 void Simulation::enable_contact(const model::Action& action) {

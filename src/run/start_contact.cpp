@@ -1,4 +1,4 @@
-// Which stretches of lines lie inside a volume at the start, and which of them are left out of contact near
+// Which stretches of lines lie inside a volume at the start, and which of them are excluded from contact near
 // held ends.
 #include "hawser/run/start_contact.hpp"
 
@@ -73,29 +73,33 @@ void shorten(std::vector<std::string>& sentences, const std::string& what) {
   sentences.push_back(fmt::format("and {} more {}", more, what));
 }
 
-// What remains of a stretch outside of what is left out.
-void take_off(std::vector<Inside>& inside, const std::vector<LeftOut>& left_out, const Mesh& mesh) {
+// What remains of a stretch outside of what is excluded.
+void remove_excluded(std::vector<Inside>& inside, const std::vector<ExcludedEnds>& excluded_ends,
+                     const Mesh& mesh) {
   std::vector<Inside> out;
   for (Inside s : inside) {
     const double length = mesh.lines[s.line].length;
-    const auto l = std::find_if(left_out.begin(), left_out.end(),
-                                [&](const LeftOut& o) { return o.line == s.line && o.volume == s.volume; });
-    if (l != left_out.end()) {
+    const auto l = std::find_if(excluded_ends.begin(), excluded_ends.end(), [&](const ExcludedEnds& o) {
+      return o.line == s.line && o.volume == s.volume;
+    });
+    if (l != excluded_ends.end()) {
       if (s.to <= l->end_a || s.from >= length - l->end_b) continue;
-      s.from = std::max(s.from, l->end_a), s.to = std::min(s.to, length - l->end_b);
+      s.from = std::max(s.from, l->end_a);
+      s.to = std::min(s.to, length - l->end_b);
     }
     if (s.depth > 0 && s.from < s.to) out.push_back(s);
   }
   inside = std::move(out);
 }
 
-// What the case leaves out, and by default what lies inside next to a held end.
-void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<ContactVolume>& volumes,
-               StartContact& start) {
-  std::map<std::pair<int, int>, LeftOut> of;
-  const auto entry = [&of](int line, int volume) -> LeftOut& {
-    LeftOut& l = of[{line, volume}];
-    l.line = line, l.volume = volume;
+// What the case excludes, and by default what lies inside next to a held end.
+void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vector<ContactVolume>& volumes,
+                        StartContact& start) {
+  std::map<std::pair<int, int>, ExcludedEnds> of;
+  const auto entry = [&of](int line, int volume) -> ExcludedEnds& {
+    ExcludedEnds& l = of[{line, volume}];
+    l.line = line;
+    l.volume = volume;
     return l;
   };
   for (size_t l = 0; l < c.lines.size(); ++l)
@@ -103,7 +107,7 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
       const model::End& e = c.lines[l].end(b);
       if (e.no_contact_within.value_or(0) > 0)
         for (size_t v = 0; v < volumes.size(); ++v) {
-          LeftOut& out = entry(static_cast<int>(l), static_cast<int>(v));
+          ExcludedEnds& out = entry(static_cast<int>(l), static_cast<int>(v));
           (b ? out.end_b : out.end_a) = *e.no_contact_within;
         }
     }
@@ -121,14 +125,14 @@ void leave_out(const model::Case& c, const Mesh& mesh, const std::vector<Contact
     for (const bool b : {false, true}) {
       const model::End& e = line.end(b);
       if (!model::is_held(e) || e.no_contact_within || (b ? s.to < length - near : s.from > near)) continue;
-      LeftOut& out = entry(s.line, s.volume);
+      ExcludedEnds& out = entry(s.line, s.volume);
       const double reach = (b ? length - s.from : s.to) + clearance(c, line, b, b ? s.rise_from : s.rise_to);
       (b ? out.end_b : out.end_a) = reach;
       start.notes.push_back(
-          advice::left_out_at_end(line, b, volumes[s.volume].settings.name, s.depth, reach));
+          advice::excluded_at_end(line, b, volumes[s.volume].settings.name, s.depth, reach));
     }
   }
-  for (const auto& [key, l] : of) start.left_out.push_back(l);
+  for (const auto& [key, l] : of) start.excluded_ends.push_back(l);
 }
 
 // Ends of a line that starts by itself, m in space.
@@ -138,11 +142,12 @@ struct Chord {
   Vec3 at(double share) const { return a + share * (b - a); }
 };
 
-// Lines that hang past a volume which the straight way between their ends passes on the other side, and under
-// one of the body that carries an end which is above it. A line goes off its own hull on any side.
-void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
-               const Bodies& bodies, const std::vector<ContactVolume>& volumes,
-               const std::vector<Inside>& inside, StartContact& start) {
+// Lines on the wrong side of a volume: the straight line between their ends passes it on the other side; and
+// under one of the body that carries an end which is above it. A line goes off its own hull on any side.
+void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
+                              const Kinematics& at, const Bodies& bodies,
+                              const std::vector<ContactVolume>& volumes, const std::vector<Inside>& inside,
+                              StartContact& start) {
   std::vector<Chord> chords(c.lines.size());
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
@@ -156,7 +161,7 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
   const auto own = [&](const model::End& e, size_t v) {
     return e.kind == model::EndKind::body && e.body == volumes[v].settings.body;
   };
-  const LookedFor looked_for = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
+  const ExpectedPlace expected_place = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
     const size_t l = node.line;
     const model::Line& line = c.lines[l];
     if (!chords[l].known || volumes[v].settings.roller) return {};  // of supports other sentences tell
@@ -172,7 +177,7 @@ void hang_past(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const
     auto& best = nearest[{line, volume}];
     if (best.empty() || std::pair(row[3], row[2]) < std::pair(best[3], best[2])) best = row;
   };
-  for (const Past& p : past_volumes(mesh, at, bodies, volumes, looked_for))
+  for (const OnWrongSide& p : nodes_on_wrong_side(mesh, at, bodies, volumes, expected_place))
     keep(p.line, p.volume,
          {static_cast<double>(p.line), static_cast<double>(p.volume), p.at, p.distance, p.place.x(),
           p.place.y(), p.place.z()});
@@ -220,9 +225,9 @@ std::vector<ContactVolume> volumes_of_lines(const model::Case& c,
 
 std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
                         const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
-                        const std::vector<LeftOut>& left_out) {
+                        const std::vector<ExcludedEnds>& excluded_ends) {
   std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, feeders, {volume});
-  take_off(inside, left_out, *mesh.mesh);
+  remove_excluded(inside, excluded_ends, *mesh.mesh);
   if (inside.empty()) return "";
   return fmt::format("line {} is inside it {}", c.lines[inside.front().line].name,
                      advice::where_inside(found(inside.front(), *mesh.mesh)));
@@ -238,16 +243,16 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   out.inside = all_inside(comm, c, mesh, at, bodies, feeders, on);
   // Ends have their lengths without contact with a volume that is off as well; of what else is inside it one
   // looks again when it is switched on.
-  leave_out(c, *mesh.mesh, volumes, out);
+  find_excluded_ends(c, *mesh.mesh, volumes, out);
   std::erase_if(out.inside, [&](const Inside& s) { return volumes[s.volume].off; });
   const std::vector<Inside> all = out.inside;
-  take_off(out.inside, out.left_out, *mesh.mesh);
+  remove_excluded(out.inside, out.excluded_ends, *mesh.mesh);
   for (const Inside& s : out.inside)
     out.warnings.push_back(
         advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name, found(s, *mesh.mesh)));
   shorten(out.notes, "ends of lines start like these");
   shorten(out.warnings, "stretches of lines lie inside volumes");
-  hang_past(comm, c, mesh, at, bodies, volumes, all, out);
+  find_lines_on_wrong_side(comm, c, mesh, at, bodies, volumes, all, out);
   return out;
 }
 
@@ -256,7 +261,7 @@ std::string still_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& m
                          const std::vector<ContactVolume>& volumes, const StartContact& start) {
   if (start.inside.empty()) return "";
   std::vector<Inside> now = all_inside(comm, c, mesh, at, bodies, feeders, volumes);
-  take_off(now, start.left_out, *mesh.mesh);
+  remove_excluded(now, start.excluded_ends, *mesh.mesh);
   for (const Inside& s : now) {
     const bool before = std::any_of(start.inside.begin(), start.inside.end(), [&](const Inside& o) {
       return o.line == s.line && o.volume == s.volume && o.from <= s.to && s.from <= o.to &&

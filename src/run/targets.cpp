@@ -8,8 +8,8 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/run/events.hpp"
+#include "hawser/run/length_search.hpp"
 #include "hawser/run/simulation.hpp"
-#include "hawser/run/sought_length.hpp"
 
 namespace hawser::run {
 namespace {
@@ -21,8 +21,8 @@ bool keeps_tension(const model::Case& c, const model::End& end) {
   return c.statics.enabled && end.feed && end.feed->tension > 0;
 }
 
-std::vector<SoughtLength> all_sought(const model::Case& c) {
-  std::vector<SoughtLength> out;
+std::vector<LengthSearch> all_searches(const model::Case& c) {
+  std::vector<LengthSearch> out;
   int feeder = 0;
   for (size_t l = 0; l < c.lines.size(); ++l) {
     if (c.lines[l].target) out.emplace_back(c, l);
@@ -35,8 +35,8 @@ std::vector<SoughtLength> all_sought(const model::Case& c) {
   return out;
 }
 
-const SoughtLength& worst(const std::vector<SoughtLength>& all) {
-  return *std::max_element(all.begin(), all.end(), [](const SoughtLength& a, const SoughtLength& b) {
+const LengthSearch& worst(const std::vector<LengthSearch>& all) {
+  return *std::max_element(all.begin(), all.end(), [](const LengthSearch& a, const LengthSearch& b) {
     return a.error() < b.error();
   });
 }
@@ -52,14 +52,14 @@ bool has_targets(const model::Case& c) {
 MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<LoadedVolume>& volumes,
                         const std::function<void(const StaticsReport&)>& progress,
                         const std::function<void(const std::string&)>& tried) {
-  std::vector<SoughtLength> all = all_sought(c);
+  std::vector<LengthSearch> all = all_searches(c);
   // All at once, as if lines did not pull at each other. Where they do: one after the other, round and round.
   bool together = true;
   size_t turn = 0;
   for (int trial = 1; trial <= kMostTrials; ++trial) {
-    const auto moves = [&](const SoughtLength& s) { return !s.met() && (together || &s == &all[turn]); };
+    const auto moves = [&](const LengthSearch& s) { return !s.met() && (together || &s == &all[turn]); };
     io::SectionLengths lengths;
-    for (SoughtLength& s : all) {
+    for (LengthSearch& s : all) {
       if (moves(s)) s.choose();
       lengths[s.key()] = s.length();
     }
@@ -70,10 +70,10 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes));
       Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
       const AtRest now = at_rest(comm, sim);
-      for (SoughtLength& s : all) parted |= s.see(now);
+      for (LengthSearch& s : all) parted |= s.update(now);
       if (tried) tried(fmt::format("statics {} of the search for lengths: {}", trial, worst(all).now(c)));
-      if (std::all_of(all.begin(), all.end(), [](const SoughtLength& s) { return s.met(); })) {
-        for (const SoughtLength& s : all) out.found.push_back(s.found(c, trial));
+      if (std::all_of(all.begin(), all.end(), [](const LengthSearch& s) { return s.met(); })) {
+        for (const LengthSearch& s : all) out.found.push_back(s.found(c, trial));
         return out;
       }
     } catch (const WrongPlaces&) {
@@ -85,24 +85,24 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       why = e.what();
     }
     bool stuck = false;
-    for (SoughtLength& s : all) {
+    for (LengthSearch& s : all) {
       if (!moves(s)) continue;
       if (why.empty())
         s.go_on();
       else
         s.fail(why);
       stuck |= s.stuck();
-      if (s.stuck() && (!together || all.size() == 1)) s.give_up(c);
+      if (s.stuck() && (!together || all.size() == 1)) s.throw_not_found(c);
     }
     const bool apart = together && all.size() > 1 && (parted || stuck);
     if (apart)
-      for (SoughtLength& s : all) s.again();
-    const bool some = std::any_of(all.begin(), all.end(), [](const SoughtLength& s) { return !s.met(); });
+      for (LengthSearch& s : all) s.restart();
+    const bool some = std::any_of(all.begin(), all.end(), [](const LengthSearch& s) { return !s.met(); });
     if (some && (apart || (!together && all[turn].met()))) {
       together = false;
       do turn = (turn + 1) % all.size();
       while (all[turn].met());
-      all[turn].again();
+      all[turn].restart();
     }
   }
   throw SolveError(

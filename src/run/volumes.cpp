@@ -14,7 +14,7 @@
 #include "hawser/geometry/primitives.hpp"
 #include "hawser/geometry/tested_surface.hpp"
 #include "hawser/io/mesh_check.hpp"
-#include "hawser/io/once_a_host.hpp"
+#include "hawser/io/shared_on_host.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"
@@ -50,7 +50,8 @@ bool drawn_coarser(const model::Case& c, size_t volume, size_t vertices) {
 // Reads, checks and builds the meshes of a case, each file once.
 class Meshes {
  public:
-  Meshes(const model::Case& c, const io::ReadingNews& news) : c_(c), news_(news), blunt_(c.volumes.size()) {}
+  Meshes(const model::Case& c, const io::ReadProgress& read_progress)
+      : c_(c), read_progress_(read_progress), blunt_(c.volumes.size()) {}
 
   // Fills in `l` but for its surface.
   std::shared_ptr<const MeshSurface> make(size_t i, LoadedVolume& l) {
@@ -58,7 +59,9 @@ class Meshes {
     io::LoadedMesh loaded = read(i);
     const io::FitMesh fit = io::check_mesh(c_, v, loaded);
     blunt_[i] = fit.blunt;
-    l.active = fit.active, l.report = summary(loaded.report), l.notes = std::move(loaded.notes);
+    l.active = fit.active;
+    l.report = summary(loaded.report);
+    l.notes = std::move(loaded.notes);
     announce(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()), v);
     std::shared_ptr<const MeshSurface> surface;
     try {
@@ -69,7 +72,7 @@ class Meshes {
     }
     if (surface->internal_facets() > 0)
       l.notes.push_back(
-          fmt::format("{}: {} triangles have the inside on both sides and are left out of contact", v.mesh,
+          fmt::format("{}: {} triangles have the inside on both sides and are excluded from contact", v.mesh,
                       surface->internal_facets()));
     if (!v.smooth) {
       l.report += " Facets are flat.";
@@ -94,7 +97,7 @@ class Meshes {
 
  private:
   void announce(const std::string& what, const model::Volume& v) const {
-    if (news_.busy) news_.busy(what, io::reading_time(v.mesh));
+    if (read_progress_.busy) read_progress_.busy(what, io::reading_time(v.mesh));
   }
   // A file that a later volume has as well is kept.
   io::LoadedMesh read(size_t i) {
@@ -118,7 +121,7 @@ class Meshes {
   }
 
   const model::Case& c_;
-  const io::ReadingNews& news_;
+  const io::ReadProgress& read_progress_;
   std::vector<bool> blunt_;
   std::vector<std::pair<size_t, io::LoadedMesh>> kept_;  // by the volume it was read for
 };
@@ -155,7 +158,10 @@ Box reach(const model::Case& c, const std::string& body_name) {
     for (const Vec3& p : line.points) own.add(local(p));
     int held = 0;
     for (const model::End* e : {&line.end_a, &line.end_b})
-      if (e->kind != model::EndKind::free) own.add(local(model::end_position(c, *e))), ++held;
+      if (e->kind != model::EndKind::free) {
+        own.add(local(model::end_position(c, *e)));
+        ++held;
+      }
     if (line.points.empty() && held > 0) {
       const Vec3 middle = own.centre();
       own.add(Box{middle, middle}.grown(held == 1 ? length : 0.5 * length));
@@ -183,9 +189,10 @@ LoadedVolume load_shape(const model::Case& c, const model::Volume& v) {
 
 }  // namespace
 
-std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm, const io::ReadingNews& news) {
+std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm,
+                                       const io::ReadProgress& read_progress) {
   const Host host(comm);
-  Meshes meshes(c, news);
+  Meshes meshes(c, read_progress);
   std::vector<LoadedVolume> out;
   for (size_t i = 0; i < c.volumes.size(); ++i) {
     const model::Volume& v = c.volumes[i];
@@ -197,13 +204,13 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm, cons
         c.refuse("volumes." + v.name + ".shape", e.what());
       }
     } else {
-      auto surface = io::once_a_host(comm, host, [&] { return meshes.make(i, l); });
+      auto surface = io::shared_on_host(comm, host, [&] { return meshes.make(i, l); });
       broadcast(host.comm(), l);
       set_surface(l, v, std::move(surface));
     }
     l.name = v.name;
   }
-  io::agreed(comm, [&] {
+  io::rethrow_on_all_ranks(comm, [&] {
     if (host.leads()) meshes.check_leaders();
   });
   return out;

@@ -80,12 +80,15 @@ void Dynamics::build() {
 
 void Dynamics::prepare(double h, const State* end) {
   const auto couple = [&](const State& s) { return system_.couple(s.view(last_step_), h); };
-  if ((end ? couple(straight_way(system_.mesh(), committed_.s, *end, h)) : couple(committed_.s)) ==
-      Coupled::anew) {
+  if ((end ? couple(straight_path(system_.mesh(), committed_.s, *end, h)) : couple(committed_.s)) ==
+      CouplingChange::layout_changed) {
     build();
     system_.spread(committed_.s);
     system_.spread(committed_.ax);
-    if (has_directors(system_.mesh())) system_.spread(committed_.aw), system_.spread(committed_.ad);
+    if (has_directors(system_.mesh())) {
+      system_.spread(committed_.aw);
+      system_.spread(committed_.ad);
+    }
     const size_t size = 3 * static_cast<size_t>(system_.mesh().blocks());
     reactions_.resize(size, 0);
     for (auto* rows : {&mean_.q, &mean_.f}) rows->resize(system_.mean_forces().size(), 0);
@@ -144,7 +147,8 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
 
 // Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
 void Dynamics::solve_once() {
-  old_tangent_ = false, counted_ = -1;
+  old_tangent_ = false;
+  counted_ = -1;
   error_.check(SNESSolve(snes_, nullptr, u_.get()));
   SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
   PetscInt its = 0;
@@ -165,13 +169,13 @@ int Dynamics::try_step(double h) {
   alpha_mean_carried(alpha_, mean_, carried_);
   alpha_predict(system_.mesh(), system_.tied_nodes(), h, committed_, local_u_);
   put(local_u_);
-  system_.forget_stiffening();
+  system_.revert_stiffness();
   tries_.info.iterations = 0;
   for (int round = 0;; ++round) {
     solve_once();
     if (!tries_.solved) break;
     load(u_.get());
-    if (!system_.stiffen(trial_.s.view(h_))) break;
+    if (!system_.raise_stiffness(trial_.s.view(h_))) break;
     tries_.solved = round < kMostRaises;
     if (!tries_.solved) break;
   }
@@ -198,17 +202,19 @@ void Dynamics::commit() {
   add_work([&](size_t i) { return 0.5 * (now[i] - of(mean_.f, i)) + of(mean, i); });
   reactions_ = now;
   std::swap(committed_, trial_);
-  last_step_ = h_, expected_ = -1;
+  last_step_ = h_;
+  expected_ = -1;
   system_.commit(committed_.s.view(h_));
 }
 
 bool Dynamics::end_step() {
   commit();
-  tries_.info.time = committed_.s.time, tries_.info.h = h_;
+  tries_.info.time = committed_.s.time;
+  tries_.info.h = h_;
   return observer_(tries_.info);
 }
 
-NodeValue Dynamics::roughest() const {
+NodeValue Dynamics::largest_acceleration_change() const {
   NodeValue most;  // trial_ is what was committed before
   for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n) {
     const double change = (committed_.ax[n] - trial_.ax[n]).norm();
@@ -244,8 +250,10 @@ void Dynamics::start(const State& state) {
   copied_ = false;
   const size_t n = state.x.size();
   State& s = committed_.s;
-  s.a.assign(n, Vec3::Zero()), s.alpha.assign(n, Vec3::Zero());
-  s.directors.clear(), s.director_weight = 0;
+  s.a.assign(n, Vec3::Zero());
+  s.alpha.assign(n, Vec3::Zero());
+  s.directors.clear();
+  s.director_weight = 0;
   system_.tied_nodes().rates(s.time, s);
   system_.tied_nodes().follow(s);
   last_step_ = 0;
@@ -274,7 +282,8 @@ void Dynamics::resume(const AlphaState& state, std::vector<double> reactions, co
   committed_ = state;
   copied_ = false;
   reactions_ = std::move(reactions);
-  control_.restore(carried.step_proposal, carried.step_wait, carried.step_ringing, carried.step_calm);
+  control_.restore(carried.step_proposal, carried.step_wait, carried.step_impact_period,
+                   carried.step_resolved_until);
   last_step_ = carried.last_step;
   support_work_ = carried.support_work;
   mean_ = carried.mean;

@@ -15,8 +15,8 @@ constexpr double kFarthest = 0.1;  // m and rad that a node may settle by; where
 
 }  // namespace
 
-void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
-                         const std::function<std::vector<TiedNode>()>& nodes) {
+void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change,
+                             const std::function<std::vector<TiedNode>()>& nodes) {
   // Where an event has just happened no step went before, and the forces are those that the next one begins
   // with (see start), not those of statics.
   const double h = last_step_ > 0 ? last_step_ : control_.proposal();
@@ -34,9 +34,13 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
   if (const int n = moved ? m.find(moved->node) : -1; n >= 0) {
     const size_t i = static_cast<size_t>(n);
     State& s = committed_.s;
-    s.x[i] = moved->x, s.v[i] = moved->v, s.a[i] = committed_.ax[i] = moved->a;
+    s.x[i] = moved->x;
+    s.v[i] = moved->v;
+    s.a[i] = committed_.ax[i] = moved->a;
     if (m.rotates(n)) {
-      s.q[i] = moved->q, s.w[i] = moved->w, s.alpha[i] = committed_.aw[i] = moved->alpha;
+      s.q[i] = moved->q;
+      s.w[i] = moved->w;
+      s.alpha[i] = committed_.aw[i] = moved->alpha;
       s.directors[i] = committed_.ad[i] = director_acceleration(moved->q, moved->w, moved->alpha);
     }
     if (moved->free) settles = moved->node;
@@ -44,19 +48,25 @@ void Dynamics::hand_over(const std::function<std::optional<Moved>()>& change,
   all_reduce(system_.comm(), MPI_MAX, settles);
   system_.spread(committed_.s);
   system_.spread(committed_.ax);
-  if (has_directors(m)) system_.spread(committed_.aw), system_.spread(committed_.ad);
+  if (has_directors(m)) {
+    system_.spread(committed_.aw);
+    system_.spread(committed_.ad);
+  }
   system_.tie(nodes(), BodyMotion(system_.tied_nodes().motion()));
   prepare(control_.proposal());  // another element can touch others
-  mean.resize(mean_.q.size(), 0), all.resize(reactions_.size(), 0);
+  mean.resize(mean_.q.size(), 0);
+  all.resize(reactions_.size(), 0);
   if (settles >= 0) settle(settles, h);
   forces();
   const auto add = [](std::vector<double>& to, const std::vector<double>& now,
                       const std::vector<double>& before) {
     for (size_t i = 0; i < to.size(); ++i) to[i] += now[i] - before[i];
   };
-  add(mean_.q, system_.mean_forces(), mean), add(mean_.f, system_.mean_forces(), mean);
+  add(mean_.q, system_.mean_forces(), mean);
+  add(mean_.f, system_.mean_forces(), mean);
   add(reactions_, system_.reactions(), all);
-  copied_ = loaded_ = false, expected_ = -1;
+  copied_ = loaded_ = false;
+  expected_ = -1;
 }
 
 // Newton's method for its place alone: the sag of the element that it divides, and the part of the tension
@@ -85,7 +95,8 @@ void Dynamics::settle(int node, double h) {
       check(VecRestoreArrayRead(r_.get(), &r));
       const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1> step = -K.partialPivLu().solve(force);
       if (step.allFinite() && step.norm() < kFarthest) {
-        committed_.s.x[static_cast<size_t>(n)] += step.head<3>(), going = step.norm();
+        committed_.s.x[static_cast<size_t>(n)] += step.head<3>();
+        going = step.norm();
         Quat& q = committed_.s.q[static_cast<size_t>(n)];
         if (size == 6) q = (q * exp_so3(step.tail<3>())).normalized();
       }

@@ -24,15 +24,15 @@ void Dynamics::release(std::vector<TiedNode> nodes) {
   // Of a body whose velocity jumps here the end leaves with the one before.
   before.rates(s.time - kJustBefore * std::max(1.0, s.time), s);
   system_.tie(std::move(nodes), BodyMotion(before.motion()));
-  control_.begin_anew();
-  catch_up(before, s);
+  control_.reset_to_first_step();
+  match_tied_velocities(before, s);
   start(s);
 }
 
 // Velocities after a plastic impact of what is held anew: with the mass matrix M of the free nodes and of
 // what is caught, no impulse acts on the free ones, M dv = 0 there, and what is caught has the velocity of
 // what catches it.
-void Dynamics::catch_up(const TiedNodes& before, State& s) {
+void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   const LocalMesh& m = system_.mesh();
   State held = s;
   system_.tied_nodes().rates(s.time, held);
@@ -42,21 +42,24 @@ void Dynamics::catch_up(const TiedNodes& before, State& s) {
     if (h.node < m.owned && h.position_mask == 7 && !holds(before, h.node)) caught.push_back(h.node);
   if (!on_any_rank(system_.comm(), !caught.empty())) return;
   const double h = control_.proposal();
-  s.directors.clear(), s.director_weight = 0, s.mean = {};
-  committed_.s = s, last_step_ = 0;
+  s.directors.clear();
+  s.director_weight = 0;
+  s.mean = {};
+  committed_.s = s;
+  last_step_ = 0;
   prepare(h);
   s = committed_.s;  // with the ghosts there are now
   VecHandle rest;
   check(VecDuplicate(r_.get(), rest.out()));
   system_.residual(s.view(h), rest.get());
-  State struck = s;
+  State impacted = s;
   for (const int n : caught) {
     const size_t i = static_cast<size_t>(n);
-    struck.a[i] += held.v[i] - s.v[i];
-    if (m.rotates(n)) struck.alpha[i] += held.w[i] - s.w[i];
+    impacted.a[i] += held.v[i] - s.v[i];
+    if (m.rotates(n)) impacted.alpha[i] += held.w[i] - s.w[i];
   }
-  system_.spread(struck);
-  system_.residual(struck.view(h), r_.get());  // forces are linear in accelerations: more by M dv
+  system_.spread(impacted);
+  system_.residual(impacted.view(h), r_.get());  // forces are linear in accelerations: more by M dv
   check(VecAXPY(r_.get(), -1, rest.get()));
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
   system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());

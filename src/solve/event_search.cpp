@@ -32,10 +32,14 @@ double EventSearch::next(double h, double shortest, const std::vector<double>& e
       for (double& g : left_) g -= kAim;
     }
     if (moved_ == 1) weigh(left_, right_, now);
-    right_ = now, beyond_ = h, moved_ = 1;
+    right_ = now;
+    beyond_ = h;
+    moved_ = 1;
   } else {
     if (moved_ == -1) weigh(right_, left_, now);
-    left_ = now, before_ = h, moved_ = -1;
+    left_ = now;
+    before_ = h;
+    moved_ = -1;
   }
   double share = 1;  // of the way between the two, to the first event; what has risen from the start is none
   for (size_t i = 0; i < left_.size(); ++i)

@@ -23,7 +23,8 @@ bool has_directors(const LocalMesh& mesh) {
 void alpha_start(const LocalMesh& mesh, AlphaState& state) {
   State& s = state.s;
   const bool turns = has_directors(mesh);
-  state.ax = s.a, state.aw = turns ? s.alpha : std::vector<Vec3>();
+  state.ax = s.a;
+  state.aw = turns ? s.alpha : std::vector<Vec3>();
   s.directors.resize(turns ? s.x.size() : 0);
   for (size_t n = 0; n < s.directors.size(); ++n)
     s.directors[n] = director_acceleration(s.q[n], s.w[n], s.alpha[n]);

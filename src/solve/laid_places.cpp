@@ -54,8 +54,8 @@ class Laying {
     // its anchor alone.
     const double tiny = 1e-40 * std::pow(mesh_.lines[l].length, 4);
     const double share = (std::pow(a, 4) + tiny) / (std::pow(a, 4) + std::pow(b, 4) + 2 * tiny);
-    std::vector<Vec3> out = reckoned({l, false});
-    const std::vector<Vec3> other = reckoned({l, true});
+    std::vector<Vec3> out = places({l, false});
+    const std::vector<Vec3> other = places({l, true});
     for (size_t i = 0; i < out.size(); ++i) out[i] += share * (other[i] - out[i]);
     return out;
   }
@@ -189,7 +189,7 @@ class Laying {
   }
 
   // All nodes of a line, laid from this side on, in the order of the line.
-  std::vector<Vec3> reckoned(const Side& s) const {
+  std::vector<Vec3> places(const Side& s) const {
     const LineSpan& span = mesh_.lines[s.line];
     const model::Line& line = c_.lines[s.line];
     const std::vector<Vec3>& start = starts_[s.line];
@@ -214,7 +214,7 @@ class Laying {
     const std::string& type = (s.b ? line.sections.back() : line.sections.front()).type;
     if (!in_soil(element(0))) x = foot(x, 0.5 * c_.line_type(type).contact_diameter).at;
     if (const Holder h = holder(s); h.joint) {
-      const std::vector<Vec3> before = reckoned({h.next.line, !h.next.b});
+      const std::vector<Vec3> before = places({h.next.line, !h.next.b});
       x = h.next.b ? before.back() : before.front();
     }
     out[node(0)] = x;

@@ -85,7 +85,7 @@ void lie_alpha_attach(TS ts, Dynamics* dynamics) {
   check(TSSetType(ts, kType));
   ts->data = dynamics;
   check(TSSetPostStep(ts, after_step));
-  // Steps end at the times that Dynamics::run() is told, the end among them, without PETSc's help.
+  // Steps end at the times that Dynamics::run() gets, the end among them, without PETSc's help.
   check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_STEPOVER));
   check(TSSetErrorIfStepFails(ts, PETSC_FALSE));
 }

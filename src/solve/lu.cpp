@@ -41,7 +41,8 @@ bool find_used(const Stored& m, std::vector<char>& used) {
       if (used[k] || (m.columns[k] != row &&
                       std::all_of(block, block + kSize, [](PetscScalar entry) { return entry == 0; })))
         continue;
-      used[k] = 1, more = true;
+      used[k] = 1;
+      more = true;
     }
   return more;
 }
@@ -75,7 +76,8 @@ PetscErrorCode take_over(Mat A, NonzeroBlocks& s) {
   PetscCall(MatSeqBAIJGetArray(A, &m.values));
   const size_t blocks = m.starts[m.rows];
   if (A != s.of || pattern != s.pattern || s.used.size() != blocks) s.used.assign(blocks, 0);
-  s.of = A, s.pattern = pattern;
+  s.of = A;
+  s.pattern = pattern;
   if (find_used(m, s.used) || !s.matrix)
     PetscCall(make_matrix(PetscObjectComm(reinterpret_cast<PetscObject>(A)), m, s));
   PetscScalar *first = nullptr, *to = nullptr;

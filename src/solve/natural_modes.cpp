@@ -70,8 +70,10 @@ long free_components(const System& system) {
 // m, of the box about all nodes.
 double size_of(const System& system, const Kinematics& at) {
   Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
-  for (size_t n = 0; n < static_cast<size_t>(system.mesh().owned); ++n)
-    low = low.cwiseMin(at.x[n]), high = high.cwiseMax(at.x[n]);
+  for (size_t n = 0; n < static_cast<size_t>(system.mesh().owned); ++n) {
+    low = low.cwiseMin(at.x[n]);
+    high = high.cwiseMax(at.x[n]);
+  }
   all_reduce(system.comm(), MPI_MIN, low);
   all_reduce(system.comm(), MPI_MAX, high);
   return (high - low).norm();
@@ -82,7 +84,8 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
   const LocalMesh& mesh = system.mesh();
   const auto block = [&](int b) { return Vec3(u.data() + 3 * b); };
   const size_t nodes = mesh.block.size();
-  mode.shape.assign(nodes, Vec3::Zero()), mode.rotation.assign(nodes, Vec3::Zero());
+  mode.shape.assign(nodes, Vec3::Zero());
+  mode.rotation.assign(nodes, Vec3::Zero());
   for (size_t n = 0; n < nodes; ++n) {
     mode.shape[n] = block(mesh.block[n]);
     if (mesh.rotates(static_cast<int>(n))) mode.rotation[n] = at.q[n] * block(mesh.block[n] + 1);

@@ -47,7 +47,7 @@ class Relaxation : StaticTrial {
     RelaxationReport report;
     double least = 0, kinetic = 0;
     int free = 0;  // steps since one was rejected
-    if (settings_.pushed > 0) leave(settings_.pushed);
+    if (settings_.pushed > 0) perturb(settings_.pushed);
     while (true) {
       prepare();
       system_.residual(state_.view(0), r_.get());
@@ -57,18 +57,19 @@ class Relaxation : StaticTrial {
       if (mass_ == 0) mass_ = least = first_mass(report.norms);
       if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least ||
           !std::isfinite(report.norms.relative()) || creeps(report))
-        give_up(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", report.steps,
-                            imbalance(system_, r_.get(), report.norms)));
+        throw_no_equilibrium(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}",
+                                         report.steps, imbalance(system_, r_.get(), report.norms)));
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {
-        ++report.rejected, free = 0;
+        ++report.rejected;
+        free = 0;
         weigh(kHeavier);
         continue;
       }
       ++report.steps;
-      take();
-      if (++free > kFree) in_the_way_.clear();
+      accept_trial();
+      if (++free > kFree) blocked_by_.clear();
       if (iterations <= kEasyIterations) weigh(kLighter);
       if (settings_.friction) {
         system_.commit(state_.view(0));
@@ -101,12 +102,13 @@ class Relaxation : StaticTrial {
     const int tried = report.steps + report.rejected;
     if (tried % kWatched != 0) return false;
     double far = 0;
-    for (size_t n = 0; n < seen_.size(); ++n) far = std::max(far, (state_.x[n] - seen_[n]).norm());
+    for (size_t n = 0; n < last_places_.size(); ++n)
+      far = std::max(far, (state_.x[n] - last_places_[n]).norm());
     all_reduce(system_.comm(), MPI_MAX, far);
     const bool nearer = tried == 0 || report.norms.relative() <= 0.5 * left_;
     const bool stuck = !nearer && far < kCreep * longest_;
     if (!nearer) viscous_ = !viscous_;
-    seen_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
+    last_places_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
     left_ = report.norms.relative();
     return stuck;
   }
@@ -144,7 +146,8 @@ class Relaxation : StaticTrial {
   }
   void tangent() override {
     Weights weights;
-    weights.shift_position = mass_, weights.shift_rotation = mass_ * length_ * length_;
+    weights.shift_position = mass_;
+    weights.shift_rotation = mass_ * length_ * length_;
     system_.tangent(trial_.view(0), weights, local_, false, J_.get());
   }
   SNESConvergedReason check_step(int iteration) override {
@@ -165,7 +168,7 @@ class Relaxation : StaticTrial {
     PetscInt solutions = 0;
     check(SNESGetLinearSolveIterations(snes_.get(), &solutions));
     const int it = std::max(1, static_cast<int>(solutions));
-    if (!solved || limit() < 1 || !clear()) return -it;
+    if (!solved || limit() < 1 || !path_is_clear()) return -it;
     if (settings_.friction) return it;  // it has no potential
     // The exact step of a convex potential takes energy out; one that brings some has gone elsewhere.
     double motion = 0;
@@ -179,8 +182,8 @@ class Relaxation : StaticTrial {
   std::vector<char> turns_;       // by owned block: rotations
   double mass_ = 0, longest_ = 0;
   bool viscous_ = false;            // without momentum
-  double goal_ = 0, hopeless_ = 0;  // relative imbalance of a step that is solved, of one that is given up
-  std::vector<Vec3> seen_;          // places of owned nodes when creeps() last looked
+  double goal_ = 0, hopeless_ = 0;  // relative imbalance of a step that is solved, of one that has failed
+  std::vector<Vec3> last_places_;   // places of owned nodes when creeps() last looked
   double left_ = 0;                 // and the imbalance then, of its contributions
 };
 

@@ -31,7 +31,7 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
 }
 
 // Puts the held node to where the element between it and the free one has this length.
-void at_mouth(Mesh& mesh, const LineSpan& span, int held, int free, double length) {
+void at_feed_point(Mesh& mesh, const LineSpan& span, int held, int free, double length) {
   const auto node = [&](int i) -> Node& { return mesh.nodes[span.first_node + i]; };
   mesh.elements[span.first_element + std::min(held, free)].length = length;
   node(held).arc = node(free).arc + (held < free ? -length : length);
@@ -54,20 +54,26 @@ LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan
     if (in > near) rest.sections.push_back(s);
   }
   const auto outside = [&](const auto& p) { return p.at < from || p.at > to; };
-  std::erase_if(rest.masses, outside), std::erase_if(rest.point_loads, outside);
+  std::erase_if(rest.masses, outside);
+  std::erase_if(rest.point_loads, outside);
   std::erase_if(rest.loads, [&](const auto& q) { return q.to >= 0 && q.to <= from; });
   for (auto& m : rest.masses) m.at -= from;
   for (auto& row : rest.temperature_change) row.first -= from;
   for (auto& p : rest.point_loads) p.at -= from;
-  for (auto& q : rest.loads) q.from = std::max(0.0, q.from - from), q.to = q.to < 0 ? q.to : q.to - from;
+  for (auto& q : rest.loads) {
+    q.from = std::max(0.0, q.from - from);
+    q.to = q.to < 0 ? q.to : q.to - from;
+  }
   for (int i = first; i <= last; ++i) out.mesh.nodes[span.first_node + i].arc -= from;
-  out.span.first_node += first, out.span.nodes = last - first + 1;
-  out.span.first_element += first, out.span.elements = last - first;
+  out.span.first_node += first;
+  out.span.nodes = last - first + 1;
+  out.span.first_element += first;
+  out.span.elements = last - first;
   out.span.length = to - from;
   return out;
 }
 
-// What is inside a feeder is at its mouth; the rest is a line of its own.
+// What is inside a feeder is at its feed point; the rest is a line of its own.
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span) {
   FedStart a, b;
@@ -75,19 +81,21 @@ LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bo
   if (line.end_b.feed) b = fed_start(mesh, span, true, line.end_b.feed->stock);
   const int first = a.inside, last = span.nodes - 1 - b.inside;
   Mesh outside = mesh;
-  if (line.end_a.feed) at_mouth(outside, span, first, first + 1, a.length);
-  if (line.end_b.feed) at_mouth(outside, span, last, last - 1, b.length);
+  if (line.end_a.feed) at_feed_point(outside, span, first, first + 1, a.length);
+  if (line.end_b.feed) at_feed_point(outside, span, last, last - 1, b.length);
   const LineStretch rest = stretch_of(line, outside, span, first, last);
   LineStart free = line_start(c, rest.line, bodies, rest.mesh, rest.span);
   const auto clamp = [&](const model::End& e, Vec3& tangent) {
     if (e.feed && e.clamped && e.direction)
       tangent = start_pose(c, bodies, e).rotation * e.direction->normalized();
   };
-  clamp(line.end_a, free.tangent.front()), clamp(line.end_b, free.tangent.back());
+  clamp(line.end_a, free.tangent.front());
+  clamp(line.end_b, free.tangent.back());
   LineStart out;
   for (int i = 0; i < span.nodes; ++i) {
     const size_t k = std::clamp(i, first, last) - first;
-    out.x.push_back(free.x[k]), out.tangent.push_back(free.tangent[k]);
+    out.x.push_back(free.x[k]);
+    out.tangent.push_back(free.tangent[k]);
   }
   return out;
 }
@@ -111,7 +119,8 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
   rest.line.buried.clear();
   const auto anchor = [](const Vec3& at) {
     model::End e;
-    e.kind = model::EndKind::anchor, e.at = at;
+    e.kind = model::EndKind::anchor;
+    e.at = at;
     return e;
   };
   if (first > 0) rest.line.end_a = anchor(exit_of_soil(bed, xa, xb, from));
@@ -130,7 +139,8 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
       straight(rest.line.end_b.at, xb, (arc(i) - to) / (span.length - to));
     } else {
       const size_t k = i - first;
-      out.x.push_back(free.x[k]), out.tangent.push_back(free.tangent[k]);
+      out.x.push_back(free.x[k]);
+      out.tangent.push_back(free.tangent[k]);
     }
   }
   return out;
@@ -140,8 +150,10 @@ void lift(const model::Seabed& bed, LineStart& s) {
   if (!bed.surface) return;
   std::vector<bool> moved(s.x.size(), false);
   for (size_t i = 1; i + 1 < s.x.size(); ++i)
-    if (const auto p = bed.surface->query(s.x[i], 0); p && p->distance < 0)
-      s.x[i] = p->point, moved[i] = true;
+    if (const auto p = bed.surface->query(s.x[i], 0); p && p->distance < 0) {
+      s.x[i] = p->point;
+      moved[i] = true;
+    }
   for (size_t i = 1; i + 1 < s.x.size(); ++i)
     if (moved[i - 1] || moved[i] || moved[i + 1]) s.tangent[i] = (s.x[i + 1] - s.x[i - 1]).normalized();
 }

@@ -46,7 +46,8 @@ std::vector<Rope> ropes_of(const model::Case& c, std::vector<StartedLine>& lines
     rope.line = of.line;
     for (int i = 0; i < of.span.nodes; ++i) {
       const int element = of.span.first_element + std::min(i, of.span.elements - 1);
-      rope.x.push_back(&of.shape.x[i]), rope.tangent.push_back(&of.shape.tangent[i]);
+      rope.x.push_back(&of.shape.x[i]);
+      rope.tangent.push_back(&of.shape.tangent[i]);
       rope.s.push_back(of.mesh->nodes[of.span.first_node + i].arc);
       rope.radius.push_back(0.5 * c.line_types[of.mesh->elements[element].type].contact_diameter);
     }
@@ -79,7 +80,8 @@ bool apply(std::vector<Rope>& ropes) {
     for (size_t i = 0; i < r.x.size(); ++i) {
       if (!(r.raise[i] > 0)) continue;
       any = true;
-      r.x[i]->z() += r.raise[i], r.raise[i] = 0;
+      r.x[i]->z() += r.raise[i];
+      r.raise[i] = 0;
       for (size_t k = i > 0 ? i - 1 : 0; k < std::min(i + 2, r.x.size()); ++k) r.tangent[k]->setZero();
     }
   return any;
@@ -122,7 +124,8 @@ class Crossings {
     for (Rope& r : ropes_)
       for (size_t i = 0; i < r.segments(); ++i) {
         Box b;
-        b.add(*r.x[i]), b.add(*r.x[i + 1]);
+        b.add(*r.x[i]);
+        b.add(*r.x[i + 1]);
         boxes.push_back(b.grown(r.radius[i]));
         of.emplace_back(&r, i);
       }
@@ -274,8 +277,12 @@ std::vector<Stretch> stretches_in(const Rope& rope, const Obstacle& volume) {
         Stretch& of = out.back();
         of.to = s;
         of.height = std::max(of.height, volume.way_out(x, Vec3::UnitZ(), radius, 2 * volume.size));
-        if (-gap > of.depth)
-          of.depth = -gap, of.deepest = x, of.radius = radius, of.along = rope.at(i, 1) - rope.at(i, 0);
+        if (-gap > of.depth) {
+          of.depth = -gap;
+          of.deepest = x;
+          of.radius = radius;
+          of.along = rope.at(i, 1) - rope.at(i, 0);
+        }
       }
       inside = gap < 0;
       gone += std::max(std::abs(gap), radius);

@@ -1,5 +1,5 @@
 // Which of two lines that cross near the bed lies over the other, and lines over volumes on the bed: start
-// shapes that find one line in another, or beneath what leaves no room on the bed, are laid over it.
+// shapes that find one line in another, or below what leaves no room on the bed, are laid over it.
 #pragma once
 
 #include <memory>

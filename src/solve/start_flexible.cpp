@@ -41,7 +41,8 @@ FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const M
       if (overlap > 0) p.load += overlap * l.per_length;
     }
   }
-  p.load /= p.length, p.buoyancy /= p.length;
+  p.load /= p.length;
+  p.buoyancy /= p.length;
   p.EA = p.length / compliance;
   return p;
 }
@@ -57,12 +58,15 @@ Vec3 drag(const DragSection& s, const Vec3& u, const Vec3& chord) {
   return s.normal * across.norm() * across + s.axial * along.norm() * along;
 }
 
-// Drag is held while the line moves, and the line while the drag is reckoned, by turns and half of it a time.
+// Drag is held while the line moves, and the line while the drag is computed, by turns and half of it a time.
 std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& current, FlexibleLine line,
                              const std::vector<DragSection>& sections, const std::vector<Vec3>& still) {
   std::vector<Vec3> x = still, pull(sections.size(), Vec3::Zero()), dead;
   double length = 0;
-  for (const auto& p : line.pieces) dead.push_back(p.load), length += p.length;
+  for (const auto& p : line.pieces) {
+    dead.push_back(p.load);
+    length += p.length;
+  }
   for (int round = 0; round < kDragRounds; ++round) {
     for (size_t i = 0; i < sections.size(); ++i) {
       const double depth = water.surface - 0.5 * (x[i].z() + x[i + 1].z());
@@ -113,7 +117,8 @@ void unfold(const Mesh& mesh, const LineSpan& span, std::vector<Vec3>& x) {
     if (!folded_at(x, i)) continue;
     size_t a = i, b = i;
     do {
-      a -= a > 0, b += b < last;
+      a -= a > 0;
+      b += b < last;
     } while ((x[b] - x[a]).norm() < (1 - kPressed) * (arc[b] - arc[a]) && (a > 0 || b < last));
     const Vec3 from = x[a], way = x[b] - x[a];
     for (size_t k = a + 1; k < b; ++k) x[k] = from + (arc[k] - arc[a]) / (arc[b] - arc[a]) * way;
@@ -163,14 +168,16 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   const model::Seabed& bed = c.environment.seabed;
   const model::Water& water = c.environment.water;
   FlexibleLine f;
-  f.held_a = line.end_a.kind != model::EndKind::free, f.held_b = line.end_b.kind != model::EndKind::free;
+  f.held_a = line.end_a.kind != model::EndKind::free;
+  f.held_b = line.end_b.kind != model::EndKind::free;
   // On a measured bed the shape is lifted afterwards; what lies needs one at about the height, to go along.
   const Vec3& held = f.held_a ? x.front() : x.back();
   const double height = bed.present && bed.surface ? model::height_above_bed(bed, held) : 0;
   f.bed = bed.present && (!bed.surface || (!way.isZero(0) && std::isfinite(height)));
-  f.bed_point = Vec3(0, 0, bed.surface ? held.z() - height : -bed.depth),
+  f.bed_point = Vec3(0, 0, bed.surface ? held.z() - height : -bed.depth);
   f.bed_normal = model::bed_normal(bed);
-  f.water = water.present, f.surface = water.surface;
+  f.water = water.present;
+  f.surface = water.surface;
 
   std::vector<double> s{0};
   std::vector<Vec3> places{x.front()};
@@ -215,7 +222,8 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   std::vector<Vec3> out;
   for (int n = 0; n < span.nodes; ++n)
     out.push_back(stride == 1 ? found[n] : interpolated(s, found, mesh.nodes[span.first_node + n].arc));
-  out.front() = x.front(), out.back() = f.held_b ? x.back() : out.back();
+  out.front() = x.front();
+  out.back() = f.held_b ? x.back() : out.back();
   if (!f.held_a) out.front() = found.front();
   if (f.held_a && f.held_b && mesh.nodes[span.first_node].rotates) unfold(mesh, span, out);
   return out;

@@ -54,7 +54,10 @@ std::vector<CatenarySection> first_of(const std::vector<CatenarySection>& sectio
   std::vector<CatenarySection> out;
   for (CatenarySection s : sections) {
     if (!(length > 0)) break;
-    if (s.length > length) s.length = length, s.end_load.setZero();
+    if (s.length > length) {
+      s.length = length;
+      s.end_load.setZero();
+    }
     length -= s.length;
     out.push_back(s);
   }
@@ -79,7 +82,7 @@ double bend(const model::Case& c, const model::Line& line, const std::vector<Cat
 
 }  // namespace
 
-Vec3 way_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats) {
+Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats) {
   const model::Water& water = c.environment.water;
   const model::Seabed& bed = c.environment.seabed;
   Vec3 pull = Vec3::Zero(), u = Vec3::Zero(), normal = Vec3::UnitZ(), by_depth;
@@ -111,11 +114,12 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
   const bool floats = water.present && all(1);
   if (!floats && !(c.environment.seabed.present && all(-1))) return {};
   const Ground ground(c.environment, floats);
-  const Vec3 way = way_of_free_end(c, line, end, floats);
+  const Vec3 way = direction_of_free_end(c, line, end, floats);
   const double height = end.at.z() - ground.under(end.at).z(), up = height < 0 ? -1 : 1;
   if (floats && height > 0)  // it hangs down in the air; how heavy matters to its stretch alone
     for (CatenarySection& k : sections) {
-      k.load.z() *= -1, k.end_load.z() *= -1;
+      k.load.z() *= -1;
+      k.end_load.z() *= -1;
     }
   const bool hangs = floats ? height != 0 : height > 0;
   const double radius = hangs ? std::min(bend(c, line, sections), kMostBend * std::abs(height)) : 0;
@@ -143,7 +147,8 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
       const double turned = (s - hanging) / radius;
       out.push_back(from + radius * ((1 - std::cos(turned)) * way - up * std::sin(turned) * Vec3::UnitZ()));
     } else {
-      last = ground.on(last, way, s - so_far), so_far = s;
+      last = ground.on(last, way, s - so_far);
+      so_far = s;
       out.push_back(last);
     }
   }

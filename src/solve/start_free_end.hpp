@@ -21,7 +21,7 @@ struct HeldEnd {
 // Unit vector in the level: where a line that lies goes from its held end. Down a sloping bed or with the
 // current, whichever pulls more; else on as the end is held; else away from the body that holds it; else
 // along x.
-Vec3 way_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats);
+Vec3 direction_of_free_end(const model::Case& c, const model::Line& line, const HeldEnd& end, bool floats);
 
 // Places at the arc lengths `arc` [m] from the held end of a line of `sections`, counted from there too:
 // straight down (or up) to the level with the stretch of what hangs, round a bend of the radius that a beam's

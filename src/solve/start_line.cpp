@@ -139,8 +139,8 @@ LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpa
 
 // As another run left it, by share of the length; ends that are held elsewhere now take the line along, in
 // proportion to how near it is.
-LineStart as_left(const model::LeftShape& left, const std::optional<Vec3>& xa, const std::optional<Vec3>& xb,
-                  const Mesh& mesh, const LineSpan& span) {
+LineStart as_previous(const model::PreviousShape& left, const std::optional<Vec3>& xa,
+                      const std::optional<Vec3>& xb, const Mesh& mesh, const LineSpan& span) {
   const RowCurve spline(left.arc, left.position);
   const double there = left.arc.back();
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
@@ -166,7 +166,7 @@ LineStart as_left(const model::LeftShape& left, const std::optional<Vec3>& xa, c
   return out;
 }
 
-// Places alone; mend() makes the tangents.
+// Places alone; repair() makes the tangents.
 LineStart through(std::vector<Vec3> x) {
   LineStart out;
   out.tangent.assign(x.size(), Vec3::Zero());
@@ -205,7 +205,7 @@ bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, con
   }
   if (!lies_slack(c, sections, s, arc.back(), floats)) return false;
   if (!lay_slack(c.environment, floats, arc, s.x)) return false;
-  for (Vec3& t : s.tangent) t.setZero();  // mend() makes them
+  for (Vec3& t : s.tangent) t.setZero();  // repair() makes them
   return true;
 }
 
@@ -238,7 +238,7 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
     if (!a) std::reverse(laid->begin(), laid->end());
     return through(*std::move(laid));
   }
-  return through(flexible_start(c, line, mesh, span, x, way_of_free_end(c, line, end, false)));
+  return through(flexible_start(c, line, mesh, span, x, direction_of_free_end(c, line, end, false)));
 }
 
 // Whether a line that is no longer than the way between its ends carries its weight by bending: as a cable it
@@ -291,8 +291,8 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
   const Vec3 xb = start_pose(c, bodies, line.end_b).to_space(line.end_b.at);
   if (line.start == Start::points) return along(line.points, mesh, span);
   if (line.start == Start::other_run)
-    return as_left(*line.left, a ? std::optional(xa) : std::nullopt, b ? std::optional(xb) : std::nullopt,
-                   mesh, span);
+    return as_previous(*line.previous_shape, a ? std::optional(xa) : std::nullopt,
+                       b ? std::optional(xb) : std::nullopt, mesh, span);
   if (line.start == Start::automatic)
     if (auto laid = line_over_supports(c, line, bodies, mesh, span)) return *std::move(laid);
   const auto straight = [&] {

@@ -183,7 +183,10 @@ class OverSupports {
     }
     way_.add({p.at + left * p.along, p.along});
   }
-  void cut(size_t last) { way_.places.resize(last + 1), way_.arc.resize(last + 1); }
+  void cut(size_t last) {
+    way_.places.resize(last + 1);
+    way_.arc.resize(last + 1);
+  }
 
   const model::Case& c_;
   const model::Line& line_;

@@ -23,7 +23,7 @@ using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 constexpr double kAgainst = 0.75 * M_PI;  // rad between a direction that is given and that of the shape
 
 // Tangents where the shape has none (a slack end): from the neighbours' positions.
-void mend(LineStart& s) {
+void repair(LineStart& s) {
   for (size_t i = 0; i < s.x.size(); ++i) {
     if (s.tangent[i].norm() > 0) continue;
     const Vec3 d = s.x[std::min(i + 1, s.x.size() - 1)] - s.x[i > 0 ? i - 1 : 0];
@@ -57,8 +57,8 @@ bool opposite_is_below_ground(const model::Case& c, bool at_b, const Vec3& x, co
 }
 
 // Says that an end is clamped against the way that the line takes there by itself.
-void doubt_direction(const model::Case& c, const model::Line& line, bool at_b, const Vec3& x, const Vec3& own,
-                     const Vec3& given, std::vector<std::string>& notes) {
+void warn_of_direction(const model::Case& c, const model::Line& line, bool at_b, const Vec3& x,
+                       const Vec3& own, const Vec3& given, std::vector<std::string>& notes) {
   const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
   if (turn < kAgainst || opposite_is_below_ground(c, at_b, x, given)) return;
   const Vec3& d = *line.end(at_b).direction;
@@ -77,7 +77,7 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
                     : line.starts_by_itself() && !line.buried.empty()
                         ? line_start_from_soil(c, line, bodies, g, span)
                         : line_start(c, line, bodies, g, span);
-  mend(shape);
+  repair(shape);
   if (line.starts_by_itself() && line.buried.empty()) lift(c.environment.seabed, shape);
   return shape;
 }
@@ -85,18 +85,19 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
 // Clamped ends have their directions, and nodes their axes.
 void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, LineStart& shape,
           std::vector<std::string>& notes) {
-  mend(shape);
+  repair(shape);
   const auto clamp_direction = [&](bool at_b) {
     const model::End& e = line.end(at_b);
     if (!(e.clamped || rigid(c, e)) || !e.direction) return;
     const Vec3 given = start_pose(c, bodies, e).rotation * e.direction->normalized();
     Vec3& tangent = at_b ? shape.tangent.back() : shape.tangent.front();
     if (line.starts_by_itself())
-      doubt_direction(c, line, at_b, at_b ? shape.x.back() : shape.x.front(), tangent.normalized(), given,
-                      notes);
+      warn_of_direction(c, line, at_b, at_b ? shape.x.back() : shape.x.front(), tangent.normalized(), given,
+                        notes);
     tangent = given;
   };
-  clamp_direction(false), clamp_direction(true);
+  clamp_direction(false);
+  clamp_direction(true);
   std::vector<Quat>& q = shape.q;
   if (q.empty()) {
     q.push_back(axes_along(shape.tangent[0]));
@@ -113,38 +114,42 @@ LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) 
   LineStart shape = whole.shape;
   const auto first = whole.mesh->nearest_node(0, line.from), last = first + nodes;
   const auto take = [&](auto& values) {
-    values.erase(values.begin() + last, values.end()), values.erase(values.begin(), values.begin() + first);
+    values.erase(values.begin() + last, values.end());
+    values.erase(values.begin(), values.begin() + first);
   };
-  take(shape.x), take(shape.tangent), take(shape.q);
+  take(shape.x);
+  take(shape.tangent);
+  take(shape.q);
   return shape;
 }
 
 // Of each line of the case, parts of one that is cut on their own.
 std::vector<LineStart> all_shapes(const model::Case& c, const Mesh& g, const Bodies& bodies,
                                   const Surfaces& surfaces, std::vector<std::string>& notes) {
-  std::vector<StartedLine> wholes;
+  std::vector<StartedLine> uncut_lines;
   std::deque<Mesh> meshes;       // of lines that are cut
   std::vector<size_t> whole_of;  // of each line
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
-    if (!line.whole || wholes.empty() || wholes.back().line != line.whole.get()) {
-      StartedLine& whole = wholes.emplace_back(StartedLine{&line, &g, g.lines[l], {}});
+    if (!line.whole || uncut_lines.empty() || uncut_lines.back().line != line.whole.get()) {
+      StartedLine& whole = uncut_lines.emplace_back(StartedLine{&line, &g, g.lines[l], {}});
       if (line.whole) {
         model::Case alone;
-        alone.line_types = c.line_types, alone.lines = {*line.whole};
+        alone.line_types = c.line_types;
+        alone.lines = {*line.whole};
         meshes.push_back(build_mesh(alone));
         whole = {line.whole.get(), &meshes.back(), meshes.back().lines.front(), {}};
       }
       whole.shape = shape_of(c, *whole.line, bodies, *whole.mesh, whole.span);
     }
-    whole_of.push_back(wholes.size() - 1);
+    whole_of.push_back(uncut_lines.size() - 1);
   }
-  lay_over_volumes(c, bodies, surfaces, wholes, notes);
-  lay_over_each_other(c, wholes, notes);
-  for (StartedLine& whole : wholes) turn(c, *whole.line, bodies, whole.shape, notes);
+  lay_over_volumes(c, bodies, surfaces, uncut_lines, notes);
+  lay_over_each_other(c, uncut_lines, notes);
+  for (StartedLine& whole : uncut_lines) turn(c, *whole.line, bodies, whole.shape, notes);
   std::vector<LineStart> out;
   for (size_t l = 0; l < c.lines.size(); ++l) {
-    StartedLine& whole = wholes[whole_of[l]];
+    StartedLine& whole = uncut_lines[whole_of[l]];
     out.push_back(c.lines[l].whole ? part_of(whole, c.lines[l], g.lines[l].nodes) : std::move(whole.shape));
   }
   return out;
@@ -174,7 +179,9 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
       g.nodes[span.first_node].rotates)
     if (const int here = mesh.find(span.first_node); here >= 0) {
       TiedNode s;
-      s.position_mask = 0, s.rotation_mask = 1, s.node = here;
+      s.position_mask = 0;
+      s.rotation_mask = 1;
+      s.node = here;
       out.tied.push_back(s);
     }
   const int twist = twist_end(c, whole);
@@ -194,7 +201,8 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     s.at = e.at;
     if (const int frame = g.nodes[node].tied_to; frame >= 0 && c.floats(s.body)) {
       s.at -= c.bodies[s.body].mass->centre;
-      s.body = -1, s.frame = mesh.find(frame);
+      s.body = -1;
+      s.frame = mesh.find(frame);
     }
     if (g.nodes[node].rotates) {
       if (e.clamped) {
@@ -221,7 +229,8 @@ void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out)
     const LineSpan& span = g.lines[node.line];
     const model::Line& line = c.lines[node.line];
     TiedNode s;
-    s.node = n, s.frame = frame;
+    s.node = n;
+    s.frame = frame;
     if (mesh.rotates(n) && mesh.rotates(frame) &&
         rigid(c, global == span.first_node ? line.end_a : line.end_b)) {
       s.rotation_mask = 7;
@@ -236,7 +245,10 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
     const int body = mesh.node(n).body;
     if (body < 0) continue;
     const RigidBodyState s = floating_start(*c.bodies[body].mass, bodies.pose(body, 0));
-    state.x[n] = s.x, state.q[n] = s.q, state.v[n] = s.v, state.w[n] = s.w;
+    state.x[n] = s.x;
+    state.q[n] = s.q;
+    state.v[n] = s.v;
+    state.w[n] = s.w;
   }
 }
 

@@ -59,7 +59,7 @@ StaticsReport StaticSearch::run(bool again) {
     if (report_.escapes == kMaxEscapes) break;
     ++report_.escapes;
     left = state_;
-    leave(report_.escapes);
+    perturb(report_.escapes);
     push = 0;
     if (!relaxation_) continue;
     const double pushed = away(left);
@@ -94,9 +94,13 @@ void StaticSearch::approach() {
 }
 
 void StaticSearch::descend(double tolerance) {
-  tolerance_ = tolerance, shift_ = kFirstShift, cut_ = 0, begun_ = report_.iterations;
+  tolerance_ = tolerance;
+  shift_ = kFirstShift;
+  cut_ = 0;
+  begun_ = report_.iterations;
   const SNESConvergedReason reason = solve();
-  if (reason < 0) give_up(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
+  if (reason < 0)
+    throw_no_equilibrium(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
 }
 
 SNESConvergedReason StaticSearch::check_step(int iteration) {
@@ -135,7 +139,7 @@ bool StaticSearch::advance(Vec y) {
   int halvings = 0;
   for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
     step(factor);
-    if (!clear()) {
+    if (!path_is_clear()) {
       blocked = true;
       continue;
     }
@@ -149,13 +153,13 @@ bool StaticSearch::advance(Vec y) {
     const bool down = slope < 0 && rise <= kArmijo * factor * slope;
     if (down || (close && n.relative() < report_.norms.relative()) || n.small(tolerance_)) {
       taken = true;
-      take();
+      accept_trial();
       report_.norms = n;
     }
   }
   // Cut short again and again by what lines would pass through: they come ever nearer, and there is no way
   // on.
-  if (!blocked) in_the_way_.clear();
+  if (!blocked) blocked_by_.clear();
   cut_ += blocked;
   if ((!taken && shift_ > 1e6) || cut_ > kMostCut) {
     residual();
@@ -180,7 +184,7 @@ void StaticSearch::polish() {
     downhill(u_.get());
     if (limit() < 1) break;
     step(1);
-    if (!clear()) break;
+    if (!path_is_clear()) break;
     system_.residual(trial_.view(0), r_.get());
     // Into what counts as noise too: in nearly inextensible lines its worst case is the pull of a whole
     // anchor.
@@ -189,14 +193,15 @@ void StaticSearch::polish() {
       return n.relative();
     };
     if (!(size(system_.norms(r_.get())) < 0.5 * size(report_.norms))) break;
-    take();
+    accept_trial();
     ++report_.iterations;
   }
   residual();  // the reactions are those of the state
 }
 
 void StaticSearch::use_tangent(bool exact, double shift) {
-  exact_ = exact, used_ = shift;
+  exact_ = exact;
+  used_ = shift;
   PetscInt unknowns = 0;
   check(VecGetSize(u_.get(), &unknowns));
   const double unit = report_.norms.force_scale / std::sqrt(static_cast<double>(unknowns)) / length_;
@@ -240,7 +245,8 @@ double StaticSearch::away(const State& from) const {
 
 bool StaticSearch::rest() {
   const RelaxationReport r = relax(system_, *relaxation_, state_);
-  report_.iterations += r.iterations, report_.relaxation_steps += r.steps;
+  report_.iterations += r.iterations;
+  report_.relaxation_steps += r.steps;
   build();
   local_ = zero_;
   trial_ = state_;

@@ -17,7 +17,8 @@ class StaticSearch : StaticTrial {
   StaticSearch(System& system, const StaticsSettings& settings, State& state,
                const RelaxationSettings* relaxation = nullptr);
 
-  // again: from an equilibrium in which little has changed. Throws SolveError, or as give_up() does.
+  // again: from an equilibrium in which little has changed. Throws SolveError, or as throw_no_equilibrium()
+  // does.
   StaticsReport run(bool again = false);
   // Nothing leads out of forces whose squares are beyond all numbers: SolveError.
   void check_start();

@@ -79,14 +79,14 @@ void StaticTrial::build() {
 }
 
 bool StaticTrial::prepare() {
-  const Coupled c = system_.couple(state_.view(0), 0);
-  if (c == Coupled::anew) {
+  const CouplingChange c = system_.couple(state_.view(0), 0);
+  if (c == CouplingChange::layout_changed) {
     build();
     system_.spread(state_);
     trial_ = state_;
   }
   system_.prepare(state_.view(0), 0);
-  return c != Coupled::as_before;
+  return c != CouplingChange::unchanged;
 }
 
 double StaticTrial::sum(double x) const {
@@ -130,20 +130,24 @@ void StaticTrial::step(double factor) {
   system_.tied_nodes().follow(trial_);
 }
 
-bool StaticTrial::clear() {
+bool StaticTrial::path_is_clear() {
   const auto passes = [this](const Verdict& v) {
-    if (!v.accepted()) in_the_way_ = v.because, blocked_ = trial_;
+    if (!v.accepted()) {
+      blocked_by_ = v.because;
+      blocked_ = trial_;
+    }
     return v.accepted();
   };
   const Verdict verdict = system_.check_step(trial_.view(0));
-  if (verdict.kind != Verdict::Kind::prepare_anew) return passes(verdict);
+  if (verdict.kind != Verdict::Kind::prepare_again) return passes(verdict);
   const LocalMesh& m = system_.mesh();
-  // So that the way foreseen ends at the trial.
-  if (system_.couple(straight_way(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
-      Coupled::anew) {
+  // So that the way predicted ends at the trial.
+  if (system_.couple(straight_path(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
+      CouplingChange::layout_changed) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
     build();
-    system_.spread(state_), system_.spread(trial_);
+    system_.spread(state_);
+    system_.spread(trial_);
     if (!u.empty()) {
       PetscScalar* p = nullptr;
       check(VecGetArray(u_.get(), &p));
@@ -156,20 +160,20 @@ bool StaticTrial::clear() {
   return passes(system_.check_step(trial_.view(0)));
 }
 
-void StaticTrial::give_up(const std::string& why) {
-  if (in_the_way_.empty()) throw SolveError(why);
+void StaticTrial::throw_no_equilibrium(const std::string& why) {
+  if (blocked_by_.empty()) throw SolveError(why);
   system_.spread(blocked_);
-  if (system_.stiffen_in_the_way(blocked_.view(0))) throw StiffenedOnTheWay();
-  throw InTheWay("statics: " + in_the_way_);
+  if (system_.raise_stiffness_where_blocked(blocked_.view(0))) throw StiffnessRaised();
+  throw PathBlocked("statics: " + blocked_by_);
 }
 
-void StaticTrial::leave(int attempt) {
+void StaticTrial::perturb(int attempt) {
   double share = 1;
   for (int k = 0; k < kMostHalvings; ++k, share *= 0.5) {
     trial_ = state_;
     push(attempt, share, trial_);
-    if (!clear()) continue;
-    take();
+    if (!path_is_clear()) continue;
+    accept_trial();
     return;
   }
 }

@@ -23,7 +23,9 @@ void pass_on_progress(const StaticsSettings& settings, RelaxationSettings& r) {
   if (!settings.progress) return;
   r.progress = [progress = settings.progress](const RelaxationReport& now) {
     StaticsReport report;
-    report.iterations = now.iterations, report.relaxation_steps = now.steps, report.norms = now.norms;
+    report.iterations = now.iterations;
+    report.relaxation_steps = now.steps;
+    report.norms = now.norms;
     progress(report);
   };
 }
@@ -47,13 +49,15 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
     try {
       StaticsReport report = StaticSearch(system, settings, near, &r).run(true);
       state = std::move(near);
-      report.iterations += rest.iterations, report.relaxation_steps += rest.steps;
+      report.iterations += rest.iterations;
+      report.relaxation_steps += rest.steps;
       return report;
     } catch (const SolveError&) {
       if (r.tolerance < settings.tolerance) throw;
       system.spread(state);
       const RelaxationReport more = relax(system, r, state);
-      rest.steps += more.steps, rest.iterations += more.iterations;
+      rest.steps += more.steps;
+      rest.iterations += more.iterations;
     }
   }
 }
@@ -83,13 +87,17 @@ class Start {
 StaticsReport against_friction(System& system, const StaticsSettings& settings, const Start& start,
                                State& state) {
   RelaxationSettings r;
-  r.max_steps = settings.relaxation_steps, r.tolerance = settings.tolerance, r.friction = true;
+  r.max_steps = settings.relaxation_steps;
+  r.tolerance = settings.tolerance;
+  r.friction = true;
   pass_on_progress(settings, r);
   StaticsReport report;
   for (int round = 0;; ++round) {
     const RelaxationReport rest = relax(system, r, state);
-    report.iterations += rest.iterations, report.relaxation_steps += rest.steps, report.norms = rest.norms;
-    if (!system.stiffen(state.view(0))) return report;
+    report.iterations += rest.iterations;
+    report.relaxation_steps += rest.steps;
+    report.norms = rest.norms;
+    if (!system.raise_stiffness(state.view(0))) return report;
     if (round == kMostRaises) throw SolveError(kUnsettled);
     start.again(state);
   }
@@ -102,7 +110,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
     return StaticSearch(system, settings, state).run(settings.near);
   if (settings.near) try {
       return StaticSearch(system, settings, state).run(true);
-    } catch (const InTheWay&) {
+    } catch (const PathBlocked&) {
       throw;
     } catch (const SolveError&) {
       start.again(state);
@@ -119,7 +127,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
     start.again(state);
     try {
       return search(!fall);
-    } catch (const InTheWay&) {
+    } catch (const PathBlocked&) {
       throw;
     } catch (const SolveError& second) {
       throw SolveError("{}; after that, {}", first.what(), second.what());
@@ -131,11 +139,13 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
 StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
                                 State& state) {
   StaticsReport report = first_equilibrium(system, settings, start, state);
-  for (int round = 0; system.stiffen(state.view(0)); ++round) {
+  for (int round = 0; system.raise_stiffness(state.view(0)); ++round) {
     if (round == kMostRaises) throw SolveError(kUnsettled);
     const StaticsReport more = StaticSearch(system, settings, state).run(true);
-    report.iterations += more.iterations, report.escapes += more.escapes;
-    report.negative_eigenvalues = more.negative_eigenvalues, report.norms = more.norms;
+    report.iterations += more.iterations;
+    report.escapes += more.escapes;
+    report.negative_eigenvalues = more.negative_eigenvalues;
+    report.norms = more.norms;
   }
   return report;
 }
@@ -146,7 +156,7 @@ StaticsReport outside_volumes(System& system, const StaticsSettings& settings, S
   const Start start(system, state);
   for (;;) try {
       return stiff_equilibrium(system, settings, start, state);
-    } catch (const StiffenedOnTheWay&) {
+    } catch (const StiffnessRaised&) {
       start.again(state);
     }
 }

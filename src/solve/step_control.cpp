@@ -24,26 +24,29 @@ StepControl::StepControl(const StepSettings& settings) : s_(settings) {
 double StepControl::next(double t, double stop, double allowed) const {
   double proposal = proposal_;
   if (limited()) {
-    if (ringing_ > 0) allowed = std::min(allowed, followed(t));
+    if (impact_period_ > 0) allowed = std::min(allowed, followed(t));
     proposal = std::max(std::min(proposal_, allowed), s_.shortest);
   }
   const double n = std::ceil((stop - t) / proposal - 1e-6);
   return (stop - t) / std::max(n, 1.0);
 }
 
-// Longest step from t after what struck last, s: after the twenty periods the time since, which each step
+// Longest step from t after the last impact, s: after the twenty periods the time since, which each step
 // doubles.
-double StepControl::followed(double t) const { return kRinging * ringing_ + std::max(t - calm_, 0.0); }
+double StepControl::followed(double t) const {
+  return kRinging * impact_period_ + std::max(t - resolved_until_, 0.0);
+}
 
 // What is softer makes no step longer before those are over.
 void StepControl::follow_impact(double t, double period) {
-  if (!std::isfinite(period) || (ringing_ > 0 && kRinging * period > followed(t) * (1 + 1e-9))) return;
-  ringing_ = period, calm_ = t + kFollowed * period;
+  if (!std::isfinite(period) || (impact_period_ > 0 && kRinging * period > followed(t) * (1 + 1e-9))) return;
+  impact_period_ = period;
+  resolved_until_ = t + kFollowed * period;
 }
 
-void StepControl::begin_anew() {
+void StepControl::reset_to_first_step() {
   if (limited()) proposal_ = std::max(std::min(proposal_, s_.first), s_.shortest);
-  wait_ = 0;
+  growth_wait_ = 0;
 }
 
 bool StepControl::accurate(double h, double error) const {
@@ -53,8 +56,8 @@ bool StepControl::accurate(double h, double error) const {
 
 void StepControl::accepted(double h, int iterations, double error) {
   const double limit = s_.fixed > 0 ? s_.fixed : s_.longest;
-  if (wait_ > 0) {
-    --wait_;
+  if (growth_wait_ > 0) {
+    --growth_wait_;
     return;
   }
   double factor = iterations <= s_.easy_iterations ? kGrow : 1.0;
@@ -77,7 +80,7 @@ bool StepControl::rejected(double h, bool diverged, double error) {
   if (!diverged && s_.error_tolerance > 0)
     factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, 0.8);
   proposal_ = std::max(h * factor, s_.shortest);
-  wait_ = diverged ? kPatience : 1;
+  growth_wait_ = diverged ? kPatience : 1;
   return true;
 }
 

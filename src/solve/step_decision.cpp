@@ -1,4 +1,4 @@
-// What becomes of a step that was tried: the one place where it is accepted, tried again or given up. How
+// What becomes of a step that was tried: the one place where it is accepted, tried again or failed. How
 // long the next one is: step_control.cpp.
 #include <fmt/format.h>
 
@@ -104,10 +104,10 @@ Dynamics::Decision Dynamics::decide() {
                          trial_.s.time, why);
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
-    case Verdict::Kind::prepare_anew:
+    case Verdict::Kind::prepare_again:
       // How old a list of candidates is must not show in the steps: a restart makes a new one.
-      if (!tries_.prepared_anew) {
-        tries_.prepared_anew = true;
+      if (!tries_.prepared_again) {
+        tries_.prepared_again = true;
         prepare(h_, &trial_.s);
         return {false, next_try()};
       }
@@ -118,7 +118,8 @@ Dynamics::Decision Dynamics::decide() {
       throw SolveError(verdict.because);
   }
   ++tries_.info.rejected;
-  tries_.search = {}, tries_.event = HUGE_VAL;  // what is shorter may not reach the event
+  tries_.search = {};
+  tries_.event = HUGE_VAL;  // what is shorter may not reach the event
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
   throw SolveError("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}{}",
                    committed_.s.time, h_, verdict.because, folded_element(system_, committed_.s.view(h_)));

@@ -133,9 +133,11 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
     for (size_t i = 0; i < s->mine.size(); ++i) g[s->mine[i]] = px[s->mine_local[i]];
     all_reduce(comm_of(pc), MPI_SUM, g);
     g = s->small.solve(g);
-    Eigen::VectorXd seen(static_cast<Eigen::Index>(s->ghosts.size()));
-    for (size_t j = 0; j < s->ghosts.size(); ++j) seen[static_cast<Eigen::Index>(j)] = g[s->ghosts[j]];
-    if (seen.size() > 0) Eigen::Map<Eigen::VectorXd>(px, s->Z.rows()).noalias() -= s->Z * seen;
+    Eigen::VectorXd ghost_values(static_cast<Eigen::Index>(s->ghosts.size()));
+    for (size_t j = 0; j < s->ghosts.size(); ++j)
+      ghost_values[static_cast<Eigen::Index>(j)] = g[s->ghosts[j]];
+    if (ghost_values.size() > 0)
+      Eigen::Map<Eigen::VectorXd>(px, s->Z.rows()).noalias() -= s->Z * ghost_values;
   }
   PetscCall(VecRestoreArray(x, &px));
   PetscCall(VecRestoreArrayRead(b, &pb));

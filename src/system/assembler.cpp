@@ -59,7 +59,9 @@ void weigh(int n, double w, const double* A, double* J) {
 void Assembler::add_force(int b, double x, double y, double z) {
   if (b >= owned_blocks_ && !sending_) return;
   double* out = force_->data() + 3 * b;
-  out[0] += x, out[1] += y, out[2] += z;
+  out[0] += x;
+  out[1] += y;
+  out[2] += z;
   (*squares_)[b] += x * x + y * y + z * z;
 }
 
@@ -151,7 +153,10 @@ void Assembler::add_elsewhere(int row, int column, const double* J, int m) {
 }
 
 void Assembler::add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c) {
-  if (force_) add_force(a, -f[0], -f[1], -f[2]), add_force(b, f[0], f[1], f[2]);
+  if (force_) {
+    add_force(a, -f[0], -f[1], -f[2]);
+    add_force(b, f[0], f[1], f[2]);
+  }
   if (!matrix_) return;
   const int blocks[2] = {a, b};
   if (tied(a) || tied(b)) {
@@ -182,7 +187,10 @@ void Assembler::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
 }
 
 void Assembler::add_weighted(int a, int b, const double* f, const double* J) {
-  if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
+  if (force_) {
+    add_force(a, f[0], f[1], f[2]);
+    add_force(b, f[3], f[4], f[5]);
+  }
   if (!matrix_) return;
   const int blocks[2] = {a, b};
   double own[37];
@@ -191,7 +199,10 @@ void Assembler::add_weighted(int a, int b, const double* f, const double* J) {
 }
 
 void Assembler::add_masses(int a, int b, const double* f, double own, double shared) {
-  if (force_) add_force(a, f[0], f[1], f[2]), add_force(b, f[3], f[4], f[5]);
+  if (force_) {
+    add_force(a, f[0], f[1], f[2]);
+    add_force(b, f[3], f[4], f[5]);
+  }
   const int blocks[2] = {a, b};
   const bool frames = tied(a) || tied(b);
   if (!matrix_ || (weights_.M == 0 && !frames)) return;

@@ -21,7 +21,8 @@ GhostExchange::GhostExchange(MPI_Comm comm, const LocalMesh& mesh)
   for (int n = mesh.owned; n < mesh.nodes(); ++n) {
     const int g = mesh.global[n];
     const size_t r = mesh.owner[g];
-    wanted[r].push_back(g), local[r].push_back(n);
+    wanted[r].push_back(g);
+    local[r].push_back(n);
   }
   // How many each rank wants of each: one number a pair of ranks; the nodes themselves only where there are.
   std::vector<int> ask(ranks), asked(ranks);

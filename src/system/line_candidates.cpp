@@ -16,7 +16,7 @@
 namespace hawser {
 namespace {
 
-// Of what is without contact near a shared place, which may become less, the list leaves out this part.
+// Of what is without contact near a shared place, which may become less, the list excludes this part.
 constexpr double kShared = 0.8;
 
 // What the narrow test needs of an axis half way along its path.
@@ -35,11 +35,13 @@ Middle middle(const SweptAxis& s) {
   Middle m;
   m.shift = Vec3::Zero();
   for (size_t i = 0; i < 4; ++i) {
-    p.b[i] = 0.5 * (s.from[i] + s.to[i]), d[i] = 0.5 * (s.to[i] - s.from[i]);
+    p.b[i] = 0.5 * (s.from[i] + s.to[i]);
+    d[i] = 0.5 * (s.to[i] - s.from[i]);
     m.shift += 0.25 * d[i];
   }
   for (const Vec3& x : d) m.spread = std::max(m.spread, (x - m.shift).norm());
-  m.a = p.b[0], m.b = p.b[3];
+  m.a = p.b[0];
+  m.b = p.b[3];
   m.bulge = p.sagitta();
   m.around = 0.5 * (m.b - m.a).norm() + m.bulge;
   m.thickness = s.radius + s.skin;
@@ -75,7 +77,7 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
   gather();
 }
 
-// Whether pairs are left out near a shared place that may touch by now.
+// Whether pairs are excluded near a shared place that may touch by now.
 bool LineCandidates::shares_less() const {
   for (size_t k = 0; k < within_.size(); ++k)
     if (settings_.shared->within(static_cast<int>(k)) < within_[k]) return true;
@@ -83,22 +85,25 @@ bool LineCandidates::shares_less() const {
 }
 
 void LineCandidates::gather() {
-  local_.clear(), built_.clear(), list_.clear();
-  local_.reserve(mesh_.elements.size()), built_.reserve(mesh_.elements.size());
+  local_.clear();
+  built_.clear();
+  list_.clear();
+  local_.reserve(mesh_.elements.size());
+  built_.reserve(mesh_.elements.size());
   for (const LocalElement& e : mesh_.elements)
-    if (radius_[e.global] > 0 && !left_out(e.global)) local_.push_back(e);
+    if (radius_[e.global] > 0 && !is_in_feeder(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
   bend_.resize(built_.size());
-  // Most boxes that overlap are those of neighbours along a line: these are told from their numbers alone.
+  // Most boxes that overlap are those of neighbours along a line: their numbers alone exclude these.
   constexpr size_t kMost = 15;
-  unseen_.assign(built_.size(), 0);
+  excluded_after_.assign(built_.size(), 0);
   for (size_t i = 0; i < built_.size(); ++i)
     for (size_t j = i + 1; j < std::min(built_.size(), i + 1 + kMost) && never(built_[i], built_[j]); ++j)
-      ++unseen_[i];
+      ++excluded_after_[i];
   locate();
 }
 
-bool LineCandidates::leave_out(std::vector<std::array<int, 2>> inside) {
+bool LineCandidates::set_elements_in_feeders(std::vector<std::array<int, 2>> inside) {
   if (inside == inside_) return false;
   inside_ = std::move(inside);
   gather();
@@ -113,13 +118,13 @@ std::array<int, 2> LineCandidates::outside(int line) const {
   return {l.first_element + inside[0], l.first_element + l.elements - 1 - inside[1]};
 }
 
-bool LineCandidates::left_out(int element) const {
+bool LineCandidates::is_in_feeder(int element) const {
   if (inside_.empty()) return false;
   const auto [first, last] = outside(mesh_.mesh->elements[element].line);
   return element < first || element > last;
 }
 
-// Whether it is the one at a feeder's mouth, whose unstretched length is not that of the mesh.
+// Whether it is the one at a feeder's feed point, whose unstretched length is not that of the mesh.
 bool LineCandidates::at_feeder(int element) const {
   if (inside_.empty()) return false;
   const int line = mesh_.mesh->elements[element].line;
@@ -159,8 +164,8 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
   return BezierAxis::beam(a, tangent(i), b, tangent(j), length).b;
 }
 
-// Every axis within its skin of where it was foreseen to be at `tau` of the way. All are asked for the same
-// place on it, as pairs are left out for what two axes do together: one that stops on its way is run into by
+// Every axis within its skin of where it was predicted to be at `tau` of the way. All are asked for the same
+// place on it, as pairs are excluded for what two axes do together: one that stops on its way is run into by
 // the next.
 bool LineCandidates::holds(const Kinematics& at, double h, double tau) const {
   if (builds_ == 0 && !local_.empty()) return false;
@@ -191,29 +196,29 @@ bool LineCandidates::covers(const Kinematics& trial) const {
 bool LineCandidates::update(const Kinematics& committed, double h) {
   const bool known = builds_ > 0 && !outdated_ && !shares_less();
   // Without time having passed: at the end of the way, or, when it was not gone, at its start.
-  int good[2] = {known && holds(committed, 0, part(committed.time)),
-                 known && !(committed.time > made_) && holds(committed, 0, 0)};
+  int usable[2] = {known && holds(committed, 0, part(committed.time)),
+                   known && !(committed.time > made_) && holds(committed, 0, 0)};
   if (h > 0) {
-    const bool foreseen = known && holds(committed, h, part(committed.time + h));
-    for (int& g : good) g = g && foreseen;
+    const bool predicted = known && holds(committed, h, part(committed.time + h));
+    for (int& g : usable) g = g && predicted;
   }
-  all_reduce(comm_, MPI_MIN, good);
-  if (good[0] || good[1]) return false;
+  all_reduce(comm_, MPI_MIN, usable);
+  if (usable[0] || usable[1]) return false;
   ++builds_;
   outdated_ = false;
   if (settings_.shared)
     for (size_t k = 0; k < within_.size(); ++k)
       within_[k] = kShared * settings_.shared->within(static_cast<int>(k));
-  foresee(committed, h);
+  predict(committed, h);
   std::vector<std::pair<int, int>> found = search();
   if (found == list_) return false;
   list_ = std::move(found);
   return true;
 }
 
-// The paths are parabolas in time. Those that bend (a line that is swung, a long step) are foreseen for fewer
-// steps, so that the bend is no more than a skin; for one step at least, whatever it takes.
-void LineCandidates::foresee(const Kinematics& committed, double h) {
+// The paths are parabolas in time. Those that bend (a line that is swung, a long step) are predicted for
+// fewer steps, so that the bend is no more than a skin; for one step at least, whatever it takes.
+void LineCandidates::predict(const Kinematics& committed, double h) {
   made_ = committed.time;
   double steps = settings_.steps;
   const auto go = [&] {
@@ -255,7 +260,7 @@ std::vector<std::pair<int, int>> LineCandidates::search() const {
   for (const auto& [first, second] : overlapping_pairs(boxes)) {
     const size_t i = first, j = second;
     if (i >= own) continue;  // and so is the second
-    if (j - i <= unseen_[i]) continue;
+    if (j - i <= excluded_after_[i]) continue;
     const SweptAxis *p = axis_of(i), *q = axis_of(j);
     if (p->element > q->element) std::swap(p, q);  // on every rank the same answer to the last bit
     if (!excluded(*p, *q) && near(middle(*p), middle(*q))) out.emplace_back(p->element, q->element);
@@ -293,9 +298,11 @@ void LineCandidates::couple(Couplings& to) const {
 }
 
 void LineCandidates::locate() {
-  segments_.clear(), pairs_.clear();
+  segments_.clear();
+  pairs_.clear();
   std::vector<std::pair<int, int>> number;  // element, segment; sorted by element
-  segments_.reserve(local_.size()), number.reserve(local_.size());
+  segments_.reserve(local_.size());
+  number.reserve(local_.size());
   for (const LocalElement& e : local_) {
     number.emplace_back(e.global, static_cast<int>(segments_.size()));
     segments_.push_back({e.first, e.second, e.global, radius_[e.global]});

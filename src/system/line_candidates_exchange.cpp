@@ -65,8 +65,14 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) cons
   for (const auto& [i, j] : overlapping_pairs(boxes)) {
     const size_t a = i, b = j;
     if (of_rank[a] == of_rank[b]) continue;
-    if (of_rank[a] == me) trades[of_rank[b]].give.insert(a - first), trades[of_rank[b]].take.insert(b);
-    if (of_rank[b] == me) trades[of_rank[a]].give.insert(b - first), trades[of_rank[a]].take.insert(a);
+    if (of_rank[a] == me) {
+      trades[of_rank[b]].give.insert(a - first);
+      trades[of_rank[b]].take.insert(b);
+    }
+    if (of_rank[b] == me) {
+      trades[of_rank[a]].give.insert(b - first);
+      trades[of_rank[a]].take.insert(a);
+    }
   }
   std::vector<MPI_Request> requests;
   for (auto& [r, t] : trades) {

@@ -54,7 +54,8 @@ struct SharedPlaces::Gaps {
         const size_t next = forward ? j + 1 : j - 1;
         const double d = distance(other, next, p);
         if (d > least) break;
-        least = d, j = next;
+        least = d;
+        j = next;
       }
     return least - rope.radius[i];
   }

@@ -1,5 +1,5 @@
 // The part of System that assembles: residual and tangent from all force terms, the norms that judge
-// convergence, and calls handed on to the terms.
+// convergence, and calls passed on to the terms.
 #include "hawser/system/system.hpp"
 
 #include <petscvec.h>
@@ -8,14 +8,17 @@
 #include <cmath>
 
 #include "hawser/base/gather.hpp"
-#include "hawser/base/steady.hpp"
+#include "hawser/base/rank_independent.hpp"
 #include "hawser/math/so3.hpp"
 #include "logged.hpp"
 
 namespace hawser {
 
 System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mesh)) {
-  if (mesh_.chain == 0) mesh_.chain = mesh_.nodes(), mesh_.chain_blocks = mesh_.blocks();
+  if (mesh_.chain == 0) {
+    mesh_.chain = mesh_.nodes();
+    mesh_.chain_blocks = mesh_.blocks();
+  }
   exchange_ = GhostExchange(comm_, mesh_);
   size_arrays();
   int lines = 1;
@@ -38,7 +41,10 @@ void System::size_arrays() {
     const size_t b = mesh_.block[n];
     const int line = mesh_.node(n).line;
     square_of_block_[b] = 2 * line;
-    if (mesh_.rotates(n)) turn_of_[b + 1] = turns++, square_of_block_[b + 1] = 2 * line + 1;
+    if (mesh_.rotates(n)) {
+      turn_of_[b + 1] = turns++;
+      square_of_block_[b + 1] = 2 * line + 1;
+    }
   }
   force_.resize(3 * blocks, 0);
   const auto& elements = mesh_.mesh->elements;
@@ -64,8 +70,13 @@ void System::add(std::unique_ptr<ForceTerm> term) {
     using Role = typename std::remove_reference_t<decltype(list)>::value_type;
     if (const auto role = dynamic_cast<Role>(term.get())) list.push_back(role);
   };
-  take(couple_nodes_), take(limit_steps_), take(raise_stiffness_), take(on_elements_), take(move_masses_);
-  take(carry_tension_), take(scale_residuals_);
+  take(couple_nodes_);
+  take(limit_steps_);
+  take(raise_stiffness_);
+  take(on_elements_);
+  take(move_masses_);
+  take(carry_tension_);
+  take(scale_residuals_);
   terms_.push_back(std::move(term));
 }
 
@@ -190,15 +201,18 @@ ResidualNorms System::norms(Vec r) const {
   for (size_t l = 0; l < sums_ / 2; ++l) {
     const double* own = s.data() + 2 * l;
     const double* scale = own + sums_;
-    const ResidualNorms n{steady(std::sqrt(own[0])),
-                          steady(std::sqrt(own[1])),
-                          steady(std::sqrt(scale[0])),
-                          steady(std::sqrt(scale[1])),
+    const ResidualNorms n{rank_independent(std::sqrt(own[0])),
+                          rank_independent(std::sqrt(own[1])),
+                          rank_independent(std::sqrt(scale[0])),
+                          rank_independent(std::sqrt(scale[1])),
                           round_off_,
                           longest_element_,
                           l < mesh_.mesh->lines.size() ? mesh_.mesh->lines[l].length : 1};
     const double size = n.relative();
-    if (size > most || !std::isfinite(size)) worst = n, most = std::isfinite(size) ? size : HUGE_VAL;
+    if (size > most || !std::isfinite(size)) {
+      worst = n;
+      most = std::isfinite(size) ? size : HUGE_VAL;
+    }
   }
   return worst;
 }
@@ -245,23 +259,23 @@ double System::dead_load() const {
   double sum = 0;
   for (const ScalesResiduals* t : scale_residuals_) sum += t->dead_load();
   all_reduce(comm_, MPI_SUM, sum);
-  return steady(sum);
+  return rank_independent(sum);
 }
 
-bool System::stiffen(const Kinematics& equilibrium) {
+bool System::raise_stiffness(const Kinematics& equilibrium) {
   bool again = false;
-  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen(equilibrium) || again;
+  for (RaisesStiffness* t : raise_stiffness_) again = t->raise_stiffness(equilibrium) || again;
   return again;
 }
 
-bool System::stiffen_in_the_way(const Kinematics& trial) {
+bool System::raise_stiffness_where_blocked(const Kinematics& trial) {
   bool again = false;
-  for (RaisesStiffness* t : raise_stiffness_) again = t->stiffen_in_the_way(trial) || again;
+  for (RaisesStiffness* t : raise_stiffness_) again = t->raise_stiffness_where_blocked(trial) || again;
   return again;
 }
 
-void System::forget_stiffening() {
-  for (RaisesStiffness* t : raise_stiffness_) t->forget_stiffening();
+void System::revert_stiffness() {
+  for (RaisesStiffness* t : raise_stiffness_) t->revert_stiffness();
 }
 
 void System::prepare(const Kinematics& committed, double h) {
@@ -276,7 +290,7 @@ void System::expect(const Kinematics& committed, double h) {
   double square = 0;
   for (const ScalesResiduals* t : scale_residuals_) square += t->round_off(committed, h);
   all_reduce(comm_, MPI_SUM, square);
-  round_off_ = steady(std::sqrt(square));
+  round_off_ = rank_independent(std::sqrt(square));
 }
 
 void System::commit(const Kinematics& accepted) {

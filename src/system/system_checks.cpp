@@ -8,8 +8,8 @@
 
 namespace hawser {
 namespace {
-constexpr double kUnsure = 0.01;  // of a tension that rounding may be
-constexpr double kSure = 1e-3;    // what is left of it by the EA that is told as the remedy
+constexpr double kRoundOffShare = 0.01;  // of a tension that rounding may be
+constexpr double kSure = 1e-3;           // what is left of it by the EA that is recommended
 }  // namespace
 
 std::string System::overstretched(const Kinematics& at) const {
@@ -34,10 +34,10 @@ std::string System::lost_in_rounding(const Kinematics& at) const {
   for (size_t l = 0; l < lines.size(); ++l) {
     const LineTension& t = lines[l];
     const double share = t.round_off / std::max(t.tension, load);
-    if (share <= kUnsure) continue;
+    if (share <= kRoundOffShare) continue;
     return fmt::format(
         "the tension of line {} is known to within {:.2g} % only, so large is rounding beside an EA of "
-        "{:.3g} N; an EA of {:.0e} N is as good as one that does not stretch",
+        "{:.3g} N; an EA of {:.0e} N is equivalent to one that does not stretch",
         mesh_.mesh->lines[l].name, 100 * share, t.EA, t.EA * kSure / share);
   }
   return {};

@@ -34,13 +34,17 @@ void System::with_frames(Couplings& c) const {
   const auto join = [&c](int a, int b) {
     if (a >= 0 && b >= 0 && a != b) c.pairs.emplace_back(std::min(a, b), std::max(a, b));
   };
-  for (const auto& [a, b] : pairs) join(frame(a), b), join(a, frame(b)), join(frame(a), frame(b));
+  for (const auto& [a, b] : pairs) {
+    join(frame(a), b);
+    join(a, frame(b));
+    join(frame(a), frame(b));
+  }
 }
 
-Coupled System::couple(const Kinematics& committed, double h) {
+CouplingChange System::couple(const Kinematics& committed, double h) {
   bool same = true;
   for (CouplesNodes* t : couple_nodes_) same &= !t->recouple(committed, h);
-  if (all(comm_, same)) return Coupled::as_before;
+  if (all(comm_, same)) return CouplingChange::unchanged;
   Couplings wanted;
   for (const CouplesNodes* t : couple_nodes_) t->couple(wanted);
   with_frames(wanted);
@@ -55,7 +59,7 @@ Coupled System::couple(const Kinematics& committed, double h) {
     reghost_ties();
   }
   for (CouplesNodes* t : couple_nodes_) t->update_ghosts();
-  return fits ? Coupled::otherwise : Coupled::anew;
+  return fits ? CouplingChange::pattern_changed : CouplingChange::layout_changed;
 }
 
 void System::spread(State& s) const {
@@ -87,9 +91,12 @@ void System::reghost_ties() {
     const int local = mesh_.find(static_cast<int>(d[0]));
     if (local < mesh_.chain) continue;
     TiedNode s;
-    s.node = local, s.body = static_cast<int>(d[1]);
-    s.at = Vec3(d[2], d[3], d[4]), s.rotation = Quat(d[5], d[6], d[7], d[8]);
-    s.position_mask = static_cast<unsigned char>(d[9]), s.rotation_mask = static_cast<unsigned char>(d[10]);
+    s.node = local;
+    s.body = static_cast<int>(d[1]);
+    s.at = Vec3(d[2], d[3], d[4]);
+    s.rotation = Quat(d[5], d[6], d[7], d[8]);
+    s.position_mask = static_cast<unsigned char>(d[9]);
+    s.rotation_mask = static_cast<unsigned char>(d[10]);
     s.frame = d[11] < 0 ? -1 : mesh_.find(static_cast<int>(d[11]));
     kept.push_back(s);
   }
@@ -115,17 +122,27 @@ std::vector<std::pair<int, int>> System::pattern() const {
       }
   };
   for (int n = 0; n < mesh_.owned; ++n) couple(n, n);
-  const auto join = [&](int a, int b) { couple(a, b), couple(b, a); };
+  const auto join = [&](int a, int b) {
+    couple(a, b);
+    couple(b, a);
+  };
   for (const LocalElement& e : mesh_.elements) {
     join(e.first, e.second);
     const int first = mesh_.frame_of(e.first), second = mesh_.frame_of(e.second);
-    if (first >= 0) join(first, e.second), join(first, e.first);
-    if (second >= 0) join(e.first, second), join(e.second, second);
+    if (first >= 0) {
+      join(first, e.second);
+      join(first, e.first);
+    }
+    if (second >= 0) {
+      join(e.first, second);
+      join(e.second, second);
+    }
     if (first >= 0 && second >= 0 && first != second) join(first, second);
   }
   for (const auto& [m, n] : couplings_.pairs) {
     const int a = mesh_.find(m), b = mesh_.find(n);
-    couple(a, b), couple(b, a);
+    couple(a, b);
+    couple(b, a);
   }
   std::sort(entries.begin(), entries.end());
   entries.erase(std::unique(entries.begin(), entries.end()), entries.end());

@@ -1,5 +1,5 @@
-// The part of System that limits steps: how long one may be by what strikes, whether one that was taken
-// resolved what struck, and what the terms say of a trial.
+// The part of System that limits steps: how long one may be beside impacts, whether one that was taken
+// resolved its impacts, and what the terms say of a trial.
 #include <algorithm>
 #include <utility>
 
@@ -11,10 +11,10 @@ namespace hawser {
 
 void System::sum(std::span<double> values) const { all_reduce(comm_, MPI_SUM, values); }
 
-// Of the masses of each line in the state, with what strikes of it, and behind all of these what the line
-// carries in its algorithmic accelerations. strikes: of this rank.
+// Of the masses of each line in the state, with its impacts, and behind all of these what the line
+// carries in its algorithmic accelerations. impacts: of this rank.
 std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion& stored,
-                                        const std::vector<ImpactEvent>& strikes) const {
+                                        const std::vector<ImpactEvent>& impacts) const {
   const size_t n = sums_ / 2;
   std::vector<LineMotion> lines(2 * n);
   Kinematics accelerations = at;
@@ -23,9 +23,9 @@ std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion
     t->motion(at, std::span(lines).first(n));
     t->motion(accelerations, std::span(lines).last(n));
   }
-  for (const ImpactEvent& s : strikes) {
-    lines[s.line].striking += s.energy();
-    if (s.other >= 0) lines[s.other].striking += s.energy();
+  for (const ImpactEvent& s : impacts) {
+    lines[s.line].impact_energy += s.energy();
+    if (s.other >= 0) lines[s.other].impact_energy += s.energy();
   }
   static_assert(sizeof(LineMotion) == 6 * sizeof(double));
   sum({reinterpret_cast<double*>(lines.data()), 6 * lines.size()});
@@ -33,27 +33,28 @@ std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion
 }
 
 StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& stored, double most) {
-  ImpactEvents strikes;
-  strikes.most = most;
+  ImpactEvents impacts;
+  impacts.most = most;
   {
     const Logged logged(limit_event_);
-    for (const LimitsSteps* t : limit_steps_) t->limit_step(committed, strikes);
+    for (const LimitsSteps* t : limit_steps_) t->limit_step(committed, impacts);
   }
-  double both[2] = {strikes.longest, strikes.list.empty() ? 1.0 : 0.0};
+  double both[2] = {impacts.longest, impacts.list.empty() ? 1.0 : 0.0};
   all_reduce(comm_, MPI_MIN, both);
   StepLimit limit;
   limit.longest = both[0];
-  // Also where nothing strikes yet: impacts that only the end of the step shows are judged by it.
-  const std::vector<LineMotion> lines = motions(committed, stored, strikes.list);
+  // Also where there is no impact yet: impacts that only the end of the step shows are judged by it.
+  const std::vector<LineMotion> lines = motions(committed, stored, impacts.list);
   const size_t n = lines.size() / 2;
-  bearable_ = bearable(std::span(lines).first(n));
-  limit.longest = std::min(limit.longest,
-                           growing_step(std::span(lines).last(n), bearable_, stored.share, committed.step));
+  energy_tolerance_ = energy_tolerance(std::span(lines).first(n));
+  limit.longest = std::min(limit.longest, growth_limited_step(std::span(lines).last(n), energy_tolerance_,
+                                                              stored.share, committed.step));
   if (both[1] > 0) return limit;
-  const StepLimit struck = bounded_step(strikes.list, bearable_, std::min(most, limit.longest),
-                                        [this](std::span<double> values) { sum(values); });
-  limit.longest = std::min(limit.longest, struck.longest);
-  limit.period = struck.period;
+  const StepLimit impact_limited =
+      impact_limited_step(impacts.list, energy_tolerance_, std::min(most, limit.longest),
+                          [this](std::span<double> values) { sum(values); });
+  limit.longest = std::min(limit.longest, impact_limited.longest);
+  limit.period = impact_limited.period;
   return limit;
 }
 
@@ -67,7 +68,7 @@ bool System::resolves_impacts(const Kinematics& trial) {
   all_reduce(comm_, MPI_MAX, any);
   if (any[0]) return false;
   return !any[1] ||
-         bearable_impacts(found.list, bearable_, [this](std::span<double> values) { sum(values); });
+         within_tolerance(found.list, energy_tolerance_, [this](std::span<double> values) { sum(values); });
 }
 
 Verdict System::check_step(const Kinematics& trial) const {

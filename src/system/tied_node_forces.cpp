@@ -13,7 +13,9 @@ TiedNodeForces::TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied) {
   for (const int i : tied.to_frames()) {
     const TiedNode& s = tied.list()[i];
     Tie t;
-    t.block = mesh.block[s.node], t.frame = mesh.block[s.frame], t.frame_node = s.frame;
+    t.block = mesh.block[s.node];
+    t.frame = mesh.block[s.frame];
+    t.frame_node = s.frame;
     t.owned = s.node < mesh.owned;
     t.turns = mesh.rotates(s.node) && s.rotation_mask == 7;
     t.point = !mesh.rotates(s.frame);
@@ -90,7 +92,8 @@ TiedNodeForces::Unknowns TiedNodeForces::unknowns(std::span<const int> blocks) c
     z.V.block<3, 3>(i, place(t.frame + 1)) = t.rate;
   }
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(z.to.size());
-  z.P.conservativeResize(m, size), z.V.conservativeResize(m, size);
+  z.P.conservativeResize(m, size);
+  z.V.conservativeResize(m, size);
   return z;
 }
 

@@ -51,8 +51,10 @@ void TiedNodes::rates(double t, State& out) const {
     }
     const Vec3 x = b.to_space(s.at), v = b.velocity_at(x), a = b.acceleration_at(x);
     for (int c = 0; c < 3; ++c)
-      if (s.position_mask >> c & 1)
-        out.v[n][c] = s.position_mask == 7 ? v[c] : 0, out.a[n][c] = s.position_mask == 7 ? a[c] : 0;
+      if (s.position_mask >> c & 1) {
+        out.v[n][c] = s.position_mask == 7 ? v[c] : 0;
+        out.a[n][c] = s.position_mask == 7 ? a[c] : 0;
+      }
     if (!mesh_->rotates(s.node)) continue;
     // Rates of a rotation that follows the body, in the node's material axes.
     const Quat inv = (b.rotation * s.rotation).conjugate();
@@ -79,7 +81,8 @@ void TiedNodes::follow(State& out) const {
     if (s.rotation_mask != 7 || !mesh_->rotates(s.node)) continue;
     const Quat back = s.rotation.conjugate();
     out.q[n] = (out.q[f] * s.rotation).normalized();
-    out.w[n] = back * out.w[f], out.alpha[n] = back * out.alpha[f];
+    out.w[n] = back * out.w[f];
+    out.alpha[n] = back * out.alpha[f];
     if (!out.directors.empty()) out.directors[n] = D * s.rotation.toRotationMatrix();
   }
 }

@@ -76,15 +76,19 @@ void add_against_body(Assembler& assembler, std::span<const LineBlock> line, con
   const AgainstBody all = against_body(line, body, !assembler.convex(), f, K, C);
   std::array<int, Assembler::kMaxBlocks> blocks{};
   for (size_t i = 0; i < line.size(); ++i) blocks[i] = line[i].block;
-  blocks[line.size()] = body.block, blocks[line.size() + 1] = body.block + 1;
+  blocks[line.size()] = body.block;
+  blocks[line.size() + 1] = body.block + 1;
   const Eigen::Index m = all.f.size();
   const auto only = [&](Eigen::Index first, Eigen::Index rows, bool send) {
     AgainstBody part = all;
     const auto cut = [&](auto& of) {
       if (of.size() == 0) return;
-      of.topRows(first).setZero(), of.bottomRows(m - first - rows).setZero();
+      of.topRows(first).setZero();
+      of.bottomRows(m - first - rows).setZero();
     };
-    cut(part.f), cut(part.K), cut(part.C);
+    cut(part.f);
+    cut(part.K);
+    cut(part.C);
     assembler.send(send);
     assembler.add({blocks.data(), line.size() + 2}, part.f.data(), K ? part.K.data() : nullptr,
                   C ? part.C.data() : nullptr, nullptr);

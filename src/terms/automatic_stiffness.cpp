@@ -79,7 +79,7 @@ std::string too_soft_for_line(const std::string& place, const model::Volume& v, 
          "in deeper needs a larger 'contact_diameter'";
 }
 
-std::string volume_in_the_way(const std::string& place, const model::Volume& v, bool too_soft) {
+std::string volume_blocks_path(const std::string& place, const model::Volume& v, bool too_soft) {
   const std::string text = place + ", would be drawn through volume " + v.name;
   if (!too_soft) return text + "; say on which side it lies with 'start: {points: [[x, y, z], ...]}'";
   return text + (v.force_table

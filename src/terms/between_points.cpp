@@ -24,11 +24,13 @@ AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMes
   now.R = at.q[local].toRotationMatrix();
   now.arm = a.body < 0 ? a.at : bodies.in_node_axes(a.body, a.at, a.direction);
   now.rate = at.w[local].cross(now.arm);
-  now.x = now.R * now.arm, now.v = now.R * now.rate;
+  now.x = now.R * now.arm;
+  now.v = now.R * now.rate;
   if (!now.arm.isZero(0) && mesh.rotates(local)) now.turn = mesh.block[local] + 1;
   if (a.direction) return now;
   now.place = mesh.block[local];
-  now.x += at.x[local], now.v += at.v[local];
+  now.x += at.x[local];
+  now.v += at.v[local];
   return now;
 }
 
@@ -60,7 +62,8 @@ void add_between(Assembler& assembler, const AttachedNow& a, const AttachedNow& 
   }
   if (count == 0) return;
   const Eigen::Index m = 3 * static_cast<Eigen::Index>(count);
-  P.conservativeResize(6, m), V.conservativeResize(6, m);
+  P.conservativeResize(6, m);
+  V.conservativeResize(6, m);
   const Eigen::VectorXd force = P.transpose() * f;
   const Matrix K = P.transpose() * (k * P + c * V) + geometric.topLeftCorner(m, m), C = P.transpose() * c * P;
   assembler.add({blocks.data(), count}, force.data(), K.data(), C.data(), nullptr);

@@ -63,7 +63,9 @@ RigidPose Bodies::pose(int body, const Kinematics& at) const {
   const int node = local_node(body);
   if (node < 0) return f.exchanged;
   RigidBodyState s = floating_state(at, node);
-  s.q = s.q * f.turn, s.w = f.turn.conjugate() * s.w, s.alpha = f.turn.conjugate() * s.alpha;
+  s.q = s.q * f.turn;
+  s.w = f.turn.conjugate() * s.w;
+  s.alpha = f.turn.conjugate() * s.alpha;
   return floating_pose(s, f.centre);
 }
 
@@ -76,8 +78,11 @@ void Bodies::exchange_poses(MPI_Comm comm, const Kinematics& at) const {
     if (!mesh_->owns(node)) continue;
     const RigidPose p = pose(static_cast<int>(b), at);
     double* d = packed.data() + packed.size() - kPose;
-    for (int c = 0; c < 3; ++c)
-      d[c] = p.position[c], d[3 + c] = p.velocity[c], d[6 + c] = p.angular_velocity[c];
+    for (int c = 0; c < 3; ++c) {
+      d[c] = p.position[c];
+      d[3 + c] = p.velocity[c];
+      d[6 + c] = p.angular_velocity[c];
+    }
     for (int c = 0; c < 4; ++c) d[9 + c] = p.rotation.coeffs()[c];
   }
   if (packed.empty()) return;
@@ -85,7 +90,8 @@ void Bodies::exchange_poses(MPI_Comm comm, const Kinematics& at) const {
   const double* d = packed.data();
   for (const Frame& f : frames_) {
     if (f.node < 0) continue;
-    f.exchanged.position = Vec3(d), f.exchanged.velocity = Vec3(d + 3),
+    f.exchanged.position = Vec3(d);
+    f.exchanged.velocity = Vec3(d + 3);
     f.exchanged.angular_velocity = Vec3(d + 6);
     f.exchanged.rotation.coeffs() = Eigen::Map<const Eigen::Vector4d>(d + 9);
     d += kPose;

@@ -19,11 +19,16 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
     if (!m.in_water) continue;
     const model::BodyInWater& w = *m.in_water;
     Wet& b = list_.emplace_back();
-    b.data.centre = w.centre - m.centre, b.data.drag_centre = w.drag_centre - m.centre;
+    b.data.centre = w.centre - m.centre;
+    b.data.drag_centre = w.drag_centre - m.centre;
     b.data.height = w.height;
-    b.data.displaced_mass = sea_.density * w.volume, b.data.buoyancy = sea_.gravity * b.data.displaced_mass;
-    b.data.added = w.added_mass, b.data.drag = 0.5 * sea_.density * w.drag_area;
-    b.node = n, b.block = mesh.block[n], b.global = global;
+    b.data.displaced_mass = sea_.density * w.volume;
+    b.data.buoyancy = sea_.gravity * b.data.displaced_mass;
+    b.data.added = w.added_mass;
+    b.data.drag = 0.5 * sea_.density * w.drag_area;
+    b.node = n;
+    b.block = mesh.block[n];
+    b.global = global;
     b.body = body;
     b.rests = finds_rest(c, body);
   }
@@ -35,7 +40,7 @@ BodiesInWater::Places BodiesInWater::places(const Wet& b, const RigidBodyState& 
 
 BodiesInWater::Places BodiesInWater::wave_places(const Wet& b, const Kinematics& at) const {
   const double since = at.time - start_time_;
-  if (!(since > 0)) return b.looked;
+  if (!(since > 0)) return b.wave_place;
   return {b.start.centre + since * b.speed.centre, b.start.drag + since * b.speed.drag};
 }
 
@@ -44,8 +49,10 @@ Water BodiesInWater::water(const Wet& b, const Kinematics& at, const Vec3& x, Wa
   if (sea_.waves.none() || !(at.step > 0)) return still;
   if (!b.known || b.time != at.time) {
     const Places there = wave_places(b, at);
-    b.centre = sea_.waves_at(there.centre, at.time), b.drag = sea_.waves_at(there.drag, at.time);
-    b.time = at.time, b.known = true;
+    b.centre = sea_.waves_at(there.centre, at.time);
+    b.drag = sea_.waves_at(there.drag, at.time);
+    b.time = at.time;
+    b.known = true;
   }
   return still + b.*wave;
 }
@@ -57,7 +64,9 @@ BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) cons
   out.force = body_water_force(b.data, s, water(b, at, out.at.centre, &Wet::centre),
                                water(b, at, out.at.drag, &Wet::drag));
   BodyInWater floating;
-  floating.centre = b.data.centre, floating.height = b.data.height, floating.buoyancy = b.data.buoyancy;
+  floating.centre = b.data.centre;
+  floating.height = b.data.height;
+  floating.buoyancy = b.data.buoyancy;
   Water calm;
   calm.surface = sea_.surface;
   out.force.at_centre -= body_water_force(floating, s, calm, calm).at_centre;
@@ -87,7 +96,10 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
   for (Wet& b : list_) {
     const RigidBodyState s = floating_state(committed, b.node);
     b.start = places(b, s);
-    if (!(committed.step > 0) || !b.has_looked) b.looked = b.start, b.has_looked = true;
+    if (!(committed.step > 0) || !b.has_wave_place) {
+      b.wave_place = b.start;
+      b.has_wave_place = true;
+    }
     b.speed = {s.v + s.q * s.w.cross(b.data.centre), s.v + s.q * s.w.cross(b.data.drag_centre)};
     b.known = false;
   }
@@ -96,11 +108,14 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
   Kinematics now = committed;
   if (!(now.step > 0)) now.step = h;
   for (Wet& b : list_)
-    if (!(committed.step > 0) || !b.flowed) b.flow = flow(b, now), b.flowed = true;
+    if (!(committed.step > 0) || !b.flowed) {
+      b.flow = flow(b, now);
+      b.flowed = true;
+    }
 }
 
 void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool tangent = assembler.wants_tangent();
+  const bool tangent = assembler.needs_tangent();
   BodyWaterResidual r;
   for (const Wet& b : list_) {
     if (idle(b)) continue;
@@ -120,8 +135,10 @@ void BodiesInWater::commit(const Kinematics& accepted) {
   for (Wet& b : list_) {
     const Flow now = flow(b, accepted);
     if (accepted.step > 0 && b.flowed) b.work += work(b.flow, now);
-    b.flow = now, b.flowed = true;
-    b.looked = wave_places(b, accepted), b.has_looked = true;
+    b.flow = now;
+    b.flowed = true;
+    b.wave_place = wave_places(b, accepted);
+    b.has_wave_place = true;
   }
   start_time_ = accepted.time;
 }
@@ -174,18 +191,22 @@ std::vector<HistoryKind> BodiesInWater::history() const { return {history_kind<K
 std::vector<HistoryRecord> BodiesInWater::records(NodeRange of) const {
   std::vector<HistoryRecord> out;
   for (const Wet& b : list_)
-    if (of.has(b.global)) out.push_back(record_of(b.global, 0, Kept{b.work, b.looked.centre, b.looked.drag}));
+    if (of.has(b.global))
+      out.push_back(record_of(b.global, 0, Kept{b.work, b.wave_place.centre, b.wave_place.drag}));
   return out;
 }
 
 // A state that is gone on from has been looked at already.
 void BodiesInWater::restore(const std::vector<HistoryRecord>& records) {
   for (Wet& b : list_) {
-    b.work = 0, b.known = b.flowed = b.has_looked = false;
+    b.work = 0;
+    b.known = b.flowed = b.has_wave_place = false;
     for (const HistoryRecord& r : records) {
       if (r.node != b.global) continue;
       const Kept kept = entry<Kept>(r);
-      b.work = kept.work, b.looked = {kept.centre, kept.drag}, b.has_looked = true;
+      b.work = kept.work;
+      b.wave_place = {kept.centre, kept.drag};
+      b.has_wave_place = true;
     }
   }
 }

@@ -21,8 +21,10 @@ constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/
 AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
   AxisEnds e;
   e.beam = false;
-  e.x1 = body.to_space(from), e.x2 = body.to_space(to);
-  e.v1 = body.velocity(from), e.v2 = body.velocity(to);
+  e.x1 = body.to_space(from);
+  e.x2 = body.to_space(to);
+  e.v1 = body.velocity(from);
+  e.v2 = body.velocity(to);
   return AxisShape(e);
 }
 
@@ -37,7 +39,9 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     s.body = c.body_index(v.body);
     if (s.body >= 0 && c.bodies[s.body].mass) {
       const model::BodyMass& m = *c.bodies[s.body].mass;
-      s.centre = m.centre, s.mass = m.mass, s.inertia = m.tensor();
+      s.centre = m.centre;
+      s.mass = m.mass;
+      s.inertia = m.tensor();
       s.global = mesh.mesh->body_node(s.body);
     }
     bodies_of_volumes_.push_back(s);
@@ -47,7 +51,10 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
   for (const model::BodyPair& p : model::body_pairs(c)) {
     const model::Volume& v = c.volumes[p.a];
     Pair pair;
-    pair.a = p.a, pair.b = p.b, pair.share = p.share, pair.hides = p.hides;
+    pair.a = p.a;
+    pair.b = p.b;
+    pair.share = p.share;
+    pair.hides = p.hides;
     pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
     pair.size = boxes_[p.a].extent().maxCoeff();  // no plane leads
     pair.most_depth = kDeepestAtOnce * pair.size;
@@ -76,8 +83,8 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
 }
 
 bool BodyContactTerm::recouple(const Kinematics&, double) {
-  const bool first = !told_;
-  told_ = true;
+  const bool first = !coupled_;
+  coupled_ = true;
   return first;
 }
 
@@ -183,8 +190,10 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
                                               const AxisContactMode& mode) const {
   const BodyFrame &A = at.A, &B = at.B;
   RigidPose pose;  // of the surface
-  pose.position = B.to_space(Vec3::Zero()), pose.rotation = Quat(B.R);
-  pose.velocity = B.velocity(Vec3::Zero()), pose.angular_velocity = B.R * B.w;
+  pose.position = B.to_space(Vec3::Zero());
+  pose.rotation = Quat(B.R);
+  pose.velocity = B.velocity(Vec3::Zero());
+  pose.angular_velocity = B.R * B.w;
   Sum sum;
   sum.on.f = Vec12::Zero();
   std::array<double, 6> f{};
@@ -207,7 +216,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
-    const bool tangent = assembler.wants_tangent();
+    const bool tangent = assembler.needs_tangent();
     const Sum s = contact(p, both(p, trial), {true, tangent, false});
     if (!s.active) continue;
     // Rows and columns of bodies with unknowns.
@@ -215,7 +224,10 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const std::array<int, 4> blocks{a.block, a.block + 1, b.block, b.block + 1};
     const Eigen::VectorXd f = s.on.f.segment(first, count);
     AgainstBody::Matrix K, C;
-    if (tangent) K = s.on.K.block(first, first, count, count), C = s.on.C.block(first, first, count, count);
+    if (tangent) {
+      K = s.on.K.block(first, first, count, count);
+      C = s.on.C.block(first, first, count, count);
+    }
     assembler.add({&blocks[first / 3], static_cast<size_t>(count / 3)}, f.data(),
                   tangent ? K.data() : nullptr, tangent ? C.data() : nullptr, nullptr);
   }
@@ -226,11 +238,13 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     if (!p.here) continue;
     p.at = both(p, committed);
     const Sum s = contact(p, p.at, kStiffness);
-    p.potential = s.potential, p.penetration = s.depth;
+    p.potential = s.potential;
+    p.penetration = s.depth;
     p.elastic = s.active ? Vec12(contact(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.at) + s.potential;
-    p.damping_power = s.damping_power, p.work_power = s.work_power;
+    p.damping_power = s.damping_power;
+    p.work_power = s.work_power;
   }
   if (h > 0) check_overlap(committed.time);
 }
@@ -239,9 +253,11 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
     if (!p.counted) continue;
     const Sum s = contact(p, both(p, accepted), {true});
-    p.depth = std::max(p.depth, s.depth), p.potential = s.potential;
+    p.depth = std::max(p.depth, s.depth);
+    p.potential = s.potential;
     p.now.force = s.on.f.segment<3>(0).norm();
-    p.now.energy = s.potential, p.now.depth = s.depth;
+    p.now.energy = s.potential;
+    p.now.depth = s.depth;
     if (!(accepted.step > 0)) continue;
     p.damping += 0.5 * accepted.step * (s.damping_power + p.damping_power);
     p.work += 0.5 * accepted.step * (s.work_power + p.work_power);
@@ -254,17 +270,19 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
     e.strain += at.step > 0 ? p.potential : contact(p, both(p, at), kSprings).potential;
-    e.damping += p.damping, e.work += p.work;
+    e.damping += p.damping;
+    e.work += p.work;
   }
   return e;
 }
 
-// Of a pair of which both lead it is one touch, told by two.
+// Of a pair of which both lead it is one contact, reported by two.
 void BodyContactTerm::active_contacts(ActiveContacts& out) const {
   for (const Pair& p : pairs_) {
     if (!p.counted || !(p.now.force > 0)) continue;
     ActiveContact t = p.now;
-    t.volume = static_cast<int>(std::min(p.a, p.b)), t.other_volume = static_cast<int>(std::max(p.a, p.b));
+    t.volume = static_cast<int>(std::min(p.a, p.b));
+    t.other_volume = static_cast<int>(std::max(p.a, p.b));
     out.push_back(t);
   }
 }
@@ -295,7 +313,10 @@ void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
     Pair& p = pairs_[r.key];
     if (!p.counted) continue;
     const Pair kept = entry<Pair>(r);
-    p.damping = kept.damping, p.work = kept.work, p.depth = kept.depth, p.met = kept.met;
+    p.damping = kept.damping;
+    p.work = kept.work;
+    p.depth = kept.depth;
+    p.met = kept.met;
   }
 }
 

@@ -59,7 +59,8 @@ std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pai
         const auto found = nearest_to(field, axis, gap + p.radius, p.from == p.to ? 0 : kLevels);
         if (!found) return;
         y = p.from + found->xi * (p.to - p.from);
-        distance = found->distance, gap = distance - p.radius;
+        distance = found->distance;
+        gap = distance - p.radius;
       });
   if (!(gap < within)) return std::nullopt;
   const Vec3 z = at.across(y);
@@ -74,19 +75,19 @@ std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pai
 // The stiffness grows with what gets into touch on the way: a twentieth of the period that the springs have
 // at the end of the step.
 double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) const {
-  const auto follows = [&](double h) {
+  const auto resolves_contact = [&](double h) {
     Both there = at;
     there.move(h);
     const double w = frequency(pair, contact(pair, there, kStiffness));
     return h * w <= 2 * M_PI / kStepsAPeriod;
   };
-  if (follows(most)) return most;
-  double good = 1e-4 * most, bad = most;
-  for (int k = 0; k < kHalvings && bad > 1.1 * good; ++k) {
-    const double h = std::sqrt(good * bad);
-    (follows(h) ? good : bad) = h;
+  if (resolves_contact(most)) return most;
+  double accepted = 1e-4 * most, rejected = most;
+  for (int k = 0; k < kHalvings && rejected > 1.1 * accepted; ++k) {
+    const double h = std::sqrt(accepted * rejected);
+    (resolves_contact(h) ? accepted : rejected) = h;
   }
-  return good;
+  return accepted;
 }
 
 void BodyContactTerm::limit_by(const Pair& p, ImpactEvents& to) const {
@@ -105,17 +106,17 @@ void BodyContactTerm::limit_by(const Pair& p, ImpactEvents& to) const {
   if (!place) return;
   const Approach at{place->gap - p.law.smoothing, -place->gradient.dot(p.at.rates()),
                     place->gradient.dot(p.at.accelerations()), true};
-  double slowness = 0;  // s
+  double inverse_frequency = 0;  // s
   if (at.gap < 0) {
     if (p.frequency == 0 || at.closing > 0) return;
-    slowness = 1 / p.frequency;
+    inverse_frequency = 1 / p.frequency;
   } else {
     if (!(at.closing > 0) || at.gap > at.closing * most) return;
     Both there = p.at;
     there.move(at.gap / at.closing);
     const double h = followed(p, there, most);
     to.limit(at.gap / at.closing + h);
-    slowness = h * kStepsAPeriod / (2 * M_PI);
+    inverse_frequency = h * kStepsAPeriod / (2 * M_PI);
   }
   if (!p.counted) return;
   const auto group = [&](size_t volume) {
@@ -123,7 +124,7 @@ void BodyContactTerm::limit_by(const Pair& p, ImpactEvents& to) const {
     return node < 0 ? -1 : mesh_.mesh->nodes[node].line;
   };
   const double mass = 1 / (p.root.transpose() * place->gradient).squaredNorm();
-  to.add(impact_event(slowness, p.law.smoothing, mass, at), std::max(group(p.a), group(p.b)),
+  to.add(impact_event(inverse_frequency, p.law.smoothing, mass, at), std::max(group(p.a), group(p.b)),
          std::min(group(p.a), group(p.b)));
 }
 
@@ -141,7 +142,8 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
     const Sum s = contact(p, now, kSprings);
     if (!s.active && p.potential == 0) continue;
     Vec12 way;
-    way.segment<3>(0) = now.A.x - p.at.A.x, way.segment<3>(6) = now.B.x - p.at.B.x;
+    way.segment<3>(0) = now.A.x - p.at.A.x;
+    way.segment<3>(6) = now.B.x - p.at.B.x;
     way.segment<3>(3) = log_so3(Quat(Mat3(p.at.A.R.transpose() * now.A.R)));
     way.segment<3>(9) = log_so3(Quat(Mat3(p.at.B.R.transpose() * now.B.R)));
     const double made = s.potential - p.potential - 0.5 * (p.elastic + s.on.f).dot(way);

@@ -31,8 +31,10 @@ std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Cas
         const double start = from + (second ? half : 0);
         const double in = std::min(start + half, b.to) - std::max(start, b.from);
         if (!(in > 0)) continue;
-        soil[node].axial += in * b.axial, soil[node].normal += in * b.normal;
-        soil[node].axial_length += in * b.axial_length, soil[node].normal_length += in * b.normal_length;
+        soil[node].axial += in * b.axial;
+        soil[node].normal += in * b.normal;
+        soil[node].axial_length += in * b.axial_length;
+        soil[node].normal_length += in * b.normal_length;
         length[node] += in;
       }
     }
@@ -42,7 +44,8 @@ std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Cas
   std::vector<BuriedTerm::Place> out;
   for (size_t n = 0; n < soil.size(); ++n) {
     if (!(length[n] > 0)) continue;
-    soil[n].axial_length /= length[n], soil[n].normal_length /= length[n];
+    soil[n].axial_length /= length[n];
+    soil[n].normal_length /= length[n];
     out.push_back({static_cast<int>(n), soil[n]});
   }
   return out;
@@ -61,7 +64,8 @@ BuriedTerm::BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& s
     : comm_(comm), mesh_(mesh), line_(mesh) {
   for (const Place& place : places) {
     Point& p = points_.emplace_back();
-    p.node = place.node, p.block = mesh.block[place.node];
+    p.node = place.node;
+    p.block = mesh.block[place.node];
     p.soil = place.soil;
     p.at = start.x[place.node];
   }
@@ -90,7 +94,7 @@ double BuriedTerm::turn_to(const Kinematics& at, double share) {
 
 // Where the line turns back with its springs, so that less than a quarter of what was to be gained is, it
 // goes half as far.
-bool BuriedTerm::stiffen(const Kinematics& equilibrium) {
+bool BuriedTerm::raise_stiffness(const Kinematics& equilibrium) {
   if (equilibrium.step > 0) return false;
   double turn = turn_to(equilibrium, share_);
   all_reduce(comm_, MPI_MAX, turn);
@@ -104,7 +108,7 @@ void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const BuriedForce s = pull(p, trial);
     const Vec3 residual = -s.force;
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = s.stiffness;
-    assembler.add({&p.block, 1}, residual.data(), assembler.wants_tangent() ? K.data() : nullptr, nullptr,
+    assembler.add({&p.block, 1}, residual.data(), assembler.needs_tangent() ? K.data() : nullptr, nullptr,
                   nullptr);
   }
 }
@@ -115,9 +119,13 @@ void BuriedTerm::commit(const Kinematics& accepted) {
     const BuriedForce s = pull(p, accepted);
     const Vec3& x = accepted.x[p.node];
     if (accepted.step > 0) p.friction_work -= 0.5 * (s.force + p.force).dot(x - p.at) + (s.stored - p.stored);
-    p.at = x, p.slip = s.slip, p.force = s.force, p.stored = s.stored;
+    p.at = x;
+    p.slip = s.slip;
+    p.force = s.force;
+    p.stored = s.stored;
   }
-  share_ = 1, turn_ = HUGE_VAL;
+  share_ = 1;
+  turn_ = HUGE_VAL;
   if (accepted.step == 0) turn_to(accepted);  // statics with friction on the way commits its steps
 }
 
@@ -157,8 +165,11 @@ void BuriedTerm::restore(const std::vector<HistoryRecord>& records) {
     if (found == at.end()) continue;
     Point& p = points_[found->second];
     const Point kept = entry<Point>(r);
-    p.at = kept.at, p.slip = kept.slip, p.force = kept.force;
-    p.stored = kept.stored, p.friction_work = kept.friction_work;
+    p.at = kept.at;
+    p.slip = kept.slip;
+    p.force = kept.force;
+    p.stored = kept.stored;
+    p.friction_work = kept.friction_work;
   }
 }
 

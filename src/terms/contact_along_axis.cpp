@@ -93,12 +93,19 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel,
     ContactStart begin;
     ContactRates rates;
     if (law.friction.active()) begin = pair_.start(s, xi, moving ? &rates : nullptr);
-    if (rolls_) trial.roll = rolls_->angle(xi), trial.lever = pair_.radius;
+    if (rolls_) {
+      trial.roll = rolls_->angle(xi);
+      trial.lever = pair_.radius;
+    }
     const PointContact c = volume_contact(law, begin, trial, mode_.tangent);
     if (c.normal.elastic > 0 && points) {
       AxisContactPoint& p = points->emplace_back(c, trial.normal);
-      p.xi = xi, p.from = s.from, p.to = s.to, p.group = s.group;
-      p.weight = w, p.gap = trial.gap;
+      p.xi = xi;
+      p.from = s.from;
+      p.to = s.to;
+      p.group = s.group;
+      p.weight = w;
+      p.gap = trial.gap;
     }
     if (!(c.normal.force > 0)) continue;
     const AxisShape::Weights H = shape_.functions(xi);

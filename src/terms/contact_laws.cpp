@@ -15,12 +15,15 @@ NormalLaw normal_law(const model::Volume& v, double share, double smoothing, dou
 
 FrictionLaw friction_law(const model::Friction& f, double share, double diameter) {
   FrictionLaw law;
-  law.axial = f.axial, law.lateral = f.lateral;
+  law.axial = f.axial;
+  law.lateral = f.lateral;
   law.stiffness = f.shear_stiffness * share;
   law.axial_length = f.mobilisation_length > 0 ? f.mobilisation_length : 0.01 * diameter;
   law.lateral_length = f.lateral_mobilisation_length > 0 ? f.lateral_mobilisation_length : law.axial_length;
-  law.back = f.back, law.spring = f.spring;
-  law.axial_kinetic = f.axial_kinetic, law.lateral_kinetic = f.lateral_kinetic;
+  law.back = f.back;
+  law.spring = f.spring;
+  law.axial_kinetic = f.axial_kinetic;
+  law.lateral_kinetic = f.lateral_kinetic;
   law.blend_speed = f.blend_speed;
   return law;
 }

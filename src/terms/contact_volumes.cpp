@@ -25,9 +25,9 @@ ContactVolumes::ContactVolumes(const LocalMesh& mesh, std::shared_ptr<const Bodi
   start_poses_ = poses_;
 }
 
-void ContactVolumes::leave_out(std::vector<LeftOut> ends) {
-  left_out_ = std::move(ends);
-  std::sort(left_out_.begin(), left_out_.end(), [](const LeftOut& a, const LeftOut& b) {
+void ContactVolumes::exclude_ends(std::vector<ExcludedEnds> ends) {
+  excluded_ends_ = std::move(ends);
+  std::sort(excluded_ends_.begin(), excluded_ends_.end(), [](const ExcludedEnds& a, const ExcludedEnds& b) {
     return std::pair(a.line, a.volume) < std::pair(b.line, b.volume);
   });
 }
@@ -35,10 +35,10 @@ void ContactVolumes::leave_out(std::vector<LeftOut> ends) {
 ContactShare ContactVolumes::takes_part(int line, int volume, double from, double to) const {
   if (at(volume).off) return {1, 0};
   const std::pair key(line, volume);
-  const auto found = std::lower_bound(left_out_.begin(), left_out_.end(), key, [](const LeftOut& l, auto k) {
-    return std::pair(l.line, l.volume) < k;
-  });
-  if (found == left_out_.end() || std::pair(found->line, found->volume) != key) return {};
+  const auto found =
+      std::lower_bound(excluded_ends_.begin(), excluded_ends_.end(), key,
+                       [](const ExcludedEnds& l, auto k) { return std::pair(l.line, l.volume) < k; });
+  if (found == excluded_ends_.end() || std::pair(found->line, found->volume) != key) return {};
   const double end = mesh_.mesh->lines[line].length - found->end_b, span = to - from;
   // A single place, or an interval.
   if (!(span > 0)) return from >= found->end_a && from <= end ? ContactShare{} : ContactShare{1, 0};

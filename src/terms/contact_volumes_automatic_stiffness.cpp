@@ -14,12 +14,12 @@ namespace {
 // Of the radius, deeper than which an automatic stiffness is raised (below the 0.005 it is chosen for, so
 // that a raise begins before that is reached); how often that in motion; to what of it.
 constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
-// Of the radius: what a blow may take it in by, with all of its mass at all of its speed.
-constexpr double kBlow = 0.5;
-// Of the period of the mass on its spring: shorter steps follow a blow, and what is deep in them is the
-// blow's.
+// Of the radius: what an impact may take it in by, with all of its mass at all of its speed.
+constexpr double kImpactDepth = 0.5;
+// Of the period of the mass on its spring: shorter steps follow an impact, and what is deep in them is the
+// impact's.
 constexpr double kFollowing = 2;
-// Most that what presses raises a stiffness in a step: what grows faster is a blow.
+// Most that what presses raises a stiffness in a step: what grows faster is an impact.
 constexpr double kMostInAStep = 4;
 
 // A raise is solved again with, and what it is for moves with it: less than this is left.
@@ -38,8 +38,8 @@ void ContactVolumes::raise_to(int volume, double stiffness) {
   volumes_[volume].settings.normal_stiffness = committed_[volume] = std::max(stiffness, committed_[volume]);
 }
 
-void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p, double step,
-                         std::vector<double>& wanted) const {
+void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
+                             std::vector<double>& wanted) const {
   const size_t k = volume;
   const double now = volumes_[k].settings.normal_stiffness, given = volumes_[k].settings.allowed_penetration;
   const double allowed = given > 0 ? given : kAllowed * p.radius;
@@ -47,16 +47,16 @@ void ContactVolumes::ask(int volume, const NormalLaw& law, const PressedPoint& p
   double want = 0;
   // Of the stiffness that the step began with.
   const double period = contact_period(law.stiffness * committed_[k] / now, p.mass);
-  const bool follows_a_blow = step > 0 && p.mass > 0 && step < kFollowing * period;
-  if (!follows_a_blow && p.still * p.depth > (step > 0 ? kMoving : 1) * allowed) {
-    const double pressed = now * p.still * p.depth / (kRaisedTo * allowed);
+  const bool resolves_impact = step > 0 && p.mass > 0 && step < kFollowing * period;
+  if (!resolves_impact && p.static_share * p.depth > (step > 0 ? kMoving : 1) * allowed) {
+    const double pressed = now * p.static_share * p.depth / (kRaisedTo * allowed);
     want = step > 0 ? std::min(pressed, kMostInAStep * committed_[k]) : pressed;
   }
-  // u sqrt(m/k) is how deep a blow goes. What is in the spring already comes out of it no faster than in a
+  // u sqrt(m/k) is how deep an impact goes. What is in the spring already comes out of it no faster than in a
   // part of the period: to raise the stiffness then would only load the spring.
-  const bool loaded = follows_a_blow && p.depth > 0;
+  const bool loaded = resolves_impact && p.depth > 0;
   if (step > 0 && !loaded)
-    want = std::max(want, now * p.mass * std::pow(p.speed / (kBlow * p.radius), 2) / law.stiffness);
+    want = std::max(want, now * p.mass * std::pow(p.speed / (kImpactDepth * p.radius), 2) / law.stiffness);
   // The run would end.
   if (p.depth > p.radius) want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
   wanted[k] = std::max(wanted[k], want);
@@ -77,7 +77,7 @@ bool ContactVolumes::raise(std::vector<double>& wanted) {
   return more;
 }
 
-bool ContactVolumes::forget_raise() {
+bool ContactVolumes::revert_raise() {
   bool changed = false;
   for (size_t k = 0; k < volumes_.size(); ++k) {
     changed = changed || raised(static_cast<int>(k));

@@ -34,7 +34,7 @@ FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) c
   return {mesh_.block[local], at.x[local], at.v[local], at.q[local].toRotationMatrix()};
 }
 
-// Elements are told with room to spare, so that the list holds for many steps; it is made anew where one
+// Elements are listed with room to spare, so that the list holds for many steps; it is made anew where one
 // comes near that is not in it.
 bool ContactVolumes::recouple(const Kinematics& committed, double h, double thickest) {
   const auto moving = [this](const ContactVolume& v) { return bodies_->floats(v.body); };

@@ -71,10 +71,14 @@ void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
     g << d, t;
     f = s.stiffness * a.first * g;
     Mat6 K = s.stiffness * a.second * g * g.transpose(), apart = Mat6::Zero();
-    apart.topRightCorner<3, 3>().setIdentity(), apart.bottomLeftCorner<3, 3>().setIdentity();
+    apart.topRightCorner<3, 3>().setIdentity();
+    apart.bottomLeftCorner<3, 3>().setIdentity();
     K += s.stiffness * a.first * apart;
     // Far from a solution as if it were k (t - d)²/2, at no angle.
-    if (assembler.convex()) f.setZero(), K = s.stiffness * (Mat6::Identity() - apart);
+    if (assembler.convex()) {
+      f.setZero();
+      K = s.stiffness * (Mat6::Identity() - apart);
+    }
     add_between(assembler, tangent, direction, f, K, Mat6::Zero());
   }
 }

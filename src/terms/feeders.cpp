@@ -1,5 +1,6 @@
 // Winches, tensioners and reels, in the equations: the class Feeders. Which elements are inside a feeder, the
-// length of the one at its mouth, the momentum of the line that flows through it, and the work of the feeder.
+// length of the one at its feed point, the momentum of the line that flows through it, and the work of the
+// feeder.
 #include "hawser/terms/feeders.hpp"
 
 #include <fmt/format.h>
@@ -24,8 +25,8 @@ MassShares mass_shares(bool beam) {
   return beam ? MassShares{13. / 35, 9. / 70} : MassShares{5. / 12, 1. / 12};
 }
 
-// How short the mouth's element may get in a step, of its own length, and how much longer than that, of the
-// length of the next one in the stock: a good way beyond where a node is caught or leaves.
+// How short the feed point's element may get in a step, of its own length, and how much longer than that, of
+// the length of the next one in the stock: a good way beyond where a node is caught or leaves.
 constexpr double kShortest = 0.1, kLonger = 0.9;
 
 double chord(const Kinematics& at, const LocalElement& e) { return (at.x[e.second] - at.x[e.first]).norm(); }
@@ -49,13 +50,16 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       if (!end.feed) continue;
       of_line_[l][at_b] = static_cast<int>(feeders_.size());
       Feeder f;
-      f.line = static_cast<int>(l), f.at_b = at_b, f.feed = *end.feed;
+      f.line = static_cast<int>(l);
+      f.at_b = at_b;
+      f.feed = *end.feed;
       f.name = fmt::format("end {} of line {}", at_b ? 'B' : 'A', c.lines[l].name);
       f.tied.body = end.kind == model::EndKind::body ? c.body_index(end.body) : -1;
       f.tied.at = end.at;
       const FedStart start = fed_start(*mesh.mesh, mesh.mesh->lines[l], at_b, f.feed.stock);
-      f.mouth = start.inside, f.length = f.offset = start.length;
-      see_mouth(f);
+      f.feed_point = start.inside;
+      f.length = f.offset = start.length;
+      update_feed_point(f);
       f.outside_at_start = outside(f);
       f.resting = f.feed.has_band();
       feeders_.push_back(std::move(f));
@@ -86,14 +90,15 @@ double Feeders::element_length(const Feeder& f, int i) const {
 
 double Feeders::outside(const Feeder& f) const {
   const LineSpan& span = mesh_.mesh->lines[f.line];
-  const double arc = mesh_.mesh->nodes[node(f, f.mouth + 1)].arc;
+  const double arc = mesh_.mesh->nodes[node(f, f.feed_point + 1)].arc;
   return f.length + (f.at_b ? arc : span.length - arc);
 }
 
-void Feeders::see_mouth(Feeder& f) const {
-  const Element& g = mesh_.mesh->elements[element(f, f.mouth)];
+void Feeders::update_feed_point(Feeder& f) const {
+  const Element& g = mesh_.mesh->elements[element(f, f.feed_point)];
   const auto& t = case_.line_types[g.type];
-  f.beam = g.beam, f.free_strain = g.free_strain;
+  f.beam = g.beam;
+  f.free_strain = g.free_strain;
   if (f.beam)
     f.bar = beam_section(*mesh_.mesh, case_, g);
   else
@@ -102,37 +107,37 @@ void Feeders::see_mouth(Feeder& f) const {
   f.weight = Vec3(0, 0, -case_.environment.gravity * t.mass_per_length);
 }
 
-const LocalElement* Feeders::at_mouth(const Feeder& f) const {
-  const int wanted = element(f, f.mouth);
+const LocalElement* Feeders::at_feed_point(const Feeder& f) const {
+  const int wanted = element(f, f.feed_point);
   const auto at = std::lower_bound(mesh_.elements.begin(), mesh_.elements.end(), wanted,
                                    [](const LocalElement& e, int g) { return e.global < g; });
   return at != mesh_.elements.end() && at->global == wanted ? &*at : nullptr;
 }
 
-Mouth Feeders::mouth(const Feeder& f, const Kinematics& at, bool now) const {
+FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& at, bool now) const {
   if (!f.feed.speed.empty()) {
     const model::Fed fed = model::fed_by(f.feed, at.time);
     return {f.offset + fed.length, fed.speed, fed.acceleration, 0, 0, fed.speed};
   }
   const double h = at.time - f.time;
-  if (!(h > 0)) return {f.length, f.speed, 0, 0, 0, f.grows};
+  if (!(h > 0)) return {f.length, f.speed, 0, 0, 0, f.length_rate};
   if (!now) return {f.length + h * f.speed, f.speed, 0, 0};
-  const LocalElement* e = at_mouth(f);
+  const LocalElement* e = at_feed_point(f);
   if (!e) return {f.length, f.speed, 0, 0};
   const FedElement fed = feed_step(
       [&](double length) { return pull(f, at, *e, length); },
       {f.feed.tension, f.feed.speed_per_tension, f.feed.max_speed, f.resting, f.feed.least, f.feed.most},
       f.length, h);
-  Mouth m{fed.length, (fed.length - f.length) / h, 0, 0, fed.gives};
+  FeedPoint m{fed.length, (fed.length - f.length) / h, 0, 0, fed.length_by_force};
   const size_t i = e->first, j = e->second;
   const double l = chord(at, *e), parts = l > 0 ? (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l : 0;
-  m.by_chord = fed.gives * (f.beam ? feed_of_beam(f, at, *e, m.length).by_chord
-                                   : feed_of_cable(f, at, *e, m.length).by_chord);
-  m.grows =
+  m.by_chord = fed.length_by_force * (f.beam ? feed_of_beam(f, at, *e, m.length).by_chord
+                                             : feed_of_cable(f, at, *e, m.length).by_chord);
+  m.length_rate =
       f.beam ? m.by_chord * parts : (m.length / l) * (parts - m.length * strain_rate(f, at, *e, m.length));
   // Of a tension that is kept exactly the speed at the end of the step is that at which its end moves; else
   // that of the law, which is the mean of the step.
-  if (f.feed.speed_per_tension == 0 && m.by_chord > 0) m.speed = m.grows;
+  if (f.feed.speed_per_tension == 0 && m.by_chord > 0) m.speed = m.length_rate;
   return m;
 }
 
@@ -158,20 +163,24 @@ CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& at, const Lo
   return cable_feed(f.cable, chord(at, e), length, h > 0 ? strain_before(f, e) : 0, h);
 }
 
-std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now) const {
+std::optional<Feeders::ElementState> Feeders::element_state(int e, const Kinematics& at, bool now) const {
   const Element& g = mesh_.mesh->elements[e];
-  std::optional<Rest> out;
+  std::optional<ElementState> out;
   for (const int k : of_line_[g.line]) {
     if (k < 0) continue;
     const Feeder& f = feeders_[k];
-    if (!out) out = Rest{false, g.length, 0, 0, 0, g.length};
+    if (!out) out = ElementState{false, g.length, 0, 0, 0, g.length};
     const LineSpan& span = mesh_.mesh->lines[f.line];
     const int i = f.at_b ? span.first_element + span.elements - 1 - e : e - span.first_element;
-    if (i < f.mouth) out->idle = true;
-    if (i != f.mouth) continue;
-    const Mouth m = mouth(f, at, now);
-    out->length = m.length, out->follows = m.by_chord, out->gives = m.gives, out->grows = m.grows;
-    out->before = f.length, out->feeder = k;
+    if (i < f.feed_point) out->idle = true;
+    if (i != f.feed_point) continue;
+    const FeedPoint m = feed_point(f, at, now);
+    out->length = m.length;
+    out->length_by_chord = m.by_chord;
+    out->length_by_force = m.length_by_force;
+    out->length_rate = m.length_rate;
+    out->before = f.length;
+    out->feeder = k;
   }
   return out;
 }
@@ -179,13 +188,13 @@ std::optional<Feeders::Rest> Feeders::rest(int e, const Kinematics& at, bool now
 int Feeders::fed_end(int e) const {
   for (const int k : of_line_[mesh_.mesh->elements[e].line])
     if (k >= 0)
-      if (const Feeder& f = feeders_[k]; element(f, f.mouth) == e) return f.at_b;
+      if (const Feeder& f = feeders_[k]; element(f, f.feed_point) == e) return f.at_b;
   return -1;
 }
 
 std::vector<std::array<int, 2>> Feeders::inside() const {
   std::vector<std::array<int, 2>> out(of_line_.size(), {0, 0});
-  for (const Feeder& f : feeders_) out[f.line][f.at_b] = f.mouth;
+  for (const Feeder& f : feeders_) out[f.line][f.at_b] = f.feed_point;
   return out;
 }
 
@@ -195,7 +204,7 @@ std::vector<TiedNode> Feeders::with_held(const std::vector<TiedNode>& tied) cons
   for (const TiedNode& s : tied)
     if (!std::binary_search(fed.begin(), fed.end(), mesh_.global[s.node])) out.push_back(s);
   for (const Feeder& f : feeders_)
-    for (int i = 0; i <= f.mouth; ++i)
+    for (int i = 0; i <= f.feed_point; ++i)
       if (const int here = mesh_.find(node(f, i)); here >= 0) {
         out.push_back(f.tied);
         out.back().node = here;
@@ -214,7 +223,8 @@ std::vector<int> Feeders::fed_nodes() const {
   return out;
 }
 
-Feeders::Flow Feeders::flow(const Mouth& m, const Kinematics& at, const LocalElement& e, bool at_b) const {
+Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e,
+                            bool at_b) const {
   const size_t i = at_b ? e.second : e.first, j = at_b ? e.first : e.second;
   Flow o;
   const double rate = m.speed / m.length;
@@ -225,7 +235,7 @@ Feeders::Flow Feeders::flow(const Mouth& m, const Kinematics& at, const LocalEle
 }
 
 // At the feeder and at the free node.
-void Feeders::force(const Feeder& f, const Mouth& m, const Kinematics& at, const LocalElement& e,
+void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& at, const LocalElement& e,
                     Vec3* out) const {
   const Flow o = flow(m, at, e, f.at_b);
   const MassShares mass = mass_shares(f.beam);
@@ -238,7 +248,7 @@ void Feeders::prepare(const Kinematics& committed, double) {
   before_.x.assign(committed.x.begin(), committed.x.end());
   before_.q.assign(committed.q.begin(), committed.q.end());
   for (size_t k = 0; k < feeders_.size(); ++k) {
-    const LocalElement* e = at_mouth(feeders_[k]);
+    const LocalElement* e = at_feed_point(feeders_[k]);
     power_[k] = e && e->counted ? power(feeders_[k], committed, *e) : 0;
     pulls_[k] = e && feeders_[k].beam ? pull(feeders_[k], committed, *e, feeders_[k].length).force : 0;
   }
@@ -248,15 +258,15 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
   if (!(trial.step > 0)) return;
   using Six = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
   for (const Feeder& f : feeders_) {
-    const LocalElement* e = at_mouth(f);
+    const LocalElement* e = at_feed_point(f);
     if (!e) continue;
-    const Mouth m = mouth(f, trial, false);
+    const FeedPoint m = feed_point(f, trial, false);
     Vec3 out[2];
     force(f, m, trial, *e, out);
     const int blocks[2] = {mesh_.block[f.at_b ? e->second : e->first],
                            mesh_.block[f.at_b ? e->first : e->second]};
     const double r[6] = {out[0].x(), out[0].y(), out[0].z(), out[1].x(), out[1].y(), out[1].z()};
-    if (!assembler.wants_tangent()) {
+    if (!assembler.needs_tangent()) {
       assembler.add(blocks, r, nullptr, nullptr, nullptr);
       continue;
     }
@@ -271,8 +281,10 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
       to.block<3, 3>(3 * i, 3).diagonal().array() = value;
       to.block<3, 3>(3 * i, 0).diagonal().array() = -value;
     };
-    put(K, 0, held * by_x + own), put(K, 1, shared * by_x);
-    put(C, 0, held * by_v), put(C, 1, shared * by_v);
+    put(K, 0, held * by_x + own);
+    put(K, 1, shared * by_x);
+    put(C, 0, held * by_v);
+    put(C, 1, shared * by_v);
     assembler.add(blocks, r, K.data(), C.data(), M.data());
   }
 }
@@ -280,20 +292,23 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
 void Feeders::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   if (!(at.step > 0)) return;
   for (const Feeder& feeder : feeders_) {
-    if (element(feeder, feeder.mouth) != e.global) continue;
+    if (element(feeder, feeder.feed_point) != e.global) continue;
     Vec3 out[2];
-    force(feeder, mouth(feeder, at, false), at, e, out);
+    force(feeder, feed_point(feeder, at, false), at, e, out);
     // The momentum of what is set in motion is the feeder's, not the line's.
-    const Flow o = flow(mouth(feeder, at, false), at, e, feeder.at_b);
+    const Flow o = flow(feed_point(feeder, at, false), at, e, feeder.at_b);
     out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
-    for (int i = 0; i < 3; ++i) f[i] += out[feeder.at_b ? 1 : 0][i], f[6 + i] += out[feeder.at_b ? 0 : 1][i];
+    for (int i = 0; i < 3; ++i) {
+      f[i] += out[feeder.at_b ? 1 : 0][i];
+      f[6 + i] += out[feeder.at_b ? 0 : 1][i];
+    }
   }
 }
 
 // Of the material that comes out: what the feeder does on its way beyond holding the line, and the kinetic
 // energy that comes with it.
 double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
-  const Mouth m = mouth(f, at, true);
+  const FeedPoint m = feed_point(f, at, true);
   if (m.speed == 0) return 0;
   const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
   const Flow o = flow(m, at, e, f.at_b);
@@ -311,9 +326,9 @@ double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement&
 void Feeders::commit(const Kinematics& accepted) {
   for (size_t k = 0; k < feeders_.size(); ++k) {
     Feeder& f = feeders_[k];
-    const Mouth m = mouth(f, accepted, true);
+    const FeedPoint m = feed_point(f, accepted, true);
     const double h = accepted.time - f.time, before = f.length;
-    const LocalElement* e = at_mouth(f);
+    const LocalElement* e = at_feed_point(f);
     if (f.feed.has_band() && h > 0 && e) {
       const double off = pull(f, accepted, *e, m.length).force - f.feed.tension;
       constexpr double kThere = 0.01;  // of the band on this side
@@ -324,8 +339,12 @@ void Feeders::commit(const Kinematics& accepted) {
             f.speed * m.speed < 0 ||
             std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension : f.feed.tension - f.feed.least);
     }
-    f.length = m.length, f.time = accepted.time;
-    if (!f.feed.speed.empty() || (h > 0 && e)) f.speed = f.resting ? 0 : m.speed, f.grows = m.grows;
+    f.length = m.length;
+    f.time = accepted.time;
+    if (!f.feed.speed.empty() || (h > 0 && e)) {
+      f.speed = f.resting ? 0 : m.speed;
+      f.length_rate = m.length_rate;
+    }
     if (!e || !e->counted || !(h > 0)) continue;
     const double now = power(f, accepted, *e);
     work_ += 0.5 * h * (power_[k] + now);
@@ -337,7 +356,7 @@ void Feeders::commit(const Kinematics& accepted) {
   }
 }
 
-// Of the weight of the element at the mouth, J.
+// Of the weight of the element at the feed point, J.
 double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
   const size_t i = e.first, j = e.second;
   if (!f.beam) return 0.5 * length * f.weight.dot(at.x[i] + at.x[j]);
@@ -350,9 +369,9 @@ Energy Feeders::energy(const Kinematics& at) const {
   out.work = work_;
   if (!(at.step > 0)) return out;
   for (const Feeder& f : feeders_) {
-    const LocalElement* e = at_mouth(f);
+    const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;
-    const Mouth m = mouth(f, at, true);
+    const FeedPoint m = feed_point(f, at, true);
     const size_t i = f.at_b ? e->second : e->first, j = f.at_b ? e->first : e->second;
     const Vec3 v = flow(m, at, *e, f.at_b).velocity, &held = at.v[i], &w = at.v[j];
     const auto [own, shared] = mass_shares(f.beam);
@@ -364,10 +383,10 @@ Energy Feeders::energy(const Kinematics& at) const {
 
 Verdict Feeders::check_step(const Kinematics& trial) const {
   for (const Feeder& f : feeders_) {
-    if (!f.feed.speed.empty() || at_mouth(f)) {
-      const double length = mouth(f, trial, true).length, whole = element_length(f, f.mouth);
+    if (!f.feed.speed.empty() || at_feed_point(f)) {
+      const double length = feed_point(f, trial, true).length, whole = element_length(f, f.feed_point);
       if (length < kShortest * whole ||
-          length > whole + kLonger * element_length(f, std::max(f.mouth - 1, 0)))
+          length > whole + kLonger * element_length(f, std::max(f.feed_point - 1, 0)))
         return {Verdict::Kind::shorter,
                 fmt::format("{} is paid out or hauled in by more of an element than one step can follow",
                             f.name)};

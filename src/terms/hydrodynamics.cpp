@@ -27,7 +27,8 @@ const std::vector<WaveMotion>& Hydrodynamics::waves(const Kinematics& at) const 
   if (wave_known_ && wave_time_ == at.time && wave_.size() == at.x.size()) return wave_;
   wave_.resize(at.x.size());
   for (size_t n = 0; n < at.x.size(); ++n) wave_[n] = sea_.waves_at(wave_place(at, n), at.time);
-  wave_time_ = at.time, wave_known_ = true;
+  wave_time_ = at.time;
+  wave_known_ = true;
   return wave_;
 }
 
@@ -36,7 +37,7 @@ Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
   return sea_.waves.none() || !(at.step > 0) ? still : still + waves(at)[node];
 }
 
-void Hydrodynamics::look_at_water(const Kinematics& at) const {
+void Hydrodynamics::update_water(const Kinematics& at) const {
   water_.resize(moving() ? at.x.size() : 1);
   if (!moving()) water_.front().surface = sea_.surface;
   for (size_t n = 0; moving() && n < at.x.size(); ++n) water_[n] = water(at, n);
@@ -46,14 +47,26 @@ WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& 
                               const Water& second) const {
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   WaterEnds e;
-  e.x1 = k.x[i], e.x2 = k.x[j];
-  e.water1 = first, e.water2 = second;
+  e.x1 = k.x[i];
+  e.x2 = k.x[j];
+  e.water1 = first;
+  e.water2 = second;
   MassEnds& m = e.motion;
-  m.a1 = k.a[i], m.a2 = k.a[j], m.v1 = k.v[i], m.v2 = k.v[j];
+  m.a1 = k.a[i];
+  m.a2 = k.a[j];
+  m.v1 = k.v[i];
+  m.v2 = k.v[j];
   if (!p.beam) return e;
-  m.q1 = k.q[i], m.q2 = k.q[j], m.w1 = k.w[i], m.w2 = k.w[j];
-  m.alpha1 = k.alpha[i], m.alpha2 = k.alpha[j];
-  if (!k.directors.empty()) m.directors1 = &k.directors[i], m.directors2 = &k.directors[j];
+  m.q1 = k.q[i];
+  m.q2 = k.q[j];
+  m.w1 = k.w[i];
+  m.w2 = k.w[j];
+  m.alpha1 = k.alpha[i];
+  m.alpha2 = k.alpha[j];
+  if (!k.directors.empty()) {
+    m.directors1 = &k.directors[i];
+    m.directors2 = &k.directors[j];
+  }
   m.director_weight = k.director_weight;
   return e;
 }
@@ -61,7 +74,7 @@ WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& 
 void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
   double f[12], K[144], C[144], M[144];
-  const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
+  const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   const int first = mesh_.block[i], second = mesh_.block[j];
   const int beam[] = {first, first + 1, second, second + 1}, cable[] = {first, second};
@@ -87,9 +100,9 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
 }
 
 void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
-  see_feeders(trial, false);
-  look_at_water(trial);
-  const bool tangent = assembler.wants_tangent();
+  update_from_feeders(trial, false);
+  update_water(trial);
+  const bool tangent = assembler.needs_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
   for (const int b : beams_) evaluate(pieces_[static_cast<size_t>(b)], trial, assembler);
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
@@ -109,9 +122,10 @@ void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 Hydrodynamics::Flow Hydrodynamics::flow(const Kinematics& at) const {
-  look_at_water(at);
+  update_water(at);
   Flow out;
-  out.force.assign(static_cast<size_t>(mesh_.chain_blocks), Vec3::Zero()), out.place = out.force;
+  out.force.assign(static_cast<size_t>(mesh_.chain_blocks), Vec3::Zero());
+  out.place = out.force;
   for (int n = 0; n < mesh_.chain; ++n) {
     const size_t node = static_cast<size_t>(n), block = static_cast<size_t>(mesh_.block[node]);
     out.place[block] = at.x[node];
@@ -142,7 +156,8 @@ Hydrodynamics::Flow Hydrodynamics::flow(const Kinematics& at) const {
   for (const Ball& b : balls_) {
     const size_t n = static_cast<size_t>(b.node);
     WaterBall floating;
-    floating.buoyancy = b.ball.buoyancy, floating.radius = b.ball.radius;
+    floating.buoyancy = b.ball.buoyancy;
+    floating.radius = b.ball.radius;
     Water calm;
     calm.surface = sea_.surface;
     Vec3 f, up;
@@ -159,9 +174,10 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
     if (!(committed.step > 0) || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
     start_.assign(committed.x.begin(), committed.x.end());
     speed_.assign(committed.v.begin(), committed.v.end());
-    start_time_ = committed.time, wave_known_ = false;
+    start_time_ = committed.time;
+    wave_known_ = false;
   }
-  see_feeders(committed, true);
+  update_from_feeders(committed, true);
   // Where no step went before, waves act from here on, and accelerations have jumped.
   const bool begins = !(committed.step > 0);
   if (begins || flow_.place.empty() || feeders_) {
@@ -172,15 +188,15 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {
-  see_feeders(accepted, true);
+  update_from_feeders(accepted, true);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
   Flow now = flow(accepted);
   if (accepted.step > 0 && !flow_.place.empty()) work_ += work(flow_, now);
   flow_ = std::move(now);
   if (sea_.waves.none()) return;
-  std::vector<Vec3> looked(accepted.x.size());
-  for (size_t n = 0; n < looked.size(); ++n) looked[n] = wave_place(accepted, n);
-  place_.swap(looked);
+  std::vector<Vec3> places(accepted.x.size());
+  for (size_t n = 0; n < places.size(); ++n) places[n] = wave_place(accepted, n);
+  place_.swap(places);
   start_time_ = accepted.time;
 }
 
@@ -317,7 +333,9 @@ std::vector<HistoryRecord> Hydrodynamics::records(NodeRange of) const {
 // A state that is gone on from has been looked at already.
 void Hydrodynamics::restore(const std::vector<HistoryRecord>& records) {
   work_ = 0;
-  flow_ = {}, start_.clear(), place_.clear();
+  flow_ = {};
+  start_.clear();
+  place_.clear();
   wave_known_ = false;
   for (const HistoryRecord& r : records) {
     if (r.kind == kSums) {

@@ -19,7 +19,8 @@ void Hydrodynamics::group() {
     Four& q = fours_.back();
     for (int lane = q.count; lane < 4; ++lane) {
       q.piece[lane] = static_cast<int>(p);
-      q.first[lane] = pieces_[p].at.first, q.second[lane] = pieces_[p].at.second;
+      q.first[lane] = pieces_[p].at.first;
+      q.second[lane] = pieces_[p].at.second;
       q.sections.set(lane, pieces_[p].section);
     }
     ++q.count;
@@ -27,7 +28,7 @@ void Hydrodynamics::group() {
 }
 
 // An idle element has no length for what is computed in fours.
-void Hydrodynamics::see_feeders(const Kinematics& at, bool now) {
+void Hydrodynamics::update_from_feeders(const Kinematics& at, bool now) {
   if (!feeders_) return;
   feeders_->update_lengths(pieces_, at, now);
   for (Four& q : fours_)
@@ -48,10 +49,11 @@ double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
   const State& was = feeders_->before();
   if (was.x.size() != at.x.size()) return 0;
   Kinematics before = at;
-  before.x = was.x, before.q = was.q;
+  before.x = was.x;
+  before.q = was.q;
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
-    const auto rest = feeders_->rest(p.at.global, at, true);
+    const auto rest = feeders_->element_state(p.at.global, at, true);
     if (!rest || rest->before == rest->length) continue;
     WaterSection s = p.section;
     s.length = rest->before;
@@ -95,7 +97,7 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& 
   const unsigned wet = assembler.convex() ? 0 : submerged(q.sections, m);
   double f[4][6], J[4][36];
   const Weights& w = assembler.weights();
-  if (wet && assembler.wants_tangent())
+  if (wet && assembler.needs_tangent())
     submerged_tangent(q.sections, m, moving(), w.K, w.C, w.M, f, J);
   else if (wet)
     submerged_force(q.sections, m, moving(), f);

@@ -40,7 +40,8 @@ Hydrodynamics::FlowError Hydrodynamics::flow_error(const Kinematics& at, const P
     for (int k = 1; k <= kFiner; ++k) {
       const Cut next = cut(kFiner * part + k);
       const Vec3 f = force(last, next, kFiner * parts);
-      fine += f, out.force += f.norm();
+      fine += f;
+      out.force += f.norm();
       last = next;
     }
     out.error += (force(from, last, parts) - fine).norm();

@@ -16,7 +16,8 @@ WaterSection water_section(const model::Case& c, int type, double length) {
   s.radius = d / 2;
   s.buoyancy = rho * c.environment.gravity * A;
   s.displaced_mass = rho * A;
-  s.added_normal = t.Ca_normal * rho * A, s.added_axial = t.Ca_axial * rho * A;
+  s.added_normal = t.Ca_normal * rho * A;
+  s.added_axial = t.Ca_axial * rho * A;
   s.drag_normal = 0.5 * rho * t.Cd_normal * t.dragged();
   s.drag_axial = 0.5 * rho * t.Cd_axial * M_PI * t.dragged();
   return s;
@@ -30,7 +31,8 @@ std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
     Hydrodynamics::Piece& p = out.emplace_back();
-    p.at = e, p.beam = g.beam;
+    p.at = e;
+    p.beam = g.beam;
     p.section = water_section(c, g.type, g.length);
     const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc;
     const double bare =

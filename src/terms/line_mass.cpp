@@ -85,12 +85,12 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
   return sum;
 }
 
-void LineMassTerm::see_feeders(const Kinematics& at, bool now) {
+void LineMassTerm::update_from_feeders(const Kinematics& at, bool now) {
   if (feeders_) feeders_->update_lengths(pieces_, at, now);
 }
 
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  see_feeders(trial, false);
+  update_from_feeders(trial, false);
   double f[12], K[144], C[144], M[144];
   for (const Piece& p : pieces_) {
     if (p.idle) continue;
@@ -101,7 +101,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
       assembler.add_masses(a, b, f, m.own, m.shared);
-    } else if (assembler.wants_tangent()) {
+    } else if (assembler.needs_tangent()) {
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
       assembler.add(blocks, f, K, C, M);
     } else {
@@ -123,7 +123,7 @@ void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, do
 }
 
 void LineMassTerm::prepare(const Kinematics& committed, double) {
-  see_feeders(committed, true);
+  update_from_feeders(committed, true);
   if (ramped_.empty()) return;
   committed_.x.assign(committed.x.begin(), committed.x.end());
   committed_.q.assign(committed.q.begin(), committed.q.end());
@@ -131,10 +131,11 @@ void LineMassTerm::prepare(const Kinematics& committed, double) {
 }
 
 void LineMassTerm::commit(const Kinematics& accepted) {
-  see_feeders(accepted, true);
+  update_from_feeders(accepted, true);
   if (ramped_.empty() || committed_.x.size() != accepted.x.size()) return;
   Kinematics before;
-  before.x = committed_.x, before.q = committed_.q;
+  before.x = committed_.x;
+  before.q = committed_.q;
   for (const Piece& p : pieces_)
     if (p.ramped && p.at.counted) {
       const Vec3 mean = 0.5 * (ramped_load(p, committed_.time) + ramped_load(p, accepted.time));

@@ -26,8 +26,8 @@ double deepest_of(const std::vector<LinePairHistory>& points) {
 }
 
 bool LinePairs::recouple(const Kinematics& committed, double h) {
-  if (feeders_ && candidates_.leave_out(feeders_->inside())) {
-    shared_.leave_out(feeders_->inside());
+  if (feeders_ && candidates_.set_elements_in_feeders(feeders_->inside())) {
+    shared_.set_elements_in_feeders(feeders_->inside());
     listed_ = false;
   }
   shared_.update(committed, settles_);
@@ -47,7 +47,9 @@ void LinePairs::update_ghosts() {
   pairs_.clear();
   for (const CandidatePair& c : candidates_.pairs()) {
     Pair& p = pairs_.emplace_back();
-    p.a = c.a, p.b = c.b, p.counted = c.counted;
+    p.a = c.a;
+    p.b = c.b;
+    p.counted = c.counted;
     p.key = {segment(c.a).global, segment(c.b).global};
     p.law = law(p.key.first, p.key.second);
     if (const auto k = kept_.find(p.key); k != kept_.end()) p.history = std::move(k->second);
@@ -59,7 +61,8 @@ void LinePairs::update_ghosts() {
 void LinePairs::prepare(const Kinematics& committed, double) {
   // Where nothing can touch nothing is asked of an element.
   const size_t n = pairs_.empty() ? 0 : candidates_.segments().size();
-  start_.resize(n), fed_end_.assign(n, -1);
+  start_.resize(n);
+  fed_end_.assign(n, -1);
   for (size_t i = 0; i < n && feeders_; ++i)
     fed_end_[i] = feeders_->fed_end(segment(static_cast<int>(i)).global);
   for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
@@ -142,12 +145,15 @@ AttachedForces LinePairs::forces(const Pair& pair, const PairAxis& A, const Pair
     found.points[part].clear();
     pass.add(found.panels[part], mode.tangent, g, mode.tangent ? nullptr : &found.points[part]);
   });
-  found.a = A.now, found.b = B.now, found.moves = mode.moves, found.evaluated = !mode.tangent;
+  found.a = A.now;
+  found.b = B.now;
+  found.moves = mode.moves;
+  found.evaluated = !mode.tangent;
   return g;
 }
 
 void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool tangent = assembler.wants_tangent();
+  const bool tangent = assembler.needs_tangent();
   const AxisContactMode mode{trial.step > 0, tangent, assembler.convex()};
   double f[24], K[576], C[576];
   const std::vector<Rod> is = rods(trial);
@@ -248,7 +254,10 @@ Energy LinePairs::energy(const Kinematics& at) const {
     each_pass(p, A, B, false, false,
               [&](size_t, const LinePairPass& pass) { e.strain += pass.potential(pass.panels()); });
   }
-  for (const Account& a : accounts_) e.friction += a.friction, e.damping += a.damping;
+  for (const Account& a : accounts_) {
+    e.friction += a.friction;
+    e.damping += a.damping;
+  }
   return e;
 }
 

@@ -1,4 +1,4 @@
-// What touches of two lines in the accepted state, shown at the nodes and told to the clash report.
+// What touches of two lines in the accepted state, shown at the nodes and sent to the clash report.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,10 @@
 namespace hawser {
 namespace {
 
-void extend(double& from, double& to, double arc) { from = std::min(from, arc), to = std::max(to, arc); }
+void extend(double& from, double& to, double arc) {
+  from = std::min(from, arc);
+  to = std::max(to, arc);
+}
 
 }  // namespace
 
@@ -20,8 +23,10 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
     if (!pair.counted || !pair.history) continue;
     const Element &a = element(pair.key.first), &b = element(pair.key.second);
     ActiveContact t;
-    t.line = a.line, t.other_line = b.line;
-    t.from = t.other_from = HUGE_VAL, t.to = t.other_to = -HUGE_VAL;
+    t.line = a.line;
+    t.other_line = b.line;
+    t.from = t.other_from = HUGE_VAL;
+    t.to = t.other_to = -HUGE_VAL;
     for (size_t k = 0; k < kParts; ++k) {
       const bool swapped = k >= 3;
       const Element &slave = swapped ? b : a, &master = swapped ? a : b;
@@ -29,9 +34,11 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
       double &foot_from = swapped ? t.from : t.other_from, &foot_to = swapped ? t.to : t.other_to;
       const auto& points = (*pair.history)[k];
       for (const LinePairHistory& h : points) {
-        extend(from, to, arc_at(mesh, slave, h.from)), extend(from, to, arc_at(mesh, slave, h.to));
+        extend(from, to, arc_at(mesh, slave, h.from));
+        extend(from, to, arc_at(mesh, slave, h.to));
         extend(foot_from, foot_to, arc_at(mesh, master, std::clamp(h.eta, 0.0, 1.0)));
-        t.force += h.weight * h.normal_force, t.energy += h.weight * h.potential;
+        t.force += h.weight * h.normal_force;
+        t.energy += h.weight * h.potential;
       }
       if (k % 3 == 0) t.depth = std::max(t.depth, deepest_of(points));
     }
@@ -56,8 +63,10 @@ void LinePairs::fields(FieldRegistry& registry) const {
           if (!p.history) continue;
           const ContactSegment &a = segment(p.a), &b = segment(p.b);
           for (size_t k = 0; k < kParts; ++k)
-            for (const LinePairHistory& h : (*p.history)[k])
-              put(k < 3 ? a : b, h.xi, 1, h), put(k < 3 ? b : a, h.eta, -1, h);
+            for (const LinePairHistory& h : (*p.history)[k]) {
+              put(k < 3 ? a : b, h.xi, 1, h);
+              put(k < 3 ? b : a, h.eta, -1, h);
+            }
         }
       });
 }

@@ -19,7 +19,9 @@ struct PairPoint {
   LinePairHistory point;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("element", "", self.first), each("other element", "", self.second), each("part", "", self.part);
+    each("element", "", self.first);
+    each("other element", "", self.second);
+    each("part", "", self.part);
     LinePairHistory::quantities(self.point, each);
   }
 };
@@ -69,7 +71,8 @@ std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
 }
 
 void LinePairs::restore(const std::vector<HistoryRecord>& records) {
-  pairs_.clear(), kept_.clear();
+  pairs_.clear();
+  kept_.clear();
   candidates_.forget();
   shared_.forget();
   listed_ = false;

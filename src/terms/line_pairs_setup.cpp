@@ -81,7 +81,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
   const ContactSegment& s = this->segment(segment);
   AxisEnds out = element_axis(at, element(s.global), s.first, s.second);
-  if (fed_end(segment) >= 0) out.length = feeders_->rest(s.global, at, false)->length;
+  if (fed_end(segment) >= 0) out.length = feeders_->element_state(s.global, at, false)->length;
   return out;
 }
 
@@ -94,7 +94,7 @@ LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
 bool LinePairs::joint(int element, int end) const {
   const LineSpan& l = mesh_.mesh->lines[this->element(element).line];
   if (end ? element + 1 >= l.first_element + l.elements : element <= l.first_element) return false;
-  return !candidates_.left_out(end ? element + 1 : element - 1);
+  return !candidates_.is_in_feeder(end ? element + 1 : element - 1);
 }
 
 int LinePairs::active_count() const {

@@ -20,7 +20,7 @@ constexpr double kThrough = 0.25, kPressed = 0.1;
 constexpr double kStaticDepth = 0.7, kNoSide = 1e-9;
 // A step may take a line this part of the radii deeper than to the surface.
 constexpr double kDeep = 0.5;
-// Part of the contact's period, beyond which a step sees nothing of a blow.
+// Part of the contact's period, beyond which a step sees nothing of an impact.
 constexpr double kUnresolved = 1.0 / 3;
 // The part of the radii to which a stiffness that is proposed lets lines be pressed in.
 constexpr double kProposed = 0.25;
@@ -35,7 +35,7 @@ double rounded_up(double v) {
 
 Verdict LinePairs::check_step(const Kinematics& trial) const {
   if (!candidates_.covers(trial))
-    return {Verdict::Kind::prepare_anew, "lines move farther in it than the contact search covers"};
+    return {Verdict::Kind::prepare_again, "lines move farther in it than the contact search covers"};
   if (start_.size() != candidates_.segments().size()) return {};  // not prepared: nothing to compare with
   const std::vector<Rod> is = rods(trial);
   const Pair* through = nullptr;
@@ -43,7 +43,10 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   for (const Pair& p : pairs_) {
     if (clipped(p) || !met(p, is) || !tunnels(p, trial)) continue;
     const double gap = nearest_at_start(p).gap;
-    if (!through || gap < least) through = &p, least = gap;
+    if (!through || gap < least) {
+      through = &p;
+      least = gap;
+    }
   }
   if (through)
     return {Verdict::Kind::shorter,
@@ -56,11 +59,15 @@ bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;
   if (trial.step > 0) {
-    limits.most = kThrough * p.law.radii, limits.part = 0.5, limits.floor = kPressed * p.law.radii;
+    limits.most = kThrough * p.law.radii;
+    limits.part = 0.5;
+    limits.floor = kPressed * p.law.radii;
     return sides_kept(a0, a1, b0, b1, limits) != Sides::kept;
   }
   // Axes may cross from the start: then no side is the right one.
-  limits.most = kStaticDepth * p.law.radii, limits.part = 0.9, limits.no_side = kNoSide * p.law.radii;
+  limits.most = kStaticDepth * p.law.radii;
+  limits.part = 0.9;
+  limits.no_side = kNoSide * p.law.radii;
   return sides_kept(a0, a1, b0, b1, limits) == Sides::near;
 }
 
@@ -73,7 +80,7 @@ LinePairs::Nearest LinePairs::nearest(const Pair& p, const SegmentPair& c, const
   return {v.dot(c.difference) / c.distance, c.distance - p.law.radii};
 }
 
-// Relative acceleration of the middles along the line between them, m/s²: at the turning point of a blow
+// Relative acceleration of the middles along the line between them, m/s²: at the turning point of an impact
 // there is no speed.
 double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
@@ -91,7 +98,7 @@ double LinePairs::mass_per_length(const Pair& p) const {
 }
 
 // 1/omega of the two masses on the contact, s.
-double LinePairs::slowness(const Pair& p, double speed) const {
+double LinePairs::inverse_frequency(const Pair& p, double speed) const {
   const double m = mass_per_length(p), depth = deepest(p);
   return std::sqrt(m / stiffness_of_impact(p.law.normal, depth, m, speed));
 }
@@ -101,13 +108,14 @@ double LinePairs::mass(const Pair& p) const {
   return mass_per_length(p) * std::min(element(p.key.first).length, element(p.key.second).length);
 }
 
-// All of the energy of two that meet or part is in doubt in a step of more than a third of the contact's
+// All of the energy of two that meet or part is uncertain in a step of more than a third of the contact's
 // period; in a shorter one, that by which the trapezoidal rule misses where they touch first or last.
 void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   const std::vector<Rod> is = rods(trial);
   for (const Pair& p : pairs_) {
-    const double slow = slowness(p, 0), ramp = p.law.normal.smoothing;
-    if (!p.counted || clipped(p) || follows(slow, trial.step) || (!p.history && !near(p, is))) continue;
+    const double slow = inverse_frequency(p, 0), ramp = p.law.normal.smoothing;
+    if (!p.counted || clipped(p) || resolves_contact(slow, trial.step) || (!p.history && !near(p, is)))
+      continue;
     const AxisEnds a = ends(trial, p.a), b = ends(trial, p.b);
     const Nearest before = nearest_at_start(p),
                   after = nearest(p, closest_points_of_segments(a.x1, a.x2, b.x1, b.x2), a, b);
@@ -145,7 +153,7 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
     if (p.history) a.gap = -ramp - deepest(p);
-    to.add(impact_event(slowness(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
+    to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
            element(p.key.first).line, element(p.key.second).line);
   }
 }

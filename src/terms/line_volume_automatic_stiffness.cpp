@@ -17,7 +17,7 @@ double left_by_inertia(double force, double mass, double acceleration) {
 }
 
 // Whether what is pressed in moves so slowly that its speed is worth no more than a sixteenth of the spring's
-// energy: it is pressed, and does not strike or leap.
+// energy: it is pressed, without an impact or a leap.
 bool resting(double stiffness, double depth, double mass, double speed) {
   return stiffness * std::pow(0.25 * depth, 2) >= mass * speed * speed;
 }
@@ -25,8 +25,8 @@ bool resting(double stiffness, double depth, double mass, double speed) {
 }  // namespace
 
 // Of what presses with that force [N] on the whole element.
-double LineVolumeContact::still_part(const Pair& pair, const Kinematics& at, double force, double depth,
-                                     const Vec3& normal) const {
+double LineVolumeContact::static_share(const Pair& pair, const Kinematics& at, double force, double depth,
+                                       const Vec3& normal) const {
   if (!(at.step > 0)) return 1;
   const size_t a = local(pair).first, b = local(pair).second;
   const Vec3 place = 0.5 * (at.x[a] + at.x[b]),
@@ -37,7 +37,7 @@ double LineVolumeContact::still_part(const Pair& pair, const Kinematics& at, dou
              : 0;
 }
 
-bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
+bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
   volumes_.pose_trial(equilibrium);
   std::vector<double> wanted = volumes_.stiffnesses();
   for (Pair& pair : pairs_) {
@@ -46,7 +46,9 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
     const AxisShape shape(ends(equilibrium, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     PressedPoint at;
-    at.radius = pair.radius, at.mass = settings(pair).mass_per_length, at.held = is_held(pair);
+    at.radius = pair.radius;
+    at.mass = settings(pair).mass_per_length;
+    at.held = is_held(pair);
     for (const double xi : {0.0, 1.0})
       at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
     if (touches) finder_.find(pair, shape, pose);
@@ -58,10 +60,13 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
         if (!touches || pair.found.panels[there.panel].group != w || !pair.in_contact(there.at)) continue;
         const double gap = there.at.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
-        if (-gap > at.depth) at.depth = -gap, normal = pose.rotation * there.at.normal;
+        if (-gap > at.depth) {
+          at.depth = -gap;
+          normal = pose.rotation * there.at.normal;
+        }
       }
-      at.still = touches ? still_part(pair, equilibrium, force, at.depth, normal) : 1;
-      volumes_.ask(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
+      at.static_share = touches ? static_share(pair, equilibrium, force, at.depth, normal) : 1;
+      volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
     }
   }
   if (!volumes_.raise(wanted)) return false;
@@ -69,7 +74,7 @@ bool LineVolumeContact::stiffen(const Kinematics& equilibrium) {
   return true;
 }
 
-bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
+bool LineVolumeContact::raise_stiffness_where_blocked(const Kinematics& trial) {
   constexpr double kStiffer = 4;
   std::vector<double> wanted = volumes_.stiffnesses();
   for (const Pair& pair : pairs_) {
@@ -84,8 +89,8 @@ bool LineVolumeContact::stiffen_in_the_way(const Kinematics& trial) {
   return true;
 }
 
-void LineVolumeContact::forget_stiffening() {
-  if (volumes_.forget_raise()) renew_laws();
+void LineVolumeContact::revert_stiffness() {
+  if (volumes_.revert_raise()) renew_laws();
 }
 
 std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) const {
@@ -98,8 +103,11 @@ std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) cons
     if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
     for (const QuadraturePoint& there : pair.found.quadrature)
-      if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest))
-        in = &pair, deepest = depth, xi = there.xi;
+      if (const double depth = pair.radius - there.at.distance; depth > std::max(most, deepest)) {
+        in = &pair;
+        deepest = depth;
+        xi = there.xi;
+      }
   }
   if (!in) return {};
   const LocalElement& e = local(*in);

@@ -20,7 +20,8 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
       next = std::move(pair.evaluated);
       ++near;
     }
-    pair.evaluated_at.known = false, pair.evaluated.clear();
+    pair.evaluated_at.known = false;
+    pair.evaluated.clear();
     for (const AxisContactPoint& p : next)
       accounts_[pair.element].reaches(-p.gap, accepted.time, pair.volume, p.xi < 0.5 ? 0 : 1);
     if (accepted.step > 0 && !(next.empty() && pair.points.empty()))
@@ -49,7 +50,8 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   const auto rolled = rolls(pair, shape);
   const auto way = [&](double xi) {
     Way w;
-    w.y0 = before.to_body(start.point(xi)), w.y1 = after.to_body(shape.point(xi));
+    w.y0 = before.to_body(start.point(xi));
+    w.y1 = after.to_body(shape.point(xi));
     w.along = ((before.rotation.conjugate() * start.slope(xi)).normalized() +
                (after.rotation.conjugate() * shape.slope(xi)).normalized())
                   .normalized();
@@ -103,7 +105,9 @@ Energy LineVolumeContact::energy(const Kinematics& at) const {
   }
   for (size_t i = 0; i < accounts_.size(); ++i) {
     if (!mesh_.elements[i].counted) continue;
-    e.friction += accounts_[i].friction, e.damping += accounts_[i].damping, e.work += accounts_[i].work;
+    e.friction += accounts_[i].friction;
+    e.damping += accounts_[i].damping;
+    e.work += accounts_[i].work;
   }
   return e;
 }

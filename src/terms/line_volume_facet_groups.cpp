@@ -59,12 +59,12 @@ void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& 
   if (p && p->distance - pair.contact_distance < 0.5 * shape.slope_bound())
     surface(pair).facet_groups(polyline(shape, pose, pair.contact_distance),
                                kTogether * pair.contact_distance, pair.near.facet_groups);
-  assign_past(pair);
+  assign_previous_points(pair);
 }
 
 // A point of before lay on the facet group whose normal there is most like its own. On the one facet group
 // there is: of two that lay side by side, the more heavily pressed.
-void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
+void LineVolumeFinder::assign_previous_points(LineVolumePair& pair) const {
   NearGroups& near = pair.near;
   if (!near.facet_groups.several() && (pair.points.empty() || pair.points.back().group == 0)) return;
   const size_t facet_groups = pair.facet_groups();
@@ -78,7 +78,10 @@ void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
     for (size_t w = 0; w < facet_groups && facet_groups > 1; ++w) {
       const auto there =
           surface(pair).query_group(near.facet_groups.of[w], y, std::numeric_limits<double>::max(), true);
-      if (there && there->normal.dot(p.normal) > like) like = there->normal.dot(p.normal), best = w;
+      if (there && there->normal.dot(p.normal) > like) {
+        like = there->normal.dot(p.normal);
+        best = w;
+      }
     }
     of[best][p.group].push_back(p);
   }
@@ -90,15 +93,15 @@ void LineVolumeFinder::assign_past(LineVolumePair& pair) const {
     };
     std::stable_sort(before.begin(), before.end(),
                      [&](const Points& a, const Points& b) { return force(a) > force(b); });
-    Points& past = near.past.emplace_back();
+    Points& previous = near.previous.emplace_back();
     for (const Points& points : before) {
-      const auto known = static_cast<std::ptrdiff_t>(past.size());
+      const auto known = static_cast<std::ptrdiff_t>(previous.size());
       for (const AxisContactPoint& p : points)
-        if (std::none_of(past.begin(), past.begin() + known,
+        if (std::none_of(previous.begin(), previous.begin() + known,
                          [&](const AxisContactPoint& q) { return p.from < q.to && q.from < p.to; }))
-          past.push_back(p);
+          previous.push_back(p);
     }
-    std::sort(past.begin(), past.end(), [](const auto& a, const auto& b) { return a.xi < b.xi; });
+    std::sort(previous.begin(), previous.end(), [](const auto& a, const auto& b) { return a.xi < b.xi; });
   }
 }
 

@@ -1,4 +1,4 @@
-// What touches in the accepted state, shown at the nodes and told to the clash report.
+// What touches in the accepted state, shown at the nodes and sent to the clash report.
 #include <algorithm>
 #include <utility>
 
@@ -48,12 +48,15 @@ void LineVolumeContact::active_contacts(ActiveContacts& out) const {
     for (const AxisContactPoint& p : pair.points) {
       if (std::pair(p.group, p.from) != panel) {
         ActiveContact& t = out.emplace_back();
-        t.line = e.line, t.volume = pair.volume;
-        t.from = arc_at(*mesh_.mesh, e, p.from), t.to = arc_at(*mesh_.mesh, e, p.to);
+        t.line = e.line;
+        t.volume = pair.volume;
+        t.from = arc_at(*mesh_.mesh, e, p.from);
+        t.to = arc_at(*mesh_.mesh, e, p.to);
         panel = {p.group, p.from};
       }
       ActiveContact& t = out.back();
-      t.force += p.weight * p.normal_force, t.energy += p.weight * p.potential;
+      t.force += p.weight * p.normal_force;
+      t.energy += p.weight * p.potential;
       t.depth = std::max(t.depth, -p.gap);
     }
   }
@@ -71,7 +74,8 @@ std::array<Vec3, 2> LineVolumeContact::reaction(int volume, const Kinematics& at
   for (const Load& l : loads(at)) {
     if (l.volume != volume || !mesh_.elements[l.element].counted) continue;
     const Vec3 arm = axis(at, l.element).point(l.xi) - volumes_.pose_of(volume, at).position;
-    out[0] += l.force, out[1] += arm.cross(l.force);
+    out[0] += l.force;
+    out[1] += arm.cross(l.force);
   }
   return out;
 }

@@ -21,15 +21,21 @@ constexpr double kAll = 1 - 1e-9;
 // The end of the part is one of the material: it does not move with the gap.
 void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
   for (ContactInterval& s : panels) {
-    if (s.from < part.from) s.from = part.from, s.from_moves = false;
-    if (s.to > part.to) s.to = part.to, s.to_moves = false;
+    if (s.from < part.from) {
+      s.from = part.from;
+      s.from_moves = false;
+    }
+    if (s.to > part.to) {
+      s.to = part.to;
+      s.to_moves = false;
+    }
   }
   std::erase_if(panels, [](const ContactInterval& s) { return !(s.from < s.to); });
 }
 
 bool touched_all_along(const LineVolumePair& pair, int group) {
   double touched = 0;
-  for (const AxisContactPoint& p : pair.past(group)) touched += p.weight;
+  for (const AxisContactPoint& p : pair.previous(group)) touched += p.weight;
   return touched > kAll * pair.length;
 }
 

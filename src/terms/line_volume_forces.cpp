@@ -57,7 +57,7 @@ void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
 void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) {
   volumes_.pose_trial(trial);
   find_near_pairs(trial);
-  const bool tangent = assembler.wants_tangent(), moves = trial.step > 0;
+  const bool tangent = assembler.needs_tangent(), moves = trial.step > 0;
   for (const Near& near : near_) {
     Pair& pair = pairs_[near.pair];
     if (pair.found.panels.empty()) continue;
@@ -65,7 +65,10 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
     Stencil stencil;
     near.shape.attach(stencil);
     double f[12] = {}, K[144], C[144];
-    if (tangent) std::fill(std::begin(K), std::end(K), 0.0), std::fill(std::begin(C), std::end(C), 0.0);
+    if (tangent) {
+      std::fill(std::begin(K), std::end(K), 0.0);
+      std::fill(std::begin(C), std::end(C), 0.0);
+    }
     contact(pair, near.shape, {moves, tangent, assembler.convex()})
         .to_blocks(stencil, f, tangent ? K : nullptr, tangent ? C : nullptr);
     const double *by_x = tangent ? K : nullptr, *by_v = tangent && moves ? C : nullptr;

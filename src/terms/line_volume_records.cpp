@@ -58,7 +58,8 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
     before[mesh_.global[mesh_.elements[i].second]] = static_cast<int>(i);
   }
   std::map<std::pair<int, int>, size_t> known;
-  pairs_.clear(), near_.clear();
+  pairs_.clear();
+  near_.clear();
   accounts_.assign(accounts_.size(), {});
   for (const HistoryRecord& r : records) {
     const bool sums = r.kind == kSums;
@@ -75,7 +76,8 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
     const auto [at, is_new] = known.insert({{element, volume}, pairs_.size()});
     if (is_new) pairs_.emplace_back();
     Pair& pair = pairs_[at->second];
-    pair.element = element, pair.volume = volume;
+    pair.element = element;
+    pair.volume = volume;
     if (r.kind == kPoints) {
       pair.points = entries<AxisContactPoint>(r);
       continue;

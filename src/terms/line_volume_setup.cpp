@@ -29,20 +29,20 @@ bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
   return volumes_.recouple(committed, h, thickest);
 }
 
-// At a feeder's mouth the element has the length of the speed at the start of the step, as for masses: it
-// does not depend on the trial's positions, and the tangent is exact.
+// At a feeder's feed point the element has the length of the speed at the start of the step, as for masses:
+// it does not depend on the trial's positions, and the tangent is exact.
 AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[element];
   AxisEnds out = element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second);
   if (feeders_)
-    if (const auto rest = feeders_->rest(e.global, at, false)) out.length = rest->length;
+    if (const auto rest = feeders_->element_state(e.global, at, false)) out.length = rest->length;
   return out;
 }
 
 // What is inside a feeder touches nothing: its nodes are one point, and the cubic between them is a loop.
 bool LineVolumeContact::idle(const Kinematics& at, int element) const {
   if (!feeders_) return false;
-  const auto rest = feeders_->rest(mesh_.elements[element].global, at, false);
+  const auto rest = feeders_->element_state(mesh_.elements[element].global, at, false);
   return rest && rest->idle;
 }
 
@@ -63,7 +63,10 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
 }
 
 void LineVolumeContact::renew_laws() {
-  for (Pair& pair : pairs_) pair.laws = laws(pair), pair.evaluated_at.known = false;
+  for (Pair& pair : pairs_) {
+    pair.laws = laws(pair);
+    pair.evaluated_at.known = false;
+  }
 }
 
 void LineVolumeContact::enable_friction(bool on) {
@@ -86,7 +89,8 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
     for (int k = 0; k < volumes(); ++k) {
       const auto key = [&] { return std::pair(old[known].element, old[known].volume); };
       while (known < old.size() && key() < std::pair(e, k)) ++known;
-      pair.element = e, pair.volume = k;
+      pair.element = e;
+      pair.volume = k;
       double motion = 0;
       if (!start_pair(pair, at, shape, h, motion)) continue;
       if (known < old.size() && key() == std::pair(e, k)) carry_over(old[known], pair);
@@ -104,7 +108,9 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
                                    double& motion) const {
   const Element& e = element(pair);
   const RigidPose& pose = volumes_.start_pose(pair.volume);
-  pair.length = at.length, pair.radius = settings(pair).radius, pair.held = settings(pair).held;
+  pair.length = at.length;
+  pair.radius = settings(pair).radius;
+  pair.held = settings(pair).held;
   pair.laws = laws(pair);
   pair.contact_distance = pair.radius + pair.smoothing();
   const double speed =
@@ -127,7 +133,9 @@ void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   if (!was.several && was.points.empty()) pair.found = std::move(was.found);
   pair.points = std::move(was.points);
   pair.springs = was.springs;
-  pair.hint = was.hint, pair.ahead = was.ahead, pair.clearance = was.clearance;
+  pair.hint = was.hint;
+  pair.ahead = was.ahead;
+  pair.clearance = was.clearance;
   if (!pair.points.empty()) pair.near_facets = std::move(was.near_facets);
 }
 

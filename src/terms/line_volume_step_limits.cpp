@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-constexpr std::array<double, 3> kLookedAt{0, 0.5, 1};  // of an element
+constexpr std::array<double, 3> kSamples{0, 0.5, 1};  // of an element
 
 Vec3 along(std::span<const Vec3> nodes, const LocalElement& e, double xi) {
   return (1 - xi) * nodes[static_cast<size_t>(e.first)] + xi * nodes[static_cast<size_t>(e.second)];
@@ -21,7 +21,7 @@ Vec3 velocity_at_start(const LineVolumePair& p, double xi) {
   return p.start.shape.velocity(xi) - p.start.pose.velocity_at(p.start.shape.point(xi));
 }
 
-// Twice what limit_depth() trusts a step with: what comes as foreseen stays clear of it.
+// Twice what limit_depth() trusts a step with: what comes as predicted stays clear of it.
 bool sinks_too_far(double radius, double before, double after) {
   return after > std::max(before, 0.0) + radius;
 }
@@ -35,8 +35,8 @@ void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to
   }
 }
 
-void LineVolumeContact::strike_at(const Pair& pair, const Kinematics& committed, double xi, double share,
-                                  double gap, const Vec3& normal, bool last, ImpactEvents& to) const {
+void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share,
+                                      double gap, const Vec3& normal, bool last, ImpactEvents& to) const {
   const Quat back = pair.start.pose.rotation.conjugate();
   const Vec3 velocity = back * velocity_at_start(pair, xi),
              acceleration = back * along(committed.a, local(pair), xi);
@@ -44,7 +44,8 @@ void LineVolumeContact::strike_at(const Pair& pair, const Kinematics& committed,
   limit_depth(pair.radius, at, to);
   const ContactSpring s = spring(pair, xi);
   if (local(pair).counted && share > 0)
-    to.add(impact_event(s.slowness, s.seen, settings(pair).mass_per_length * share, at), element(pair).line);
+    to.add(impact_event(s.inverse_frequency, s.significant_depth, settings(pair).mass_per_length * share, at),
+           element(pair).line);
 }
 
 void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinematics& committed,
@@ -59,8 +60,8 @@ void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinemat
     double all = 0;
     for (auto p = first; p != end; ++p) all += p->weight;
     for (auto p = first; p != end; ++p)
-      strike_at(pair, committed, p->xi, p == deepest && !apart ? all : p->weight, p->gap - pair.smoothing(),
-                p->normal, p == deepest || apart, to);
+      add_impact_at(pair, committed, p->xi, p == deepest && !apart ? all : p->weight,
+                    p->gap - pair.smoothing(), p->normal, p == deepest || apart, to);
   }
 }
 
@@ -71,7 +72,7 @@ void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& comm
                                     [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
   // Simpson's rule, or that of the nodes; what touches has been looked at.
   const double gap = p.distance - pair.contact_distance, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
-  strike_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to);
+  add_impact_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to);
 }
 
 bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinematics& committed,
@@ -81,7 +82,7 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
   finder_.facet_groups_ahead(pair, std::min(0.5, 2 * to.most) * std::max({speed(0), speed(0.5), speed(1)}),
                              facet_groups);
   for (const FacetGroup& w : facet_groups.of)
-    for (const double xi : kLookedAt) {
+    for (const double xi : kSamples) {
       if (!finder_.takes_part(pair, xi)) continue;
       const auto p =
           volumes_.surface(pair.volume)
@@ -93,7 +94,7 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
 }
 
 // Nothing is asked of a place that is known to have nothing ahead, nor where nothing it may come to could
-// limit the step or strike.
+// limit the step or have an impact.
 void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);
@@ -101,13 +102,14 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   const bool facet_groups = pair.several && predict_impacts_by_group(pair, committed, to);
   const bool by_gap = finder_.by_gap();
   std::vector<ClearancePoint> free;
-  for (size_t i = 0; i < kLookedAt.size(); ++i) {
-    const double xi = kLookedAt[i], speed = velocity_at_start(pair, xi).norm();
+  for (size_t i = 0; i < kSamples.size(); ++i) {
+    const double xi = kSamples[i], speed = velocity_at_start(pair, xi).norm();
     // Look ahead as far as it gets in half a second.
     const double far = 0.5 * (start.slope_bound() + speed), within = pair.contact_distance + far;
     const ContactSpring s = spring(pair, xi);
     const bool matters = may_limit_depth(pair.radius, clearance, speed, to) ||
-                         may_impact(s.slowness, s.seen, speed, along(committed.a, local(pair), xi).norm());
+                         may_impact(s.inverse_frequency, s.significant_depth, speed,
+                                    along(committed.a, local(pair), xi).norm());
     if (clearance > far || !matters || !finder_.takes_part(pair, xi)) continue;
     const Vec3 y = pair.start.pose.to_body(start.point(xi));
     const auto p = by_gap ? finder_.query(pair, 0, xi, y, within) : surface.query(y, within, pair.ahead[i]);
@@ -117,7 +119,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
     pair.ahead[i] = p->triangle;
     if (!facet_groups) predict_impacts(pair, committed, xi, *p, to);
   }
-  if (by_gap || free.size() < kLookedAt.size()) return;
+  if (by_gap || free.size() < kSamples.size()) return;
   double worst = 0;
   const auto clear = [&] {
     return least_distance(free, start.slope_bound(), start.bend_bound(), worst) - pair.contact_distance;
@@ -142,15 +144,17 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       double deepest = 0, was = 0;
       for (const QuadraturePoint& p : found.quadrature)
         if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.at.distance);
-      for (const AxisContactPoint& p : pair.past(w)) was = std::max(was, -p.gap);
+      for (const AxisContactPoint& p : pair.previous(w)) was = std::max(was, -p.gap);
       to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
     }
-    if (follows(spring(pair, 0).slowness, trial.step) && follows(spring(pair, 1).slowness, trial.step))
+    if (resolves_contact(spring(pair, 0).inverse_frequency, trial.step) &&
+        resolves_contact(spring(pair, 1).inverse_frequency, trial.step))
       continue;
 
     const auto add = [&](double xi, double share, double force, double potential, double path, double speed) {
       const ContactSpring s = spring(pair, xi);
-      const double error = share * crossing_error(s.slowness, s.seen, force, potential, path, speed);
+      const double error =
+          share * crossing_error(s.inverse_frequency, s.significant_depth, force, potential, path, speed);
       if (error > 0) to.list.push_back({element(pair).line, -1, error});
     };
     const auto moved = [&](double xi) -> Vec3 {
@@ -158,7 +162,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     };
     // On the facet group it was on then, or is on now.
     for (int w = 0; w < pair.facet_groups(); ++w)
-      for (const AxisContactPoint& p : pair.past(w)) {
+      for (const AxisContactPoint& p : pair.previous(w)) {
         const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
         if (std::any_of(found.panels.begin(), found.panels.end(),
                         [&](const ContactPanel& s) { return s.group == w && holds(s); }) &&
@@ -169,9 +173,9 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
             (pose.rotation * p.normal).dot(leaves));
       }
     for (const QuadraturePoint& p : found.quadrature) {
-      const auto& past = pair.past(found.panels[p.panel].group);
+      const auto& previous = pair.previous(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
-      if (!pair.in_contact(p.at) || std::any_of(past.begin(), past.end(), holds)) continue;
+      if (!pair.in_contact(p.at) || std::any_of(previous.begin(), previous.end(), holds)) continue;
       // What slides along its own line comes and goes, and as much of it touches as before.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));

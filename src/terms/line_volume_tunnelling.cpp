@@ -42,8 +42,9 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
     if (!drawn && !tunnels(pair, *shape, pose, rests)) continue;
     if (!rests) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
     const int node = mesh_.global[local(pair).first];
-    return {Verdict::Kind::shorter, volume_in_the_way(mesh_.mesh->place(node), volumes_.settings(pair.volume),
-                                                      drawn && !volumes_.automatic(pair.volume))};
+    return {Verdict::Kind::shorter,
+            volume_blocks_path(mesh_.mesh->place(node), volumes_.settings(pair.volume),
+                               drawn && !volumes_.automatic(pair.volume))};
   }
   return {};
 }
@@ -81,12 +82,13 @@ bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const 
   const double radius = pair.radius;
   const double least = rests ? kCreeps * radius : radius;
   const BezierAxis from = part_of(pair, pair.start.shape, pair.start.pose), to = part_of(pair, shape, pose);
-  if (from.way_to(to) <= std::max(least, LineVolumeFinder::clearance_at_start(pair))) return false;
+  if (from.farthest_distance(to) <= std::max(least, LineVolumeFinder::clearance_at_start(pair))) return false;
   if (rests && (!volumes_.has_back(pair.volume) || is_inside(pair, pair.start.shape, pair.start.pose)))
     return false;
   const DistanceField field = distance_to(volumes_.surface(pair.volume));
   const auto passes = [&](const BezierAxis& before, const BezierAxis& after) {
-    return goes_through(field, before, after, before.way_to(after) > radius ? radius : least, rests);
+    return goes_through(field, before, after, before.farthest_distance(after) > radius ? radius : least,
+                        rests);
   };
   if (!finder_.at_nodes()) return passes(from, to);
   return std::any_of(kEnds.begin(), kEnds.end(), [&](double xi) {

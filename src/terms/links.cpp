@@ -27,13 +27,14 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
   const int rank = rank_of(comm);
   for (const model::Link& m : c.links) {
     Link& l = list_.emplace_back();
-    l.a = attached(m.end_a, c, mesh), l.b = attached(m.end_b, c, mesh);
+    l.a = attached(m.end_a, c, mesh);
+    l.b = attached(m.end_b, c, mesh);
     l.law = m.law;
     for (const Attached* e : {&l.a, &l.b}) {
       const int carrier = e->carrier(*bodies_);
       if (l.owner < 0) l.owner = carrier;
-      const bool knows = carrier < 0 ? rank == 0 : owned(carrier);
-      const Vec3 x = knows ? attached_now(*e, start, mesh_, *bodies_).x : Vec3(Vec3::Zero());
+      const bool is_known = carrier < 0 ? rank == 0 : owned(carrier);
+      const Vec3 x = is_known ? attached_now(*e, start, mesh_, *bodies_).x : Vec3(Vec3::Zero());
       places.insert(places.end(), x.begin(), x.end());
     }
   }
@@ -56,8 +57,8 @@ bool Links::owned(int node) const {
 }
 
 bool Links::recouple(const Kinematics&, double) {
-  const bool first = !told_;
-  told_ = true;
+  const bool first = !coupled_;
+  coupled_ = true;
   return first;
 }
 
@@ -105,7 +106,8 @@ void Links::evaluate(const Kinematics& trial, Assembler& assembler) {
 // Bodies with prescribed motion bring in the force that they exert on the link's end times its velocity.
 void Links::powers(const Link& l, const Kinematics& at, double& damping, double& work) const {
   const Stretched s = stretched(l, at);
-  damping = s.force.along.dissipated, work = 0;
+  damping = s.force.along.dissipated;
+  work = 0;
   if (l.a.carrier(*bodies_) < 0) work -= s.force.pull.dot(s.a.v);
   if (l.b.carrier(*bodies_) < 0) work += s.force.pull.dot(s.b.v);
 }
@@ -131,7 +133,8 @@ Energy Links::energy(const Kinematics& at) const {
   for (const Link& l : list_) {
     if (!l.counted) continue;
     e.strain += stretched(l, at).force.along.energy;
-    e.damping += l.damping, e.work += l.work;
+    e.damping += l.damping;
+    e.work += l.work;
   }
   return e;
 }
@@ -166,7 +169,8 @@ void Links::restore(const std::vector<HistoryRecord>& records) {
     Link& l = list_[r.key];
     if (!owned(l.owner)) continue;  // the other end may not be here yet
     const Link kept = entry<Link>(r);
-    l.damping = kept.damping, l.work = kept.work;
+    l.damping = kept.damping;
+    l.work = kept.work;
   }
 }
 

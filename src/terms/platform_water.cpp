@@ -172,7 +172,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
     }
     if (trial.step > 0) {
       const AtTime& now = at_time(g, trial.time);
-      damping(g, now, rate, F, assembler.wants_tangent() ? &by_rate : nullptr);
+      damping(g, now, rate, F, assembler.needs_tangent() ? &by_rate : nullptr);
       F -= now.waves;
     } else {
       for (size_t i = 0; i < n; ++i) F.segment<6>(6 * i) -= g.platforms[i].waves.mean_drift();
@@ -191,7 +191,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       assembler.add(blocks, f.data(), slope.data(), nullptr, nullptr);
       assembler.add(blocks, still.f.data(), still.K.data(), nullptr, nullptr);
       assembler.add(blocks, added.f.data(), added.K.data(), nullptr, nullptr);
-      if (!assembler.wants_tangent()) continue;
+      if (!assembler.needs_tangent()) continue;
       for (size_t j = 0; j < n; ++j) {
         const Mat6 A = motion[i].G.transpose() * g.added_mass.block<6, 6>(6 * i, 6 * j);
         const Mat6 D = motion[i].G.transpose() * by_rate.block<6, 6>(6 * i, 6 * j);

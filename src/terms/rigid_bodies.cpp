@@ -14,7 +14,10 @@ namespace hawser {
 RigidBodyData RigidBodies::data(const Floating& f) const {
   RigidBodyData d = f.data;
   for (int i = 0; i < 3 && hold_ && !f.rests; ++i) {
-    if (!(d.stiffness[i] > 0)) d.stiffness[i] = d.mass, d.weight[i] = 0;
+    if (!(d.stiffness[i] > 0)) {
+      d.stiffness[i] = d.mass;
+      d.weight[i] = 0;
+    }
     if (!(d.turning_stiffness[i] > 0)) d.turning_stiffness[i] = d.inertia(i, i);
   }
   return d;
@@ -90,12 +93,17 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     f.data.mass = m.mass;
     f.data.inertia = m.tensor();
     if (m.weight) f.data.weight = -m.mass * c.environment.gravity * Vec3::UnitZ();
-    f.data.stiffness = m.stiffness, f.data.damping = m.damping;
-    f.data.turning_stiffness = m.turning_stiffness, f.data.turning_damping = m.turning_damping;
+    f.data.stiffness = m.stiffness;
+    f.data.damping = m.damping;
+    f.data.turning_stiffness = m.turning_stiffness;
+    f.data.turning_damping = m.turning_damping;
     for (const model::BodyLoad& l : m.loads)
-      f.loads.push_back({l.force, l.moment, l.at - m.centre, l.follows});
+      f.loads.push_back({l.force, l.moment, l.at - m.centre, l.body_fixed});
     f.rests = finds_rest(c, body);
-    f.centre = m.centre, f.body = body, f.node = n, f.global = global;
+    f.centre = m.centre;
+    f.body = body;
+    f.node = n;
+    f.global = global;
     f.block = mesh.block[n];
     list_.push_back(f);
   }
@@ -133,13 +141,13 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
       for (const RigidBodyLoad& l : f.loads) add_load(l, s, r);
     const int blocks[2] = {f.block, f.block + 1};
     assembler.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
-    if (hold_ && f.rests && assembler.wants_tangent()) {
+    if (hold_ && f.rests && assembler.needs_tangent()) {
       Mat6 K = Mat6::Zero();
       K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
       K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;
       assembler.add(blocks, nullptr, K.data(), nullptr, nullptr);
     }
-    if (!assembler.wants_force()) continue;
+    if (!assembler.needs_force()) continue;
     assembler.add(blocks, r.applied.data(), nullptr, nullptr, nullptr);
     assembler.add(blocks, r.held.data(), nullptr, nullptr, nullptr);
   }
@@ -179,7 +187,7 @@ Energy RigidBodies::energy(const Kinematics& at) const {
       e.potential += load_potential(l, s);
       // Moments have none; in statics, whose search needs one, that of small rotations, and in motion they do
       // work.
-      if (!(at.step > 0) && !l.follows) e.potential -= l.moment.dot(log_so3(s.q));
+      if (!(at.step > 0) && !l.body_fixed) e.potential -= l.moment.dot(log_so3(s.q));
     }
     e.damping += f.damping;
     e.work += f.work;
@@ -225,7 +233,8 @@ void RigidBodies::restore(const std::vector<HistoryRecord>& records) {
     for (const HistoryRecord& r : records)
       if (r.node == f.global) {
         const Floating kept = entry<Floating>(r);
-        f.damping = kept.damping, f.work = kept.work;
+        f.damping = kept.damping;
+        f.work = kept.work;
       }
 }
 

@@ -16,7 +16,8 @@ Water Sea::still_at(double z, double time) const {
   current.at(surface - z, w.velocity, w.by_height);
   const double ramp = current_ramp > 0 ? quintic_ramp(time, current_ramp).value : 1;
   const double factor = current_scale * ramp * current_factor.at(time);
-  w.velocity *= factor, w.by_height *= -factor;
+  w.velocity *= factor;
+  w.by_height *= -factor;
   return w;
 }
 
@@ -26,7 +27,9 @@ WaveMotion Sea::waves_at(const Vec3& x, double time) const {
 }
 
 Water operator+(Water still, const WaveMotion& wave) {
-  still.surface += wave.surface, still.velocity += wave.velocity, still.acceleration = wave.acceleration;
+  still.surface += wave.surface;
+  still.velocity += wave.velocity;
+  still.acceleration = wave.acceleration;
   return still;
 }
 
@@ -45,9 +48,12 @@ CurrentProfile current_profile(const model::Water& w, double factor) {
 Sea sea_of(const model::Case& c) {
   const model::Water& w = c.environment.water;
   Sea sea;
-  sea.density = w.density, sea.gravity = c.environment.gravity, sea.surface = w.surface;
+  sea.density = w.density;
+  sea.gravity = c.environment.gravity;
+  sea.surface = w.surface;
   sea.current = current_profile(w);
-  sea.current_ramp = w.current.ramp, sea.current_factor = w.current.time_factor;
+  sea.current_ramp = w.current.ramp;
+  sea.current_factor = w.current.time_factor;
   sea.waves = model::wave_field(c.environment);
   sea.wave_ramp = w.waves.ramp;
   return sea;

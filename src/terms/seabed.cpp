@@ -21,27 +21,29 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   const double radius = law(p).radius, smoothing = law(p).law.normal.smoothing;
   trial.point = x;
   if (!surface_) {
-    trial.gap = plane_.gap(x) - radius, trial.normal = plane_.normal;
+    trial.gap = plane_.gap(x) - radius;
+    trial.normal = plane_.normal;
     return trial.gap < smoothing;
   }
   trial.gap = smoothing + beyond;
-  Seen& seen = seen_[place(p)];
-  if (seen.clear - (1 + 1e-9) * (x - seen.centre).norm() > beyond) return false;
+  Cache& cache = cache_[place(p)];
+  if (cache.clear - (1 + 1e-9) * (x - cache.centre).norm() > beyond) return false;
   const double look = std::max(2 * beyond, 0.5 * element_[p.node]);
-  const auto s = surface_->query(x, contact_distance(p) + look, seen.hint);
-  seen.centre = x;
+  const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
+  cache.centre = x;
   if (!s) {
     // Of a mesh it may also lie under the bed beyond the edge: only above the box is nothing near for sure.
     const bool endless = !std::isfinite(bounds_.hi.z());
-    seen.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
+    cache.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
     return false;
   }
-  seen.hint = s->triangle;
-  seen.clear = s->distance - contact_distance(p);
+  cache.hint = s->triangle;
+  cache.clear = s->distance - contact_distance(p);
   // Not what was asked before but where it is decides.
   trial.gap = std::min(s->distance - radius, smoothing + beyond);
-  trial.normal = s->normal, trial.curvature = s->curvature;
-  return seen.clear < 0;
+  trial.normal = s->normal;
+  trial.curvature = s->curvature;
+  return cache.clear < 0;
 }
 
 double SeabedTerm::gap(const Vec3& x, double most) const {
@@ -82,7 +84,7 @@ ContactStart SeabedTerm::start(const Point& p) const {
   return {s.point, s.gap, s.tangent, history(p).slip, history(p).normal};
 }
 
-// Statics comes here before every iteration: a laid line keeps where its friction is reckoned from.
+// Statics comes here before every iteration: a laid line keeps where its friction is counted from.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
   if (h > 0) {
     laid_.clear();
@@ -129,7 +131,7 @@ void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const 
 }
 
 void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool tangent = assembler.wants_tangent(), convex = assembler.convex();
+  const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
     Mat3 stiffer = Mat3::Zero();  // N/m, by what friction's tangent is stiffer than its derivative
@@ -158,8 +160,14 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 // it forgets what has left. At rest it holds what lies in it.
 void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) const {
   if (!(law(p).suction.limit > 0)) return;
-  if (moves) next.deepest = history(p).deepest, next.held = history(p).held;
-  if (-gap > next.deepest) next.deepest = -gap, next.held = true;
+  if (moves) {
+    next.deepest = history(p).deepest;
+    next.held = history(p).held;
+  }
+  if (-gap > next.deepest) {
+    next.deepest = -gap;
+    next.held = true;
+  }
   if (next.deepest + gap >= law(p).suction.length) next.held = false;
   if (!next.held && gap >= 0) next.deepest = 0;
 }
@@ -171,10 +179,14 @@ void SeabedTerm::commit(const Kinematics& accepted) {
     const PointContact c = contact(p, accepted, false, at);
     const History& last = history(p);
     History next;
-    if (c.normal.elastic > 0) next = History(c, at.normal), next.active = true;
+    if (c.normal.elastic > 0) {
+      next = History(c, at.normal);
+      next.active = true;
+    }
     if (const double pulled = pull(p, at, accepted.step).force; pulled > 0) {
       next.normal = at.normal;
-      next.force -= pulled * at.normal, next.damping_force -= pulled;
+      next.force -= pulled * at.normal;
+      next.damping_force -= pulled;
     }
     hold(p, at.gap, accepted.step > 0, next);
     if (p.counted && accepted.step > 0 && (next.active || last.active || last.held)) {
@@ -195,9 +207,11 @@ void SeabedTerm::remember(Point& p, const History& h) {
     // Room for twice as many would be as much as all else that is kept of the points.
     const size_t n = histories_.size();
     if (n == histories_.capacity()) histories_.reserve(n + n / 8 + 16);
-    p.touch = static_cast<int>(n), histories_.emplace_back();
+    p.touch = static_cast<int>(n);
+    histories_.emplace_back();
   } else if (p.touch < 0) {
-    p.touch = vacant_.back(), vacant_.pop_back();
+    p.touch = vacant_.back();
+    vacant_.pop_back();
   }
   histories_[p.touch] = h;
 }
@@ -205,7 +219,8 @@ void SeabedTerm::remember(Point& p, const History& h) {
 // In statics of trials: the line search goes down this.
 Energy SeabedTerm::energy(const Kinematics& at) const {
   Energy e;
-  e.friction = account_.friction, e.damping = account_.damping;
+  e.friction = account_.friction;
+  e.damping = account_.damping;
   for (const Point& p : points_) {
     if (!p.counted) continue;
     if (at.step > 0) {

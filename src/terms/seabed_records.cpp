@@ -39,11 +39,14 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
     at[{global(p.node), p.second < 0 ? 0 : 1}] = i;
     if (p.second >= 0) at[{global(p.second), 2}] = i;
   }
-  histories_.clear(), vacant_.clear(), account_ = {};
+  histories_.clear();
+  vacant_.clear();
+  account_ = {};
   for (const HistoryRecord& r : records) {
     if (r.kind == 1) {
       const Account sum = entry<Account>(r);
-      account_.friction += sum.friction, account_.damping += sum.damping;
+      account_.friction += sum.friction;
+      account_.damping += sum.damping;
       continue;
     }
     const auto found = at.find({r.node, r.key});

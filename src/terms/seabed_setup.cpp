@@ -44,10 +44,13 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
   for (size_t i = 0; i < laws.middles.size(); ++i)
     if (Point* p = add(laws.middles[i])) {
       const LocalElement& e = mesh.elements[i];
-      p->node = e.first, p->second = e.second, p->element = static_cast<int>(i), p->counted = e.counted;
+      p->node = e.first;
+      p->second = e.second;
+      p->element = static_cast<int>(i);
+      p->counted = e.counted;
     }
   starts_.resize(points_.size());
-  if (surface_) seen_.resize(points_.size());
+  if (surface_) cache_.resize(points_.size());
 }
 
 namespace {
@@ -82,7 +85,8 @@ SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
   normal.stiffness = k;
   normal.damping = bed.damping * share;
   o.suction = {bed.suction * share, bed.suction_length};
-  normal.table = bed.force_table.get(), normal.table_factor = share;
+  normal.table = bed.force_table.get();
+  normal.table_factor = share;
   normal.smoothing = model::bed_smoothing(bed, s.radius, s.weight, k);
   o.law.friction = friction_law(bed.friction, share, 2 * s.radius);
   return o;
@@ -159,8 +163,12 @@ SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const
 
 SeabedTerm::SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held)
     : SeabedTerm(mesh, plane_of(c.environment.seabed), laws_of(mesh, c, held)) {
-  surface_ = c.environment.seabed.surface, table_ = c.environment.seabed.force_table;
-  if (surface_) bounds_ = surface_->bounds(), seen_.resize(points_.size());
+  surface_ = c.environment.seabed.surface;
+  table_ = c.environment.seabed.force_table;
+  if (surface_) {
+    bounds_ = surface_->bounds();
+    cache_.resize(points_.size());
+  }
 }
 
 }  // namespace hawser

@@ -26,8 +26,15 @@ void join(std::vector<Inside>& intervals, const Mesh& mesh) {
       continue;
     }
     Inside& o = out.back();
-    if (s.to > o.to) o.to = s.to, o.rise_to = s.rise_to;
-    if (s.depth > o.depth) o.depth = s.depth, o.at = s.at, o.place = s.place;
+    if (s.to > o.to) {
+      o.to = s.to;
+      o.rise_to = s.rise_to;
+    }
+    if (s.depth > o.depth) {
+      o.depth = s.depth;
+      o.at = s.at;
+      o.place = s.place;
+    }
   }
   intervals = std::move(out);
 }
@@ -48,7 +55,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       const Element& g = mesh.element(e);
       AxisEnds ends = element_axis(at, g, e.first, e.second);
       if (feeders)
-        if (const auto rest = feeders->rest(e.global, at, false)) {
+        if (const auto rest = feeders->element_state(e.global, at, false)) {
           if (rest->idle) continue;
           ends.length = rest->length;
         }
@@ -65,25 +72,33 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
         return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
       };
       const LineSpan& span = mesh.mesh->lines[g.line];
-      const int mouth = feeders ? feeders->fed_end(e.global) : -1;
+      const int feed_point = feeders ? feeders->fed_end(e.global) : -1;
       const auto is_end = [&](int end) {
-        return mouth == end ||
+        return feed_point == end ||
                (end ? g.second == span.first_node + span.nodes - 1 : g.first == span.first_node);
       };
       const auto arc = [&](double xi) {
-        if (xi == mouth) return mouth ? span.length : 0;
+        if (xi == feed_point) return feed_point ? span.length : 0;
         return arc_at(*mesh.mesh, g, xi);
       };
       const auto add = [&](double from, double to) {
         Inside s;
-        s.rise_from = rise(from), s.rise_to = rise(to);
-        s.line = g.line, s.volume = static_cast<int>(v);
-        s.from = arc(from), s.to = arc(to);
-        s.at = s.from, s.place = shape.point(from);
+        s.rise_from = rise(from);
+        s.rise_to = rise(to);
+        s.line = g.line;
+        s.volume = static_cast<int>(v);
+        s.from = arc(from);
+        s.to = arc(to);
+        s.at = s.from;
+        s.place = shape.point(from);
         for (int k = 0; k <= kSamples; ++k) {
           const double xi = from + (to - from) * k / kSamples;
           const auto p = surface.query(point(xi), 0);
-          if (p && -p->distance > s.depth) s.depth = -p->distance, s.at = arc(xi), s.place = shape.point(xi);
+          if (p && -p->distance > s.depth) {
+            s.depth = -p->distance;
+            s.at = arc(xi);
+            s.place = shape.point(xi);
+          }
         }
         out.push_back(s);
       };
@@ -100,9 +115,10 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
   return out;
 }
 
-std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
-                               const std::vector<ContactVolume>& volumes, const LookedFor& looked_for) {
-  std::vector<Past> out;
+std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinematics& at,
+                                             const Bodies& bodies, const std::vector<ContactVolume>& volumes,
+                                             const ExpectedPlace& expected_place) {
+  std::vector<OnWrongSide> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
     if (volumes[v].off) continue;
     const Surface& surface = *volumes[v].surface;
@@ -112,11 +128,12 @@ std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, cons
       const Node& node = mesh.node(n);
       if (node.body >= 0) continue;
       const Vec3 x = at.x[n];
-      const std::optional<Vec3> there = looked_for(node, v, x);
+      const std::optional<Vec3> there = expected_place(node, v, x);
       if (!there) continue;
       const Vec3 from = pose.to_body(x), to = pose.to_body(*there);
       Box way;
-      way.add(from), way.add(to);
+      way.add(from);
+      way.add(to);
       const double length = (to - from).norm();
       if (!way.overlaps(box) || !(length > 0)) continue;
       const auto away = [&](const Vec3& y) {

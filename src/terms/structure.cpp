@@ -25,8 +25,16 @@ CableStart started(const StructureTerm::Cable& c, double step, double last) {
 BeamEnds ends(const StructureTerm::Beam& b, const Kinematics& k) {
   const size_t i = b.at.first, j = b.at.second;
   BeamEnds e;
-  e.x1 = k.x[i], e.x2 = k.x[j], e.q1 = k.q[i], e.q2 = k.q[j];
-  if (b.section.beta > 0) e.v1 = k.v[i], e.v2 = k.v[j], e.w1 = k.w[i], e.w2 = k.w[j];
+  e.x1 = k.x[i];
+  e.x2 = k.x[j];
+  e.q1 = k.q[i];
+  e.q2 = k.q[j];
+  if (b.section.beta > 0) {
+    e.v1 = k.v[i];
+    e.v2 = k.v[j];
+    e.w1 = k.w[i];
+    e.w2 = k.w[j];
+  }
   return e;
 }
 
@@ -40,19 +48,25 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std
   auto block = [&](int node) { return mesh_.block[node]; };
   for (Beam& b : beams_) {
     const int p = block(b.at.first), q = block(b.at.second);
-    b.blocks[0] = p, b.blocks[1] = p + 1, b.blocks[2] = q, b.blocks[3] = q + 1;
+    b.blocks[0] = p;
+    b.blocks[1] = p + 1;
+    b.blocks[2] = q;
+    b.blocks[3] = q + 1;
     damped_ |= b.section.beta > 0;
   }
   size_t all = 0;
   for (const Beam& b : beams_) all += b.remembered();
-  set_.assign(all, 0), yields_ = all > 0;
+  set_.assign(all, 0);
+  yields_ = all > 0;
   size_t at = 0;
   for (Beam& b : beams_) {
-    b.memory = at, at += b.remembered();
+    b.memory = at;
+    at += b.remembered();
     if (b.section.plastic) b.reference.set = set_.data() + b.memory;
   }
   for (Cable& c : cables_) {
-    c.blocks[0] = block(c.at.first), c.blocks[1] = block(c.at.second);
+    c.blocks[0] = block(c.at.first);
+    c.blocks[1] = block(c.at.second);
     damped_ |= c.section.beta > 0;
   }
 }
@@ -68,7 +82,9 @@ std::vector<StructureTerm::Beam> beams_of(const LocalMesh& mesh, const model::Ca
     const Element& g = mesh.element(e);
     if (!g.beam) continue;
     StructureTerm::Beam& b = out.emplace_back();
-    b.at = e, b.section = beam_section(*mesh.mesh, c, g), b.reference.strain = g.free_strain;
+    b.at = e;
+    b.section = beam_section(*mesh.mesh, c, g);
+    b.reference.strain = g.free_strain;
   }
   return out;
 }
@@ -93,10 +109,10 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  see_feeders(trial);
+  update_from_feeders(trial);
   const CableStep step{trial.step, trial.mean.filter};
   const bool in_step = trial.mean.weight != 1;
-  if (assembler.wants_tangent()) {
+  if (assembler.needs_tangent()) {
     double f[12], K[144], C[144];
     for (const Beam& b : beams_) {
       if (b.idle) continue;
@@ -225,7 +241,8 @@ bool StructureTerm::soften(double most) {
   for (size_t i = 0; i < beams_.size(); ++i) {
     const auto& [EA, plastic] = true_beams_[i];
     BeamSection& s = beams_[i].section;
-    s.EA = std::min(most, EA), s.plastic = yields ? plastic : nullptr;
+    s.EA = std::min(most, EA);
+    s.plastic = yields ? plastic : nullptr;
     other |= s.EA != EA || s.plastic != plastic;
   }
   for (size_t i = 0; i < cables_.size(); ++i) {
@@ -233,8 +250,10 @@ bool StructureTerm::soften(double most) {
     other |= cables_[i].section.EA != true_EA_[i];
   }
   if (yields) {
-    true_beams_.clear(), true_beams_.shrink_to_fit();
-    true_EA_.clear(), true_EA_.shrink_to_fit();
+    true_beams_.clear();
+    true_beams_.shrink_to_fit();
+    true_EA_.clear();
+    true_EA_.shrink_to_fit();
   }
   return other;
 }
@@ -271,7 +290,7 @@ double StructureTerm::bend(const Kinematics& at) {
 void StructureTerm::prepare(const Kinematics& committed, double h) {
   // Statics takes every section to be bent there in one go: what that leaves is remembered when motion
   // begins, and is no work of the motion.
-  see_feeders(committed);
+  update_from_feeders(committed);
   if (h > 0 && !(committed.step > 0) && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
@@ -282,22 +301,26 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
 }
 
 void StructureTerm::commit(const Kinematics& accepted) {
-  see_feeders(accepted, true);
+  update_from_feeders(accepted, true);
   if (accepted.step > 0) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
       const CableEnds e = ends(c, accepted);
       const CableLoss lost = cable_loss(c.section, started(c, accepted.step, last_step_), step, e.x1, e.x2);
       c.start.stretch = lost.stretch;
-      if (c.at.counted) damping_ += lost.damped, filtered_ += lost.filtered;
+      if (c.at.counted) {
+        damping_ += lost.damped;
+        filtered_ += lost.filtered;
+      }
       if (c.at.counted && feeders_) feeders_->add_work(lost.fed);
     }
   }
   if (accepted.step > 0 && !set_.empty()) {
     if (feeders_) feeders_->add_work(fed_work(accepted));
     for (const Beam& b : beams_)
-      if (const auto rest =
-              feeders_ && b.section.plastic ? feeders_->rest(b.at.global, accepted, true) : std::nullopt;
+      if (const auto rest = feeders_ && b.section.plastic
+                                ? feeders_->element_state(b.at.global, accepted, true)
+                                : std::nullopt;
           rest && rest->feeder >= 0)
         keep_hauled_in(b, rest->feeder, rest->before, rest->length);
     damping_ += bend(accepted);
@@ -314,7 +337,8 @@ Energy StructureTerm::energy(const Kinematics& at) const {
     if (b.at.counted && !b.idle) e.strain += beam_stress(b.section, b.reference, ends(b, at)).strain_energy;
   for (const Cable& c : cables_)
     if (c.at.counted) e.strain += cable_stress(c.section, ends(c, at)).strain_energy;
-  e.damping = damping_, e.unresolved = filtered_;
+  e.damping = damping_;
+  e.unresolved = filtered_;
   return e;
 }
 
@@ -327,14 +351,17 @@ void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, d
     for (int i = 0; i < 12; ++i) f[i] += own[i];
   } else if (const Cable* c = of_element(cables_, e)) {
     const Vec3 pull = cable_pull(shown(*c, at), ends(*c, at));
-    for (int i = 0; i < 3; ++i) f[i] -= pull[i], f[6 + i] += pull[i];
+    for (int i = 0; i < 3; ++i) {
+      f[i] -= pull[i];
+      f[6 + i] += pull[i];
+    }
   }
 }
 
 // At rest nothing is paid out, whatever follows.
 CableSection StructureTerm::shown(const Cable& c, const Kinematics& at) {
   CableSection s = c.section;
-  if (!(at.step > 0)) s.grows = 0;
+  if (!(at.step > 0)) s.length_rate = 0;
   return s;
 }
 

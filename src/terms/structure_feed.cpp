@@ -1,5 +1,5 @@
-// The part of the class StructureTerm that a feeder has to do with: unstretched lengths at its mouth, and
-// what sections that yield remember on their way through it (docs/theory/feeders.md#pipes-that-yield).
+// The part of the class StructureTerm that a feeder has to do with: unstretched lengths at its feed point,
+// and what sections that yield remember on their way through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
@@ -23,12 +23,13 @@ BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
-// What is inside, by label from the free node on: of the element at the mouth, and of the next in the stock.
+// What is inside, by label from the free node on: of the element at the feed point, and of the next in the
+// stock.
 std::vector<RememberedCell> inside(const Feeders& feeders, const Feeder& f,
                                    const std::vector<double>& values) {
   const size_t n = values.size() / (2 * kBendingPlaces);
-  const double first = feeders.element_length(f, f.mouth),
-               second = first + feeders.element_length(f, std::max(f.mouth - 1, 0));
+  const double first = feeders.element_length(f, f.feed_point),
+               second = first + feeders.element_length(f, std::max(f.feed_point - 1, 0));
   std::vector<RememberedCell> out;
   for (const RememberedCell& c : remembered_cells(0, first, values.data(), n)) out.push_back(c);
   for (const RememberedCell& c : remembered_cells(first, second, values.data() + kBendingPlaces * n, n))
@@ -40,29 +41,35 @@ std::vector<RememberedCell> inside(const Feeders& feeders, const Feeder& f,
 
 // Room for what sections inside remember, of lines that yield; they have never been bent.
 void StructureTerm::fed_by(Feeders* feeders) {
-  feeders_ = feeders, fed_.clear();
+  feeders_ = feeders;
+  fed_.clear();
   for (const Feeder& f : feeders_ ? feeders_->list() : std::vector<Feeder>{}) {
     FedBends& fed = fed_.emplace_back();
     if (f.bar.plastic) fed.inside.assign(2 * kBendingPlaces * f.bar.plastic->memory(), 0);
   }
 }
 
-void StructureTerm::see_feeders(const Kinematics& at, bool accepted) {
+void StructureTerm::update_from_feeders(const Kinematics& at, bool accepted) {
   if (!feeders_) return;
   for (Cable& c : cables_)
-    if (const auto rest = feeders_->rest(c.at.global, at, true))
-      c.idle = rest->idle, c.section.length = rest->length, c.section.follows = rest->follows,
-      c.section.grows = at.step > 0 ? rest->grows : 0;  // statics holds the feeder
+    if (const auto rest = feeders_->element_state(c.at.global, at, true)) {
+      c.idle = rest->idle;
+      c.section.length = rest->length;
+      c.section.length_by_chord = rest->length_by_chord;
+      c.section.length_rate = at.step > 0 ? rest->length_rate : 0;
+    }  // statics holds the feeder
   for (Beam& b : beams_) {
-    const auto rest = feeders_->rest(b.at.global, at, true);
+    const auto rest = feeders_->element_state(b.at.global, at, true);
     if (!rest) continue;
-    b.idle = rest->idle, b.section.length = rest->length, b.section.gives = rest->gives;
+    b.idle = rest->idle;
+    b.section.length = rest->length;
+    b.section.length_by_force = rest->length_by_force;
     if (!b.section.plastic) continue;
     b.reference.set = set_.data() + b.memory;
     if (rest->feeder < 0) continue;
     // What is remembered does not follow the force of a trial: as of masses it is that of the speed at its
     // start.
-    const double to = accepted ? rest->length : feeders_->rest(b.at.global, at, false)->length;
+    const double to = accepted ? rest->length : feeders_->element_state(b.at.global, at, false)->length;
     carry_bends(b, rest->feeder, rest->before, to);
   }
 }
@@ -76,7 +83,8 @@ std::vector<double> StructureTerm::entering(int feeder, double label) const {
   return out;
 }
 
-// What the element at the mouth, of a length `from` at the start of the step, remembers at the length `to`.
+// What the element at the feed point, of a length `from` at the start of the step, remembers at the length
+// `to`.
 void StructureTerm::carry_bends(Beam& b, int feeder, double from, double to) {
   if (from == to) return;
   const Feeder& f = feeders_->list()[feeder];
@@ -117,7 +125,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
   const State& before = feeders_->before();
   for (const Beam& b : beams_) {
     if (!b.section.plastic || !b.at.counted || before.x.size() != at.x.size()) continue;
-    const auto rest = feeders_->rest(b.at.global, at, true);
+    const auto rest = feeders_->element_state(b.at.global, at, true);
     if (!rest || rest->feeder < 0 || rest->length == rest->before) continue;
     const bool at_b = feeders_->list()[rest->feeder].at_b;
     const double grown = rest->length - rest->before;
@@ -125,7 +133,8 @@ double StructureTerm::fed_work(const Kinematics& at) const {
     const double* enters = grown > 0 ? in.data() : nullptr;
     BeamSection then = b.section;
     BeamReference as_then = b.reference;
-    then.length = rest->before, as_then.set = set_.data() + b.memory;
+    then.length = rest->before;
+    as_then.set = set_.data() + b.memory;
     work += 0.5 * grown *
             (fed_bending_work(then, as_then, positions(b, before.view(0)), at_b, enters) +
              fed_bending_work(b.section, b.reference, positions(b, at), at_b, enters));
@@ -133,7 +142,7 @@ double StructureTerm::fed_work(const Kinematics& at) const {
   return work;
 }
 
-void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
+void StructureTerm::transfer_node(MPI_Comm comm, const Feeder& f, int feed_point) {
   if (!yields_) return;
   const size_t k = &f - feeders_->list().data();
   const size_t n = fed_.empty() ? 0 : fed_[k].inside.size() / (2 * kBendingPlaces);
@@ -146,10 +155,11 @@ void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
                                      [](const Beam& b, int g) { return b.at.global < g; });
     return at != beams_.end() && at->at.global == global && at->section.plastic ? &*at : nullptr;
   };
-  // On all ranks: of the mouth, of the element after it and of the two before, by label, and what is inside.
+  // On all ranks: of the feed point, of the element after it and of the two before, by label, and what is
+  // inside.
   std::vector<double> all(5 * size, 0);
   const auto part = [&](size_t i) { return all.data() + i * size; };
-  const int elements[] = {f.mouth, f.mouth + 1, f.mouth - 2};
+  const int elements[] = {f.feed_point, f.feed_point + 1, f.feed_point - 2};
   for (size_t i = 0; i < 3; ++i)
     if (const Beam* b = beam(elements[i]); b && b->at.counted) {
       const std::vector<double> values = turned(set_.data() + b->memory, n, f.at_b);
@@ -167,17 +177,20 @@ void StructureTerm::hand_over(MPI_Comm comm, const Feeder& f, int mouth) {
   for (const RememberedCell& c : remembered_cells(0, f.length, part(0), n)) cells.push_back(c);
   std::vector<double> now(size);
   std::vector<double>& kept = fed_[k].inside;
-  if (mouth < f.mouth) {  // divided: the free part, and what is at the mouth now
-    const double whole = feeders_->element_length(f, f.mouth);
-    remember_cells(cells, n, 0, whole, now.data()), keep(f.mouth, now);
-    remember_cells(cells, n, whole, f.length, now.data()), keep(mouth, now);
+  if (feed_point < f.feed_point) {  // divided: the free part, and what is at the feed point now
+    const double whole = feeders_->element_length(f, f.feed_point);
+    remember_cells(cells, n, 0, whole, now.data());
+    keep(f.feed_point, now);
+    remember_cells(cells, n, whole, f.length, now.data());
+    keep(feed_point, now);
     std::copy_n(part(4), size, kept.begin());
     std::copy_n(part(2), size, kept.begin() + static_cast<std::ptrdiff_t>(size));
   } else {  // joined with the one after it, whose material has labels below 0
-    const double length = feeders_->element_length(f, f.mouth + 1);
+    const double length = feeders_->element_length(f, f.feed_point + 1);
     for (const RememberedCell& c : remembered_cells(-length, 0, part(1), n)) cells.push_back(c);
-    remember_cells(cells, n, -length, f.length, now.data()), keep(mouth, now);
-    keep(f.mouth - 1, {part(4), part(4) + size});
+    remember_cells(cells, n, -length, f.length, now.data());
+    keep(feed_point, now);
+    keep(f.feed_point - 1, {part(4), part(4) + size});
     std::fill_n(kept.begin(), size, 0.0);
     std::copy_n(part(3), size, kept.begin() + static_cast<std::ptrdiff_t>(size));
   }

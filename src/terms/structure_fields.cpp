@@ -22,7 +22,8 @@ void StructureTerm::fields(FieldRegistry& registry) const {
           if (std::abs(value) > std::abs(out[n])) out[n] = value;
           return;
         }
-        weights[n] += 1 / length, out[n] += value / length;
+        weights[n] += 1 / length;
+        out[n] += value / length;
       };
       for (const Beam& b : beams_) {
         if (b.idle) continue;
@@ -34,7 +35,8 @@ void StructureTerm::fields(FieldRegistry& registry) const {
       for (const Cable& c : cables_) {
         if (c.idle) continue;
         const double value = of_cable(shown(c, k), ends(c, k));
-        put(c.at.first, value, c.section.length), put(c.at.second, value, c.section.length);
+        put(c.at.first, value, c.section.length);
+        put(c.at.second, value, c.section.length);
       }
       for (size_t n = 0; n < weights.size(); ++n)
         if (weights[n] > 0) out[n] /= weights[n];

@@ -19,7 +19,8 @@ struct Sums {
   double power = 0, damping = 0, filtered = 0;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("damping power", "W", self.power), each("damping", "J", self.damping);
+    each("damping power", "W", self.power);
+    each("damping", "J", self.damping);
     each("axial vibration taken out", "J", self.filtered);
   }
 };
@@ -34,8 +35,8 @@ struct Bent {
   double about2 = 0, about3 = 0;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("plastic curvature about 2", "1/m", self.about2),
-        each("plastic curvature about 3", "1/m", self.about3);
+    each("plastic curvature about 2", "1/m", self.about2);
+    each("plastic curvature about 3", "1/m", self.about3);
   }
 };
 }  // namespace
@@ -66,7 +67,7 @@ std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
   for (size_t k = 0; k < fed_.size(); ++k) {
     if (fed_[k].inside.empty()) continue;
     const Feeder& f = feeders_->list()[k];
-    for (const int i : {f.mouth, f.mouth + 1})
+    for (const int i : {f.feed_point, f.feed_point + 1})
       if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && wanted(n))
         out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
   }
@@ -74,13 +75,17 @@ std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
 }
 
 void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
-  power_ = 0, damping_ = 0, filtered_ = 0;
+  power_ = 0;
+  damping_ = 0;
+  filtered_ = 0;
   std::map<int, double> stretch;
   std::map<int, const std::vector<double>*> bent;
   for (const HistoryRecord& r : records) {
     if (r.kind == kSums) {
       const Sums s = entry<Sums>(r);
-      power_ += s.power, damping_ += s.damping, filtered_ += s.filtered;
+      power_ += s.power;
+      damping_ += s.damping;
+      filtered_ += s.filtered;
     } else if (r.kind == kStretched) {
       stretch[r.key] = entry<Stretched>(r).stretch;
     } else if (r.kind == kBent) {

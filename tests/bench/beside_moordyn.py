@@ -42,9 +42,9 @@ def read(file, name):
     return array.array("d", raw.read_bytes())
 
 
-def errors(seen, exact):
+def errors(deviations, exact):
     """In per cent, of deviation, peak and curvature."""
-    return [100 * (a / b - 1) if a and b else None for a, b in zip(seen, exact)]
+    return [100 * (a / b - 1) if a and b else None for a, b in zip(deviations, exact)]
 
 
 class Bench:
@@ -95,9 +95,9 @@ class Bench:
         decay = 4 * (l * math.sqrt(EA * m) if c.damping is None else c.damping) / m / l**2
         n = max(1, int(0.025 * max(*rate, decay)))  # four times longer than the fastest motion; goes down from there
         while True:
-            used, seen = self.run_moordyn(c, c.lines[:1], mesh, 0.1 / n, c.window)
-            if seen:
-                return 0.1 / n, used, seen
+            used, deviations = self.run_moordyn(c, c.lines[:1], mesh, 0.1 / n, c.window)
+            if deviations:
+                return 0.1 / n, used, deviations
             n = math.ceil(1.15 * n)
 
     def candidates(self, c):
@@ -111,11 +111,11 @@ class Bench:
             if not c.reference and c.window == c.seconds:
                 exact |= self.stable(c, c.finest[2])[2]
             for mesh in c.moordyn_meshes:
-                step, used, seen = self.stable(c, mesh)
-                for name in seen:
-                    found.setdefault(name, []).append((mesh, step, used, seen))
-        return {name: [(mesh, step, used, errors(seen[name], c.reference or exact.get(name, ())) if name == "hawser"
-                        or c.window == c.seconds else []) for mesh, step, used, seen in rows] for name, rows in found.items()}
+                step, used, deviations = self.stable(c, mesh)
+                for name in deviations:
+                    found.setdefault(name, []).append((mesh, step, used, deviations))
+        return {name: [(mesh, step, used, errors(deviations[name], c.reference or exact.get(name, ())) if name == "hawser"
+                        or c.window == c.seconds else []) for mesh, step, used, deviations in rows] for name, rows in found.items()}
 
     def choose(self, c, program, rows, goal):
         """The cheapest of the candidates that is within a goal with all that are finer; the finest where none is."""
@@ -123,10 +123,10 @@ class Bench:
             return b[0] >= a[0] and (program != "hawser" or b[1] == a[1])
         def within(row):
             return all(e is None or abs(e) <= goal for e in row[3])
-        good = [row for row in rows if all(within(other) for other in rows if finer(row, other))]
-        mesh, step, _, seen = min(good, key=lambda row: row[2]) if good else rows[-1]
+        admissible = [row for row in rows if all(within(other) for other in rows if finer(row, other))]
+        mesh, step, _, deviations = min(admissible, key=lambda row: row[2]) if admissible else rows[-1]
         first = program == "hawser"
-        return SimpleNamespace(program=program, mesh=mesh, step=step, errors=seen, run=self.run_hawser if first else
+        return SimpleNamespace(program=program, mesh=mesh, step=step, errors=deviations, run=self.run_hawser if first else
                                self.run_moordyn, seconds=c.timed if first or c.window == c.seconds else c.window)
 
     def time(self, c, choices):
@@ -136,7 +136,7 @@ class Bench:
             for o, rows in zip(choices, taken):
                 if not rows or rows[0][0] < LONG:
                     runs = [o.run(c, c.lines, o.mesh, o.step, seconds) for seconds in (o.seconds, o.seconds / 4)]
-                    if not all(seen for _, seen in runs):
+                    if not all(deviations for _, deviations in runs):
                         sys.exit(f"{o.program}: a step of {o.step} s is too long with {o.mesh} elements of all lines")
                     rows.append([used for used, _ in runs])
         for o, rows in zip(choices, taken):

@@ -14,9 +14,13 @@ ActiveContacts touching(int number, int step) {
     const int line = i / 30, place = i / 3;
     if (place % 2 && (place + step) % 7 == 0) continue;
     ActiveContact t;
-    t.line = line, t.volume = 0;
-    t.from = 50.0 * (place % 10) + 0.5 * (i % 3), t.to = t.from + 0.5;
-    t.force = 100 + i % 17, t.energy = 1, t.depth = 1e-3;
+    t.line = line;
+    t.volume = 0;
+    t.from = 50.0 * (place % 10) + 0.5 * (i % 3);
+    t.to = t.from + 0.5;
+    t.force = 100 + i % 17;
+    t.energy = 1;
+    t.depth = 1e-3;
     out.push_back(t);
   }
   return out;

@@ -32,7 +32,8 @@ struct Tangle {
       Vec3 way = Vec3(unit(rng), unit(rng), unit(rng)).normalized();
       for (int i = 0; i <= 100; ++i) {
         mesh.nodes.push_back({line, static_cast<double>(i), 1, true});
-        x.push_back(at), t.push_back(way);
+        x.push_back(at);
+        t.push_back(way);
         if (i < 100) mesh.elements.push_back({line, first + i, first + i + 1, 0, 1, true});
         way = (way + 0.2 * Vec3(unit(rng), unit(rng), unit(rng))).normalized();
         for (int c = 0; c < 3; ++c)

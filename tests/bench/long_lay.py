@@ -78,7 +78,7 @@ def run(hawser, folder, name, options, refined):
     still, _ = cpu_seconds([hawser, "run", f"{name}.yaml", "--stop-at", "0.001", "-o", "still.h5"], folder)
     used, done = cpu_seconds([hawser, "run", f"{name}.yaml"], folder)
     used -= still
-    told = re.search(r"energy:.*", done.stdout)
+    output = re.search(r"energy:.*", done.stdout)
     with h5py.File(folder / f"{name}.h5") as f:
         rows = int(f["written"]["steps"][0])
         steps = f["series/solver"][:rows]
@@ -88,7 +88,7 @@ def run(hawser, folder, name, options, refined):
     print(f"{name}: {nodes} nodes, {rows} steps of up to {options.step:.4g} s, {steps[:, 1].mean():.2f} Newton iterations each; "
           f"statics {still:.1f} CPU s; {used:.1f} CPU s for {options.duration:g} s of motion, {options.duration / used:.1f} times "
           "faster than real time")
-    print(f"  {told[0] if told else ''}")
+    print(f"  {output[0] if output else ''}")
     return peaks
 
 

@@ -17,10 +17,10 @@ void measure(benchmark::State& state, const model::Case& c, const Extremes& exac
     state.counters["factorisation_us"] = 1e6 * cost.one;
     state.counters["us_a_step"] = 1e6 * cost.used * 100 / cost.steps;
     state.counters["iterations"] = cost.iterations / cost.steps;
-    state.counters["least_error_%"] = percent(cost.seen.least, exact.least);
-    state.counters["most_error_%"] = percent(cost.seen.most, exact.most);
-    state.counters["anchor_least_%"] = percent(cost.seen.anchor_least, exact.anchor_least);
-    state.counters["anchor_most_%"] = percent(cost.seen.anchor_most, exact.anchor_most);
+    state.counters["least_error_%"] = percent(cost.found.least, exact.least);
+    state.counters["most_error_%"] = percent(cost.found.most, exact.most);
+    state.counters["anchor_least_%"] = percent(cost.found.anchor_least, exact.anchor_least);
+    state.counters["anchor_most_%"] = percent(cost.found.anchor_most, exact.anchor_most);
   }
 }
 

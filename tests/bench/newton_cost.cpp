@@ -20,7 +20,8 @@ model::Case lines(int count, int elements, bool beam) {
   t.name = "type";
   t.kind = beam ? model::LineKind::beam : model::LineKind::cable;
   t.outer_diameter = t.contact_diameter = 0.25;
-  t.mass_per_length = 100, t.EA = 1e9;
+  t.mass_per_length = 100;
+  t.EA = 1e9;
   if (beam) t.EI2 = t.EI3 = t.GJ = 1e5;
   t.rotary_inertia = Vec3::Constant(0.5);
   c.line_types.push_back(t);
@@ -29,7 +30,8 @@ model::Case lines(int count, int elements, bool beam) {
     l.name = std::to_string(i);
     l.sections.push_back({"type", 120, elements, 1});
     l.end_a.kind = l.end_b.kind = model::EndKind::anchor;
-    l.end_a.at = Vec3(0, 10. * i, 0), l.end_b.at = Vec3(90, 10. * i, 40);
+    l.end_a.at = Vec3(0, 10. * i, 0);
+    l.end_b.at = Vec3(90, 10. * i, 40);
     c.lines.push_back(l);
   }
   c.dynamics.enabled = true;
@@ -69,7 +71,12 @@ void newton(benchmark::State& state) {
     check(KSPSetOperators(ksp.get(), J.get(), J.get()));
     check(KSPSolve(ksp.get(), r.get(), du.get()));
   };
-  const auto iteration = [&] { state_part(), residual_part(), tangent_part(), solve_part(); };
+  const auto iteration = [&] {
+    state_part();
+    residual_part();
+    tangent_part();
+    solve_part();
+  };
   iteration();
   MatHandle chain;
   check(MatDuplicate(J.get(), MAT_COPY_VALUES, chain.out()));
@@ -91,9 +98,12 @@ void newton(benchmark::State& state) {
     least = std::min(least, 1e6 * (test::cpu_seconds() - t) / inner / nodes);
   };
   for (auto _ : state) {
-    time(best[0], iteration), time(best[1], factor);
-    time(best[2], state_part), time(best[3], residual_part), time(best[4], tangent_part),
-        time(best[5], solve_part);
+    time(best[0], iteration);
+    time(best[1], factor);
+    time(best[2], state_part);
+    time(best[3], residual_part);
+    time(best[4], tangent_part);
+    time(best[5], solve_part);
   }
   const char* names[] = {"newton_us", "lu_us", "state_us", "residual_us", "tangent_us", "solve_us"};
   for (int i = 0; i < 6; ++i) state.counters[names[i]] = best[i];

@@ -103,18 +103,18 @@ def main():
             start = time.monotonic()
             done = subprocess.run([given.hawser, "run", str(path)], capture_output=True, text=True, timeout=900)
             seconds.append(time.monotonic() - start)
-            told = done.stdout + done.stderr
-            found = re.search(r"statics: (\d+) iterations(, \d+ steps of dynamic)?", told)
+            output = done.stdout + done.stderr
+            found = re.search(r"statics: (\d+) iterations(, \d+ steps of dynamic)?", output)
             if done.returncode or not found:
                 failed += 1
-                why = [line for line in told.splitlines() if "error" in line or "statics" in line]
-                print(f"{seed}: {why[-1] if why else told[-300:]}", flush=True)
+                why = [line for line in output.splitlines() if "error" in line or "statics" in line]
+                print(f"{seed}: {why[-1] if why else output[-300:]}", flush=True)
                 continue
             iterations.append(int(found[1]))
             if found[2]:
                 relaxed += 1
                 print(f"{seed}: with dynamic relaxation, {seconds[-1]:.1f} s", flush=True)
-            for line in told.splitlines():
+            for line in output.splitlines():
                 if "warning" in line:
                     print(f"{seed}: {line}", flush=True)
     iterations.sort()

@@ -64,8 +64,8 @@ const Case& get(int kind, bool smooth) {
       if (!near) break;
       x -= near->distance * near->normal;
       const Vec3 before = x + 0.3 * uniform(gen) * direction();
-      const auto seen = c.surface->query(before, 0.5);
-      c.questions.push_back({before + 0.02 * direction(), seen ? seen->triangle : -1});
+      const auto nearest = c.surface->query(before, 0.5);
+      c.questions.push_back({before + 0.02 * direction(), nearest ? nearest->triangle : -1});
       way = (way - near->normal * near->normal.dot(way)).stableNormalized();
       x += 0.5 * way;
     }

@@ -38,14 +38,16 @@ Outcome outcome(MPI_Comm comm, const char* file, double duration) {
     MPI_Allreduce(MPI_IN_PLACE, &touching, 1, MPI_INT, MPI_SUM, comm);
     out.touched += touching > 0;
   });
-  out.unexplained = energy()[0] - before, out.turnover = energy()[1];
+  out.unexplained = energy()[0] - before;
+  out.turnover = energy()[1];
   out.depth = s.body_contact() ? s.body_contact()->largest_penetration() : 0;
   const int body = static_cast<int>(c.bodies.size()) - 1, n = s.local().find(s.mesh().body_node(body));
   if (n >= 0 && n < s.local().owned) out.place = d.kinematics().x[static_cast<size_t>(n)].x();
   double all[] = {out.depth, out.place};
   MPI_Allreduce(MPI_IN_PLACE, &all[0], 1, MPI_DOUBLE, MPI_MAX, comm);
   MPI_Allreduce(MPI_IN_PLACE, &all[1], 1, MPI_DOUBLE, MPI_SUM, comm);
-  out.depth = all[0], out.place = all[1];
+  out.depth = all[0];
+  out.place = all[1];
   return out;
 }
 

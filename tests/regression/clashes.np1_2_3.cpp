@@ -155,7 +155,8 @@ TEST(Clashes, ABarThatBounces) {
 class Heap : public ::testing::Test {
  protected:
   void SetUp() override {
-    path = folder("clashes_heap"), input = path + "/heap.yaml";
+    path = folder("clashes_heap");
+    input = path + "/heap.yaml";
     write_boxes(path + "/rollers.obj", {-3.2, 3.2}, 0.1, 1, 0.3);  // under the lower bar's ends
     write_boxes(path + "/slab.obj", {0}, 19, 19, 0.5);
     write_case(input, kHeap);
@@ -203,13 +204,13 @@ TEST_F(Heap, Clearances) {
   // What touches is pressed in by as much as the clash report says.
   const auto between = r.column("upper_to_lower", 0);
   const double deepest = -*std::min_element(between.begin(), between.end());
-  double told = 0;
+  double message = 0;
   const io::ClashTables t = io::read_clashes(path + "/heap.h5");
   for (const auto* rows : {&t.ended, &t.open})
     for (const io::ClashRow& c : *rows)
-      if (c.other_line == 1) told = std::max(told, c.penetration);
-  EXPECT_GT(told, 1e-4);
-  EXPECT_NEAR(deepest, told, 0.02 * told);
+      if (c.other_line == 1) message = std::max(message, c.penetration);
+  EXPECT_GT(message, 1e-4);
+  EXPECT_NEAR(deepest, message, 0.02 * message);
   // The bars cross at the start 0.42 m apart, axis to axis, give or take how they lie.
   EXPECT_NEAR(between.front(), 0.85 - 0.43 - 0.2, 5e-3);
 }

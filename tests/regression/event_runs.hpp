@@ -17,14 +17,17 @@ inline double mean_of(const Results& r, const std::string& field, size_t output,
   double sum = 0, mass = 0;
   for (size_t n = from; n <= to; ++n) {
     const double m = n == from ? 5 + first : n == to ? 5 + last : 10;
-    sum += m * x.at(3 * (nodes * output + n) + c), mass += m;
+    sum += m * x.at(3 * (nodes * output + n) + c);
+    mass += m;
   }
   return sum / mass;
 }
 
 inline std::string error_of(const std::string& input, const std::string& file) {
   run::RunOptions o;
-  o.case_path = input, o.output = file, o.quiet = true;
+  o.case_path = input;
+  o.output = file;
+  o.quiet = true;
   try {
     run::run(MPI_COMM_WORLD, o);
   } catch (const std::exception& e) {

@@ -92,7 +92,8 @@ TEST(Events, UntilItIsCutALineIsWhole) {
        "[0, 100, 0], ramp: 0.2}]"}};
   Edits none = swing;
   none.push_back({"events:\n  - {cut: {line: chain, at: 10}, time: 0.5}\n", ""});
-  write_case(input, kHanging, swing), write_case(other, kHanging, none);
+  write_case(input, kHanging, swing);
+  write_case(other, kHanging, none);
   run_on_all({input, path + "/cut.h5", "", 0.5});
   run_on_all({other, path + "/whole.h5", "", 0.5});
   if (rank_of(MPI_COMM_WORLD) != 0) return;
@@ -293,7 +294,7 @@ TEST(Events, AnEndThatIsNotWhereItIsToBeAttachedStopsTheRun) {
 // The parts of a damped wire whip when it is cut, and short steps follow them. In these the rates of strain
 // are known to little more than the tolerance of the balance. The upper part recoils, goes slack and hangs:
 // nowhere is it pulled more than at rest, whatever its damping, and what its lower part has from whipping is
-// told.
+// reported.
 TEST(Events, ADampedWireThatIsCutGoesOn) {
   const std::string path = folder("events-wire"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
@@ -310,11 +311,11 @@ dynamics: {duration: 4}
   printf("largest tension of the upper part %.4g kN, at rest %.4g kN\n", r.summary.at(0) / 1000,
          at_rest / 1000);
   EXPECT_LT(r.summary.at(0), 1.05 * at_rest);
-  std::string told;
+  std::string message;
   const auto written = io::h5::open_read(path + "/whole.h5");
-  for (const std::string& m : io::h5::read_texts(written, "messages")) told += m + "\n";
-  EXPECT_NE(told.find("largest tension of line hoist part 2"), std::string::npos) << told;
-  EXPECT_EQ(told.find("largest tension of line hoist ("), std::string::npos) << told;
+  for (const std::string& m : io::h5::read_texts(written, "messages")) message += m + "\n";
+  EXPECT_NE(message.find("largest tension of line hoist part 2"), std::string::npos) << message;
+  EXPECT_EQ(message.find("largest tension of line hoist ("), std::string::npos) << message;
 }
 
 }  // namespace

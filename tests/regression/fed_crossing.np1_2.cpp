@@ -1,11 +1,11 @@
 // A line that is paid out over another and hauled back, which touches it in the element at the feeder's
-// mouth: friction, energy, restarts, ranks.
+// feed point: friction, energy, restarts, ranks.
 #include "regression/runs.hpp"
 
 namespace hawser::runs::fed_crossing {
 namespace {
 
-// The rail crosses 0.5 m from the winch; the element at its mouth is 0.2 to 0.75 m long.
+// The rail crosses 0.5 m from the winch; the element at its feed point is 0.2 to 0.75 m long.
 const char* const kCrossing = R"(hawser: 1
 title: A rope is drawn over another at the winch that it comes from
 environment: {gravity: 9.80665}
@@ -29,7 +29,7 @@ contact: {between_lines: {friction: 0.3}}
 
 const Edits kKept{{"stock: 2.5, speed_table: [[0, 0], [1, -0.5], [4, -0.5], [6, 0.5], [9, 0.5]]",
                    "stock: 2.5, tension: 5 kN, speed_per_tension: 1e-3, max_speed: 1"}};
-// By the feeder at the crossing: its speed is known to the rank that has its mouth.
+// By the feeder at the crossing: its speed is known to the rank that has its feed point.
 const Edits kPulled{{"stock: 3.5, speed_table: [[0, 0], [1, 0.5], [4, 0.5], [6, -0.5], [9, -0.5]]",
                      "stock: 3.5, tension: 5 kN, speed_per_tension: 1e-3, max_speed: 1"}};
 const Edits kPipe{{"bending: false, stiffness_damping: 0.02}", "EI: 2000, GJ: 2000}"},
@@ -37,7 +37,7 @@ const Edits kPipe{{"bending: false, stiffness_damping: 0.02}", "EI: 2000, GJ: 20
                   {"anchor: [10.05, 0, 0]", "anchor: [10.05, 0, 0], direction: [1, 0, 0], clamped: true"}};
 
 // Friction on the rail is mu N all the time but where the rope turns back; the material that slides through
-// the mouth does the work that the feeders bring in.
+// the feed point does the work that the feeders bring in.
 TEST(FedCrossing, FrictionAndEnergy) {
   const std::string path = folder("fed-crossing");
   for (const auto& [name, edits] : {std::pair{"rope", Edits{}}, {"kept", kKept}, {"pipe", kPipe}}) {
@@ -52,8 +52,12 @@ TEST(FedCrossing, FrictionAndEnergy) {
     for (size_t i = 0; i < r.output_times.size(); ++i) {
       const double t = r.output_times[i];
       double drag = 0, pressed = 0;
-      for (size_t k = kRail; k < kNodes; ++k) drag += f[3 * (kNodes * i + k)], pressed += n[kNodes * i + k];
-      least = std::min(least, pressed), most = std::max(most, pressed);
+      for (size_t k = kRail; k < kNodes; ++k) {
+        drag += f[3 * (kNodes * i + k)];
+        pressed += n[kNodes * i + k];
+      }
+      least = std::min(least, pressed);
+      most = std::max(most, pressed);
       const double mu = t < 5 ? 0.3 : -0.3;
       if (t > 0.3 && std::abs(t - 5) > 0.3) off = std::max(off, std::abs(drag / (mu * pressed) - 1));
     }

@@ -113,7 +113,7 @@ double work(const std::vector<double>& brought) {
   return sum;
 }
 
-TEST(FedPipes, AClampFeelsTheBend) {
+TEST(FedPipes, ABendActsOnTheClamp) {
   const std::string path = folder("fed-pipes-clamp"), input = path + "/case.yaml", file = path + "/whole.h5";
   write_case(input, kCantilever);
   run_on_all({input, file});
@@ -166,7 +166,8 @@ TEST(FedPipes, ATensionIsKeptOverRollers) {
   for (size_t i = 1; i < F.size(); ++i) {
     if (r.step_times[i] < 10) continue;
     law = std::max(law, std::abs(F[i] - 40e3 - v[i] / 5e-5));
-    most = std::max(most, out[i]), least = std::min(least, out[i]);
+    most = std::max(most, out[i]);
+    least = std::min(least, out[i]);
   }
   // Statics has found the length with which it begins.
   EXPECT_NEAR(F.front(), 40e3, 0.1);
@@ -187,7 +188,7 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results r = read(file);
   ASSERT_EQ(r.output_times, r.step_times);
-  const auto mouth = named(file, r, "pipe_end_a_feed", "mouth_length");
+  const auto feed_point = named(file, r, "pipe_end_a_feed", "mouth_length");
   const auto& x = r.fields.at("position");
   const size_t nodes = 61;
   double moved = 0;
@@ -204,20 +205,23 @@ TEST(FedPipes, StationsStayWithTheirFeeder) {
       for (size_t k = 0; k < r.output_times.size(); ++k) {
         size_t free = 1;
         while ((x[3 * (nodes * k + free)] == x[3 * nodes * k])) ++free;
-        const double feeder = static_cast<double>(free) - mouth[k];  // material there; elements of 1 m
+        const double feeder = static_cast<double>(free) - feed_point[k];  // material there; elements of 1 m
         const double s = feeder + static_cast<double>(i);
         double now = std::nan("");
         if (s < static_cast<double>(nodes - 1)) {
           const size_t before = static_cast<size_t>(std::max(s, static_cast<double>(free)));
           const double share = std::max(s, static_cast<double>(free)) - static_cast<double>(before);
           now = v[nodes * k + before] + share * (v[nodes * k + before + 1] - v[nodes * k + before]);
-          least = std::min(least, now), most = std::max(most, now);
+          least = std::min(least, now);
+          most = std::max(most, now);
         }
         if (const double h = k > 0 ? r.output_times[k] - r.output_times[k - 1] : 0;
-            !std::isnan(now) && !std::isnan(last))
-          sum += 0.5 * h * (last + now), time += h;
+            !std::isnan(now) && !std::isnan(last)) {
+          sum += 0.5 * h * (last + now);
+          time += h;
+        }
         last = now;
-        moved = std::max(moved, std::abs(mouth[k] - mouth[0]));
+        moved = std::max(moved, std::abs(feed_point[k] - feed_point[0]));
       }
       if (least == HUGE_VAL) {
         EXPECT_TRUE(std::isnan(found[6 * i])) << field << i;
@@ -319,14 +323,16 @@ TEST(FedPipes, RefuseWhatTheyCannotDo) {
   for (const auto& [edits, text] : bad) {
     write_case(input, kCantilever, edits);
     run::RunOptions o;
-    o.case_path = input, o.output = path + "/bad.h5", o.quiet = true;
-    std::string told;
+    o.case_path = input;
+    o.output = path + "/bad.h5";
+    o.quiet = true;
+    std::string message;
     try {
       run::run(MPI_COMM_WORLD, o);
     } catch (const std::exception& e) {
-      told = e.what();
+      message = e.what();
     }
-    EXPECT_NE(told.find(text), std::string::npos) << text << ": " << told;
+    EXPECT_NE(message.find(text), std::string::npos) << text << ": " << message;
   }
 }
 

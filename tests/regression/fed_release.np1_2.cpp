@@ -50,7 +50,7 @@ contact: {between_lines: false}
 struct Release {
   double energy, kinetic;  // J, by which the state changes
   double force;            // N, by which what the feeder feels changes
-  double mouth;            // m, unstretched length that is divided
+  double feed_point;       // m, unstretched length that is divided
 };
 
 std::vector<Release> releases(const std::string& input) {
@@ -69,7 +69,7 @@ std::vector<Release> releases(const std::string& input) {
     MPI_Allreduce(MPI_IN_PLACE, sum.data(), 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     return sum;
   };
-  const auto felt = [&] {
+  const auto feeder_force = [&] {
     record::EndForces ends(sim.system(), sim.feeders());
     ends.evaluate(d.kinematics(), std::vector<Vec3>(static_cast<size_t>(sim.local().nodes()), Vec3::Zero()));
     return ends.at_feeders().front();
@@ -80,13 +80,13 @@ std::vector<Release> releases(const std::string& input) {
       [&](const StepInfo&) {
         feeder_nodes.agree();
         const Feeder& f = sim.feeders()->list().front();
-        const int mouth = f.mouth;
-        const double length = f.length, force = felt();
+        const int feed_point = f.feed_point;
+        const double length = f.length, force = feeder_force();
         const auto before = energy();
-        feeder_nodes.hand_over();
-        if (f.mouth == mouth) return true;
+        feeder_nodes.transfer_node();
+        if (f.feed_point == feed_point) return true;
         const auto after = energy();
-        out.push_back({after[0] - before[0], after[1] - before[1], felt() - force, length});
+        out.push_back({after[0] - before[0], after[1] - before[1], feeder_force() - force, length});
         return true;
       });
   return out;
@@ -104,7 +104,7 @@ void expect_smooth(const std::string& name, double element, size_t count, double
   EXPECT_GE(all.size(), count);
   const double stored = 0.5 * kTension * kTension * element / kEA;
   for (const Release& r : all) {
-    const double sag = kWeight * kWeight * std::pow(r.mouth, 5) / (1440 * kEI);
+    const double sag = kWeight * kWeight * std::pow(r.feed_point, 5) / (1440 * kEI);
     if (rank_of(MPI_COMM_WORLD) == 0)
       printf(
           "  %.1f m: energy %.3g J (by hand %.3g), %.1e of the element's %.3g J; kinetic %.1e J; force %.1e "

@@ -120,7 +120,8 @@ TEST(Feeders, ANodeLeavesAtAnEvent) {
   for (size_t i = 0; i < T.size(); ++i) {
     const double t = r.step_times[i], weight = (1000 + 10 * (20 + paid(t))) * kGravity;
     if (t < 5) continue;
-    off = std::max(off, std::abs(T[i] / weight - 1)), shortest = std::min(shortest, L[i]);
+    off = std::max(off, std::abs(T[i] / weight - 1));
+    shortest = std::min(shortest, L[i]);
   }
   printf("  tension off by %.1e, energy by %.1e J\n", off, largest(error));
   EXPECT_LT(shortest, 1.1);  // of 3 m before it left
@@ -172,7 +173,8 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
     std::string out, in;
     for (int i = 0; i <= 10; ++i) {
       const double u = 0.1 * i, v = V * u * u * (3 - 2 * u);
-      out += fmt::format("[{}, {:.6f}],", 20 * u, v), in += fmt::format("[{}, {:.6f}],", 20 * u, -v);
+      out += fmt::format("[{}, {:.6f}],", 20 * u, v);
+      in += fmt::format("[{}, {:.6f}],", 20 * u, -v);
     }
     write_case(input, kRunning, {{"PAYS OUT", out}, {"HAULS IN", in}});
     run_on_all({input, file});
@@ -184,7 +186,9 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
     for (size_t i = 1; i < A.size(); ++i)
       if (r.step_times[i - 1] > 24) {
         const double h = r.step_times[i] - r.step_times[i - 1];
-        at_a += 0.5 * h * (A[i - 1] + A[i]), at_b += 0.5 * h * (B[i - 1] + B[i]), time += h;
+        at_a += 0.5 * h * (A[i - 1] + A[i]);
+        at_b += 0.5 * h * (B[i - 1] + B[i]);
+        time += h;
       }
     const double mean = 0.5 * (at_a + at_b) / time;
     const auto& x = r.fields.at("position");
@@ -195,7 +199,8 @@ TEST(Feeders, ALineThatRunsKeepsItsShape) {
       if (r.output_times[k] <= 24) continue;
       double z = 0;
       for (size_t n = 0; n < nodes; ++n) z = std::min(z, x.at(3 * (nodes * k + n) + 2));
-      low += z, ++outputs;
+      low += z;
+      ++outputs;
     }
     low /= outputs;
     double at_rest = 0, expected = 0;
@@ -246,7 +251,7 @@ TEST(Feeders, KeepATension) {
   const auto error = named(file, r, "energy", "error"), brought = named(file, r, "energy", "brought_in");
   printf("  off by %.2g N, paid out %.3f m, energy %.1e\n", off, largest(out),
          largest(error) / work(brought));
-  EXPECT_LT(off, 10);  // inertia of the element at the mouth
+  EXPECT_LT(off, 10);  // inertia of the element at the feed point
   EXPECT_NEAR(largest(out), 6 / 1.01, 0.05);
   EXPECT_LT(largest(error), 0.01 * work(brought));
 }
@@ -256,8 +261,8 @@ const Edits kBand{{"tension: 10 kN}", "tension: 10 kN, dead_band: [8 kN, 12 kN],
 // The law holds of the tension with that of the damper in it: damping makes no peak where the band is left.
 TEST(Feeders, RestWithinTheirBand) {
   const std::string path = folder("feeders-band"), input = path + "/case.yaml", file = path + "/whole.h5";
-  // Results have the inertia of the element at the mouth in the tension, which the law has not: the more, the
-  // faster the damper lets the speed change.
+  // Results have the inertia of the element at the feed point in the tension, which the law has not: the
+  // more, the faster the damper lets the speed change.
   for (const auto& [damping, tolerance] : {std::pair{"0.02", 0.025}, {"1e-4", 0.01}}) {
     Edits edits = kBand;
     edits.push_back({"stiffness_damping: 0.02", fmt::format("stiffness_damping: {}", damping)});
@@ -337,7 +342,9 @@ TEST(Feeders, AreTheSameOnAllRanks) {
 
 std::string refusal(const std::string& input, const std::string& output) {
   run::RunOptions o;
-  o.case_path = input, o.output = output, o.quiet = true;
+  o.case_path = input;
+  o.output = output;
+  o.quiet = true;
   try {
     run::run(MPI_COMM_WORLD, o);
   } catch (const std::exception& e) {
@@ -403,8 +410,8 @@ TEST(Feeders, RefuseWhatTheyCannotDo) {
   };
   for (const auto& [edits, text] : bad) {
     write_case(input, kWeight, edits);
-    const std::string told = refusal(input, path + "/bad.h5");
-    EXPECT_NE(told.find(text), std::string::npos) << text << ": " << told;
+    const std::string message = refusal(input, path + "/bad.h5");
+    EXPECT_NE(message.find(text), std::string::npos) << text << ": " << message;
   }
 }
 

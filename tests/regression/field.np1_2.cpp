@@ -66,7 +66,7 @@ std::string attribute(const io::h5::Id& file, const std::string& set, const char
   return text.c_str();
 }
 
-TEST(Field, IsShownWhereItsDeclarationSays) {
+TEST(Field, IsShownAsDeclared) {
   const std::string path = folder("field"), input = path + "/case.yaml", output = path + "/run.h5";
   write_case(input, kWeight);
   model::Case c = io::read_case(input);

@@ -60,18 +60,19 @@ TEST(HangingLine, NonsenseIsRefused) {
     changed.replace(at, std::string(w.from).size(), w.to);
     std::ofstream(file + ".yaml") << changed;
     run::RunOptions options;
-    options.case_path = file + ".yaml", options.output = file + ".h5";
+    options.case_path = file + ".yaml";
+    options.output = file + ".h5";
     options.quiet = true;
-    std::string said;
+    std::string message;
     try {
       EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0);
     } catch (const std::exception& e) {
-      said = e.what();
+      message = e.what();
     }
     if (w.sentence)
-      EXPECT_NE(said.find(w.sentence), std::string::npos) << w.to << ": " << said;
+      EXPECT_NE(message.find(w.sentence), std::string::npos) << w.to << ": " << message;
     else
-      EXPECT_EQ(said, "");
+      EXPECT_EQ(message, "");
   }
   for (const char* end : {".yaml", ".h5", ".xdmf"}) std::filesystem::remove(file + end);
 }

@@ -23,7 +23,8 @@ pid_t start(const std::vector<std::string>& arguments) {
   std::vector<char*> argv, envp;
   for (auto& w : words) argv.push_back(w.data());
   for (auto& e : env) envp.push_back(e.data());
-  argv.push_back(nullptr), envp.push_back(nullptr);
+  argv.push_back(nullptr);
+  envp.push_back(nullptr);
   const pid_t child = fork();
   if (child == 0) {
     execve(argv[0], argv.data(), envp.data());
@@ -87,12 +88,12 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
     const ino_t old = going_on ? number() : ino_t{0};
     const pid_t child = start(words);
     const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(moment(random));
-    std::pair<size_t, size_t> seen{0, 0};
+    std::pair<size_t, size_t> written{0, 0};
     if (!going_on) std::remove(file.c_str());
     while (std::chrono::steady_clock::now() < until) {
       usleep(2000);
       try {
-        if (number() != old) seen = std::max(seen, rows(file));
+        if (number() != old) written = std::max(written, rows(file));
       } catch (const std::exception&) {  // not there yet
       }
     }
@@ -100,11 +101,12 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
     const int code = wait_for(child);
     if (access(file.c_str(), F_OK)) continue;  // killed before it began
     const Results part = read(file);
-    EXPECT_GE(part.output_times.size(), seen.first);
-    EXPECT_GE(part.step_times.size(), seen.second);
+    EXPECT_GE(part.output_times.size(), written.first);
+    EXPECT_GE(part.step_times.size(), written.second);
     expect_beginning(whole, part);
     if (code == -SIGKILL) {
-      ++kills, restarts += going_on;
+      ++kills;
+      restarts += going_on;
     } else {
       // It had come to its end, over one kill or several.
       ASSERT_EQ(code, 0);

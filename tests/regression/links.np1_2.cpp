@@ -103,7 +103,7 @@ TEST_F(Links, GoOnAfterARestart) {
 TEST_F(Links, OtherLinksAreRefused) {
   run_on_all({path + "/links.yaml", path + "/half.h5", "", 0.1});
   const std::string other = path + "/other.yaml";
-  for (const auto& [from, to, told] :
+  for (const auto& [from, to, message] :
        {std::tuple("stiffness: 2e5", "stiffness: 3e5", "link 'sling' has other ends or another law"),
         {"[3, 70e3]", "[3, 71e3]", "link 'compensator' has other ends or another law"},
         {"end_a: {anchor: [-4, 0, 14]}", "end_a: {anchor: [-4, 0, 15]}",
@@ -112,11 +112,14 @@ TEST_F(Links, OtherLinksAreRefused) {
     write_case(other, kCase, {{from, to}});
     try {
       run::RunOptions o;
-      o.case_path = other, o.output = path + "/rest.h5", o.restart = path + "/half.h5", o.quiet = true;
+      o.case_path = other;
+      o.output = path + "/rest.h5";
+      o.restart = path + "/half.h5";
+      o.quiet = true;
       run::run(MPI_COMM_WORLD, o);
-      ADD_FAILURE() << told;
+      ADD_FAILURE() << message;
     } catch (const InputError& e) {
-      EXPECT_NE(std::string(e.what()).find(told), std::string::npos) << e.what();
+      EXPECT_NE(std::string(e.what()).find(message), std::string::npos) << e.what();
     }
   }
 }

@@ -1,4 +1,4 @@
-// Whole runs with elements and steps that are too long, and what they are told, on any number of ranks.
+// Whole runs with elements and steps that are too long, and their warnings, on any number of ranks.
 #include "hawser/io/hdf5.hpp"
 #include "regression/runs.hpp"
 
@@ -50,7 +50,7 @@ dynamics: {duration: 15, step: 0.05}
 output: {every: 5}
 )";
 
-std::string told(const std::string& path) {
+std::string message(const std::string& path) {
   io::h5::quiet();
   const io::h5::Id file = io::h5::open_read(path);
   std::string out;
@@ -68,8 +68,8 @@ struct LongElements : testing::Test {
     run_on_all({input, path + "/all.h5"});
     run_on_one({input, path + "/one.h5"});
     if (rank_of(MPI_COMM_WORLD) != 0) return "";
-    const std::string all = told(path + "/all.h5");
-    EXPECT_EQ(all, told(path + "/one.h5"));
+    const std::string all = message(path + "/all.h5");
+    EXPECT_EQ(all, message(path + "/one.h5"));
     return all;
   }
   std::string run(const std::string& heave, const std::string& elements, const std::string& step) {
@@ -77,7 +77,7 @@ struct LongElements : testing::Test {
   }
 };
 
-TEST_F(LongElements, AreTold) {
+TEST_F(LongElements, AreReported) {
   const std::string coarse = run("0.5", "4", ""), fine = run("0.5", "30", "");
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   EXPECT_NE(coarse.find("line chain sags between the nodes of its elements of 32.7 m"), std::string::npos)
@@ -89,7 +89,7 @@ TEST_F(LongElements, SoAreLongStepsOfASnap) {
   const std::string coarse = run("4", "20", ", step: 0.25"), fine = run("4", "20", ", step: 0.02");
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   EXPECT_NE(coarse.find("the largest tension of line chain ("), std::string::npos) << coarse;
-  EXPECT_NE(coarse.find("is that of a blow which is not resolved: "), std::string::npos) << coarse;
+  EXPECT_NE(coarse.find("is that of an impact which is not resolved: "), std::string::npos) << coarse;
   EXPECT_EQ(fine, "");
 }
 

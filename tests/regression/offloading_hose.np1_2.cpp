@@ -63,7 +63,7 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
   const Results all = read(path + "/all.h5");
   const double deepest = all.summary.at(3 * 4);
   const Inside in = inside(here, all);
-  // Nodes whose hose touches the hull, or is as good as there, along the port side and round the quarter.
+  // Nodes whose hose touches the hull, or is equivalent to there, along the port side and round the quarter.
   const auto hull = run::load_volumes(io::read_case(here))[0].surface;
   const auto& x = all.fields.at("position");
   const size_t nodes = x.size() / 3 / all.output_times.size(),
@@ -81,7 +81,7 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
       size_of(MPI_COMM_WORLD), all.step_times.size(), 1e3 * deepest, 100 * deepest / kRadius, in.nodes,
       length, used, all.step_times.back());
   EXPECT_GT(deepest, 0);
-  // Elements of 4 m strike harder than those of 1.4 m.
+  // Elements of 4 m have harder impacts than those of 1.4 m.
   EXPECT_LT(deepest, (whole() ? 0.02 : 0.04) * kRadius);
   EXPECT_EQ(in.nodes, 0);
   EXPECT_GT(length, whole() ? 60 : 5);
@@ -92,7 +92,7 @@ TEST(OffloadingHose, StaysOutsideAndLiesAlongTheHull) {
 #endif
     return;
   }
-  // To the error tolerance, which a cut would not hold: it strikes and rebounds along tens of metres, the
+  // To the error tolerance, which a cut would not hold: it has impacts and rebounds along tens of metres, the
   // moments of touching decide the steps, and the smallest difference would grow to millimetres.
   const Results one = read(path + "/one.h5");
   EXPECT_EQ(one.output_times, all.output_times);

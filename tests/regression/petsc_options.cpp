@@ -47,7 +47,9 @@ TEST(PetscOptions, AnotherJudgeOfStepsIsRefused) {
     const Option option(key, value);
     try {
       run::RunOptions run;
-      run.case_path = input, run.output = path + "/out.h5", run.quiet = true;
+      run.case_path = input;
+      run.output = path + "/out.h5";
+      run.quiet = true;
       run::run(MPI_COMM_WORLD, run);
       FAIL() << key;
     } catch (const InputError& e) {

@@ -30,7 +30,11 @@ output: {every: 0.5}
 
 PipeCodes codes() {
   PipeSteel s;
-  s.outer = 0.25, s.wall = 0.015, s.smys = 450e6, s.smts = 535e6, s.safety_class = 1.14;
+  s.outer = 0.25;
+  s.wall = 0.015;
+  s.smys = 450e6;
+  s.smts = 535e6;
+  s.safety_class = 1.14;
   return PipeCodes(s);
 }
 

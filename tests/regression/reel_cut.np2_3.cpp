@@ -48,7 +48,8 @@ void compare(const std::string& name, Edits edits, double tolerance) {
   EXPECT_GT(largest(one.fields.at("contact_force")), 1e3);
   expect_same_steps(one, all);
   // So do those that were stopped, since that was at a time of output.
-  expect_same_steps(one, fewer), expect_same_steps(one, more);
+  expect_same_steps(one, fewer);
+  expect_same_steps(one, more);
   const double ranks = tension_apart(one, all), down = tension_apart(all, fewer),
                up = tension_apart(one, more);
   std::printf(

@@ -25,7 +25,10 @@ TEST(ReelLay, ComesOntoTheReel) {
   double law = 0;
   size_t steps = 0;
   for (size_t i = 0; i < T.size(); ++i)
-    if (all.step_times[i] > 12) law += std::abs(T[i] / (300e3 + v[i] / 8e-6) - 1), ++steps;
+    if (all.step_times[i] > 12) {
+      law += std::abs(T[i] / (300e3 + v[i] / 8e-6) - 1);
+      ++steps;
+    }
   law /= static_cast<double>(steps);
   // Of the last output, 236 nodes of pipe and wire: on the drum, away from the clamp.
   const auto last = [&](const char* field, size_t node) {
@@ -35,7 +38,7 @@ TEST(ReelLay, ComesOntoTheReel) {
   double off = 0, least = 1, most = 0;
   for (size_t node = 6; node < 16; ++node) {
     off = std::max(off, std::abs(last("curvature", node) * kRadius - 1));
-    least = std::min(least, last("residual_curvature", node)),
+    least = std::min(least, last("residual_curvature", node));
     most = std::max(most, last("residual_curvature", node));
   }
   printf("  law of the winch off by %.1e, curvature on the drum by %.1e, %.4f to %.4f 1/m stay\n", law, off,

@@ -34,7 +34,8 @@ double centre_of_mass(const Results& r, size_t output) {
   const auto& x = r.fields.at("position");
   for (size_t n = 0; n <= 10; ++n) {
     const double m = (n == 0 || n == 10 ? 50.0 : 100.0) + (n == 0 ? 1000.0 : 0.0);
-    sum += m * x.at(3 * (11 * output + n) + 2), mass += m;
+    sum += m * x.at(3 * (11 * output + n) + 2);
+    mass += m;
   }
   return sum / mass;
 }
@@ -74,7 +75,10 @@ TEST(Release, ARestartWithoutTheEventIsRefused) {
   write_case(other, kFalling, {{"events:\n  - {release: {line: chain, end: end_b}, time: 0.5}\n", ""}});
   run_on_all({input, path + "/half.h5", "", 0.75});
   run::RunOptions o;
-  o.case_path = other, o.output = path + "/rest.h5", o.restart = path + "/half.h5", o.quiet = true;
+  o.case_path = other;
+  o.output = path + "/rest.h5";
+  o.restart = path + "/half.h5";
+  o.quiet = true;
   try {
     run::run(MPI_COMM_WORLD, o);
     FAIL() << "it goes on";

@@ -36,7 +36,7 @@ dynamics: {duration: 1.6, step: auto, max_step: 0.02}
 output: {every: 0.1, histories: [{line: rope, at: 4}]}
 )";
 
-// A bar falls on a plane, askew, and slides. KIND: the model.
+// A bar falls on a plane, inclined, and slides. KIND: the model.
 const char* const kModels = R"(hawser: 1
 line_types:
   bar: {outer_diameter: 0.2, mass_per_length: 50, EA: 1.0e7, EI: 1.0e5, GJ: 1.0e5, stiffness_damping: 0.002}

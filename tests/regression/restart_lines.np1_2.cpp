@@ -156,7 +156,7 @@ TEST_P(RestartLines, OtherRanks) {
 }
 
 // Soil that resists more from half way on, a pipe that is warmer: another run.
-TEST_P(RestartLines, OtherwiseItIsAnotherRun) {
+TEST_P(RestartLines, OfAnotherCaseIsRefused) {
   const std::string changed = path + "/changed.yaml";
   write_case(changed, GetParam().text, {{GetParam().history, GetParam().other}});
   run_on_all({changed, path + "/other.h5", path + "/half.h5", kEnd});

@@ -72,7 +72,10 @@ struct Run {
 
 inline void run(MPI_Comm comm, const Run& r) {
   run::RunOptions o;
-  o.case_path = r.case_path, o.output = r.output, o.restart = r.restart, o.stop_at = r.stop_at;
+  o.case_path = r.case_path;
+  o.output = r.output;
+  o.restart = r.restart;
+  o.stop_at = r.stop_at;
   o.quiet = true;
   // Not let through: other ranks may be waiting.
   try {
@@ -162,14 +165,16 @@ inline Results read(const std::string& path) {
     if (name == "time") {
       r.step_times = take(a.values, a.shape[0], steps);
     } else {
-      r.series[name] = take(a.values, a.shape[0], steps), r.columns[name] = a.shape[1];
+      r.series[name] = take(a.values, a.shape[0], steps);
+      r.columns[name] = a.shape[1];
     }
   }
   if (io::h5::exists(file, io::kClashCounts)) {
     const auto a = read_array(file, io::kClashCounts);
     r.clash_counts = take(a.values, a.shape[0], outputs);
     const io::ClashTables clashes = io::read_clashes(path);
-    r.ended = numbers(clashes.ended), r.open = numbers(clashes.open);
+    r.ended = numbers(clashes.ended);
+    r.open = numbers(clashes.open);
   }
   if (io::h5::exists(file, "summary")) {
     const auto set = io::h5::open_dataset(file, "summary");

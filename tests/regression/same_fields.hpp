@@ -8,7 +8,10 @@ namespace hawser::runs {
 // Largest less least value of those that are numbers.
 inline double range(const std::vector<double>& a) {
   double least = HUGE_VAL, most = -HUGE_VAL;
-  for (const double x : a) least = std::fmin(least, x), most = std::fmax(most, x);
+  for (const double x : a) {
+    least = std::fmin(least, x);
+    most = std::fmax(most, x);
+  }
   return std::max(most - least, 0.0);
 }
 

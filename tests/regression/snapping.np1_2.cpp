@@ -104,7 +104,10 @@ struct Snapping : ::testing::Test {
   static double made(const Results& r) {
     const auto error = r.column("energy", 6);
     double least = 0, rise = 0;
-    for (const double e : error) least = std::min(least, e), rise = std::max(rise, e - least);
+    for (const double e : error) {
+      least = std::min(least, e);
+      rise = std::max(rise, e - least);
+    }
     return rise / largest(r.column("energy", 5));
   }
   // By default and at given steps; two of them show that several ranks do as one does.
@@ -158,9 +161,9 @@ TEST_F(Snapping, ALineThatPartsMakesNoEnergy) {
 }
 
 // Largest tension of a cycle after the first, by default, and with steps of 1 ms and elements a quarter as
-// long. A blow of a chain that falls back on the bed depends on how it lay there: EA changed by 1e-7 changes
-// that of a cycle by 6 %. So it is the mean of three cycles in three such runs that is compared. What it says
-// of the elements and steps does not depend on the ranks.
+// long. An impact of a chain that falls back on the bed depends on how it lay there: EA changed by 1e-7
+// changes that of a cycle by 6 %. So it is the mean of three cycles in three such runs that is compared. What
+// it says of the elements and steps does not depend on the ranks.
 TEST_F(Snapping, PeaksAreThoseOfFinerMeshes) {
   if (size_of(MPI_COMM_WORLD) > 1 && !std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const auto peak = [&](int elements, const std::string& step) {

@@ -88,7 +88,10 @@ TEST(Stages, GoOnInTime) {
   // A run without that event does not go on from it.
   write_case(input, line("bending: false", "clamped: false", "dynamics: {duration: 1}\n"), {{"STOCK", "20"}});
   run::RunOptions o;
-  o.case_path = input, o.output = path + "/other.h5", o.restart = path + "/half.h5", o.quiet = true;
+  o.case_path = input;
+  o.output = path + "/other.h5";
+  o.restart = path + "/half.h5";
+  o.quiet = true;
   EXPECT_THROW(run::run(MPI_COMM_WORLD, o), InputError);
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
@@ -174,7 +177,8 @@ contact: {between_lines: false}
 
 TEST(Stages, BadInput) {
   const std::string path = folder("stages-bad"), input = path + "/case.yaml";
-  const auto told = [&](const std::string& event, const std::string& more, const std::string& stock = "20") {
+  const auto message = [&](const std::string& event, const std::string& more,
+                           const std::string& stock = "20") {
     write_case(input,
                line("bending: false", "clamped: false",
                     "stages: [given, moved]\nevents:\n  - " + event + "\n" + more),
@@ -184,22 +188,22 @@ TEST(Stages, BadInput) {
   const auto has = [](const std::string& text, const std::string& part) {
     EXPECT_NE(text.find(part), std::string::npos) << text;
   };
-  has(told("{feed: {line: rope, end: end_a, paid_out: 25}, stage: moved}", ""),
+  has(message("{feed: {line: rope, end: end_a, paid_out: 25}, stage: moved}", ""),
       "-5 m would be left inside then");
-  has(told("{feed: {line: rope, end: end_a, paid_out: -85}, stage: moved}", ""),
+  has(message("{feed: {line: rope, end: end_a, paid_out: -85}, stage: moved}", ""),
       "-5 m would be left outside then");
-  has(told("{feed: {line: rope, end: end_a, paid_out: 5}, time: 1}", "dynamics: {duration: 2}\n"),
+  has(message("{feed: {line: rope, end: end_a, paid_out: 5}, time: 1}", "dynamics: {duration: 2}\n"),
       "in time a feeder has a 'speed'");
-  has(told("{feed: {line: rope, end: end_a, paid_out: 5, speed: 1}, stage: moved}", ""),
+  has(message("{feed: {line: rope, end: end_a, paid_out: 5, speed: 1}, stage: moved}", ""),
       "give one of 'speed', 'tension' and 'paid_out'");
-  has(told("{current: {factor: 0.5}, stage: moved}", ""), "the water has no current that could be scaled");
-  has(told("{friction: {enabled: false}, time: 1}", "dynamics: {duration: 2}\n"),
+  has(message("{current: {factor: 0.5}, stage: moved}", ""), "the water has no current that could be scaled");
+  has(message("{friction: {enabled: false}, time: 1}", "dynamics: {duration: 2}\n"),
       "in a 'stage' of statics only");
 }
 
 // A chain that is let go beside another falls on the bed and streams on it, along the current, from its
 // anchor. Drag has no potential: with its momentum the chain would swing about that direction for ever.
-TEST(Stages, LetGoOntoTheBedInACurrent) {
+TEST(Stages, ReleasedOntoTheBedInACurrent) {
   const std::string path = folder("stages-let-go"), input = path + "/case.yaml";
   write_case(input, R"(hawser: 1
 environment:

@@ -1,4 +1,4 @@
-// Lines that start inside volumes: what is left out of contact, what is refused, and what the user reads.
+// Lines that start inside volumes: what is excluded from contact, what is refused, and what the user reads.
 #include <algorithm>
 #include <numeric>
 
@@ -69,7 +69,7 @@ std::string refused(Ready& r) {
 }
 #define EXPECT_HAS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
-TEST(StartContact, AFairleadInItsHullIsLeftOut) {
+TEST(StartContact, AFairleadInItsHullIsExcluded) {
   const std::string path = folder("start_contact") + "/fairlead";
   for (const std::string method : {"line", "nodes"}) {
     write_case(path + method + ".yaml", kFairlead, {{"METHOD", method}});
@@ -81,7 +81,7 @@ TEST(StartContact, AFairleadInItsHullIsLeftOut) {
                " m of line up to where it is clear of it have no contact with it ('no_contact_within' sets");
     EXPECT_TRUE(r.sim->warnings().empty()) << join(r.sim->warnings());
     EXPECT_EQ(refused(r), "");
-    // The hull is not felt at all: the tension is that without it.
+    // The hull does not act at all: the tension is that without it.
     EXPECT_LT(largest(r, "contact_normal_force"), 1e-6);
     const double tension = largest(r, "effective_tension");
     write_case(path + "_alone.yaml", kFairlead, {{"METHOD", method + ", volumes: []"}});
@@ -93,7 +93,7 @@ TEST(StartContact, AFairleadInItsHullIsLeftOut) {
 }
 
 // Contact from the end on, where the case says so: then it starts inside, and stays.
-TEST(StartContact, AStretchThatIsSaidCounts) {
+TEST(StartContact, AStretchOfTheCaseCounts) {
   const std::string path = folder("start_contact_said") + "/said.yaml";
   write_case(path, kFairlead,
              {{"METHOD", "line"}, {"at: [17, 0, 0]}", "at: [17, 0, 0], no_contact_within: 1}"}});
@@ -175,7 +175,7 @@ std::string bollard(const std::string& height, const std::string& middle, const 
   return path;
 }
 
-TEST(StartContact, WhatStaticsBringsOutIsGood) {
+TEST(StartContact, WhatStaticsBringsOutIsAccepted) {
   Ready r = ready(bollard("-1", "0.2"));
   EXPECT_HAS(join(r.sim->warnings()), "lines.sling: its start shape passes through volume bar from ");
   EXPECT_HAS(join(r.sim->warnings()), "; move the points of its 'start' out of it");
@@ -185,7 +185,8 @@ TEST(StartContact, WhatStaticsBringsOutIsGood) {
 TEST(StartContact, WithoutStaticsItIsRefused) {
   const std::string path = bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}");
   run::RunOptions o;
-  o.case_path = path, o.quiet = true;
+  o.case_path = path;
+  o.quiet = true;
   std::string what;
   try {
     run::run(MPI_COMM_WORLD, o);
@@ -196,7 +197,7 @@ TEST(StartContact, WithoutStaticsItIsRefused) {
 }
 
 // What hawser check prints.
-TEST(StartContact, CheckTells) {
+TEST(StartContact, CheckReports) {
   if (size_of(MPI_COMM_WORLD) > 1) GTEST_SKIP() << "check runs on one rank";
   const auto check = [](const std::string& path) {
     testing::internal::CaptureStdout();
@@ -220,7 +221,7 @@ TEST(StartContact, CheckTells) {
 }
 
 // A slack line that starts by itself hangs under the roller it was to lie on.
-TEST(StartContact, HangingUnderAVolumeIsTold) {
+TEST(StartContact, HangingUnderAVolumeIsReported) {
   const std::string path = folder("start_contact_under") + "/under.yaml";
   const Edits under{{"HEIGHT", "1"},
                     {"HEIGHT", "1"},
@@ -228,9 +229,9 @@ TEST(StartContact, HangingUnderAVolumeIsTold) {
                     {"STATICS", ""}};
   write_case(path, kBollard, under);
   Ready r = ready(path);
-  const std::string told = join(r.sim->warnings());
-  EXPECT_HAS(told, "lines.sling: its start shape passes under volume bar, ");
-  EXPECT_HAS(told,
+  const std::string message = join(r.sim->warnings());
+  EXPECT_HAS(message, "lines.sling: its start shape passes under volume bar, ");
+  EXPECT_HAS(message,
              "while the straight way between its ends passes over it; if it is to lie there, say so with");
   // From below there is nothing to lie on.
   Edits below = under;
@@ -239,7 +240,7 @@ TEST(StartContact, HangingUnderAVolumeIsTold) {
   EXPECT_TRUE(ready(path).sim->warnings().empty());
 }
 
-// A run that goes on from a checkpoint leaves out what the first did.
+// A run that goes on from a checkpoint excludes what the first did.
 TEST(StartContact, GoesOnAsItStarted) {
   const std::string at = folder("start_contact_restart");
   write_case(at + "/case.yaml", kFairlead, {{"METHOD", "line"}});

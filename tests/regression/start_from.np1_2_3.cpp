@@ -108,11 +108,11 @@ TEST_F(StartFrom, ALineThatIsCutThere) {
   run_on_all({path + "/cut.yaml", path + "/cut.h5"});
   write_case(path + "/before.yaml", kCase, {{"lines:\n", "start: {from: cut.h5, time: 1}\nlines:\n"}});
   const model::Case c = io::read_case(path + "/before.yaml");
-  ASSERT_TRUE(c.lines[1].left);
-  EXPECT_NEAR(c.lines[1].left->arc.back(), 110, 1e-9);
-  EXPECT_EQ(c.lines[1].left->arc.size(), 31U);
-  EXPECT_TRUE(std::is_sorted(c.lines[1].left->arc.begin(), c.lines[1].left->arc.end()));
-  const Vec3 gap = c.lines[1].left->position.back() - Vec3(60, 50, -3);
+  ASSERT_TRUE(c.lines[1].previous_shape);
+  EXPECT_NEAR(c.lines[1].previous_shape->arc.back(), 110, 1e-9);
+  EXPECT_EQ(c.lines[1].previous_shape->arc.size(), 31U);
+  EXPECT_TRUE(std::is_sorted(c.lines[1].previous_shape->arc.begin(), c.lines[1].previous_shape->arc.end()));
+  const Vec3 gap = c.lines[1].previous_shape->position.back() - Vec3(60, 50, -3);
   EXPECT_LT(gap.norm(), 1e-9);
   write_case(path + "/after.yaml", kCase, {{"lines:\n", "start: {from: cut.h5}\nlines:\n"}});
   try {
@@ -162,8 +162,8 @@ TEST_F(StartFrom, RefusesInOneSentence) {
               {"line: riser", "line: new"},
               {"lines:\n", "start: {from: a.h5}\nlines:\n"}});
   const model::Case c = io::read_case(path + "/new.yaml");
-  EXPECT_FALSE(c.lines[0].left);
-  EXPECT_TRUE(c.lines[1].left);
+  EXPECT_FALSE(c.lines[0].previous_shape);
+  EXPECT_TRUE(c.lines[1].previous_shape);
   ASSERT_FALSE(c.notes.empty());
   EXPECT_NE(c.notes[0].find("lines.new: is not in a.h5"), std::string::npos) << c.notes[0];
   MPI_Barrier(MPI_COMM_WORLD);

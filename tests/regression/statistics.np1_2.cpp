@@ -39,7 +39,8 @@ Statistics statistics(const std::string& path, const std::string& field) {
 class StatisticsRanks : public ::testing::Test {
  protected:
   void SetUp() override {
-    path = folder("statistics"), input = path + "/case.yaml";
+    path = folder("statistics");
+    input = path + "/case.yaml";
     static bool made = false;
     if (std::exchange(made, true)) return;
     write_case(input, kCase);
@@ -63,7 +64,8 @@ TEST_F(StatisticsRanks, AreThoseOfTheHistories) {
         mean += h * (v[i] + v[i - 1]) / 2;
         square += h * (v[i] * v[i] + v[i] * v[i - 1] + v[i - 1] * v[i - 1]) / 3;
       }
-      mean /= r.step_times.back(), square /= r.step_times.back();
+      mean /= r.step_times.back();
+      square /= r.step_times.back();
       const Statistics s = statistics(file, field);
       EXPECT_EQ(s.at(node, 0), *low) << field;
       EXPECT_EQ(s.at(node, 1), r.step_times[static_cast<size_t>(low - v.begin())]) << field;

@@ -161,7 +161,7 @@ TEST(Events, AVolumeIsSwitchedOff) {
   EXPECT_LT(largest(error), 0.02 * largest(in));
 }
 
-// In a line at rest it would be struck.
+// On a line at rest that would be an impact.
 TEST(Events, AVolumeIsNotSwitchedOnAroundALine) {
   const std::string path = folder("events-around"), input = path + "/case.yaml";
   write_case(input, kFloor,
@@ -237,11 +237,12 @@ events:
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results all = read(path + "/all.h5"), one = read(path + "/one.h5");
   EXPECT_LT(largest_difference(all.fields.at("position"), one.fields.at("position")), 1e-6);
-  std::string told;
+  std::string message;
   const auto file = io::h5::open_read(path + "/all.h5");
-  for (const std::string& m : io::h5::read_texts(file, "messages")) told += m + "\n";
-  EXPECT_NE(told.find("lines.leg 2: "), std::string::npos) << told;
-  EXPECT_NE(told.find("have no tension at rest and can lie in other places"), std::string::npos) << told;
+  for (const std::string& m : io::h5::read_texts(file, "messages")) message += m + "\n";
+  EXPECT_NE(message.find("lines.leg 2: "), std::string::npos) << message;
+  EXPECT_NE(message.find("have no tension at rest and can lie in other places"), std::string::npos)
+      << message;
 }
 
 // A weight that hangs on two legs, one of which lets go in a stage of statics, hangs straight down

@@ -175,13 +175,13 @@ def wrong(program, command, folder, allowed, patience):
         )
     except subprocess.TimeoutExpired:
         return None, f"{command} takes over {patience} s"
-    said = done.stderr.decode("utf-8", "backslashreplace")
-    if done.returncode not in allowed or "Sanitizer" in said or "runtime error" in said:
-        return done.returncode, f"{command}: exit code {done.returncode}: {said[:1500]}"
-    if done.returncode in (2, 3) and not SENTENCE.match(said):
-        return done.returncode, f"{command}: not one sentence with the file: {said[:500]!r}"
-    if done.returncode == 0 and said:
-        return 0, f"{command}: exit code 0, but on stderr {said[:500]!r}"
+    stderr = done.stderr.decode("utf-8", "backslashreplace")
+    if done.returncode not in allowed or "Sanitizer" in stderr or "runtime error" in stderr:
+        return done.returncode, f"{command}: exit code {done.returncode}: {stderr[:1500]}"
+    if done.returncode in (2, 3) and not SENTENCE.match(stderr):
+        return done.returncode, f"{command}: not one sentence with the file: {stderr[:500]!r}"
+    if done.returncode == 0 and stderr:
+        return 0, f"{command}: exit code 0, but on stderr {stderr[:500]!r}"
     return done.returncode, ""
 
 
@@ -189,13 +189,13 @@ class Checker:
     """One process that checks one mutant after the other; a new one where it has died."""
 
     def __init__(self, program):
-        self.program, self.process, self.said = program, None, None
+        self.program, self.process, self.stderr = program, None, None
 
     def wrong(self, folder, patience):
         """As the function of that name."""
         if not self.process:
-            self.said = tempfile.TemporaryFile()
-            self.process = subprocess.Popen([self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.said)
+            self.stderr = tempfile.TemporaryFile()
+            self.process = subprocess.Popen([self.program], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.stderr)
         self.process.stdin.write(f"{folder}\n".encode())
         self.process.stdin.flush()
         alarm = threading.Timer(patience, self.process.kill)
@@ -204,18 +204,18 @@ class Checker:
         alarm.cancel()
         code, _, sentence = answer.partition(" ")
         code = int(code) if answer else self.process.wait()
-        self.said.seek(0)
-        said = self.said.read().decode("utf-8", "backslashreplace")
-        if not answer or said:
+        self.stderr.seek(0)
+        stderr = self.stderr.read().decode("utf-8", "backslashreplace")
+        if not answer or stderr:
             self.end()
-            return code, f"check: exit code {code}: {said[:1500]}"
+            return code, f"check: exit code {code}: {stderr[:1500]}"
         if code not in (0, 2) or code == 2 and not SENTENCE.match(f"hawser: {sentence}"):
             return code, f"check: exit code {code}: {sentence[:500]!r}"
         return code, ""
 
     def end(self):
         if self.process:
-            self.process.stdin.close(), self.process.stdout.close(), self.said.close()
+            self.process.stdin.close(), self.process.stdout.close(), self.stderr.close()
             self.process.wait()
             self.process = None
 

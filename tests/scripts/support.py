@@ -31,8 +31,8 @@ def check_trees(test, script, sound, wrong):
         test.assertEqual(result.returncode, 0, result.stdout + result.stderr)
     for path, text, complaint in wrong:
         with test.subTest(path=path, text=text), tempfile.TemporaryDirectory() as root:
-            for good, content in sound.items():
-                write(root, good, content)
+            for name, content in sound.items():
+                write(root, name, content)
             write(root, path, text)
             result = run(script, root)
             test.assertEqual(result.returncode, 1, result.stdout + result.stderr)

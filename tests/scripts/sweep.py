@@ -312,11 +312,11 @@ class Checker:
         answer = self.process.stdout.readline().decode("utf-8", "backslashreplace")
         alarm.cancel()
         self.errors.seek(0)
-        said = self.errors.read().decode("utf-8", "backslashreplace")
-        if not answer or said:
+        stderr = self.errors.read().decode("utf-8", "backslashreplace")
+        if not answer or stderr:
             code = self.process.wait() if not answer else answer.split()[0]
             self.end()
-            return -1, f"check ends with {code} and {said[:300]!r}"
+            return -1, f"check ends with {code} and {stderr[:300]!r}"
         code, _, sentence = answer.partition(" ")
         if code not in ("0", "2") or code == "2" and not SENTENCE.match(sentence):
             return int(code), f"check: exit code {code}: {sentence[:400]!r}"
@@ -345,13 +345,13 @@ def run_wrong(program, folder):
         done = subprocess.run([program, "run", "case.yaml"], cwd=folder, capture_output=True, timeout=PATIENCE, check=False, stdin=subprocess.DEVNULL)
     except subprocess.TimeoutExpired:
         return f"run takes over {PATIENCE:g} s"
-    said = done.stderr.decode("utf-8", "backslashreplace")
+    stderr = done.stderr.decode("utf-8", "backslashreplace")
     if done.returncode not in (0, 2, 3, 4):
-        return f"run: exit code {done.returncode}: {said[:400]!r}"
-    if done.returncode in (2, 3) and (len(said.splitlines()) != 1 or not said.startswith("hawser: ")):
-        return f"run: not one sentence: {said[:400]!r}"
-    if done.returncode in (0, 4) and said:
-        return f"run: on stderr {said[:400]!r}"
+        return f"run: exit code {done.returncode}: {stderr[:400]!r}"
+    if done.returncode in (2, 3) and (len(stderr.splitlines()) != 1 or not stderr.startswith("hawser: ")):
+        return f"run: not one sentence: {stderr[:400]!r}"
+    if done.returncode in (0, 4) and stderr:
+        return f"run: on stderr {stderr[:400]!r}"
     if state(folder) != before:
         return "run: a file is other than before"
     return ""

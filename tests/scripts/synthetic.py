@@ -56,8 +56,8 @@ def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statis
             for name, (unit, values) in found.items():
                 file[f"{group}/{name}"] = values
                 file[f"{group}/{name}"].attrs["unit"] = unit.encode()
-        for name, said in (declared or {}).items():
-            file[f"fields/{name}"].attrs.update(said)
+        for name, attributes in (declared or {}).items():
+            file[f"fields/{name}"].attrs.update(attributes)
         if len(step_time):
             file["series/time"] = step_time
         for name, (columns, units, values) in tables.items():

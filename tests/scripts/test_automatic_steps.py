@@ -128,9 +128,9 @@ class AutomaticSteps(unittest.TestCase):
     def compare(self, name, text, start=10):
         self.start = start
         write(self.folder, "case.yaml", text)
-        said = run(HAWSER, "check", self.folder / "case.yaml").stdout
-        found = re.search(r"automatic steps of at most ([0-9.e-]+) s \((.*)\)", said)
-        self.assertIsNotNone(found, said)
+        output = run(HAWSER, "check", self.folder / "case.yaml").stdout
+        found = re.search(r"automatic steps of at most ([0-9.e-]+) s \((.*)\)", output)
+        self.assertIsNotNone(found, output)
         fine = re.sub(r"dynamics: \{", f"dynamics: {{max_step: {float(found[1]) / 5:.6g}, ", text)
         a, b = self.tension(name, text), self.tension(name + "-fine", fine)
         saw, smooth = (second_differences(times, values, a[3]) / b[2] for times, values in (a[3:], b[3:]))

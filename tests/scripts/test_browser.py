@@ -37,7 +37,7 @@ OF_PAGES = r'"traffic_annotation":101845102'
 # What the page itself says when it is there: pictures and whether they were read, what was loaded, how wide it is.
 ASKED = """<script>addEventListener('load', () => {
   const pictures = [...document.images];
-  document.body.setAttribute('data-told', JSON.stringify({
+  document.body.setAttribute('data-result', JSON.stringify({
     pictures: pictures.length, shown: pictures.filter(p => p.complete && p.naturalWidth > 100).length,
     loaded: performance.getEntriesByType('resource').map(e => e.name.slice(0, 40)).filter(n => !n.startsWith('data:')),
     wide: document.documentElement.scrollWidth, window: innerWidth}));
@@ -51,47 +51,47 @@ class Browser(unittest.TestCase):
         cls.folder = Path(tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
         write(cls.folder, "short.yaml", CASE)
-        told = run(HAWSER, "report", "short.yaml", cwd=cls.folder, timeout=600)
-        if told.returncode:
-            raise AssertionError(told.stdout + told.stderr)
+        result = run(HAWSER, "report", "short.yaml", cwd=cls.folder, timeout=600)
+        if result.returncode:
+            raise AssertionError(result.stdout + result.stderr)
         cls.report = cls.folder / "short.html"
 
     def browse(self, page, *options):
         with tempfile.TemporaryDirectory() as profile:
-            seen = run(BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
+            browser_run = run(BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking",
                        "--disable-component-update", "--disable-sync", f"--user-data-dir={profile}", "--host-resolver-rules=MAP * ~NOTFOUND", "--enable-logging=stderr",
                        "--window-size=1000,800", *options, Path(page).as_uri(), timeout=300)
-        self.assertEqual(seen.returncode, 0, seen.stderr)
-        return seen
+        self.assertEqual(browser_run.returncode, 0, browser_run.stderr)
+        return browser_run
 
-    def told(self, text):
+    def state(self, text):
         write(self.folder, "asked.html", text.replace("</head>", ASKED + "</head>"))
         net = self.folder / "net.json"
-        seen = self.browse(self.folder / "asked.html", "--dump-dom", "--virtual-time-budget=10000", f"--log-net-log={net}")
-        said = json.loads(html.unescape(re.search(r'data-told="([^"]*)"', seen.stdout).group(1)))
+        browser_run = self.browse(self.folder / "asked.html", "--dump-dom", "--virtual-time-budget=10000", f"--log-net-log={net}")
+        output = json.loads(html.unescape(re.search(r'data-result="([^"]*)"', browser_run.stdout).group(1)))
         # Without a graphics card the browser says of itself that it draws by software, and slowly.
-        said["console"] = [line for line in re.findall(r"CONSOLE.*", seen.stderr) if not re.search("software WebGL|GL Driver Message", line)]
-        said["requests"] = sorted(set(re.findall(OF_PAGES + r',"url":"(\w+://[^"]*)"', net.read_text(encoding="utf-8"))
+        output["console"] = [line for line in re.findall(r"CONSOLE.*", browser_run.stderr) if not re.search("software WebGL|GL Driver Message", line)]
+        output["requests"] = sorted(set(re.findall(OF_PAGES + r',"url":"(\w+://[^"]*)"', net.read_text(encoding="utf-8"))
                                       ) - {(self.folder / "asked.html").as_uri()})
-        return said
+        return output
 
     def test_opens_by_itself(self):
         text = self.report.read_text(encoding="utf-8")
         self.assertLess(len(text.encode()), 5e6)
-        said = self.told(text)
-        self.assertGreater(said["pictures"], 8)
-        self.assertEqual((said["shown"], said["loaded"], said["console"], said["requests"]), (said["pictures"], [], [], []))
-        self.assertLessEqual(said["wide"], said["window"])
+        output = self.state(text)
+        self.assertGreater(output["pictures"], 8)
+        self.assertEqual((output["shown"], output["loaded"], output["console"], output["requests"]), (output["pictures"], [], [], []))
+        self.assertLessEqual(output["wide"], output["window"])
 
     def test_sees_what_is_wrong(self):
         # The same eyes on a page with a picture from outside, a broken one, and an error.
         bad = ('<html><head></head><body><img src="http://picture.invalid/a.png"><img src="data:image/png;base64,AAAA">'
                '<script>console.error("oh")</script><div style="width: 3000px">x</div></body></html>')
-        said = self.told(bad)
-        self.assertEqual((said["pictures"], said["shown"]), (2, 0))
-        self.assertTrue(any("oh" in line for line in said["console"]), said)
-        self.assertIn("http://picture.invalid/a.png", said["requests"])
-        self.assertGreater(said["wide"], said["window"])
+        output = self.state(bad)
+        self.assertEqual((output["pictures"], output["shown"]), (2, 0))
+        self.assertTrue(any("oh" in line for line in output["console"]), output)
+        self.assertIn("http://picture.invalid/a.png", output["requests"])
+        self.assertGreater(output["wide"], output["window"])
 
     def test_prints_on_a4(self):
         paper = self.folder / "short.pdf"

@@ -94,17 +94,17 @@ class New(unittest.TestCase):
         for kind in new_case.KINDS:
             with self.subTest(kind=kind):
                 file = self.folder / f"{kind}.yaml"
-                code, told = self.talk("", kind, *[""] * 12, file=file)
-                self.assertEqual(code, 0, told)
-                self.assertIn(f"case: {file}", told)
+                code, output = self.talk("", kind, *[""] * 12, file=file)
+                self.assertEqual(code, 0, output)
+                self.assertIn(f"case: {file}", output)
                 checked = run(HAWSER, "check", file, "--quick")
                 self.assertEqual(checked.returncode, 0, checked.stderr)
                 self.assertNotIn("warning", checked.stdout)
 
     def test_still_water_a_fixed_end_and_a_title_with_quotes(self):
         file = self.folder / "still"
-        code, told = self.talk(1200, "polyester", "200 mm", 30, "", "", 0, "no", 'a "taut" leg: 1', "no", file=file)
-        self.assertEqual(code, 0, told)
+        code, output = self.talk(1200, "polyester", "200 mm", 30, "", "", 0, "no", 'a "taut" leg: 1', "no", file=file)
+        self.assertEqual(code, 0, output)
         text = file.with_suffix(".yaml").read_text(encoding="utf-8")
         self.assertIn("water: {depth: 1200}", text)
         self.assertIn("diameter: 0.2}", text)
@@ -116,22 +116,22 @@ class New(unittest.TestCase):
 
     def test_wrong_answers_are_asked_again_with_the_reason(self):
         file = self.folder / "again.yaml"
-        code, told = self.talk("deep", "-5", "100", "chian", "chain", "84 furlongs", "84 mm", "R9", "R4", "", "1 m", "", "", 0, "perhaps", "no", "", "no",
+        code, output = self.talk("deep", "-5", "100", "chian", "chain", "84 furlongs", "84 mm", "R9", "R4", "", "1 m", "", "", 0, "perhaps", "no", "", "no",
                                file=file)
-        self.assertEqual(code, 0, told)
+        self.assertEqual(code, 0, output)
         for words in ("'deep' is no number", "-5 m is not between 1 and 12000 m", "did you mean 'chain'?", "'84 furlongs' is no number",
                       "'R9' is none of", "1 m is not between", "'perhaps' is neither yes nor no"):
-            self.assertIn(words, told)
+            self.assertIn(words, output)
 
     def test_no_file_is_written_over_nor_half_a_one(self):
         file = self.folder / "there.yaml"
         file.write_text("mine", encoding="utf-8")
-        code, told = self.talk(file=file)
+        code, output = self.talk(file=file)
         self.assertEqual((code, file.read_text(encoding="utf-8")), (2, "mine"))
-        self.assertIn("is there already", told)
-        code, told = self.talk("", "pipe", file=self.folder / "half.yaml")
+        self.assertIn("is there already", output)
+        code, output = self.talk("", "pipe", file=self.folder / "half.yaml")
         self.assertEqual((code, (self.folder / "half.yaml").exists()), (2, False))
-        self.assertIn("the dialogue has ended before its last question", told)
+        self.assertIn("the dialogue has ended before its last question", output)
 
     def test_numbers_with_units(self):
         read = new.number(0, 1e6)

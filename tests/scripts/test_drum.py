@@ -43,7 +43,7 @@ class Drum(unittest.TestCase):
                 # Half a micrometre: the single precision of a coordinate of 6 m.
                 self.assertLess(math.dist(a, b), 1e-6)
 
-    def test_is_closed_and_measures_what_the_case_says(self):
+    def test_is_closed_and_measures_what_the_case_has(self):
         triangles = [t for _, t in read_stl(FOLDER / "drum.stl")]
         self.assertEqual(self.drum.faults(triangles), [])
         barrel = [v for t in triangles for v in t if math.hypot(v[0], v[2]) < 3.7 and abs(v[1]) < 2.7]
@@ -64,15 +64,15 @@ class Drum(unittest.TestCase):
                 self.assertLess(normal[1] * y / abs(y), -0.999)
 
     def test_check_notices(self):
-        good = self.drum.spool()
-        a, b, c = good[500]
+        sound = self.drum.spool()
+        a, b, c = sound[500]
         for broken, word in [
-            (good[:500] + good[501:], "not closed"),
-            (good[:500] + [(a, c, b)] + good[501:], "not oriented alike"),
-            (good + [good[500]], "more than once"),
-            ([(p, r, q) for p, q, r in good], "inside out"),
-            (good[:500] + [(a, b, b)] + good[501:], "degenerate"),
-            ([tuple((x, 1.01 * y, z) for x, y, z in t) for t in good], "volume"),
+            (sound[:500] + sound[501:], "not closed"),
+            (sound[:500] + [(a, c, b)] + sound[501:], "not oriented alike"),
+            (sound + [sound[500]], "more than once"),
+            ([(p, r, q) for p, q, r in sound], "inside out"),
+            (sound[:500] + [(a, b, b)] + sound[501:], "degenerate"),
+            ([tuple((x, 1.01 * y, z) for x, y, z in t) for t in sound], "volume"),
         ]:
             with self.subTest(word=word):
                 self.assertIn(word, "; ".join(self.drum.faults(broken)))

@@ -133,8 +133,8 @@ class Command(unittest.TestCase):
         return types.SimpleNamespace(returncode=code, stdout=out.getvalue(), stderr=err.getvalue())
 
     def test_table(self):
-        told = self.extremes("one.h5", "--duration", "3h", "-o", "one.json")
-        self.assertEqual(told.returncode, 0, told.stderr)
+        result = self.extremes("one.h5", "--duration", "3h", "-o", "one.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
         found = json.loads((self.folder / "one.json").read_text())
         self.assertEqual((found["unit"], found["duration"], found["of"]), ("N", 10800, "maxima"))
         by = {(f["sample"], f["distribution"]): f for f in found["fits"]}
@@ -146,7 +146,7 @@ class Command(unittest.TestCase):
         # Maxima of ten Rayleigh peaks each tend to Gumbel's law only slowly, from above.
         self.assertAlmostEqual(by["blocks", "Gumbel"]["most_probable"] / exact, 1, delta=0.06)
         for part in ("[kN]", "maxima in 3 h", "499", f"{by['peaks', 'Weibull']['most_probable'] / 1e3:.5g}", "90 % not exceeded"):
-            self.assertIn(part, told.stdout)
+            self.assertIn(part, result.stdout)
         self.extremes("one.h5", "-o", "one.csv")
         with (self.folder / "one.csv").open(encoding="utf-8") as file:
             rows = list(csv.reader(file))
@@ -156,22 +156,22 @@ class Command(unittest.TestCase):
     def test_minima_mirror_maxima(self):
         signal_file(self.folder / "mirrored.h5", self.t, -self.x)
         self.extremes("one.h5", "-o", "one.json")
-        told = self.extremes("mirrored.h5", "--minima", "-o", "mirrored.json")
+        result = self.extremes("mirrored.h5", "--minima", "-o", "mirrored.json")
         one, mirrored = (json.loads((self.folder / name).read_text()) for name in ("one.json", "mirrored.json"))
         self.assertEqual([f["most_probable"] for f in one["fits"]], [-f["most_probable"] for f in mirrored["fits"]])
         self.assertEqual(one["extreme"], -mirrored["extreme"])
-        self.assertIn("90 % not below", told.stdout)
+        self.assertIn("90 % not below", result.stdout)
 
     def test_several_runs(self):
         names = []
         for k in range(12):
             t, x = cycles(rayleigh(40, 4e3, seed=k)[:30])
             names.append(signal_file(self.folder / f"seed{k}.h5", t, x).name)
-        told = self.extremes(*names, "--block", "run", "-o", "all.json")
-        self.assertEqual(told.returncode, 0, told.stderr)
+        result = self.extremes(*names, "--block", "run", "-o", "all.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
         sizes = {f["sample"]: f["size"] for f in json.loads((self.folder / "all.json").read_text())["fits"]}
         self.assertEqual(sizes, {"peaks": 12 * 29, "blocks": 12})
-        self.assertIn("of 12 runs", told.stdout)
+        self.assertIn("of 12 runs", result.stdout)
 
     def test_refusals(self):
         t, x = cycles(rayleigh(12, 4e3))
@@ -190,16 +190,16 @@ class Command(unittest.TestCase):
                                 (["one.h5", "--column", "x"], "has no column 'x'"),
                                 (["one.h5", "--since", "3999.9"], "no two steps"), (["one.h5", "--since", "1e6"], "there is nothing from"),
                                 (["one.h5", "-o", "x.txt"], "is a .json or .csv file")):
-            told = self.extremes(*arguments)
+            result = self.extremes(*arguments)
             with self.subTest(arguments=arguments):
-                self.assertEqual((told.returncode, told.stdout), (2, ""))
-                self.assertEqual(len(told.stderr.splitlines()), 1, told.stderr)
-                self.assertIn(part, told.stderr)
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                self.assertIn(part, result.stderr)
 
     def test_through_the_program(self):
-        told = run(HAWSER, "extremes", self.folder / "one.h5", "--duration", "1h")
-        self.assertEqual(told.returncode, 0, told.stderr)
-        self.assertIn("maxima in 1 h", told.stdout)
+        result = run(HAWSER, "extremes", self.folder / "one.h5", "--duration", "1h")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("maxima in 1 h", result.stdout)
         self.assertIn("extremes", run(HAWSER, "--help").stdout)
 
 

@@ -31,7 +31,7 @@ class Attack(unittest.TestCase):
         environment = {**os.environ, "OMPI_MCA_odls_base_sigkill_timeout": "0"}
         return run(*launch, "run", *arguments, cwd=self.folder, timeout=300, env=environment, **options)
 
-    def good(self, *arguments, **options):
+    def succeed(self, *arguments, **options):
         result = self.hawser(*arguments, **options)
         self.assertEqual((result.returncode, result.stderr), (0, ""), result.stdout)
         return result
@@ -82,7 +82,7 @@ class TwoRuns(Attack):
                     self.assertRegex(result.stderr, r"\Ahawser: cannot write the results to \S+/long.h5: another run is writing "
                                                     rf"them \({who}\); wait for its end, or give this one another file with -o\n\Z")
                 # Only reading is let be.
-                self.good("long.yaml", "-q", "--restart", "long.h5", "-o", "other.h5", "--stop-at", "0.001")
+                self.succeed("long.yaml", "-q", "--restart", "long.h5", "-o", "other.h5", "--stop-at", "0.001")
                 os.kill(int(who.split()[1]), signal.SIGTERM)
                 first.wait()
                 self.assertFalse(lock.exists())
@@ -94,7 +94,7 @@ class TwoRuns(Attack):
         first.kill()
         first.wait()
         self.assertTrue((self.folder / "long.h5.lock").exists())
-        self.good("long.yaml", "-q", "--restart", "long.h5", "--stop-at", "1")
+        self.succeed("long.yaml", "-q", "--restart", "long.h5", "--stop-at", "1")
         self.assertFalse((self.folder / "long.h5.lock").exists())
 
     def test_a_lock_is_no_link_to_something_else(self):
@@ -108,21 +108,21 @@ class OldFiles(Attack):
 
     def test_old_results_are_kept(self):
         for ranks in (0, 2):
-            self.good("rod.yaml", "-q")
+            self.succeed("rod.yaml", "-q")
             first, table = [(self.folder / name).read_bytes() for name in ("rod.h5", "rod.xdmf")]
             write(self.folder, "shorter.yaml", CASE.replace("duration: 0.2", "duration: 0.1"))
-            result = self.good("shorter.yaml", "-o", "rod.h5", ranks=ranks)
+            result = self.succeed("shorter.yaml", "-o", "rod.h5", ranks=ranks)
             self.assertRegex(result.stdout, r"note: the results that are at \S+/rod.h5 will be kept as \S+/rod.h5~")
             self.assertEqual(self.names(), ["rod.h5", "rod.h5~", "rod.xdmf", "rod.xdmf~"])
             self.assertEqual((self.folder / "rod.h5~").read_bytes(), first)
             self.assertEqual((self.folder / "rod.xdmf~").read_bytes(), table)
             self.assertNotEqual((self.folder / "rod.h5").read_bytes(), first)
             # In the same file nothing is replaced.
-            self.good("rod.yaml", "-q", "--restart", "rod.h5")
+            self.succeed("rod.yaml", "-q", "--restart", "rod.h5")
             self.assertEqual((self.folder / "rod.h5~").read_bytes(), first)
 
     def test_a_run_that_fails_leaves_them(self):
-        self.good("rod.yaml", "-q")
+        self.succeed("rod.yaml", "-q")
         before = (self.folder / "rod.h5").read_bytes()
         write(self.folder, "rod.yaml", CASE.replace("elements: 8}]", "elements: 8}]\n    loads: [{per_length: [0, 0, 1.0e9]}]")
               + "statics: {max_iterations: 3}\n")
@@ -141,8 +141,8 @@ class OldFiles(Attack):
         self.refused(["rod.yaml"], "is not of hawser's making")
 
     def test_what_is_gone_on_from_stays(self):
-        self.good("rod.yaml", "-q")
-        self.good("rod.yaml", "-q")
+        self.succeed("rod.yaml", "-q")
+        self.succeed("rod.yaml", "-q")
         self.refused(["rod.yaml", "--restart", "rod.h5~"], "rod.h5~ is a file that this run reads", "and would be replaced")
 
     def test_links_are_followed(self):
@@ -150,11 +150,11 @@ class OldFiles(Attack):
         (self.folder / "rod.h5").symlink_to("link.h5")
         (self.folder / "link.h5").symlink_to("far/data.h5")
         for _ in range(2):
-            self.good("rod.yaml", "-q")
+            self.succeed("rod.yaml", "-q")
             self.assertTrue((self.folder / "rod.h5").is_symlink())
             self.assertTrue((self.folder / "far/data.xdmf").exists())
         self.assertTrue((self.folder / "far/data.h5~").exists())
-        self.good("rod.yaml", "-q", "--restart", "rod.h5")
+        self.succeed("rod.yaml", "-q", "--restart", "rod.h5")
         (self.folder / "loop.h5").symlink_to("loop.h5")
         self.refused(["rod.yaml", "-o", "loop.h5"], "loop.h5")
 
@@ -174,7 +174,7 @@ class Places(Attack):
             name = "x" * (length - 3) + ".h5"
             for ranks in (0, 2):
                 if fits:
-                    self.good("rod.yaml", "-q", "-o", name, ranks=ranks)
+                    self.succeed("rod.yaml", "-q", "-o", name, ranks=ranks)
                 else:
                     self.refused(["rod.yaml", "-q", "-o", name], "the name is too long", ranks=ranks)
         deep = self.folder
@@ -182,7 +182,7 @@ class Places(Attack):
             deep = deep / ("d" * 200)
         deep.mkdir(parents=True)
         for ranks in (0, 2):
-            self.good("rod.yaml", "-q", "-o", deep / "x.h5", ranks=ranks)
+            self.succeed("rod.yaml", "-q", "-o", deep / "x.h5", ranks=ranks)
 
     def test_full_disk_from_the_beginning(self):
         (self.folder / "disk").mkdir()
@@ -206,10 +206,10 @@ class Places(Attack):
             self.assertRegex(result.stderr, r"\Ahawser: cannot write \S+: File too large\n\Z")
 
 
-class Spoilt(Attack):
+class Corrupted(Attack):
     def test_counters(self):
         write(self.folder, "rod.yaml", CASE.replace("duration: 0.2", "duration: 0.6"))
-        self.good("rod.yaml", "-q")
+        self.succeed("rod.yaml", "-q")
         file = self.folder / "rod.h5"
         whole = file.read_bytes()
         counter, row = struct.pack("<qq", 7, 13), struct.pack("<d", 0.1)
@@ -218,18 +218,18 @@ class Spoilt(Attack):
         outputs = [m.start() + 8 for m in re.finditer(re.escape(first), whole)]
         self.assertEqual(len(outputs), 1)
 
-        def spoil(at, piece, *parts):
+        def corrupt(at, piece, *parts):
             file.write_bytes(whole[:at] + piece + whole[at + len(piece):])
             for ranks in (0, 2):
                 self.refused(["rod.yaml", "--restart", "rod.h5"], "rod.h5 is damaged and cannot be continued: ", *parts,
                              "go on in another file with -o", ranks=ranks)
-        for numbers, told in [((-1, 13), "it counts -1 rows of outputs/time, which has 7"),
+        for numbers, reported in [((-1, 13), "it counts -1 rows of outputs/time, which has 7"),
                               ((7, -5), "it counts -5 rows of series/time, which has 13"),
                               ((10**15, 13), "it counts 1000000000000000 rows of outputs/time")]:
-            spoil(whole.index(counter), struct.pack("<qq", *numbers), told)
-        spoil(outputs[0], struct.pack("<d", math.nan), "row 2 of outputs/time is nan, after 0 and before 0.2 s")
-        spoil(outputs[0], struct.pack("<d", 1e30), "row 2 of outputs/time is 1e+30")
-        self.good("rod.yaml", "-q", "--restart", "rod.h5", "-o", "other.h5")
+            corrupt(whole.index(counter), struct.pack("<qq", *numbers), reported)
+        corrupt(outputs[0], struct.pack("<d", math.nan), "row 2 of outputs/time is nan, after 0 and before 0.2 s")
+        corrupt(outputs[0], struct.pack("<d", 1e30), "row 2 of outputs/time is 1e+30")
+        self.succeed("rod.yaml", "-q", "--restart", "rod.h5", "-o", "other.h5")
 
 
     def test_checkpoints(self):
@@ -248,7 +248,7 @@ class Spoilt(Attack):
             words = struct.unpack(f"<{len(values) // 8}Q", values)
             return (total + sum(mix(mix(i + 1) ^ w) for i, w in enumerate(words))) % 2**64
 
-        self.good("rod.yaml", "-q")
+        self.succeed("rod.yaml", "-q")
         file = self.folder / "rod.h5"
         whole = file.read_bytes()
         texts = [m.start() for m in re.finditer(b"mesh 9\nscalar ", whole)]
@@ -268,11 +268,11 @@ class Spoilt(Attack):
         for name, place in [("the time", 0), ("step.wait", 1 + scalars.index("step.wait")),
                             ("step.proposal", 1 + scalars.index("step.proposal")), ("acceleration", 1 + len(scalars))]:
             for wrong in (math.nan, *([-5.0, 1e300] if place and name != "acceleration" else [])):
-                spoilt = bytearray(whole)
-                struct.pack_into("<d", spoilt, values + 8 * place, wrong)
-                struct.pack_into("<Q", spoilt, header + 24,
-                                 checksum(number, whole[text:text + length], spoilt[values:values + 8 * size]))
-                file.write_bytes(spoilt)
+                corrupted = bytearray(whole)
+                struct.pack_into("<d", corrupted, values + 8 * place, wrong)
+                struct.pack_into("<Q", corrupted, header + 24,
+                                 checksum(number, whole[text:text + length], corrupted[values:values + 8 * size]))
+                file.write_bytes(corrupted)
                 self.refused(["rod.yaml", "--restart", "rod.h5"], f"its checkpoint is damaged: {name} is {wrong:g}")
         self.refused(["rod.yaml", "-q", "--restart", "rod.h5"], "its checkpoint is damaged: acceleration is nan", ranks=2)
 
@@ -281,15 +281,15 @@ class Spoilt(Attack):
             write(self.folder, "rod.yaml", CASE.replace("every: 0.1", "every: 0.1, histories: [" + ", ".join(
                 f"{{line: rod, at: {at}, name: {name}}}" for at, name in histories) + "]"))
         write_case([(12, "tip"), (6, "half")])
-        self.good("rod.yaml", "-q", "--stop-at", "0.1")
+        self.succeed("rod.yaml", "-q", "--stop-at", "0.1")
         write_case([(12, "tip")])
         for ranks in (0, 2):
             self.refused(["rod.yaml", "-q", "--restart", "rod.h5"],
                          "rod.h5 cannot be continued: the case no longer has its history or clearance half, which would be lost; "
                          "keep it, or go on in another file with -o", ranks=ranks)
-        self.good("rod.yaml", "-q", "--restart", "rod.h5", "-o", "other.h5")
+        self.succeed("rod.yaml", "-q", "--restart", "rod.h5", "-o", "other.h5")
         write_case([(6, "half"), (12, "tip")])
-        self.good("rod.yaml", "-q", "--restart", "rod.h5")
+        self.succeed("rod.yaml", "-q", "--restart", "rod.h5")
 
 
 class Names(Attack):
@@ -297,31 +297,31 @@ class Names(Attack):
         folder = os.fsencode(self.folder) + b"/a&b<c>\"d'\xff\xc3\x01"
         os.mkdir(folder)
         shutil.copy(self.folder / "rod.yaml", folder + b"/rod.yaml")
-        for name, told in ((b"x&<>\"'.h5", False), ("Trosse → 🚢.h5".encode(), False), (b"bad\xff\xe2\x82.h5", True)):
+        for name, reported in ((b"x&<>\"'.h5", False), ("Trosse → 🚢.h5".encode(), False), (b"bad\xff\xe2\x82.h5", True)):
             result = subprocess.run([HAWSER, "run", folder + b"/rod.yaml", "-o", folder + b"/" + name], capture_output=True, check=False)
             self.assertEqual((result.returncode, result.stderr), (0, b""))
-            self.assertEqual(b"is not UTF-8" in result.stdout, told)
+            self.assertEqual(b"is not UTF-8" in result.stdout, reported)
             root = ElementTree.parse((folder + b"/" + name).replace(b".h5", b".xdmf")).getroot()
             items = [item.text for item in root.iter("DataItem")]
             self.assertTrue(items)
-            if not told:
+            if not reported:
                 self.assertEqual({item.split(":/")[0] for item in items}, {name.decode()})
 
 
 class Signals(Attack):
-    def test_a_run_that_is_stopped_says_so(self):
+    def test_a_run_that_is_stopped_reports_it(self):
         for ranks, sign in ((0, signal.SIGTERM), (0, signal.SIGINT), (0, signal.SIGUSR1), (2, signal.SIGUSR1)):
             with self.subTest(ranks=ranks, sign=sign):
                 process = self.running("long.yaml", ranks=ranks)
                 process.send_signal(sign)
                 out, _ = process.communicate()
                 self.assertEqual(process.returncode, 130)
-                time_told = re.search(r"^stopped by a signal at t = (\S+) of 4000 s: all this is of that time; --restart \S+/long.h5 goes on$",
+                stop_time = re.search(r"^stopped by a signal at t = (\S+) of 4000 s: all this is of that time; --restart \S+/long.h5 goes on$",
                                       out, re.M)[1]
                 self.assertIn("\nresults: ", out)
                 self.assertFalse((self.folder / "long.h5.lock").exists())
-                result = self.good("long.yaml", "--restart", "long.h5", "--stop-at", str(float(time_told) + 1))
-                self.assertIn(f"going on from t = {time_told} s", result.stdout)
+                result = self.succeed("long.yaml", "--restart", "long.h5", "--stop-at", str(float(stop_time) + 1))
+                self.assertIn(f"going on from t = {stop_time} s", result.stdout)
                 self.assertNotIn("stopped", result.stdout)
                 for name in ("long.h5", "long.xdmf"):
                     (self.folder / name).unlink()
@@ -347,7 +347,7 @@ class Signals(Attack):
             process.send_signal(sign)
             process.communicate()
             self.assertEqual(process.returncode, 1)
-            self.good("long.yaml", "-q", "--restart", "long.h5", "--stop-at", "1")
+            self.succeed("long.yaml", "-q", "--restart", "long.h5", "--stop-at", "1")
             for name in ("long.h5", "long.xdmf"):
                 (self.folder / name).unlink()
 

@@ -31,19 +31,19 @@ class Fuzz(unittest.TestCase):
     def test_a_checker_that_dies(self):
         with tempfile.TemporaryDirectory() as name:
             program = Path(name) / "program"
-            for script, said in (("read x; kill -SEGV $$", "exit code -11"), ("read x; echo 1 odd; read x", "exit code 1: 'odd"),
+            for script, output in (("read x; kill -SEGV $$", "exit code -11"), ("read x; echo 1 odd; read x", "exit code 1: 'odd"),
                                  ("read x; echo 2 odd; read x", "exit code 2: 'odd"), ("read x; echo odd >&2; echo 0; read x", "odd")):
                 program.write_text(f"#!/bin/bash\n{script}\n")
                 program.chmod(0o755)
                 complaints, _ = fuzz(program, mutants=2, jobs=1, many=True)
                 self.assertEqual(len(complaints), 2, script)
-                self.assertIn(said, complaints[0])
+                self.assertIn(output, complaints[0])
 
     def test_complains(self):
         with tempfile.TemporaryDirectory() as name:
             folder = Path(name)
             make(0, folder)
-            for script, said in (
+            for script, output in (
                 ("kill -SEGV $$", "exit code -11"),
                 ("echo hawser: odd >&2; exit 2", "not one sentence"),
                 ("echo hawser: case.yaml:1: odd >&2; echo more >&2; exit 2", "not one sentence"),
@@ -54,7 +54,7 @@ class Fuzz(unittest.TestCase):
                 program = folder / "program"
                 program.write_text(f"#!/bin/bash\n{script}\n")
                 program.chmod(0o755)
-                self.assertIn(said, wrong(str(program), "check", folder, (0, 2), 1)[1])
+                self.assertIn(output, wrong(str(program), "check", folder, (0, 2), 1)[1])
             program.write_text("#!/bin/bash\necho hawser: case.yaml:1: odd >&2; exit 2\n")
             self.assertEqual(wrong(str(program), "check", folder, (0, 2), 1), (2, ""))
 

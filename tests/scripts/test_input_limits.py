@@ -39,29 +39,29 @@ class Limits(unittest.TestCase):
         for name in ("sparse.stl", "sparse.obj", "sparse.ply", "sparse.txt", "sparse.yaml"):
             os.truncate(os.open(self.folder / name, os.O_CREAT | os.O_WRONLY), 50_000_000_000)
 
-    def refused(self, file, said):
+    def refused(self, file, output):
         result = subprocess.run(
             [HAWSER, "check", str(file)], capture_output=True, text=True, check=False, timeout=300, cwd=self.folder, preexec_fn=limited
         )
         self.assertEqual(result.returncode, 2, result.stderr[-500:])
         self.assertRegex(result.stderr, r"\Ahawser: [^\n]+\n\Z")
-        self.assertIn(said, result.stderr)
+        self.assertIn(output, result.stderr)
 
     def test_cases(self):
-        for file, said in (
+        for file, output in (
             ("/dev/zero", "/dev/zero: is a device or a pipe, not a case file"),
             ("pipe", "pipe: is a device or a pipe, not a case file"),
             ("sparse.yaml", "sparse.yaml: has 5e+04 MB, and a case file has 4 MB at most"),
         ):
             with self.subTest(file=file):
-                self.refused(file, said)
+                self.refused(file, output)
 
     def test_files_of_a_case(self):
         table = "and a table file has 500 MB at most"
         sound = {"BED": "bed.xyz", "MOTION": "motion.txt", "MESH": "box.obj"}
         (self.folder / "bed.xyz").write_text("-99 -99 -99\n99 -99 -99\n-99 99 -99\n99 99 -99\n")
         (self.folder / "motion.txt").write_text("0 0 0 0\n5 0 0 0\n10 0 0 0\n")
-        for word, file, said in (
+        for word, file, output in (
             ("BED", "/dev/zero", "environment.seabed.grid.file: /dev/zero: is a device or a pipe, not a table file"),
             ("BED", "sparse.txt", table),
             ("MOTION", "pipe", "is a device or a pipe, not a table file"),
@@ -76,18 +76,18 @@ class Limits(unittest.TestCase):
                 for name, path in {**sound, word: file}.items():
                     text = text.replace(name, path)
                 (self.folder / "case.yaml").write_text(text)
-                self.refused("case.yaml", said)
+                self.refused("case.yaml", output)
 
     def test_yaml_that_swells(self):
         anchors = "".join(f"&a{i} [" for i in range(35))
-        for name, text, said in (
+        for name, text, output in (
             ("brackets", "hawser: 1\ntitle: " + "[" * 3_900_000, "is nested too deeply"),
             ("anchors", f"title: {anchors}{'a,' * 900_000}{']' * 35}\n", "has too many entries"),
             ("aliases", f"a: &a [{'x,' * 1000}]\nb: [{'*a ,' * 900_000}]\n", "has too many entries"),
         ):
             with self.subTest(text=name):
                 (self.folder / "case.yaml").write_text(text)
-                self.refused("case.yaml", said)
+                self.refused("case.yaml", output)
 
 
 if __name__ == "__main__":

@@ -51,7 +51,7 @@ class Install(unittest.TestCase):
         tables = self.hawser("export", case / "hanging-line.h5").split()
         self.assertTrue(any(Path(t).is_file() for t in tables), tables)
 
-    def test_without_the_python_tools_a_sentence_says_where_they_were_sought(self):
+    def test_without_the_python_tools_the_message_has_the_searched_folders(self):
         alone = Path(self.folder.name) / "alone/bin/hawser"
         alone.parent.mkdir(parents=True)
         shutil.copy2(self.prefix / "bin/hawser", alone)
@@ -64,10 +64,10 @@ class Install(unittest.TestCase):
         self.assertNotIn(str(ROOT / "scripts").encode(), (self.prefix / "bin/hawser").read_bytes())
 
     def test_one_version_everywhere(self):
-        said = self.hawser("--version").split()[1]
+        output = self.hawser("--version").split()[1]
         lists = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
         project = re.search(r"project\(hawser VERSION ([\d.]+)", lists)[1]
-        self.assertEqual(said, project)
+        self.assertEqual(output, project)
         changelog = BUILD / "debian/changelog"
         if changelog.exists():
             text = changelog.read_text(encoding="utf-8")

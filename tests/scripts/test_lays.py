@@ -118,19 +118,19 @@ class ThatCannotBeMeant(Lays):
 
     def test_a_support_out_of_line_is_named(self):
         for above, place, what in ((-4, 60, "below"), (6, 60, "above")):
-            said = self.refused(box(place, above), "supports.stinger.boxes[0]: support 'stinger 6' is ",
+            output = self.refused(box(place, above), "supports.stinger.boxes[0]: support 'stinger 6' is ",
                                 f"{what} the way over its neighbours, so that line pipe starts on the wrong side of support",
                                 "move it into line with them")
-            self.assertIn("lay.yaml:18: supports", said)
-            off = float(re.search(r"is ([0-9.]+) m", said)[1])
+            self.assertIn("lay.yaml:18: supports", output)
+            off = float(re.search(r"is ([0-9.]+) m", output)[1])
             self.assertAlmostEqual(off, 4.5 if above < 0 else 5.5, delta=0.1)
-            self.assertNotIn("target", said)
+            self.assertNotIn("target", output)
         # All of them, or the end of the line.
-        said = self.refused({"above_path: 0.5": "above_path: -8"}, "lay.yaml:18: supports.stinger.boxes[0]: the way over the "
+        output = self.refused({"above_path: 0.5": "above_path: -8"}, "lay.yaml:18: supports.stinger.boxes[0]: the way over the "
                             "supports begins 8.5", "m below the end from which line pipe goes overboard")
-        self.assertNotIn("target", said)
+        self.assertNotIn("target", output)
 
-    def test_a_target_is_sought_beyond_a_line_that_is_too_short(self):
+    def test_a_target_is_searched_for_beyond_a_line_that_is_too_short(self):
         done = self.hawser("run", {"[-500, 0, -59.7568]": "[-500, 200, -59.7568]", "400 kN": "300 kN"}, "-o",
                            self.folder / "lay.h5")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)

@@ -69,8 +69,8 @@ class Made(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
         cls.page, cls.completion = (Path(cls.folder.name) / name for name in ("hawser.1.gz", "completion"))
-        cls.said = {word: said for word, _, said in manual.make(HAWSER, cls.page, cls.completion)[1]}
-        cls.commands = set(cls.said)
+        cls.helps = {word: helps for word, _, helps in manual.make(HAWSER, cls.page, cls.completion)[1]}
+        cls.commands = set(cls.helps)
 
     def words(self, *line):
         """What bash offers in place of the last word."""
@@ -83,9 +83,9 @@ class Made(unittest.TestCase):
         self.assertEqual(self.page.read_bytes()[4:8], b"\0\0\0\0", "a time in it would make each build another")
         self.assertIn(".SH NAME\nhawser \\- ", text)
         self.assertTrue({"run", "check", "report", "plot"} <= self.commands)
-        for command, said in self.said.items():
+        for command, helps in self.helps.items():
             self.assertIn(f".SS hawser {command}\n", text)
-            for option in manual.options_of(said):
+            for option in manual.options_of(helps):
                 self.assertIn(manual.roff(option), text, command)
         self.assertEqual(text.count("Exit codes"), 1)
         self.assertNotIn(str(Path(HAWSER).parent), text)

@@ -116,19 +116,19 @@ class Modes(unittest.TestCase):
         """Frequencies [Hz] as printed, and the results file."""
         write(self.folder, "case.yaml", text)
         launch = [] if ranks == 1 else ["mpirun", "-n", str(ranks)]
-        told = run(*launch, HAWSER, "modes", "case.yaml", *arguments, cwd=self.folder, timeout=600)
-        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
-        printed = [float(v) for v in re.findall(r"^ *\d+ +[\d.e+-]+ +([\d.e+-]+) ", told.stdout, re.M)]
+        result = run(*launch, HAWSER, "modes", "case.yaml", *arguments, cwd=self.folder, timeout=600)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        printed = [float(v) for v in re.findall(r"^ *\d+ +[\d.e+-]+ +([\d.e+-]+) ", result.stdout, re.M)]
         return np.array(printed), Results(self.folder / "case-modes.h5")
 
     def test_names_the_bodies_that_move(self):
         write(self.folder, "buoy.yaml", BUOY)
-        said = run(HAWSER, "modes", self.folder / "buoy.yaml", "-n", "12").stdout
-        rows = [line for line in said.splitlines() if re.match(r"\s+\d+\s", line)]
-        self.assertEqual(len(rows), 12, said)
+        output = run(HAWSER, "modes", self.folder / "buoy.yaml", "-n", "12").stdout
+        rows = [line for line in output.splitlines() if re.match(r"\s+\d+\s", line)]
+        self.assertEqual(len(rows), 12, output)
         # Surge and sway of the chains' own take the buoy along; their high modes do not.
-        self.assertTrue(any("body buoy" in row for row in rows[:2]), said)
-        self.assertTrue(any("body buoy" not in row for row in rows), said)
+        self.assertTrue(any("body buoy" in row for row in rows[:2]), output)
+        self.assertTrue(any("body buoy" not in row for row in rows), output)
 
     def test_volturnus(self):
         one, _ = self.modes(chains(1), "-n", "12")
@@ -162,8 +162,8 @@ class Modes(unittest.TestCase):
         """A load on slings: pictures show it where the mode takes it, on any ranks; the bodies turn by no more than 0.3 rad."""
         case, poses = str(ROOT / "cases/lifted-load/lifted-load.yaml"), []
         for ranks in (1, 2):
-            told = run(*(["mpirun", "-n", "2"] if ranks == 2 else []), HAWSER, "modes", case, "-n", "6", "-o", "modes.h5", cwd=self.folder)
-            self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+            result = run(*(["mpirun", "-n", "2"] if ranks == 2 else []), HAWSER, "modes", case, "-n", "6", "-o", "modes.h5", cwd=self.folder)
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             results = Results(self.folder / "modes.h5")
             poses.append(np.concatenate([results.file["bodies/position"][:], results.file["bodies/rotation"][:]], axis=2))
         # One of the two free modes turns the hook; 3 and 4 are the pendulum along x and y, 5 % of the longest line, 20 m.
@@ -176,9 +176,9 @@ class Modes(unittest.TestCase):
 
     def test_refusals(self):
         write(self.folder, "case.yaml", STRING + "statics: false\ndynamics: {duration: 1}\n")
-        told = run(HAWSER, "modes", "case.yaml", cwd=self.folder)
-        self.assertEqual(told.returncode, 2)
-        self.assertIn("modes are about the static equilibrium", told.stderr)
+        result = run(HAWSER, "modes", "case.yaml", cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("modes are about the static equilibrium", result.stderr)
         self.assertEqual(run(HAWSER, "modes", "case.yaml", "-n", "0", cwd=self.folder).returncode, 2)
 
 

@@ -85,22 +85,22 @@ lines:
 
     def test_what_they_are_by(self):
         results = self.results()
-        told = pipe_checks.of_case(results, results.lines[0]).told()[1]
-        self.assertIn("safety class low, alpha_U 0.96, gamma_C of functional loads: supports 1, span 1, seabed 1.", told)
+        conditions = pipe_checks.of_case(results, results.lines[0]).description()[1]
+        self.assertIn("safety class low, alpha_U 0.96, gamma_C of functional loads: supports 1, span 1, seabed 1.", conditions)
         results.keys["environment"]["seabed"] = {"grid": {"file": "bed.txt"}}
         results.keys["line_types"]["steel"]["pipe"].update(safety_class="high", condition_factor={"supports": 0.8})
-        told = pipe_checks.of_case(results, results.lines[0]).told()[1]
+        conditions = pipe_checks.of_case(results, results.lines[0]).description()[1]
         self.assertIn("safety class high, alpha_U 0.96, gamma_C of functional loads: supports 0.8, span 1, seabed 1.07; uneven seabed",
-                      told)
+                      conditions)
 
-    def test_stress_beyond_yield_is_told(self):
-        def told(**more):
+    def test_stress_beyond_yield_gives_a_warning(self):
+        def warnings(**more):
             results = self.results(**more)
-            return pipe_checks.doubts(pipe_checks.of_case(results, results.lines[0]))
-        self.assertEqual(told(), [])
-        self.assertIn("above the yield stress of 450 MPa, but the pipe is elastic", told(moment=1e6)[0])
+            return pipe_checks.warnings(pipe_checks.of_case(results, results.lines[0]))
+        self.assertEqual(warnings(), [])
+        self.assertIn("above the yield stress of 450 MPa, but the pipe is elastic", warnings(moment=1e6)[0])
         self.assertIn("has 'plasticity': its von Mises stress is that of an elastic section",
-                      told(kind=", plasticity: {ramberg_osgood: {yield_moment: 5e5, A: 0.4, B: 12}}")[0])
+                      warnings(kind=", plasticity: {ramberg_osgood: {yield_moment: 5e5, A: 0.4, B: 12}}")[0])
 
 
 class Departing(unittest.TestCase):
@@ -359,10 +359,10 @@ class Lay(unittest.TestCase):
             return lay_search.Lay(tension, [], 0.3, 0.1, overbend)
         found = [(50, 80, laid(1e5, 0.9)), (50, 100, laid(2e5, 0.6)), (50, 120, laid(3e5, 0.5)), (70, 80, None),
                  (70, 100, laid(3e5, np.nan))]
-        said = list(lay.chosen(found, 0.7))
-        self.assertEqual(said[0], "In 50 m of water 100 m is the smallest of these radii whose overbend is used up to 0.7 (0.6), "
+        output = list(lay.chosen(found, 0.7))
+        self.assertEqual(output[0], "In 50 m of water 100 m is the smallest of these radii whose overbend is used up to 0.7 (0.6), "
                                   "with 200 kN.")
-        self.assertIn("In 70 m of water no lay of these radii", said[1])
+        self.assertIn("In 70 m of water no lay of these radii", output[1])
 
     def test_elements_keep_their_length(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -119,15 +119,15 @@ class Scenery(unittest.TestCase):
     def render(self, folder, *options, path=None):
         if not (Path(folder) / "sea.h5").exists():
             write(folder, "sea.yaml", CASE)
-            told = run(HAWSER, "run", "-q", "sea.yaml", cwd=folder)
-            self.assertEqual(told.returncode, 0, told.stderr)
+            result = run(HAWSER, "run", "-q", "sea.yaml", cwd=folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
         return run("scripts/with-display", "pvpython", ROOT / "scripts/render.py", Path(folder) / "sea.xdmf",
                    Path(folder) / "out", "--size", "240", "160", "--direction=0,1,-0.2", "--focus", "0,0,-10", "--height", "32",
                    "--pictures", "1", *options, timeout=300, env={**os.environ, **({"PATH": path} if path else {})})
 
     def picture(self, folder, *options):
-        told = self.render(folder, *options)
-        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+        result = self.render(folder, *options)
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         return read_png(Path(folder) / "out/sea.png")[2]
 
     @staticmethod
@@ -174,9 +174,9 @@ class Scenery(unittest.TestCase):
             for tool in ("bash", "pvpython", "Xvfb", "mktemp", "rm", "sleep", "env", "xkbcomp"):
                 (bare / tool).symlink_to(shutil.which(tool) or "/bin/true")
             (bare / "ssh").symlink_to("/bin/true")  # Open MPI, which ParaView starts, looks for it
-            told = self.render(folder, "--film", "run.mp4", path=str(bare))
-            self.assertNotEqual(told.returncode, 0)
-            self.assertIn("a film needs ffmpeg", told.stdout + told.stderr)
+            result = self.render(folder, "--film", "run.mp4", path=str(bare))
+            self.assertNotEqual(result.returncode, 0)
+            self.assertIn("a film needs ffmpeg", result.stdout + result.stderr)
 
 
 if __name__ == "__main__":

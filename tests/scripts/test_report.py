@@ -127,8 +127,8 @@ class Report(unittest.TestCase):
         self.assertEqual((again.returncode, again.stdout), (0, "report: again.html\n"), again.stderr)
 
     def test_modes_in_the_report(self):
-        told = self.hawser("report", "riser.yaml", "--modes", "-o", "modes.html")
-        self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+        result = self.hawser("report", "riser.yaml", "--modes", "-o", "modes.html")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
         page = Balanced()
         page.feed((self.folder / "modes.html").read_text(encoding="utf-8"))
         words = " ".join(page.words)
@@ -143,8 +143,8 @@ class Report(unittest.TestCase):
         text = (self.folder / "sea.yaml").read_text()
         for waves in ("regular: {height: 3, period: 8, direction_deg: 90}, ramp: 4", "jonswap: {hs: 2.5, tp: 8, components: 40}"):
             write(self.folder, "sea.yaml", text.replace("WAVES", waves))
-            told = self.hawser("run", "-q", "sea.yaml")
-            self.assertEqual(told.returncode, 0, told.stdout + told.stderr)
+            result = self.hawser("run", "-q", "sea.yaml")
+            self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
             sea = Sea(Results(self.folder / "sea.h5"))
             amplitude, omega, number = sea.components.T[:3]
             np.testing.assert_allclose(omega**2, 9.80665 * number * np.tanh(number * 60.5), rtol=2e-2)
@@ -197,24 +197,24 @@ class Report(unittest.TestCase):
                                 (["plot", "riser.h5", "history", "--column", "x"], "has no column 'x'"),
                                 (["plot", "riser.h5", "plan", "-o", "plan.xyz"], "is a .png, .svg or .pdf file"),
                                 (["export", "riser.yaml", "-o", "/proc/none"], "cannot be written")):
-            told = self.python(*arguments)
+            result = self.python(*arguments)
             with self.subTest(arguments=arguments):
-                self.assertIn(told.returncode, (1, 2))
-                self.assertEqual(len(told.stderr.splitlines()), 1, told.stderr)
-                self.assertTrue(told.stderr.startswith("hawser: "), told.stderr)
-                self.assertIn(part, told.stderr)
+                self.assertIn(result.returncode, (1, 2))
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+                self.assertTrue(result.stderr.startswith("hawser: "), result.stderr)
+                self.assertIn(part, result.stderr)
         write(self.folder, "no.h5", "text")
         self.assertIn("is no HDF5 file", self.python("plot", "no.h5", "plan").stderr)
 
     def test_fatigue(self):
-        told = self.hawser("fatigue", "riser.h5=0.25", "riser.h5=0.75", "--curve", "api-studless-chain", "--breaking-load",
+        result = self.hawser("fatigue", "riser.h5=0.25", "riser.h5=0.75", "--curve", "api-studless-chain", "--breaking-load",
                            "3e6", "--line", "mooring", "--since", "8")
-        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertEqual(result.returncode, 0, result.stderr)
         line, t = self.results.line("mooring"), self.results.time
         tension = self.results.field("effective_tension", line)[t >= 8]
         exact = [damage(tension[:, n] / 3e6, CURVES["api-studless-chain"]) / (t[-1] - t[t >= 8][0]) * 365.25 * 86400
                  for n in range(tension.shape[1])]
-        self.assertIn(f"{max(exact):.4g} a year", told.stdout)
+        self.assertIn(f"{max(exact):.4g} a year", result.stdout)
         with (self.folder / "riser-fatigue.csv").open() as file:
             rows = list(csv.reader(file))[1:]
         np.testing.assert_allclose([float(r[1]) for r in rows], exact, rtol=1e-6)
@@ -232,9 +232,9 @@ class Report(unittest.TestCase):
             self.assertIn(part, refused.stderr)
 
     def test_listed_with_the_commands(self):
-        said = self.hawser("--help").stdout
+        output = self.hawser("--help").stdout
         for command in ("report", "plot", "export"):
-            self.assertIn(command, said)
+            self.assertIn(command, output)
         self.assertIn("--since", self.hawser("report", "--help").stdout)
 
 

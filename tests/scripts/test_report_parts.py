@@ -92,12 +92,12 @@ class Parts(unittest.TestCase):
         peak = self.tension.max() + 5e3
         self.assertIn("riser effective tension kN", words)
         self.assertIn(f" {peak / 1e3:.1f} 8.500 ", words)
-        self.assertIn("Over the 20 outputs from t = 10 s on", envelopes.told(results, ["effective_tension"], 10.0))
+        self.assertIn("Over the 20 outputs from t = 10 s on", envelopes.description(results, ["effective_tension"], 10.0))
         without = self.words(self.file(statistics=False, name="bare.h5"))
         self.assertIn("Over the 40 outputs from t = 0 s on, so a peak may lie between two of them", without)
         going = Results(self.file(name="going.h5", ended=False))  # a run in progress: statistics are older than outputs
         self.assertFalse(envelopes.envelope(going, going.lines[0], "effective_tension").every_step)
-        self.assertIn("the run has not ended", envelopes.told(going, ["effective_tension"], 0.0))
+        self.assertIn("the run has not ended", envelopes.description(going, ["effective_tension"], 0.0))
         # The CSV files stay in SI units.
         head, rows = export.ranges(results, line)
         np.testing.assert_allclose(rows[:, head.index("effective_tension_max [N]")], found.most)
@@ -148,8 +148,8 @@ class Parts(unittest.TestCase):
         coated = Results(self.file(name="coated.h5", case=case))
         one, other = (stress.along(results, results.line("riser"))[:, ARC <= 60] for results in (plain, coated))
         np.testing.assert_allclose(one, other, rtol=1e-9)
-        told = stress.told(plain, plain.line("riser"), stress.along(plain, plain.line("riser")))
-        self.assertIn(f"{one.max() / 1e6:.4g} MPa at arc length", told)
+        output = stress.description(plain, plain.line("riser"), stress.along(plain, plain.line("riser")))
+        self.assertIn(f"{one.max() / 1e6:.4g} MPa at arc length", output)
 
     def test_stress_along_a_line(self):
         results = Results(self.file())
@@ -181,7 +181,7 @@ class Parts(unittest.TestCase):
             file["fields/bending_moment_2"], file["fields/bending_moment_3"] = 0.6 * self.moment, 0.8 * self.moment
         damages = []
         for options in ([], ["--outer-diameter", "300e-3", "--wall", "0.02"]):
-            code, told, err = self.run_("fatigue", path, "--curve", "dnv-d-air", *options, "-o", self.folder / "damage.csv")
+            code, output, err = self.run_("fatigue", path, "--curve", "dnv-d-air", *options, "-o", self.folder / "damage.csv")
             self.assertEqual(code, 0, err)
             damages.append(np.loadtxt(self.folder / "damage.csv", delimiter=",", skiprows=1))
         self.assertEqual(len(damages[1]), len(ARC))
@@ -209,28 +209,28 @@ class Parts(unittest.TestCase):
         return path
 
     def damages(self, *arguments):
-        code, told, err = self.run_("fatigue", *arguments, "-o", self.folder / "damage.csv")
+        code, output, err = self.run_("fatigue", *arguments, "-o", self.folder / "damage.csv")
         self.assertEqual(code, 0, err)
-        return np.loadtxt(self.folder / "damage.csv", delimiter=",", skiprows=1), told
+        return np.loadtxt(self.folder / "damage.csv", delimiter=",", skiprows=1), output
 
     def test_fatigue_of_chain_goes_by_the_strength_of_orq(self):
         # API Spec 2F: ORQ chain of 84 mm breaks at 21.1 84² (44 - 0.08 84) N = 5550 kN, R4 at 27.4/21.1 of that (IACS UR
         # W22). API's T-N curves take ORQ's for higher grades (de Laval 2005, OMAE2005, "API recommends the use of its TxN
         # curve considering the MBL of an ORQ chain even if the chain has a higher grade").
-        own, told = self.damages(self.chains(), "--curve", "api-studless-chain")
-        self.assertNotIn("warning: API", told)
+        own, output = self.damages(self.chains(), "--curve", "api-studless-chain")
+        self.assertNotIn("warning: API", output)
         np.testing.assert_allclose(own[:, 0], ARC[ARC <= 60])  # the rope is no chain
         for text in ("5550306", "5550.306 kN", "5.550306MN"):
-            given, told = self.damages(self.chains(), "--curve", "api-studless-chain", "--breaking-load", text)
+            given, output = self.damages(self.chains(), "--curve", "api-studless-chain", "--breaking-load", text)
             np.testing.assert_allclose(given[ARC <= 60, 1], own[:, 1], rtol=1e-5)
-            self.assertNotIn("too small", told)
-        given, told = self.damages(self.chains(), "--curve", "api-studless-chain", "--breaking-load", "7207.6 kN")
+            self.assertNotIn("too small", output)
+        given, output = self.damages(self.chains(), "--curve", "api-studless-chain", "--breaking-load", "7207.6 kN")
         np.testing.assert_allclose(given[ARC <= 60, 1], own[:, 1] / (27.4 / 21.1) ** 3, rtol=1e-4)
-        self.assertIn("5550 kN here", told)
-        self.assertIn("the damage is 2.2 times too small", told)
+        self.assertIn("5550 kN here", output)
+        self.assertIn("the damage is 2.2 times too small", output)
         np.testing.assert_allclose(self.damages(self.chains("R3"), "--curve", "api-studless-chain")[0], own)
-        _, told = self.damages(self.file(), "--curve", "api-studless-chain", "--breaking-load", "3 MN")
-        self.assertIn("of ORQ chain of the same size", told)
+        _, output = self.damages(self.file(), "--curve", "api-studless-chain", "--breaking-load", "3 MN")
+        self.assertIn("of ORQ chain of the same size", output)
 
     def test_fatigue_takes_strength_and_area_of_the_case(self):
         rope = ARC >= 60
@@ -282,7 +282,7 @@ class Parts(unittest.TestCase):
         self.assertEqual(rows[0], ["riser", "utilisation", share[k, 0], TIME[k], 0.0])
         self.assertEqual(rows[1], ["riser", "bend utilisation", 2 * share[k, 25], TIME[k], 50.0])
 
-    def test_a_field_is_shown_as_the_file_says(self):
+    def test_a_field_is_shown_as_the_file_declares_it(self):
         # Fields that no tool knows by name: in a graph, in the table alone, at a feeder's stations, nowhere.
         n = len(ARC)
         values = {name: ("N", np.outer(np.sin(TIME), k + ARC)) for k, name in enumerate(("one", "two", "three"))}

@@ -1,4 +1,4 @@
-"""What the program says, and ends with, when it is asked for the impossible or when the solver gives up."""
+"""What the program says, and ends with, when it is asked for the impossible or when the solver fails."""
 import os
 import shutil
 import tempfile
@@ -116,14 +116,14 @@ lines:
     end_b: {anchor: [160, 0, -90]}
     start: {points: [[-170, 0, -99.5], [-10.5, 0, -98.8], [0, 0, -88.8], [160, 0, -89.8]]}
 """)
-        told = "note: statics has not come to rest in 500 steps of dynamic relaxation; if slack lines lie in folds that touch one " \
+        messages = "note: statics has not come to rest in 500 steps of dynamic relaxation; if slack lines lie in folds that touch one " \
                "another, 'contact: {between_lines: false}' leaves that out and may end it\n"
-        self.assertEqual(self.hawser("run", "rod.yaml").stdout.count(told), 1)
+        self.assertEqual(self.hawser("run", "rod.yaml").stdout.count(messages), 1)
         alone = self.hawser("run", "rod.yaml", "--set", "contact.between_lines=false")
         self.assertEqual(alone.returncode, 0, alone.stderr)
         self.assertNotIn("has not come to rest", alone.stdout)
 
-    def test_no_blow_without_tension(self):
+    def test_no_impact_without_tension(self):
         write(self.folder, "rod.yaml", """\
 hawser: 1
 environment: {water: {depth: 1000}}
@@ -152,13 +152,13 @@ line_types: {cable: {outer_diameter: 0.3, mass_per_length: 200, EA: 100 MN, bend
 lines:
   cable: {sections: [{type: cable, length: 99.8, elements: 10}], end_a: {anchor: [0, 0, -100]}, end_b: {anchor: [0, 0, 0]}}
 """
-        told = "warning: line cable has elements of 9.98 m at arc length 54.89 m"
+        messages = "warning: line cable has elements of 9.98 m at arc length 54.89 m"
         write(self.folder, "coarse.yaml", text)
         write(self.folder, "fine.yaml", text.replace("elements: 10", "elements: 400"))
         for command in "run", "check":
             coarse, fine = (run(HAWSER, command, self.folder / f"{name}.yaml") for name in ("coarse", "fine"))
             self.assertEqual((coarse.returncode, fine.returncode), (0, 0), coarse.stderr + fine.stderr)
-            self.assertIn(told, coarse.stdout)
+            self.assertIn(messages, coarse.stdout)
             self.assertNotIn("warning", fine.stdout)
 
     def test_lines_that_start_in_one_another(self):
@@ -183,7 +183,7 @@ lines:
                 ("well", PIPE, []),
                 ("low", low, ["warning: support ramp 2 never carries line pipe, which passes 3 m above it and lies on supports "
                               "further on: raise it by 'above_path', or leave it out"]),
-                ("beneath", PIPE.replace("from: [0, 0, 9]", "from: [0, 0, 5]"),
+                ("below", PIPE.replace("from: [0, 0, 9]", "from: [0, 0, 5]"),
                  ["warning: none of its supports ever carries line pipe: are they drawn too low, or beside it?"])):
             write(self.folder, f"{name}.yaml", text)
             result = self.hawser("run", f"{name}.yaml")
@@ -191,7 +191,7 @@ lines:
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertEqual([line for line in result.stdout.splitlines() if line.startswith("warning")], wanted)
 
-    def test_failing_statics_says_what_may_help(self):
+    def test_failing_statics_reports_what_may_help(self):
         write(self.folder, "slack.yaml", """\
 hawser: 1
 environment: {water: {depth: 100}, seabed: {depth: 100}, current: {speed: 1}}
@@ -201,10 +201,10 @@ lines:
 statics: {max_iterations: 1, dynamic_relaxation: never}
 dynamics: {duration: 1}
 """)
-        said = self.hawser("run", "slack.yaml")
-        self.assertEqual(said.returncode, 3, said.stdout + said.stderr)
+        output = self.hawser("run", "slack.yaml")
+        self.assertEqual(output.returncode, 3, output.stdout + output.stderr)
         self.assertIn("note: statics has failed; what may help: without 'dynamic_relaxation: never'; a 'ramp' of the current",
-                      said.stdout)
+                      output.stdout)
 
     def test_a_riser_with_a_compressed_foot(self):
         # 290 m of pipe between points 289.9 m apart, of which its own stretch takes 3 cm: its foot is pressed by 0.08 MN.
@@ -219,8 +219,8 @@ contact: {between_lines: false}
 """
         for length, pressed in (("290", True), ("289.7", False)):
             write(self.folder, "riser.yaml", case.replace("LENGTH", length))
-            said = self.hawser("run", "riser.yaml").stdout
-            self.assertEqual("under an effective compression" in said, pressed, said)
+            output = self.hawser("run", "riser.yaml").stdout
+            self.assertEqual("under an effective compression" in output, pressed, output)
 
     def test_check_of_a_body_that_floats(self):
         write(self.folder, "body.yaml", """\
@@ -232,24 +232,24 @@ bodies:
   fixed: {}
 dynamics: {duration: 1}
 """)
-        said = self.hawser("check", "--quick", "body.yaml").stdout
+        output = self.hawser("check", "--quick", "body.yaml").stdout
         for part in ("buoy: at (0, 0, 0), moves by its mass of 60000 kg, in water with a volume of 200 m³\n",
                      "held: at (0, 0, 0), moves by its mass of 6000 kg, without weight, held by springs towards a place that "
                      "moves at (1, 0, 0) m/s\n", "fixed: at (0, 0, 0), stands still\n"):
-            self.assertIn(part, said)
+            self.assertIn(part, output)
 
     def refused(self, arguments, *parts, ranks=0, code=2):
         """One sentence on stderr with these parts, the exit code, and no new file."""
         before = sorted(self.folder.rglob("*"))
         result = self.hawser(*arguments, ranks=ranks)
-        said = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
+        output = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
         with self.subTest(arguments=arguments, ranks=ranks):
             self.assertEqual(result.returncode, code, result.stderr)
-            self.assertEqual(len(said), 1, result.stderr)
+            self.assertEqual(len(output), 1, result.stderr)
             for part in parts:
-                self.assertIn(part, said[0])
+                self.assertIn(part, output[0])
             if not ranks:  # mpirun has its own words on a job that ended with an error
-                self.assertEqual(result.stderr, said[0] + "\n")
+                self.assertEqual(result.stderr, output[0] + "\n")
             self.assertNotRegex(result.stderr, "PETSC|MPI_ABORT|HDF5-DIAG|terminate called|internal error")
             if code == 2:
                 self.assertEqual(sorted(self.folder.rglob("*")), before, "something was written")
@@ -269,21 +269,21 @@ lines:
     end_b: {body: ship, at: [60, 0, 0]}
 dynamics: {duration: 3 h}
 """)
-        said = self.hawser("check", "ship.yaml").stdout
-        self.assertIn("automatic steps of at most 0.1 s (a hundredth of the period of body ship)", said)
+        output = self.hawser("check", "ship.yaml").stdout
+        self.assertIn("automatic steps of at most 0.1 s (a hundredth of the period of body ship)", output)
 
     def test_check_refuses_what_run_refuses_at_the_start(self):
         write(self.folder, "met.yaml", CASE + "events: [{cut: {line: rod, at: 6}, when: {position: {line: rod, at: 12, axis: z, above: -100}}}]\n")
-        told = {}
+        messages = {}
         for command in ("check", "run"):
             result = self.hawser(command, "met.yaml")
             self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-            told[command] = [line for line in result.stderr.splitlines() if "before anything moves" in line]
-            self.assertEqual(len(told[command]), 1, result.stderr)
-        self.assertIn("met.yaml:13: events[0]", told["run"][0])
-        self.assertEqual(told["check"][0], told["run"][0])
+            messages[command] = [line for line in result.stderr.splitlines() if "before anything moves" in line]
+            self.assertEqual(len(messages[command]), 1, result.stderr)
+        self.assertIn("met.yaml:13: events[0]", messages["run"][0])
+        self.assertEqual(messages["check"][0], messages["run"][0])
 
-    def test_statics_that_snaps_says_so(self):
+    def test_statics_that_snaps_reports_it(self):
         write(self.folder, "strut.yaml", """\
 hawser: 1
 environment: {gravity: 0}
@@ -300,7 +300,7 @@ lines:
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("note: statics left 1 unstable equilibrium on its way", result.stdout)
 
-    def test_wrong_energy_is_not_called_good(self):
+    def test_wrong_energy_is_not_accepted(self):
         # A pendulum in steps of a sixth of its period, with as much damping as there is.
         write(self.folder, "pendulum.yaml", """\
 hawser: 1
@@ -321,12 +321,12 @@ output: {every: 5}
         self.assertRegex(result.stdout, r"warning: the steps lost \d+ J by t = [\d.]+ s, \d+\.?\d* % of the work done: they are "
                                         r"too long for what moves; give dynamics.step: 0.12 s. The results are not to be used")
 
-    def test_blow_at_the_start(self):
+    def test_impact_at_the_start(self):
         for ranks in (0, 2):
-            result = self.hawser("run", ROOT / "docs/tutorial/riser-3.yaml", "-o", f"blow{ranks}.h5", "--set", "dynamics.duration=0.3",
+            result = self.hawser("run", ROOT / "docs/tutorial/riser-3.yaml", "-o", f"impact{ranks}.h5", "--set", "dynamics.duration=0.3",
                                  "--set", "bodies.vessel.motion.ramp=0", ranks=ranks)
             self.assertEqual(result.returncode, 4, result.stderr)
-            self.assertRegex(result.stdout, r"warning: the steps created .*: bodies.vessel.motion begins with a velocity and strikes "
+            self.assertRegex(result.stdout, r"warning: the steps created .*: bodies.vessel.motion begins with a velocity, an impact on "
                                             r"the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter step is no help")
 
     def test_help(self):
@@ -412,9 +412,9 @@ output: {every: 5}
                              "disk/rod.yaml", "-q", cwd=self.folder, timeout=300)
                 with self.subTest(size=size, ranks=ranks):
                     self.assertEqual(result.returncode, 1, result.stdout + result.stderr)
-                    said = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
-                    self.assertEqual(len(said), 1, result.stderr)
-                    self.assertRegex(said[0], r"\Ahawser: cannot write \S*rod\.(h5|xdmf): no space left on the disk\Z")
+                    output = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
+                    self.assertEqual(len(output), 1, result.stderr)
+                    self.assertRegex(output[0], r"\Ahawser: cannot write \S*rod\.(h5|xdmf): no space left on the disk\Z")
                     self.assertEqual(result.stdout.split(), ["rod.h5", "rod.xdmf", "rod.yaml"])
 
     def test_restarts_that_do_not_fit(self):
@@ -454,7 +454,7 @@ output: {every: 5}
         (self.folder / "cut.h5").write_bytes((self.folder / "rod.h5").read_bytes()[:3000])
         restart("cut.h5", "it is no results file of hawser, or damaged")
 
-    def test_solver_gives_up(self):
+    def test_solver_fails(self):
         for number, (edits, more, parts) in enumerate(HOPELESS):
             case = CASE
             for old, new in edits.items():

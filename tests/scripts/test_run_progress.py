@@ -63,13 +63,13 @@ class Progress(unittest.TestCase):
         write(self.folder, "box.obj", box)
         write(self.folder, "large.obj", box + "# nothing but this comment, again and again, as long as a row of numbers\n" * 600_000)
         case = CASE.replace("lines:\n", "volumes:\n  deck: {mesh: MESH}\nlines:\n", 1).replace("[0, 0, 0], dir", "[0, 0, 200], dir")
-        for mesh, told in [("box.obj", False), ("large.obj", True)]:
+        for mesh, expected in [("box.obj", False), ("large.obj", True)]:
             write(self.folder, "deck.yaml", case.replace("MESH", mesh))
             for command in ("check", "run"):
                 lines = run(HAWSER, command, "deck.yaml", cwd=self.folder).stdout.splitlines()
                 self.assertEqual(lines[0], "a cantilever")
-                self.assertEqual(lines[1] == "reading the mesh large.obj (44 MB)", told, lines[:3])
-                self.assertEqual("making the mesh large.obj ready" in lines, told, lines[:3])
+                self.assertEqual(lines[1] == "reading the mesh large.obj (44 MB)", expected, lines[:3])
+                self.assertEqual("making the mesh large.obj ready" in lines, expected, lines[:3])
                 self.assertEqual(lines.count("a cantilever"), 1)
         _, text = on_terminal(HAWSER, "run", "deck.yaml", cwd=self.folder)
         self.assertTrue(text.startswith("a cantilever\r\n\r\033[Kreading the mesh large.obj (44 MB)\r\033[K"), text[:200])

@@ -76,20 +76,20 @@ class Set(unittest.TestCase):
         with h5py.File(self.folder / "two-modes.h5") as file:
             self.assertEqual(list(file["lines/name"]), [b"long rope"])
             self.assertEqual(file["set"][()], b"lines.other=null")
-        said = self.hawser("check", "--quick", "two.yaml", *self.changed("title=a new one", "lines[0].sections[0].elements=17"))
-        self.assertEqual(said.returncode, 0, said.stderr)
-        self.assertIn("a new one\n", said.stdout)
-        self.assertIn("17 elements", said.stdout)
+        output = self.hawser("check", "--quick", "two.yaml", *self.changed("title=a new one", "lines[0].sections[0].elements=17"))
+        self.assertEqual(output.returncode, 0, output.stderr)
+        self.assertIn("a new one\n", output.stdout)
+        self.assertIn("17 elements", output.stdout)
 
     def refused(self, changes, *parts, ranks=0, command=("check", "--quick", "two.yaml")):
         before = sorted(self.folder.rglob("*"))
         result = self.hawser(*command, *self.changed(*changes), ranks=ranks)
-        said = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
+        output = [line for line in result.stderr.splitlines() if line.startswith("hawser: ")]
         with self.subTest(changes=changes, ranks=ranks):
             self.assertEqual(result.returncode, 2, result.stderr + result.stdout)
-            self.assertEqual(len(said), 1, result.stderr)
+            self.assertEqual(len(output), 1, result.stderr)
             for part in parts:
-                self.assertIn(part, said[0])
+                self.assertIn(part, output[0])
             self.assertEqual(sorted(self.folder.rglob("*")), before)
 
     def test_bad_changes(self):
@@ -102,11 +102,11 @@ class Set(unittest.TestCase):
         self.assertEqual(self.hawser("run", "two.yaml", "--set", "dynamics.duration=0.4").returncode, 0)
         self.refused(["lines.other.sections[0].elements=7"], "line other has 7 nodes there, 8 here",
                      "but not other lines, lengths, elements, links or volumes", command=("run", "two.yaml", "--restart", "two.h5"))
-        for changes, said in [(["dynamics.duration=0.8"], "was made with --set dynamics.duration=0.4, and goes on with --set dynamics.duration=0.8"),
+        for changes, output in [(["dynamics.duration=0.8"], "was made with --set dynamics.duration=0.4, and goes on with --set dynamics.duration=0.8"),
                               ([], "was made with --set dynamics.duration=0.8, and goes on without --set")]:
             result = self.hawser("run", "two.yaml", "--restart", "two.h5", *self.changed(*changes))
             self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertIn(f"note: the run of two.h5 {said}\n", result.stdout)
+            self.assertIn(f"note: the run of two.h5 {output}\n", result.stdout)
         with h5py.File(self.folder / "two.h5") as file:
             self.assertEqual(file["outputs/time"][-1], 1)
 

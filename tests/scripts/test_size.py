@@ -26,13 +26,13 @@ class Size(unittest.TestCase):
         self.assertTrue(found, result.stdout)
         return float(found.group(1)) * UNITS[found.group(2)], result.stdout
 
-    def check_checkpoints(self, file, said):
+    def check_checkpoints(self, file, output):
         """Without a trial the numbers of a node are known, but not how much friction holds where."""
-        found = re.search(r"checkpoints ([\d.]+) (\w+)", said)
+        found = re.search(r"checkpoints ([\d.]+) (\w+)", output)
         sizes = []
         with h5py.File(file) as results:
             results["checkpoint"].visititems(lambda _, item: sizes.append(item.id.get_storage_size() if isinstance(item, h5py.Dataset) else 0))
-        self.assertLess(abs(float(found.group(1)) * UNITS[found.group(2)] / sum(sizes) - 1), 0.3, said)
+        self.assertLess(abs(float(found.group(1)) * UNITS[found.group(2)] / sum(sizes) - 1), 0.3, output)
 
     def check_size(self, case, *options):
         file = self.folder / "results.h5"
@@ -40,12 +40,12 @@ class Size(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         size = file.stat().st_size
         for quick in ([], ["--quick"]):
-            told, said = self.expected(case, *options, *quick)
+            estimate, output = self.expected(case, *options, *quick)
             with self.subTest(case=case, quick=quick, size=size):
-                if quick and "checkpoints" in said:
-                    self.check_checkpoints(file, said)
+                if quick and "checkpoints" in output:
+                    self.check_checkpoints(file, output)
                 # Without a trial the number of steps is a guess.
-                self.assertLess(abs(told / size - 1), 0.15 if not quick else 0.5, f"{told:g} is expected, {size} are there")
+                self.assertLess(abs(estimate / size - 1), 0.15 if not quick else 0.5, f"{estimate:g} is expected, {size} are there")
 
     def test_of_a_line_with_fixed_steps(self):
         self.check_size("mooring-line/mooring-line.yaml", "--set", "dynamics.duration=20", "--set", "output.every=0.2")
@@ -59,11 +59,11 @@ class Size(unittest.TestCase):
 
     def test_what_is_much_is_noted(self):
         case = ("mooring-line/mooring-line.yaml", "--quick", "--set", "dynamics.duration=10800", "--set", "output.every=0.1")
-        told, said = self.expected(*case)
-        self.assertGreater(told, 2e9)
-        self.assertRegex(said, "\nnote: (output.every says how often|the disk of .* has .* left)")
-        _, said = self.expected(*case, "--set", "output.every=0.00002")
-        self.assertIn("left, and a run takes up to twice the size of its results", said)
+        estimate, output = self.expected(*case)
+        self.assertGreater(estimate, 2e9)
+        self.assertRegex(output, "\nnote: (output.every says how often|the disk of .* has .* left)")
+        _, output = self.expected(*case, "--set", "output.every=0.00002")
+        self.assertIn("left, and a run takes up to twice the size of its results", output)
 
 
 if __name__ == "__main__":

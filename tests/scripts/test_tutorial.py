@@ -1,6 +1,6 @@
 """The commands of the tutorial and of the how-to pages print what the pages say.
 
-A block ```console of a page holds commands (`$ `, continued by `> `) and what they print. Lines may be left out, and
+A block ```console of a page holds commands (`$ `, continued by `> `) and what they print. Lines may be excluded, and
 the ends of lines (` ...`): what is shown must come in this order. Words must be the same, numbers agree to 1 %. All
 commands of a page are run in one copy of docs/tutorial.
 """

@@ -118,7 +118,7 @@ class Models(unittest.TestCase):
         self.assertEqual([len(part) for part in found], [64, 64, 64, 8])
         np.testing.assert_allclose(np.concatenate(found), whole, atol=1e-3)
 
-    def test_a_long_run_is_thinned_and_says_so(self):
+    def test_a_long_run_is_thinned_with_a_note(self):
         results = Results(large(self.folder.name, 900, 300, "long.h5"))
         header, found = embedded.packed_model(results, 60_000)
         self.assertLessEqual(sum(map(len, found.values())) * 4 / 3, 60_000)
@@ -126,10 +126,10 @@ class Models(unittest.TestCase):
         self.assertTrue(any(words.startswith("One in ") for words in header["missing"]), header["missing"])
 
     def test_what_stands_in_a_page_cannot_end_its_script(self):
-        told = embedded.json_of({"title": "</script><!-- x", "low": float("nan"), "n": np.int64(3)})
-        self.assertNotIn("</", told)
-        self.assertNotIn("<!--", told)
-        self.assertEqual(json.loads(told), {"title": "</script><!-- x", "low": None, "n": 3})
+        embedded_text = embedded.json_of({"title": "</script><!-- x", "low": float("nan"), "n": np.int64(3)})
+        self.assertNotIn("</", embedded_text)
+        self.assertNotIn("<!--", embedded_text)
+        self.assertEqual(json.loads(embedded_text), {"title": "</script><!-- x", "low": None, "n": 3})
 
     def test_notes_find_their_places(self):
         at = notes.placed(self.results, ["warning: line riser turns at arc length 75 m, t = 3 s", "note: end_b of riser", "note: of nothing here"])
@@ -152,7 +152,7 @@ class Models(unittest.TestCase):
 
 
 class Libraries(unittest.TestCase):
-    def test_says_what_is_not_installed(self):
+    def test_reports_what_is_not_installed(self):
         before = os.environ.get("HAWSER_JAVASCRIPT")
         os.environ["HAWSER_JAVASCRIPT"] = "/nowhere"
         try:

@@ -156,7 +156,7 @@ class Served(unittest.TestCase):
         self.assertEqual(status["outputs"], 3)
         self.assertNotEqual(status["stamp"], stamp)
 
-    def test_a_run_that_is_written_anew_at_its_end_keeps_its_stamp(self):
+    def test_a_run_that_is_rewritten_at_its_end_keeps_its_stamp(self):
         stamp = json.loads(self.ask("status")[1])["stamp"]
         other = self.folder / "other.h5"
         run_of(other, 30)
@@ -229,10 +229,10 @@ class Cases(unittest.TestCase):
 
     def test_notes_of_the_check_stand_at_their_place(self):
         write(self.folder, "case.yaml", CASE + "    masses: [{at: 100, mass: 5e6}]\n")
-        told = start_shape.notes_of(self.folder / "case.yaml")
-        self.assertTrue(all(text.startswith(("note: ", "warning: ")) for text in told), told)
+        notes = start_shape.notes_of(self.folder / "case.yaml")
+        self.assertTrue(all(text.startswith(("note: ", "warning: ")) for text in notes), notes)
 
-    def test_a_case_that_is_refused_says_why(self):
+    def test_a_case_that_is_refused_reports_why(self):
         write(self.folder, "case.yaml", CASE.replace("elements: 40", "elements: -4"))
         with self.assertRaisesRegex(Refusal, "case.yaml:6: .*elements"):
             start_shape.notes_of(self.folder / "case.yaml")

@@ -20,8 +20,8 @@ from paraview.simple import OpenDataFile
 
 reader = OpenDataFile(sys.argv[1])
 reader.UpdatePipelineInformation()
-told = {"times": list(reader.TimestepValues), "looks": []}
-for time in (told["times"][0], told["times"][-1]):
+read = {"times": list(reader.TimestepValues), "looks": []}
+for time in (read["times"][0], read["times"][-1]):
     reader.UpdatePipeline(time)
     look = {}
     for leaf in leaves(servermanager.Fetch(reader)):
@@ -31,8 +31,8 @@ for time in (told["times"][0], told["times"][-1]):
         elif leaf.GetPointData().GetArray("effective_tension"):
             tension = leaf.GetPointData().GetArray("effective_tension")
             look["line"], look["tension"] = points, [tension.GetValue(i) for i in range(len(points))]
-    told["looks"].append(look)
-print("TOLD " + json.dumps(told))
+    read["looks"].append(look)
+print("READ " + json.dumps(read))
 """
 
 
@@ -53,12 +53,12 @@ class Xdmf(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         result = run("scripts/with-display", "pvpython", folder / "look.py", folder / "reel.xdmf", ROOT / "scripts",
                      timeout=300)
-        lines = [line for line in result.stdout.splitlines() if line.startswith("TOLD ")]
+        lines = [line for line in result.stdout.splitlines() if line.startswith("READ ")]
         self.assertEqual((result.returncode, len(lines)), (0, 1), result.stdout + result.stderr)
-        told = json.loads(lines[0][5:])
-        self.assertEqual([round(t, 9) for t in told["times"]], [0, 2, 4, 6, 8, 10, 12])
-        first, last = told["looks"]
-        for look in told["looks"]:
+        read = json.loads(lines[0][5:])
+        self.assertEqual([round(t, 9) for t in read["times"]], [0, 2, 4, 6, 8, 10, 12])
+        first, last = read["looks"]
+        for look in read["looks"]:
             self.assertEqual(len(look["line"]), 41)
             self.assertEqual(len(look["drum"]), len(first["drum"]))
             self.assertGreater(look["triangles"], 100)

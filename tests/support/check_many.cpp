@@ -9,12 +9,12 @@
 #include <iostream>
 #include <string>
 
-#include "hawser/base/alone.hpp"
 #include "hawser/base/error.hpp"
+#include "hawser/base/singleton.hpp"
 #include "hawser/run/driver.hpp"
 
 int main(int argc, char** argv) {
-  hawser::start_alone();
+  hawser::start_singleton();
   if (PetscInitialize(&argc, &argv, nullptr, nullptr)) return 1;
   PetscPopSignalHandler();
   std::FILE* const answers = fdopen(dup(STDOUT_FILENO), "w");
@@ -29,9 +29,11 @@ int main(int argc, char** argv) {
       if (chdir(folder.c_str()) != 0) throw std::runtime_error("no folder " + folder);
       code = hawser::run::check_case(PETSC_COMM_WORLD, "case.yaml", 0, !quick);
     } catch (const hawser::InputError& e) {
-      code = hawser::kExitInput, text = e.what();
+      code = hawser::kExitInput;
+      text = e.what();
     } catch (const std::exception& e) {
-      code = 1, text = e.what();
+      code = 1;
+      text = e.what();
     }
     std::fflush(stdout);
     std::fprintf(answers, "%d %s\n", code, text.c_str());

@@ -14,20 +14,28 @@ inline model::Case moored_chain(const Vec3& from, int elements, double bed_stiff
   model::Case c = one_line(t, 835, elements, anchor(from), {});
   c.contact.between_lines.enabled = false;  // so that ranks cut it
   c.environment.gravity = 9.80665;
-  c.environment.water.present = true, c.environment.water.depth = 200;
+  c.environment.water.present = true;
+  c.environment.water.depth = 200;
   model::Seabed& bed = c.environment.seabed;
-  bed.present = true, bed.depth = 200, bed.normal_stiffness = bed_stiffness,
+  bed.present = true;
+  bed.depth = 200;
+  bed.normal_stiffness = bed_stiffness;
   bed.damping = 0.1 * bed_stiffness;
-  bed.friction.axial = 0.6, bed.friction.lateral = 0.9, bed.friction.mobilisation_length = 0.01;
+  bed.friction.axial = 0.6;
+  bed.friction.lateral = 0.9;
+  bed.friction.mobilisation_length = 0.01;
   model::Body b;
   b.name = "ship";
   b.position = {795, 0, -14};
   model::HarmonicMotion m;
-  m.amplitude = amplitude, m.period = 8;
-  b.motion = m, b.ramp = 4;
+  m.amplitude = amplitude;
+  m.period = 8;
+  b.motion = m;
+  b.ramp = 4;
   c.bodies.push_back(b);
   model::End e;
-  e.kind = model::EndKind::body, e.body = "ship";
+  e.kind = model::EndKind::body;
+  e.body = "ship";
   c.lines[0].end_b = e;
   c.dynamics.enabled = true;
   c.dynamics.step = 0.1;

@@ -28,18 +28,24 @@ constexpr Extremes kRiser = {63.41e3, 70.16e3, 12.97e3, 16.90e3};
 // Water, bed, vessel and what is asked of dynamics. Newton's tolerance: 10 to the power of minus `digits`.
 inline model::Case surging(double step, int digits) {
   model::Case c;
-  c.environment.water.present = true, c.environment.water.depth = 200;
+  c.environment.water.present = true;
+  c.environment.water.depth = 200;
   model::Seabed& bed = c.environment.seabed;
-  bed.present = true, bed.depth = 200, bed.basis = model::StiffnessBasis::per_length;
+  bed.present = true;
+  bed.depth = 200;
+  bed.basis = model::StiffnessBasis::per_length;
   model::Body b;
   b.name = "vessel";
   model::HarmonicMotion m;
-  m.amplitude = Vec3(2, 0, 0), m.period = 10;
-  b.motion = m, b.ramp = 10;
+  m.amplitude = Vec3(2, 0, 0);
+  m.period = 10;
+  b.motion = m;
+  b.ramp = 10;
   c.bodies.push_back(b);
   c.contact.between_lines.enabled = false;
   c.dynamics.enabled = true;
-  c.dynamics.duration = 100, c.dynamics.step = step;
+  c.dynamics.duration = 100;
+  c.dynamics.step = step;
   c.dynamics.tolerance = std::pow(10, -digits);
   return c;
 }
@@ -49,8 +55,11 @@ inline model::Line hung(const std::string& type, double length, int segments, co
   model::Line l;
   l.name = "line";
   l.sections.push_back({type, length, segments, 1});
-  l.end_a.kind = model::EndKind::anchor, l.end_a.at = anchor;
-  l.end_b.kind = model::EndKind::body, l.end_b.body = "vessel", l.end_b.at = hang_off;
+  l.end_a.kind = model::EndKind::anchor;
+  l.end_a.at = anchor;
+  l.end_b.kind = model::EndKind::body;
+  l.end_b.body = "vessel";
+  l.end_b.at = hang_off;
   return l;
 }
 
@@ -60,8 +69,12 @@ inline model::Case chains(int segments, int lines, double step, int digits) {
   model::LineType t;
   t.name = "chain";
   t.kind = model::LineKind::cable;
-  t.outer_diameter = 0.252, t.contact_diameter = 1e-9, t.mass_per_length = 390, t.EA = 1.674e9;
-  t.Cd_normal = 1.37, t.Cd_axial = 0.64;
+  t.outer_diameter = 0.252;
+  t.contact_diameter = 1e-9;
+  t.mass_per_length = 390;
+  t.EA = 1.674e9;
+  t.Cd_normal = 1.37;
+  t.Cd_axial = 0.64;
   t.stiffness_damping = 760.0 / segments * std::sqrt(t.mass_per_length / t.EA);
   c.line_types.push_back(t);
   c.environment.seabed.normal_stiffness = 25200;
@@ -77,10 +90,14 @@ inline model::Case riser(int segments, double step, int digits) {
   model::Case c = surging(step, digits);
   model::LineType t;
   t.name = "pipe";
-  t.outer_diameter = 0.2, t.contact_diameter = 1e-9, t.mass_per_length = 60;
-  t.EA = 5e8, t.EI2 = t.EI3 = t.GJ = 5e4;
+  t.outer_diameter = 0.2;
+  t.contact_diameter = 1e-9;
+  t.mass_per_length = 60;
+  t.EA = 5e8;
+  t.EI2 = t.EI3 = t.GJ = 5e4;
   t.rotary_inertia = Vec3(0.6, 0.3, 0.3);
-  t.Cd_normal = 1.2, t.Cd_axial = 0.05;
+  t.Cd_normal = 1.2;
+  t.Cd_axial = 0.05;
   c.line_types.push_back(t);
   c.environment.seabed.normal_stiffness = 2e4;
   c.lines.push_back(hung(t.name, 420, segments, Vec3(300, 0, -200), Vec3(0, 0, -10)));
@@ -117,7 +134,7 @@ inline double factorisation(System& system, const State& s, int batches) {
 struct Cost {
   double used = 0, one = 0;  // s: CPU a simulated second, a factorisation
   double steps = 0, iterations = 0;
-  Extremes seen;
+  Extremes found;
 };
 
 // All of the 100 s, from the line at rest.
@@ -133,13 +150,16 @@ inline Cost measure(const model::Case& c, int batches) {
   sim.dynamics().run(
       100, [](double) { return 100.0; },
       [&](const StepInfo& info) {
-        cost.iterations += info.iterations, ++cost.steps;
+        cost.iterations += info.iterations;
+        ++cost.steps;
         if (info.time < 20) return true;
         const auto& r = sim.dynamics().reactions();
         const double T = Vec3(r[end], r[end + 1], r[end + 2]).norm(), A = Vec3(r[0], r[1], r[2]).norm();
-        Extremes& seen = cost.seen;
-        seen.least = std::min(seen.least, T), seen.most = std::max(seen.most, T);
-        seen.anchor_least = std::min(seen.anchor_least, A), seen.anchor_most = std::max(seen.anchor_most, A);
+        Extremes& found = cost.found;
+        found.least = std::min(found.least, T);
+        found.most = std::max(found.most, T);
+        found.anchor_least = std::min(found.anchor_least, A);
+        found.anchor_most = std::max(found.anchor_most, A);
         return true;
       });
   cost.used = (cpu_seconds() - from) / 100;

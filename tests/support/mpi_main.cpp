@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hawser/base/alone.hpp"
+#include "hawser/base/singleton.hpp"
 
 namespace {
 
@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i)
     if (const std::string argument = argv[i]; argument.starts_with("--file="))
       choose_files(argument.substr(7));
-  hawser::start_alone();
+  hawser::start_singleton();
   if (PetscInitialize(&argc, &argv, nullptr, nullptr)) return 1;
   int rank = 0;
   MPI_Comm_rank(PETSC_COMM_WORLD, &rank);

@@ -16,7 +16,9 @@ inline model::LineType beam_type(double EA, double EI, double GJ, double mass = 
   t.name = "beam";
   t.outer_diameter = t.contact_diameter = 0.1;
   t.mass_per_length = mass;
-  t.EA = EA, t.EI2 = t.EI3 = EI, t.GJ = GJ;
+  t.EA = EA;
+  t.EI2 = t.EI3 = EI;
+  t.GJ = GJ;
   t.rotary_inertia = Vec3::Constant(1e-4);
   return t;
 }
@@ -51,7 +53,8 @@ inline model::Case one_line(const model::LineType& type, double length, int elem
   model::Line l;
   l.name = "line";
   l.sections.push_back({type.name, length, elements, 1});
-  l.end_a = a, l.end_b = b;
+  l.end_a = a;
+  l.end_b = b;
   c.lines.push_back(l);
   c.dynamics.duration = 1;
   return c;

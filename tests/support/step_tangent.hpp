@@ -78,7 +78,8 @@ class StepTangent {
   // The worst of some directions of this size.
   double worst(double length, double angle) {
     Trial t;
-    t.length = length, t.angle = angle;
+    t.length = length;
+    t.angle = angle;
     double out = 0;
     for (int k = 0; k < 4; ++k) out = std::max(out, error(direction(system_, t, 100 + k), 0.08));
     return out;

@@ -26,10 +26,13 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   std::string_view name() const override { return "middle springs"; }
   bool recouple(const Kinematics& committed, double h) override { return list.update(committed, h); }
   void couple(Couplings& to) const override { list.couple(to); }
-  void update_ghosts() override { list.locate(), ++located; }
+  void update_ghosts() override {
+    list.locate();
+    ++located;
+  }
   void limit_step(const Kinematics&, ImpactEvents&) const override {}
   Verdict check_step(const Kinematics& t) const override {
-    if (!list.covers(t)) return {Verdict::Kind::prepare_anew, "candidates are out of date"};
+    if (!list.covers(t)) return {Verdict::Kind::prepare_again, "candidates are out of date"};
     const bool refused = t.step > refuse && t.time > refuse_from && t.time < refuse_to;
     return refused ? Verdict{Verdict::Kind::shorter, "the test refuses it"} : Verdict{};
   }

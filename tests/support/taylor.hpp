@@ -50,10 +50,12 @@ inline State state_of(const LocalMesh& mesh, const Trial& t, double step = 0,
       const size_t i = static_cast<size_t>(n);
       const double* d = direction->data() + 3 * mesh.block[i];
       const Eigen::Map<const Vec3> dx(d);
-      s.v[i] += w.C * step * dx, s.a[i] += w.M * step * dx;
+      s.v[i] += w.C * step * dx;
+      s.a[i] += w.M * step * dx;
       if (!mesh.rotates(n)) continue;
       const Eigen::Map<const Vec3> dt(d + 3);
-      s.w[i] += w.C * step * dt, s.alpha[i] += w.M * step * dt;
+      s.w[i] += w.C * step * dt;
+      s.alpha[i] += w.M * step * dt;
     }
   }
   retract(mesh, t.from, u.data(), s);
@@ -139,14 +141,18 @@ inline Taylor taylor(System& system, const Trial& t, const Weights& w, int direc
     for (size_t i = 0; i < Jd.size(); ++i) {
       largest = std::max(largest, std::abs(Jd[i]));
       size += zero[i] * zero[i];
-      near += std::pow(a[i] - zero[i] - e * Jd[i], 2), far += std::pow(c[i] - zero[i] - 2 * e * Jd[i], 2);
+      near += std::pow(a[i] - zero[i] - e * Jd[i], 2);
+      far += std::pow(c[i] - zero[i] - 2 * e * Jd[i], 2);
     }
-    size = std::sqrt(size), near = std::sqrt(near), far = std::sqrt(far);
+    size = std::sqrt(size);
+    near = std::sqrt(near);
+    far = std::sqrt(far);
     for (size_t i = 0; i < Jd.size(); i += 3) {
       double off = 0, block = 0;
       for (size_t j = i; j < i + 3; ++j) {
         const double difference = (8 * (a[j] - b[j]) - (c[j] - g[j])) / (12 * e);
-        off += std::pow(difference - Jd[j], 2), block += Jd[j] * Jd[j];
+        off += std::pow(difference - Jd[j], 2);
+        block += Jd[j] * Jd[j];
       }
       if (off == 0) continue;
       // A block where hardly anything happens is measured against what happens elsewhere.
@@ -154,7 +160,8 @@ inline Taylor taylor(System& system, const Trial& t, const Weights& w, int direc
           std::max(out.error, std::sqrt(off) / std::max({std::sqrt(block), 1e-3 * largest, 1e-9 * size}));
     }
     if (near < 1e-8 * e * largest + 1e-12 * size) continue;  // linear, up to round-off
-    out.order = std::min(out.order, std::log2(far / near)), ++out.orders;
+    out.order = std::min(out.order, std::log2(far / near));
+    ++out.orders;
   }
   return out;
 }

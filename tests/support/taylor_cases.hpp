@@ -37,10 +37,15 @@ inline void add_structure(SuiteModel& m, double beta, double GA, bool turned, bo
       continue;
     }
     StructureTerm::Beam b{e, {}, {g.length, 300, 50, 80, 40, GA, beta}, {}};
-    if (tables) b.section.tension = &tension, b.section.moment = &moment, b.section.EI3 = b.section.EI2 = 60;
+    if (tables) {
+      b.section.tension = &tension;
+      b.section.moment = &moment;
+      b.section.EI3 = b.section.EI2 = 60;
+    }
     if (turned) {
       b.reference.axes = suite_axes(true);
-      b.reference.psi = Vec3(0.1, -0.05, 0.08), b.reference.strain = 0.02;
+      b.reference.psi = Vec3(0.1, -0.05, 0.08);
+      b.reference.strain = 0.02;
     }
     beams.push_back(b);
   }
@@ -53,10 +58,12 @@ inline void add_mass(SuiteModel& m, const Placement& at, bool turned) {
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
     LineMassTerm::Piece p;
-    p.at = e, p.beam = g.beam;
+    p.at = e;
+    p.beam = g.beam;
     p.section = {g.length, 2, Vec3(0.5, 0.2, 0.4), suite_axes(turned)};
     p.load = at.rotation * Vec3(1, -2, -15);
-    p.first_ramped = 0, p.ramped = 2;
+    p.first_ramped = 0;
+    p.ramped = 2;
     pieces.push_back(p);
   }
   m.system->add(std::make_unique<LineMassTerm>(
@@ -167,7 +174,8 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool w
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
     Hydrodynamics::Piece p;
-    p.at = e, p.beam = g.beam;
+    p.at = e;
+    p.beam = g.beam;
     p.section = {g.length, radius, 40, 4, 3, 1, 2, 0.7};
     pieces.push_back(p);
   }
@@ -179,13 +187,17 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool w
   sea.surface = surface;
   sea.current = CurrentProfile(
       {{surface - 20, at.rotation * Vec3(0.5, 1, 0)}, {surface + 20, at.rotation * Vec3(-1.5, 3, 0)}});
-  sea.current_ramp = 1.5, sea.current_factor = TimeFactor({{0, 0.4}, {2, 1.6}});
+  sea.current_ramp = 1.5;
+  sea.current_factor = TimeFactor({{0, 0.4}, {2, 1.6}});
   if (waves) {
     std::vector<WaveComponent> components;
     for (const Vec3& omega_and_way : {Vec3(0.9, 0.6, 0.8), Vec3(1.4, -1, 0)}) {
       WaveComponent w;
       const Vec3 way = at.rotation * Vec3(omega_and_way.y(), omega_and_way.z(), 0);
-      w.amplitude = 0.3, w.omega = omega_and_way.x(), w.x = way.x(), w.y = way.y();
+      w.amplitude = 0.3;
+      w.omega = omega_and_way.x();
+      w.x = way.x();
+      w.y = way.y();
       w.phase = 0.4 - wave_number(w.omega, 0, sea.gravity) * way.dot(at.shift);
       components.push_back(w);
     }

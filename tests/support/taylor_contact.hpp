@@ -17,7 +17,7 @@ struct SuiteCase {
   std::function<std::unique_ptr<SuiteModel>(MPI_Comm, const Placement&)> build;
 };
 
-// Places of contact. Nodes are put on the surface, each in a state of its own (kStory), and one step of
+// Places of contact. Nodes are put on the surface, each in a state of its own (kHistory), and one step of
 // history is laid down.
 enum class ContactOn { plane, cylinder, face, edge, vertex, corner };
 inline constexpr double kContactRadius = 0.1, kNormalStiffness = 1e5;
@@ -30,7 +30,9 @@ inline std::unique_ptr<SuiteModel> held_model(MPI_Comm comm, const Placement& at
   for (int n = 0; n < l.nodes(); ++n)
     if (l.global[static_cast<size_t>(n)] == 3) {
       TiedNode held;
-      held.node = n, held.position_mask = 7, held.rotation_mask = 1;
+      held.node = n;
+      held.position_mask = 7;
+      held.rotation_mask = 1;
       s.push_back(held);
     }
   m->system->tie(s, {});
@@ -72,7 +74,7 @@ inline Vec3 place(ContactOn on, int g, double gap, double slip) {
   return {};
 }
 
-struct NodeStory {
+struct NodeHistory {
   double before, gap;  // m, at the start of the step and in the trial
   double slip;         // m, in the step
   double speed;        // m/s, relative, of each component
@@ -80,7 +82,7 @@ struct NodeStory {
 inline constexpr double mm = 1e-3;
 // By node: open, ramp and stick, full and stick, full and slip, ramp and slip, first touch and stick, first
 // touch and slip, leaves. The ramp is 1 mm wide on either side.
-inline constexpr NodeStory kStory[8] = {
+inline constexpr NodeHistory kHistory[8] = {
     {50 * mm, 30 * mm, 5 * mm, 0.1},  {-0.2 * mm, 0.3 * mm, 0.02 * mm, 0.02}, {-5 * mm, -6 * mm, 1 * mm, 0.1},
     {-5 * mm, -4 * mm, 20 * mm, 0.1}, {-0.3 * mm, 0.2 * mm, 5 * mm, 0.02},    {10 * mm, -4 * mm, 1 * mm, 0.1},
     {10 * mm, -5 * mm, 40 * mm, 0.1}, {-3 * mm, 5 * mm, 1 * mm, 0.1}};
@@ -125,7 +127,7 @@ inline LineVolumeContact& add_contact(SuiteModel& m, const Placement& at, Contac
   before.time = t0 - t.h;
   for (int n = 0; n < l.nodes(); ++n) {
     const int g = l.global[static_cast<size_t>(n)];
-    const NodeStory s = kStory[g];
+    const NodeHistory s = kHistory[g];
     const double old = g == 1 ? 0.02 * mm : 0.5 * mm;
     before.x[static_cast<size_t>(n)] = p0.to_space(place(on, g, s.before, -old));
     const Vec3 from = p1.to_space(place(on, g, s.before, 0)), to = p2.to_space(place(on, g, s.gap, s.slip));

@@ -25,7 +25,10 @@ inline Mesh suite_mesh() {
     for (int i = 0; i < 4; ++i) m.nodes.push_back({line, i * L, i % 3 ? L : L / 2, line == 0});
     for (int i = 0; i < 3; ++i) m.elements.push_back({line, first + i, first + i + 1, line, L, line == 0});
     LineSpan span;
-    span.first_node = first, span.nodes = 4, span.first_element = 3 * line, span.elements = 3,
+    span.first_node = first;
+    span.nodes = 4;
+    span.first_element = 3 * line;
+    span.elements = 3;
     span.length = 3 * L;
     m.lines.push_back(span);
   }
@@ -40,7 +43,8 @@ struct SuiteModel {
     system = std::make_unique<System>(comm, local_mesh(mesh, partition(mesh, size), rank, size));
     const LocalMesh& l = system->mesh();
     trial.h = 0.05;
-    trial.from = State(l.nodes()), trial.rates = State(l.nodes());
+    trial.from = State(l.nodes());
+    trial.rates = State(l.nodes());
     trial.from.time = 1;
     trial.u.assign(3 * static_cast<size_t>(l.blocks()), 0);
     for (int n = 0; n < l.nodes(); ++n) {
@@ -62,7 +66,8 @@ struct SuiteModel {
       trial.rates.w[i] = noise3(g, 7);
       trial.rates.alpha[i] = 3 * noise3(g, 8);
     }
-    trial.from.v = trial.rates.v, trial.from.w = trial.rates.w;
+    trial.from.v = trial.rates.v;
+    trial.from.w = trial.rates.w;
   }
   // Where the trial takes node n (local).
   Vec3 where(int n) const { return state_of(system->mesh(), trial).x[static_cast<size_t>(n)]; }

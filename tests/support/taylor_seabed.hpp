@@ -22,7 +22,8 @@ class PlacedSurface final : public Surface {
     auto s = bed_->query(turn_.conjugate() * (y - origin_), most, hint);
     if (!s) return s;
     const Mat3 R = turn_.toRotationMatrix();
-    s->normal = R * s->normal, s->point = origin_ + R * s->point;
+    s->normal = R * s->normal;
+    s->point = origin_ + R * s->point;
     s->curvature = R * s->curvature * R.transpose();
     return s;
   }
@@ -44,10 +45,10 @@ inline std::shared_ptr<const HeightGrid> hilly() {
   return std::make_shared<const HeightGrid>(x, x, z);
 }
 
-// A seabed under the nodes, sloping or of a grid, each node in its own situation (kStory): with a spring or a
-// table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in the
-// first stage of statics, with friction under a normal force that does not follow the trial; with points half
-// way along the elements as well, which come to be between their nodes' situations.
+// A seabed under the nodes, sloping or of a grid, each node in its own situation (kHistory): with a spring or
+// a table, through whose bends and steep parts they go, or with suction, which holds those that rise; or in
+// the first stage of statics, with friction under a normal force that does not follow the trial; with points
+// half way along the elements as well, which come to be between their nodes' situations.
 enum class Soil { spring, table, sticky, laid };
 inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, double lateral,
                               bool curved = false, Soil soil = Soil::spring, bool between = false) {
@@ -60,13 +61,16 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   const auto bed = hilly();
   SeabedTerm::PointLaw law;
   law.radius = kContactRadius;
-  law.law.normal.stiffness = kNormalStiffness, law.law.normal.smoothing = 1 * mm,
+  law.law.normal.stiffness = kNormalStiffness;
+  law.law.normal.smoothing = 1 * mm;
   law.law.normal.damping = 500;
   if (soil == Soil::sticky) law.suction = {300, 10 * mm};
   if (soil == Soil::table) law.law.normal = {0.7 * table.largest_slope(), 0, 500, &table, 0.7};
   FrictionLaw& friction = law.law.friction;
-  friction.axial = axial, friction.lateral = lateral;
-  friction.axial_length = 2 * mm, friction.lateral_length = 3 * mm;
+  friction.axial = axial;
+  friction.lateral = lateral;
+  friction.axial_length = 2 * mm;
+  friction.lateral_length = 3 * mm;
   const SeabedTerm::PointLaws laws{std::vector<SeabedTerm::PointLaw>(static_cast<size_t>(l.owned), law),
                                    std::vector<SeabedTerm::PointLaw>(between ? l.elements.size() : 0, law)};
   auto term = curved ? std::make_unique<SeabedTerm>(
@@ -79,7 +83,7 @@ inline SeabedTerm& add_seabed(SuiteModel& m, const Placement& at, double axial, 
   before.time = t.from.time - t.h;
   for (int n = 0; n < l.nodes(); ++n) {
     const int g = l.global[static_cast<size_t>(n)];
-    const NodeStory& s = kStory[g];
+    const NodeHistory& s = kHistory[g];
     const auto where = [&](double gap, double slip) -> Vec3 {
       const Vec3 flat = place(ContactOn::plane, g, gap, slip);
       if (!curved) return origin + slope * flat;

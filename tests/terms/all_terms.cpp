@@ -140,7 +140,8 @@ TEST(Suite, TurnsWithTheModel) {
     if (c.name == "point loads and masses" || c.name == "everything") continue;  // weight: see below
     if (c.name.starts_with("water")) continue;                                   // level: see below
     const auto m = c.build(PETSC_COMM_SELF, {}), turned = c.build(PETSC_COMM_SELF, at);
-    m->system->tie({}, {}), turned->system->tie({}, {});
+    m->system->tie({}, {});
+    turned->system->tie({}, {});
     const auto [size, off] = turned_forces(*m, *turned, at.rotation);
     // Contact: round-off of positions times stiffness.
     EXPECT_LT(off, 1e-12 * size + (c.name.starts_with("contact") || c.name.starts_with("seabed")
@@ -155,7 +156,8 @@ TEST(Suite, WaterTurnsWithTheModelAboutTheVertical) {
   const Placement at{exp_so3({0, 0, 1.3}), Vec3(2, -1, 0)};
   for (const SuiteCase& c : water_cases()) {
     const auto m = c.build(PETSC_COMM_SELF, {}), turned = c.build(PETSC_COMM_SELF, at);
-    m->system->tie({}, {}), turned->system->tie({}, {});
+    m->system->tie({}, {});
+    turned->system->tie({}, {});
     const LocalMesh& mesh = m->system->mesh();
     const auto f = residual(*m->system, state_of(mesh, m->trial), m->trial.h);
     const auto g = residual(*turned->system, state_of(mesh, turned->trial), turned->trial.h);
@@ -174,7 +176,8 @@ TEST(Suite, WaterTurnsWithTheModelAboutTheVertical) {
 TEST(Suite, LoadsTurnWithTheModel) {
   const Placement at{exp_so3({0.9, -1.3, 0.7}), Vec3(2, -1, 3)};
   SuiteModel m, turned(PETSC_COMM_SELF, at);
-  add_loads(m, {}, false), add_loads(turned, at, false);
+  add_loads(m, {}, false);
+  add_loads(turned, at, false);
   const LocalMesh& mesh = m.system->mesh();
   const auto f = residual(*m.system, state_of(mesh, m.trial), m.trial.h);
   const auto g = residual(*turned.system, state_of(mesh, turned.trial), turned.trial.h);

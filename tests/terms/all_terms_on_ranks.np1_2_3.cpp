@@ -97,7 +97,8 @@ TEST(SuiteRanks, EnergyAndHistory) {
     System &all = *m.all->system, &one = *m.one->system;
     const double h = m.one->trial.h;
     const State end_a = state_of(all.mesh(), m.all->trial), end_b = state_of(one.mesh(), m.one->trial);
-    all.commit(end_a.view(h)), one.commit(end_b.view(h));
+    all.commit(end_a.view(h));
+    one.commit(end_b.view(h));
     const Energy x = all.energy(end_a.view(h)), y = one.energy(end_b.view(h));
     const double size = y.kinetic + y.strain + std::abs(y.potential) + 1;
     for (const auto part : {&Energy::kinetic, &Energy::strain, &Energy::potential, &Energy::friction,

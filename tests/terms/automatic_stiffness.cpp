@@ -17,7 +17,8 @@ TEST(ContactStiffness, Automatic) {
   // Round the drum of a reel, 1 cm allowed.
   model::Volume drum;
   drum.shape = CylinderShape{Vec3::Zero(), Vec3::UnitY(), 3.6};
-  d.bend = bending_radius(drum, d.radius), d.allowed_penetration = 0.01;
+  d.bend = bending_radius(drum, d.radius);
+  d.allowed_penetration = 0.01;
   EXPECT_EQ(d.bend, 4.025);
   const AutomaticStiffness b = automatic_contact_stiffness(d);
   EXPECT_NEAR(b.per_length * 0.01, weight * (1 + 250 / 4.025), 1e-6);

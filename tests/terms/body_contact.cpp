@@ -31,7 +31,9 @@ struct TouchCase {
 
 Quat axes(const Vec3& x, const Vec3& y) {
   Mat3 m;
-  m.col(0) = x.normalized(), m.col(1) = y.normalized(), m.col(2) = m.col(0).cross(m.col(1));
+  m.col(0) = x.normalized();
+  m.col(1) = y.normalized();
+  m.col(2) = m.col(0).cross(m.col(1));
   return Quat(m);
 }
 
@@ -67,7 +69,7 @@ std::vector<TouchCase> touch_cases() {
        low,
        0,
        {0, 0, 0.7}},
-      {"edge on a face, askew", box, kMet, length, exp_so3({0.016, 0, 0}) * on_edge, low, 0, kTop,
+      {"edge on a face, inclined", box, kMet, length, exp_so3({0.016, 0, 0}) * on_edge, low, 0, kTop,
        Vec3::UnitZ(), area, 9e-3},
       {"edge on a ball",
        box,
@@ -109,19 +111,28 @@ struct BodyModel {
   BodyModel(const TouchCase& what, double gap, bool floats, double closing) {
     const auto volume = [&](const char* body, const Primitive& shape, StiffnessBasis basis) {
       model::Volume v;
-      v.name = v.body = body, v.shape = shape, v.basis = basis;
-      v.normal_stiffness = 1e5, v.smoothing = kGapSmoothing, v.relative_damping = 0.2;
+      v.name = v.body = body;
+      v.shape = shape;
+      v.basis = basis;
+      v.normal_stiffness = 1e5;
+      v.smoothing = kGapSmoothing;
+      v.relative_damping = 0.2;
       c.volumes.push_back(v);
       c.bodies.emplace_back().name = body;
     };
-    volume("leads", what.shape, what.basis), volume("met", what.met, what.met_basis);
-    c.bodies[0].mass.emplace(), c.bodies[0].mass->mass = 40, c.bodies[0].mass->centre = {0.03, -0.05, 0.1};
+    volume("leads", what.shape, what.basis);
+    volume("met", what.met, what.met_basis);
+    c.bodies[0].mass.emplace();
+    c.bodies[0].mass->mass = 40;
+    c.bodies[0].mass->centre = {0.03, -0.05, 0.1};
     c.bodies[0].mass->inertia = {4, 5, 6};
     model::Body& other = c.bodies[1];
-    other.position = {1, 2, 3}, other.rotation = {0.5, -0.4, 0.8};
+    other.position = {1, 2, 3};
+    other.rotation = {0.5, -0.4, 0.8};
     if (floats) {
       other.mass = c.bodies[0].mass;
-      other.mass->mass = 70, other.mass->centre = {-0.1, 0.02, 0.05};
+      other.mass->mass = 70;
+      other.mass->centre = {-0.1, 0.02, 0.05};
     }
     volumes = run::load_volumes(c);
     mesh = build_mesh(c);
@@ -140,7 +151,8 @@ struct BodyModel {
     system->add(std::move(term));
 
     const LocalMesh& l = system->mesh();
-    trial.h = 0.01, trial.length = trial.angle = 1e-4;
+    trial.h = 0.01;
+    trial.length = trial.angle = 1e-4;
     trial.from = trial.rates = State(l.nodes());
     trial.from.time = 1;
     trial.u.assign(3 * static_cast<size_t>(l.blocks()), 0);
@@ -153,10 +165,13 @@ struct BodyModel {
       const size_t i = static_cast<size_t>(node);
       const Vec3 at = origin + turn * c.bodies[static_cast<size_t>(body)].mass->centre;
       const Vec3 u = 0.02 * noise3(body, 1), turned = 0.3 * noise3(body, 2);
-      trial.from.x[i] = at - u, trial.from.q[i] = turn * exp_so3(-turned);
+      trial.from.x[i] = at - u;
+      trial.from.q[i] = turn * exp_so3(-turned);
       double* to = trial.u.data() + 3 * l.block[i];
-      Eigen::Map<Vec3>(to, 3) = u, Eigen::Map<Vec3>(to + 3, 3) = turned;
-      trial.rates.v[i] = v, trial.rates.w[i] = w;
+      Eigen::Map<Vec3>(to, 3) = u;
+      Eigen::Map<Vec3>(to + 3, 3) = turned;
+      trial.rates.v[i] = v;
+      trial.rates.w[i] = w;
     };
     put(0, x, q, met.velocity_at(x) - closing * (met.rotation * out) + 0.05 * noise3(0, 3),
         0.05 * noise3(0, 4));
@@ -175,7 +190,8 @@ void expect_momentum(const BodyModel& m, const State& s) {
   for (size_t i = 0; i < static_cast<size_t>(l.nodes()); ++i) {
     const double* of = f.data() + 3 * l.block[i];
     const Eigen::Map<const Vec3> force(of), couple(of + 3);
-    sum += force, moment += s.x[i].cross(force) + s.q[i] * couple;
+    sum += force;
+    moment += s.x[i].cross(force) + s.q[i] * couple;
     size += force.norm();
   }
   EXPECT_LT(sum.norm(), 1e-12 * size);

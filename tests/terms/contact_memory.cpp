@@ -150,12 +150,12 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
     fresh.restore(term.save());
     term.prepare(from.view(kStep), kStep);
     const auto limits = [&](LineVolumeContact& t) {
-      ImpactEvents strikes;
-      strikes.most = kStep;
-      t.limit_step(from.view(kStep), strikes);
+      ImpactEvents impacts;
+      impacts.most = kStep;
+      t.limit_step(from.view(kStep), impacts);
       Outcome out;
-      out.longest = std::min(strikes.longest, kStep);
-      for (const ImpactEvent& s : strikes.list) out.energies.push_back(s.energy());
+      out.longest = std::min(impacts.longest, kStep);
+      for (const ImpactEvent& s : impacts.list) out.energies.push_back(s.energy());
       return out;
     };
     for (const double far : {1e-4, 0.01, 0.3, 1e5, 0.01, 0.0}) {
@@ -164,7 +164,8 @@ void go(const Scene& scene, bool beam, model::ContactMethod method) {
       term.evaluate(trial.view(kStep), nowhere);
       LineVolumeContact mine = term, other = fresh;
       other.prepare(from.view(kStep), kStep);
-      mine.commit(trial.view(kStep)), other.commit(trial.view(kStep));
+      mine.commit(trial.view(kStep));
+      other.commit(trial.view(kStep));
       const auto a = mine.save(), b = other.save();
       ASSERT_EQ(a.size(), b.size()) << scene.name << " step " << n << " off by " << far;
       for (size_t i = 0; i < a.size(); ++i)
@@ -211,9 +212,9 @@ TEST(ContactMemory, AsksLittle) {
       for (Vec3& v : s->v) v = Vec3(0, 0, -0.02);
     term.prepare(from.view(kStep), kStep);
     counting->questions = 0;
-    ImpactEvents strikes;
-    strikes.most = kStep;
-    term.limit_step(from.view(kStep), strikes);
+    ImpactEvents impacts;
+    impacts.most = kStep;
+    term.limit_step(from.view(kStep), impacts);
     (n == 0 ? first : ahead) += counting->questions;
     counting->questions = 0;
     term.evaluate(to.view(kStep), nowhere);

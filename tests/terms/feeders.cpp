@@ -23,10 +23,18 @@ model::Case fed(const model::Feed& a, const model::Feed& b, Kind kind) {
   model::Case c;
   c.environment.gravity = 9.81;
   model::LineType t;
-  t.name = "rope", t.kind = model::LineKind::cable, t.mass_per_length = 2, t.EA = 300,
+  t.name = "rope";
+  t.kind = model::LineKind::cable;
+  t.mass_per_length = 2;
+  t.EA = 300;
   t.stiffness_damping = 0.05;
-  if (kind != Kind::cable)
-    t.kind = model::LineKind::beam, t.EI2 = 9, t.EI3 = 12, t.GJ = 8, t.stiffness_damping = 0;
+  if (kind != Kind::cable) {
+    t.kind = model::LineKind::beam;
+    t.EI2 = 9;
+    t.EI3 = 12;
+    t.GJ = 8;
+    t.stiffness_damping = 0;
+  }
   if (kind == Kind::yields) {
     t.EI2 = 12;
     t.plastic_bending =
@@ -38,17 +46,19 @@ model::Case fed(const model::Feed& a, const model::Feed& b, Kind kind) {
   l.sections = {{"rope", 9, 9, 1}};
   l.end_a.kind = l.end_b.kind = model::EndKind::anchor;
   l.end_b.at = Vec3(4, 1, 0.5);
-  l.end_a.feed = a, l.end_b.feed = b;
+  l.end_a.feed = a;
+  l.end_b.feed = b;
   c.lines.push_back(l);
   return c;
 }
 
-// With two lines across it: one at the mouth of end A, one at the joint beside it.
+// With two lines across it: one at the feed point of end A, one at the joint beside it.
 void cross(model::Case& c) {
   model::LineType t = c.line_types.front();
-  t.name = "across", t.kind = model::LineKind::cable;
+  t.name = "across";
+  t.kind = model::LineKind::cable;
   c.line_types.push_back(t);
-  for (const char* name : {"at the mouth", "at a joint"}) {
+  for (const char* name : {"at the feed point", "at a joint"}) {
     model::Line l;
     l.name = name;
     l.sections = {{"across", 3, 3, 1}};
@@ -62,8 +72,11 @@ constexpr double kRadius = 0.2;  // m
 LinePairOptions rough() {
   LinePairOptions o;
   o.general.basis = model::StiffnessBasis::per_length;
-  o.general.normal_stiffness = 2000, o.general.smoothing = 0.01, o.general.relative_damping = 0.1;
-  o.general.friction = 0.3, o.general.mobilisation_length = 0.05;
+  o.general.normal_stiffness = 2000;
+  o.general.smoothing = 0.01;
+  o.general.relative_damping = 0.1;
+  o.general.friction = 0.3;
+  o.general.mobilisation_length = 0.05;
   return o;
 }
 
@@ -84,8 +97,10 @@ struct Rig {
     auto mass = std::make_unique<LineMassTerm>(system->mesh(), c);
     owned = std::make_unique<Feeders>(system->mesh(), c);
     feeders = owned.get();
-    structure->fed_by(feeders), mass->fed_by(feeders);
-    system->add(std::move(structure)), system->add(std::move(mass));
+    structure->fed_by(feeders);
+    mass->fed_by(feeders);
+    system->add(std::move(structure));
+    system->add(std::move(mass));
     if (c.lines.size() > 1) {
       std::vector<LineContactElement> elements(mesh.elements.size(), {kRadius, 2});
       auto between = std::make_unique<LinePairs>(PETSC_COMM_SELF, system->mesh(), elements, rough());
@@ -104,7 +119,9 @@ struct Rig {
     v.surface = roller;
     v.settings.name = "roller";
     v.settings.basis = model::StiffnessBasis::per_length;
-    v.settings.normal_stiffness = 2000, v.settings.smoothing = 0.01, v.settings.relative_damping = 0.1;
+    v.settings.normal_stiffness = 2000;
+    v.settings.smoothing = 0.01;
+    v.settings.relative_damping = 0.1;
     v.settings.friction = {0.3, 0.3, 0, 4e3};
     auto term = std::make_unique<LineVolumeContact>(
         system->mesh(), std::make_shared<const Bodies>(), std::vector{v},
@@ -115,16 +132,17 @@ struct Rig {
   }
 };
 
-// Across the middle of the element at the mouth of end A, 5 cm into the line where that has its length L.
+// Across the middle of the element at the feed point of end A, 5 cm into the line where that has its length
+// L.
 struct Roller {
   static constexpr double kRadius = 0.3;  // m
   Vec3 middle, along;
 
   static AxisShape axis(const Rig& r, const Kinematics& at) {
     const Feeder& f = r.feeders->list().front();
-    const LocalElement& e = *r.feeders->at_mouth(f);
+    const LocalElement& e = *r.feeders->at_feed_point(f);
     AxisEnds ends = element_axis(at, r.mesh.elements[static_cast<size_t>(e.global)], e.first, e.second);
-    ends.length = r.feeders->mouth(f, at, false).length;
+    ends.length = r.feeders->feed_point(f, at, false).length;
     return AxisShape(ends);
   }
   Roller(const Rig& r, const Kinematics& start) {
@@ -161,8 +179,12 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   speed.stock = exact.stock = band.stock = limited.stock = 2;
   speed.speed = {{0, 0.5}, {1, 2.5}};
   exact.tension = 30;
-  band.tension = 30, band.least = 20, band.most = 40, band.speed_per_tension = 0.02;
-  limited = band, limited.max_speed = 0.01;
+  band.tension = 30;
+  band.least = 20;
+  band.most = 40;
+  band.speed_per_tension = 0.02;
+  limited = band;
+  limited.max_speed = 0.01;
   const Vec3 towards(4, 1, 0.5);
   const Quat along = minimal_rotation(Vec3::UnitX(), towards.normalized());
   std::vector<std::tuple<model::Feed, Kind, On>> cases;
@@ -171,7 +193,7 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
   for (const model::Feed& a : {speed, exact, band}) cases.push_back({a, Kind::cable, On::lines});
   for (const model::Feed& a : {speed, band}) cases.push_back({a, Kind::beam, On::lines});
   for (model::Feed a : {speed, exact, band}) {
-    a.stock = 2.3;  // the element at the mouth is shorter than that of the mesh
+    a.stock = 2.3;  // the element at the feed point is shorter than that of the mesh
     for (const Kind kind : {Kind::cable, Kind::beam}) cases.push_back({a, kind, On::roller});
   }
   for (const auto& [a, kind, on] : cases) {
@@ -191,18 +213,27 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
       from.s.x[i] = s * towards;
       if (beam) from.s.q[i] = along;
       if (n <= 2 || n >= 7) continue;
-      from.s.x[i] += 0.1 * noise3(n, 1), from.s.v[i] = noise3(n, 2), from.s.a[i] = 3 * noise3(n, 3);
+      from.s.x[i] += 0.1 * noise3(n, 1);
+      from.s.v[i] = noise3(n, 2);
+      from.s.a[i] = 3 * noise3(n, 3);
       if (!beam) continue;
       from.s.q[i] = along * exp_so3(0.2 * noise3(n, 6));
-      from.s.w[i] = noise3(n, 7), from.s.alpha[i] = 3 * noise3(n, 8);
+      from.s.w[i] = noise3(n, 7);
+      from.s.alpha[i] = 3 * noise3(n, 8);
     }
     // So long that it pulls: the chord is beyond the unstretched length of 5 m.
     for (Vec3& x : from.s.x) x *= 1.4;
     if (crossed) lay_across(from.s);
-    for (Feeder& f : r.feeders->list()) f.tied.at *= 1.4, f.resting = false;
+    for (Feeder& f : r.feeders->list()) {
+      f.tied.at *= 1.4;
+      f.resting = false;
+    }
     r.system->tie(r.feeders->with_held({}), {});
     std::optional<Roller> roller;
-    if (on == On::roller) roller.emplace(r, from.s.view(0)), r.put_on(roller->surface());
+    if (on == On::roller) {
+      roller.emplace(r, from.s.view(0));
+      r.put_on(roller->surface());
+    }
     r.add_feeders();
     alpha_start(mesh, from);
     r.system->couple(from.s.view(h), h);
@@ -213,7 +244,8 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
     for (const int n : moving)
       for (int k = 0; k < (mesh.rotates(n) ? 6 : 3); ++k) {
         const size_t i = 3 * static_cast<size_t>(mesh.block[static_cast<size_t>(n)]) + static_cast<size_t>(k);
-        u[i] = 0.05 * noise3(n, k < 3 ? 4 : 9)[k % 3], d[i] = noise3(n, k < 3 ? 5 : 10)[k % 3];
+        u[i] = 0.05 * noise3(n, k < 3 ? 4 : 9)[k % 3];
+        d[i] = noise3(n, k < 3 ? 5 : 10)[k % 3];
       }
     StepTangent step(*r.system, from, h, u);
     // Friction has kinks, and curves bend fast at a yield circle.

@@ -10,14 +10,19 @@ namespace {
 
 model::End on(const std::string& body, const Vec3& at) {
   model::End e;
-  e.kind = model::EndKind::body, e.body = body, e.at = at;
+  e.kind = model::EndKind::body;
+  e.body = body;
+  e.at = at;
   return e;
 }
 
 model::Line line(const std::string& name, const std::string& type, double length, int elements,
                  const model::End& a, const model::End& b) {
   model::Line l;
-  l.name = name, l.sections.push_back({type, length, elements, 1}), l.end_a = a, l.end_b = b;
+  l.name = name;
+  l.sections.push_back({type, length, elements, 1});
+  l.end_a = a;
+  l.end_b = b;
   l.start = model::Start::straight;
   return l;
 }
@@ -33,18 +38,30 @@ model::Case carried(model::ContactMethod method) {
   c.line_types[0].stiffness_damping = c.line_types[1].stiffness_damping = 0.1;
   for (const char* name : {"buoy", "load"}) {
     model::Body& b = c.bodies.emplace_back();
-    b.name = name, b.position = {0, 0, name[0] == 'b' ? -5.0 : -9.0};
+    b.name = name;
+    b.position = {0, 0, name[0] == 'b' ? -5.0 : -9.0};
     model::BodyMass& m = b.mass.emplace();
-    m.mass = 40, m.inertia = {12, 15, 9}, m.products = {1, 0.5, -0.7}, m.centre = {0.1, -0.2, 0.15};
-    m.weight = true, m.stiffness = {30, 20, 50}, m.turning_stiffness = {5, 6, 7}, m.damping = {3, 4, 5};
+    m.mass = 40;
+    m.inertia = {12, 15, 9};
+    m.products = {1, 0.5, -0.7};
+    m.centre = {0.1, -0.2, 0.15};
+    m.weight = true;
+    m.stiffness = {30, 20, 50};
+    m.turning_stiffness = {5, 6, 7};
+    m.damping = {3, 4, 5};
     model::BodyInWater& w = m.in_water.emplace();
-    w.volume = 0.05, w.height = name[0] == 'b' ? 14 : 3, w.centre = {0.2, 0.1, 0.3},
+    w.volume = 0.05;
+    w.height = name[0] == 'b' ? 14 : 3;
+    w.centre = {0.2, 0.1, 0.3};
     w.drag_centre = {0, -0.3, 0.2};
-    w.drag_area = {0.05, 0.08, 0.03}, w.added_mass = {20, 30, 60};
+    w.drag_area = {0.05, 0.08, 0.03};
+    w.added_mass = {20, 30, 60};
   }
   model::End clamped = on("buoy", {1, 0, 0.3}), sprung = on("buoy", {-1, 0.2, 0});
-  clamped.clamped = true, clamped.direction = Vec3(1, 0.1, 0.2).normalized();
-  sprung.rotational_stiffness = 40, sprung.direction = Vec3(-1, 0.3, 0.1).normalized();
+  clamped.clamped = true;
+  clamped.direction = Vec3(1, 0.1, 0.2).normalized();
+  sprung.rotational_stiffness = 40;
+  sprung.direction = Vec3(-1, 0.3, 0.1).normalized();
   c.lines = {line("clamped", "beam", 4, 3, clamped, anchor({5, 0.4, -4})),
              line("sprung", "beam", 4, 3, sprung, anchor({-5, 0, -5})),
              line("hung", "cable", 5, 3, anchor({0.2, 0.3, 0}), on("buoy", {0, 0.1, 1})),
@@ -55,7 +72,9 @@ model::Case carried(model::ContactMethod method) {
   // Two beams and a cable at a rigid joint.
   c.joints = {{"corner", {8, 0, -2}, true}};
   model::End corner;
-  corner.kind = model::EndKind::joint, corner.body = "corner", corner.at = {8, 0, -2};
+  corner.kind = model::EndKind::joint;
+  corner.body = "corner";
+  corner.at = {8, 0, -2};
   model::End arm = corner;
   arm.direction = Vec3(0.2, 1, 0.1).normalized();
   c.lines.push_back(line("leg", "beam", 3, 2, anchor({8, 0, -5}), corner));
@@ -64,32 +83,49 @@ model::Case carried(model::ContactMethod method) {
   // Ends that events let go: a cable tied to a beam, and one to another cable.
   c.joints.push_back({"link", {-8, 0, -5}, false});
   model::End link = corner;
-  link.body = "link", link.at = {-8, 0, -5};
+  link.body = "link";
+  link.at = {-8, 0, -5};
   c.lines.push_back(line("upper", "cable", 3, 2, anchor({-8, 0, -2}), link));
   c.lines.push_back(line("lower", "cable", 2.5, 2, link, anchor({-8, 1, -7.3})));
   for (const auto& [name, at_b] : {std::pair("stay", true), std::pair("lower", false)}) {
     model::Event& e = c.events.emplace_back();
-    e.name = name, e.action.line = name, e.action.at_b = at_b, e.cause.time = 1;
+    e.name = name;
+    e.action.line = name;
+    e.action.at_b = at_b;
+    e.cause.time = 1;
   }
   c.lines.push_back(
       line("beside the clamp", "cable", 2, 2, anchor({7, 0.64, -3.52}), anchor({9, 0.64, -3.48})));
   model::Volume v;
-  v.name = "hull", v.body = "buoy", v.shape = CylinderShape{{-1.5, 0, 0}, {1.5, 0, 0}, 1};
-  v.basis = model::StiffnessBasis::per_length, v.normal_stiffness = 2e4, v.smoothing = 0.01;
+  v.name = "hull";
+  v.body = "buoy";
+  v.shape = CylinderShape{{-1.5, 0, 0}, {1.5, 0, 0}, 1};
+  v.basis = model::StiffnessBasis::per_length;
+  v.normal_stiffness = 2e4;
+  v.smoothing = 0.01;
   v.relative_damping = 0.2;
-  v.friction.axial = 0.3, v.friction.lateral = 0.2, v.friction.mobilisation_length = 0.02;
+  v.friction.axial = 0.3;
+  v.friction.lateral = 0.2;
+  v.friction.mobilisation_length = 0.02;
   // A clamp that rides on the leg, out of its middle and turned.
   model::Body& clamp = c.bodies.emplace_back();
-  clamp.name = "clamp", clamp.on = model::Ride{"leg", 1.5};
-  clamp.position = {0.05, 0.1, 0.02}, clamp.rotation = {0.3, -0.2, 0.4};
+  clamp.name = "clamp";
+  clamp.on = model::Ride{"leg", 1.5};
+  clamp.position = {0.05, 0.1, 0.02};
+  clamp.rotation = {0.3, -0.2, 0.4};
   model::Volume collar = v;
-  collar.name = "collar", collar.body = "clamp", collar.shape = SphereShape{{-0.05, -0.1, 0}, 0.6};
+  collar.name = "collar";
+  collar.body = "clamp";
+  collar.shape = SphereShape{{-0.05, -0.1, 0}, 0.6};
   c.volumes = {v, collar};
   c.contact.method = method;
   c.contact.rolling = method == model::ContactMethod::line;
-  c.contact.lines = {"beam beside", "cable beside", "beside the clamp"}, c.contact.all_lines = false;
+  c.contact.lines = {"beam beside", "cable beside", "beside the clamp"};
+  c.contact.all_lines = false;
   c.statics.enabled = false;
-  c.dynamics.enabled = true, c.dynamics.duration = 1, c.dynamics.step = 0.02;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 1;
+  c.dynamics.step = 0.02;
   return c;
 }
 
@@ -122,14 +158,21 @@ TEST(Frames, MomentumOfTwoBodiesOnALine) {
   c.line_types = {cable_type(1e5, 2)};
   for (const double x : {0.0, 10.0}) {
     model::Body& b = c.bodies.emplace_back();
-    b.name = x > 0 ? "second" : "first", b.position = {x, 0, 0};
+    b.name = x > 0 ? "second" : "first";
+    b.position = {x, 0, 0};
     model::BodyMass& m = b.mass.emplace();
-    m.mass = x > 0 ? 30 : 80, m.inertia = {12, 15, 9}, m.centre = {0.1, -0.2, 0.15};
-    m.velocity = x > 0 ? Vec3(2, 1, 0.3) : Vec3(-1, 0, 0), m.angular_velocity = {0.5, -0.3, 0.2};
+    m.mass = x > 0 ? 30 : 80;
+    m.inertia = {12, 15, 9};
+    m.centre = {0.1, -0.2, 0.15};
+    m.velocity = x > 0 ? Vec3(2, 1, 0.3) : Vec3(-1, 0, 0);
+    m.angular_velocity = {0.5, -0.3, 0.2};
   }
   c.lines = {line("between", "cable", 9, 9, on("first", {0.5, 0.3, 0}), on("second", {-0.4, 0, 0.2}))};
   c.statics.enabled = false;
-  c.dynamics.enabled = true, c.dynamics.duration = 4, c.dynamics.step = 0.02, c.dynamics.tolerance = 1e-13;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 4;
+  c.dynamics.step = 0.02;
+  c.dynamics.tolerance = 1e-13;
   Simulation sim(PETSC_COMM_WORLD, c);
   Dynamics& d = sim.dynamics();
   d.start(sim.state());

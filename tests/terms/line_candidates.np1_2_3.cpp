@@ -102,11 +102,14 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     const LocalMesh& mesh_of = m.sim.local();
     return m.sim.system().tied_nodes().held()[static_cast<size_t>(mesh_of.block[static_cast<size_t>(n)])];
   };
-  long touching = 0, anew = 0, listed = 0, kept = 0, held_ghosts = 0;
+  long touching = 0, layout_changed = 0, listed = 0, kept = 0, held_ghosts = 0;
   for (int step = 0; step < 60; ++step) {
-    const Coupled r = all.sim.system().couple(a.view(h), h);
+    const CouplingChange r = all.sim.system().couple(a.view(h), h);
     one.sim.system().couple(b.view(h), h);
-    if (r == Coupled::anew) all.sim.system().spread(a), ++anew;
+    if (r == CouplingChange::layout_changed) {
+      all.sim.system().spread(a);
+      ++layout_changed;
+    }
     ASSERT_EQ(a.x.size(), static_cast<size_t>(l.nodes()));
     for (size_t n = 0; n < a.x.size(); ++n) {
       const size_t g = static_cast<size_t>(l.global[n]);
@@ -132,7 +135,8 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
     listed = std::max(listed, static_cast<long>(list.size()));
 
     // The next step's end is covered, and whatever touches there is in the list.
-    move(l, a, step, h), move(one.sim.local(), b, step, h);
+    move(l, a, step, h);
+    move(one.sim.local(), b, step, h);
     const bool covered = all.sim.system().check_step(a.view(h)).accepted();
     kept += covered;
     if (!covered) continue;
@@ -160,7 +164,7 @@ TEST(LineCandidates, NoneIsMissedAndRanksAgree) {
   }
   EXPECT_GT(touching, 500);
   EXPECT_GT(kept, 50);
-  EXPECT_GT(anew, 2);
+  EXPECT_GT(layout_changed, 2);
   EXPECT_LT(listed * 2, static_cast<long>(mesh.elements.size() * mesh.elements.size() / 4));
   const long builds = all.springs->list.builds();
   EXPECT_EQ(builds, one.springs->list.builds());
@@ -223,7 +227,8 @@ TEST(LineCandidates, BundlesStayOnOneRank) {
 TEST(LineCandidates, JoinedEnds) {
   model::Case c = one_line(cable_type(1e6, 1), 10, 20, anchor({0, 0, 0}), anchor({10, 0, 0}));
   c.lines.push_back(c.lines[0]);
-  c.lines[1].name = "other", c.lines[1].end_b = anchor({9.9, 1, 0});
+  c.lines[1].name = "other";
+  c.lines[1].end_b = anchor({9.9, 1, 0});
   CandidateSettings settings;
   Model apart(PETSC_COMM_SELF, c, 0.2, 1, settings);
   Model joined(PETSC_COMM_SELF, c, 0.2, 1, settings, {{{0}, {21}}});
@@ -241,7 +246,7 @@ TEST(LineCandidates, NothingToDoForOneStraightLine) {
   model::Case c = one_line(cable_type(1e6, 1), 100, 50, anchor({0, 0, 0}), anchor({100, 0, 0}));
   Model m(PETSC_COMM_WORLD, c, 0.3, 1);
   State& s = m.sim.state();
-  EXPECT_NE(m.sim.system().couple(s.view(0), 0.1), Coupled::anew);
+  EXPECT_NE(m.sim.system().couple(s.view(0), 0.1), CouplingChange::layout_changed);
   EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
   EXPECT_FALSE(m.sim.system().coupled());
 }
@@ -262,14 +267,14 @@ TEST(LineCandidates, OneStopsTheNextComesOn) {
     for (Vec3& v : s.v) v = Vec3(0, 4, 0);
     m.sim.system().couple(s.view(h), h);
     EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
-    bool foreseen = true;
-    for (int step = 0; step < 2 && foreseen; ++step) {
+    bool predicted = true;
+    for (int step = 0; step < 2 && predicted; ++step) {
       // After the first step it stands where it is.
       for (size_t n = 0; n < s.x.size(); ++n) s.x[n].y() += stops && step > 0 && first(n) ? 0 : 0.4;
       s.time += h;
-      foreseen = m.sim.system().check_step(s.view(h)).accepted();
+      predicted = m.sim.system().check_step(s.view(h)).accepted();
     }
-    EXPECT_EQ(foreseen, !stops);
+    EXPECT_EQ(predicted, !stops);
     for (size_t n = 0; n < s.v.size(); ++n)
       if (stops && first(n)) s.v[n] = Vec3::Zero();
     m.sim.system().couple(s.view(h), h);
@@ -293,7 +298,7 @@ TEST(LineCandidates, OneGoesBackInStatics) {
     State to = s;
     for (Vec3& x : to.x) x.y() += 1;
     EXPECT_FALSE(system.check_step(to.view(0)).accepted());
-    system.couple(straight_way(l, s, to, 1).view(0), 1 / CandidateSettings{}.steps);
+    system.couple(straight_path(l, s, to, 1).view(0), 1 / CandidateSettings{}.steps);
     EXPECT_EQ(sum(static_cast<long>(m.pairs().size())), 0);
     EXPECT_TRUE(system.check_step(to.view(0)).accepted());
     // The next iteration starts there, or, if the step was refused, where it was: the list stays.
@@ -304,8 +309,8 @@ TEST(LineCandidates, OneGoesBackInStatics) {
     for (size_t n = 0; n < next.x.size(); ++n)
       if (back && l.global[n] < 11) next.x[n].y() -= 1;
     EXPECT_EQ(system.check_step(next.view(0)).accepted(), !back);
-    EXPECT_EQ(system.check_step(next.view(0)).kind == Verdict::Kind::prepare_anew, back);
-    system.couple(straight_way(l, to, next, 1).view(0), 1 / CandidateSettings{}.steps);
+    EXPECT_EQ(system.check_step(next.view(0)).kind == Verdict::Kind::prepare_again, back);
+    system.couple(straight_path(l, to, next, 1).view(0), 1 / CandidateSettings{}.steps);
     EXPECT_EQ(sum(static_cast<long>(m.pairs(true).size())) >= 10, back);
   }
 }
@@ -322,9 +327,12 @@ TEST(LineCandidates, WayThatBends) {
     const Quat q = exp_so3(rate * t * Vec3::UnitZ());
     for (size_t n = 0; n < s.x.size(); ++n) {
       const Vec3 arm(l.mesh->nodes[static_cast<size_t>(l.global[n])].arc, 0, 0);
-      s.x[n] = q * arm, s.q[n] = q;
-      s.w[n] = rate * Vec3::UnitZ(), s.alpha[n] = Vec3::Zero();
-      s.v[n] = q * (rate * Vec3::UnitZ().cross(arm)), s.a[n] = -rate * rate * s.x[n];
+      s.x[n] = q * arm;
+      s.q[n] = q;
+      s.w[n] = rate * Vec3::UnitZ();
+      s.alpha[n] = Vec3::Zero();
+      s.v[n] = q * (rate * Vec3::UnitZ().cross(arm));
+      s.a[n] = -rate * rate * s.x[n];
     }
     s.time = t;
   };
@@ -348,7 +356,7 @@ TEST(LineCandidates, ResidualAndTangent) {
     State& s = m.sim.state();
     const LocalMesh& l = m.sim.local();
     for (int step = 0; step < 8; ++step) {
-      if (system.couple(s.view(0.1), 0.1) == Coupled::anew) system.spread(s);
+      if (system.couple(s.view(0.1), 0.1) == CouplingChange::layout_changed) system.spread(s);
       system.prepare(s.view(0.1), 0.1);
       if (step < 7) move(l, s, step, 0.1);
     }
@@ -423,7 +431,9 @@ TEST(LineCandidates, DynamicsWithARefusedStep) {
   long layouts = 0;
   int rejected = 0;
   for (Model* m : {&all, &one}) {
-    m->springs->refuse = 0.008, m->springs->refuse_from = 0.1, m->springs->refuse_to = 0.12;
+    m->springs->refuse = 0.008;
+    m->springs->refuse_from = 0.1;
+    m->springs->refuse_to = 0.12;
     const LocalMesh& l = m->sim.local();
     State& s = m->sim.state();
     for (int n = 0; n < l.nodes(); ++n) {
@@ -457,9 +467,14 @@ TEST(LineCandidates, DynamicsWithARefusedStep) {
 TEST(LineCandidates, Statics) {
   model::Case c = two_bundles();
   c.environment.gravity = 9.81;
-  for (auto& t : c.line_types) t.mass_per_length = 50, t.EA = 2e4;
-  for (auto& l : c.lines)
-    l.start = model::Start::catenary, l.sections[0].length = l.name > "line2" ? 10.3 : 10.1;
+  for (auto& t : c.line_types) {
+    t.mass_per_length = 50;
+    t.EA = 2e4;
+  }
+  for (auto& l : c.lines) {
+    l.start = model::Start::catenary;
+    l.sections[0].length = l.name > "line2" ? 10.3 : 10.1;
+  }
   Model all(PETSC_COMM_WORLD, c, 0.45, 1e4), one(PETSC_COMM_SELF, c, 0.45, 1e4);
   for (Model* m : {&all, &one}) EXPECT_LE(m->sim.solve_statics().negative_eigenvalues, 0);
   EXPECT_GT(one.springs->energy(one.sim.state().view(0)).strain, 0.1);

@@ -92,7 +92,8 @@ TEST(LineContact, EvaluatingLeavesNoTrace) {
     PetscBool equal = PETSC_FALSE;
     check(MatEqual(J.get(), K.get(), &equal));
     EXPECT_TRUE(equal) << c.name;
-    system.commit(here.view(t.h)), other.system->commit(here.view(t.h));
+    system.commit(here.view(t.h));
+    other.system->commit(here.view(t.h));
     const auto a = m.contact->save(), b = other.contact->save();
     ASSERT_EQ(a.size(), b.size());
     for (size_t i = 0; i < a.size(); ++i)
@@ -200,13 +201,17 @@ TEST(LineContact, StepsFollowImpacts) {
     s.v = {Vec3(3, 0, -down), Vec3(3, 0, -down)};
     s.a = {Vec3(0, 0, acceleration), Vec3(0, 0, acceleration)};
     term.prepare(s.view(0.1), 0.1);
-    if (gap < 0) term.commit(s.view(0.1)), term.prepare(s.view(0.1), 0.1);
+    if (gap < 0) {
+      term.commit(s.view(0.1));
+      term.prepare(s.view(0.1), 0.1);
+    }
     ImpactEvents to;
     term.limit_step(s.view(0.1), to);
     LineMotion line;
-    for (const ImpactEvent& strike : to.list) line.striking += strike.energy();
+    for (const ImpactEvent& impact : to.list) line.impact_energy += impact.energy();
     const auto alone = [](std::span<double>) {};
-    return std::min(to.longest, bounded_step(to.list, bearable({&line, 1}), 10, alone).longest);
+    return std::min(to.longest,
+                    impact_limited_step(to.list, energy_tolerance({&line, 1}), 10, alone).longest);
   };
   EXPECT_EQ(longest(0.2, 0), infinite);
   EXPECT_EQ(longest(0.2, -1), infinite);
@@ -223,7 +228,7 @@ TEST(LineContact, StepsFollowImpacts) {
   EXPECT_EQ(longest(-0.01, 0, 0, 1), infinite);
   EXPECT_NEAR(longest(-0.01, 0, 0, 3), followed, 1e-6);
   EXPECT_NEAR(longest(-0.01, 0, 0, -3), followed, 1e-6);
-  // Between blows it shakes as fast, whichever way it goes; the way to the touch may be longer.
+  // Between impacts it shakes as fast, whichever way it goes; the way to the touch may be longer.
   EXPECT_NEAR(longest(0.2, -0.5, 0, 3), followed, 1e-6);
   EXPECT_GT(longest(0.2, 0.5, 0, 3), followed);
 }
@@ -240,7 +245,8 @@ TEST(LineContact, RefusesWhatItCannotUse) {
   EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, {}), std::invalid_argument);
   v.body = 0;
   EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, elements), std::invalid_argument);
-  v.body = -1, v.settings.basis = model::StiffnessBasis::automatic;
+  v.body = -1;
+  v.settings.basis = model::StiffnessBasis::automatic;
   EXPECT_THROW(LineVolumeContact(l, nullptr, {v}, elements), std::invalid_argument);
 }
 

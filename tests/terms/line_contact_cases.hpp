@@ -174,7 +174,8 @@ struct LineModel : SuiteModel {
       place_node(what.on, id, b, 0, x1, q1);
       place_node(what.on, id, e, slip, x2, q2);
       // Both the trial's poses in space; the trial's rotation differs a little from the start's.
-      before.x[i] = p0.to_space(x0), before.v[i] = p0.velocity_at(before.x[i]);
+      before.x[i] = p0.to_space(x0);
+      before.v[i] = p0.velocity_at(before.x[i]);
       put(n, p1.to_space(x1), p2.to_space(x2),
           p2.velocity_at(p2.to_space(x2)) + 0.05 * (at.rotation * noise3(id, 9)));
       trial.from.v[i] = p1.velocity_at(trial.from.x[i]);
@@ -189,7 +190,8 @@ struct LineModel : SuiteModel {
     system->prepare(before.view(h), h);
     system->commit(trial.from.view(h));
     system->prepare(trial.from.view(h), h);
-    trial.length = 2e-4, trial.angle = 2e-4;
+    trial.length = 2e-4;
+    trial.angle = 2e-4;
   }
 };
 

@@ -13,7 +13,7 @@ TEST(LinePairs, Tangents) {
   }
 }
 
-TEST(LinePairs, TouchWhereTheCaseSaysSo) {
+TEST(LinePairs, TouchWhereTheCaseHasIt) {
   for (const PairCase& c : pair_cases()) {
     PairModel m(c);
     const State end = state_of(m.system->mesh(), m.trial);
@@ -67,7 +67,9 @@ TEST(LinePairs, ForcesBalance) {
     for (int n = 0; n < mesh.owned; ++n) {
       const size_t i = static_cast<size_t>(n), b = 3 * static_cast<size_t>(mesh.block[i]);
       const Eigen::Map<const Vec3> a(f.data() + b);
-      force += a, moment += end.x[i].cross(a), size += a.norm();
+      force += a;
+      moment += end.x[i].cross(a);
+      size += a.norm();
       if (mesh.rotates(n)) moment += end.q[i] * Eigen::Map<const Vec3>(f.data() + b + 3);
     }
     EXPECT_LE(force.norm(), 1e-12 * size) << c.name;
@@ -105,18 +107,19 @@ TEST(LinePairs, HistoryGoesThroughACheckpoint) {
 TEST(LinePairs, AdviceNamesTheLines) {
   for (const bool tuned : {false, true}) {
     PairModel m({.name = "through", .angle = 1.3, .gap = -0.35, .before = -0.08, .tuned = tuned});
-    m.mesh.lines[0].name = "hose", m.mesh.lines[1].name = "rope";
+    m.mesh.lines[0].name = "hose";
+    m.mesh.lines[1].name = "rope";
     const double h = m.trial.h;
     const State& start = m.trial.from;
     const State end = state_of(m.system->mesh(), m.trial);
-    m.system->couple(straight_way(m.system->mesh(), start, end, h).view(h), h);
+    m.system->couple(straight_path(m.system->mesh(), start, end, h).view(h), h);
     m.system->prepare(start.view(h), h);
-    const std::string said = m.contact->check_step(end.view(h)).because;
+    const std::string message = m.contact->check_step(end.view(h)).because;
     const std::string advice = "Try contact: {between_lines: {";
-    EXPECT_NE(said.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
-                                        : "normal_s")),
+    EXPECT_NE(message.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
+                                           : "normal_s")),
               std::string::npos)
-        << said;
+        << message;
   }
 }
 

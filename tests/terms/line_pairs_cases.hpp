@@ -76,7 +76,8 @@ struct PairModel : SuiteModel {
     // Ghosts first: they depend on where lines are.
     State before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
-    if (system->couple(before.view(trial.h), trial.h) == Coupled::anew) before = place(what, at, -1);
+    if (system->couple(before.view(trial.h), trial.h) == CouplingChange::layout_changed)
+      before = place(what, at, -1);
     before.time = trial.from.time - trial.h;
     const LocalMesh& l = system->mesh();
     trial.from = place(what, at, 0);
@@ -93,7 +94,8 @@ struct PairModel : SuiteModel {
     system->prepare(before.view(trial.h), trial.h);
     system->commit(trial.from.view(trial.h));
     system->prepare(trial.from.view(trial.h), trial.h);
-    trial.length = 2e-5, trial.angle = 2e-5;
+    trial.length = 2e-5;
+    trial.angle = 2e-5;
   }
 
   // The lines before the step of history (-1), at the start (0) and in the trial (1).

@@ -15,14 +15,19 @@ model::LinkEnd on_line(const std::string& line, double arc) { return {"", line, 
 
 model::End tied(const std::string& body, const Vec3& at) {
   model::End e;
-  e.kind = model::EndKind::body, e.body = body, e.at = at;
+  e.kind = model::EndKind::body;
+  e.body = body;
+  e.at = at;
   return e;
 }
 
 model::Line line(const std::string& name, const std::string& type, double length, const model::End& a,
                  const model::End& b) {
   model::Line l;
-  l.name = name, l.sections.push_back({type, length, 3, 1}), l.end_a = a, l.end_b = b;
+  l.name = name;
+  l.sections.push_back({type, length, 3, 1});
+  l.end_a = a;
+  l.end_b = b;
   l.start = model::Start::straight;
   return l;
 }
@@ -35,24 +40,36 @@ model::Case things() {
   c.line_types = {beam_type(300, 40, 30, 2), cable_type(200, 2)};
   for (const char* name : {"buoy", "load"}) {
     model::Body& b = c.bodies.emplace_back();
-    b.name = name, b.position = name[0] == 'b' ? Vec3(0, 0, 1) : Vec3(4, 1, -1);
+    b.name = name;
+    b.position = name[0] == 'b' ? Vec3(0, 0, 1) : Vec3(4, 1, -1);
     model::BodyMass& m = b.mass.emplace();
-    m.mass = 40, m.inertia = {12, 15, 9}, m.products = {1, 0.5, -0.7}, m.centre = {0.1, -0.2, 0.15};
+    m.mass = 40;
+    m.inertia = {12, 15, 9};
+    m.products = {1, 0.5, -0.7};
+    m.centre = {0.1, -0.2, 0.15};
   }
   model::Body& vessel = c.bodies.emplace_back();
-  vessel.name = "vessel", vessel.position = {2, 3, 0};
+  vessel.name = "vessel";
+  vessel.position = {2, 3, 0};
   model::HarmonicMotion swing;
-  swing.amplitude = {0.5, 0.3, 0.2}, swing.rotation_amplitude = {0.2, 0.1, 0.3}, swing.period = 2;
+  swing.amplitude = {0.5, 0.3, 0.2};
+  swing.rotation_amplitude = {0.2, 0.1, 0.3};
+  swing.period = 2;
   vessel.motion = swing;
   model::Body& rider = c.bodies.emplace_back();
-  rider.name = "rider", rider.on = model::Ride{"leg", 2};
-  rider.position = {0.05, 0.4, 0.2}, rider.rotation = {0.3, -0.2, 0.4};
+  rider.name = "rider";
+  rider.on = model::Ride{"leg", 2};
+  rider.position = {0.05, 0.4, 0.2};
+  rider.rotation = {0.3, -0.2, 0.4};
   c.lines = {line("leg", "beam", 3, clamp({8, 0, -3}, Vec3::UnitZ()), model::End{}),
              line("rope", "cable", 2, tied("buoy", {0.5, 0.3, 0.2}), anchor({2, 0.3, 1.5})),
              line("stay", "cable", 3, anchor({-3, 2, 0}), anchor({-3, 5, 0.5}))};
-  c.lines[0].points = {{8, 0, -3}, {8, 0, 0}}, c.lines[0].start = model::Start::points;
+  c.lines[0].points = {{8, 0, -3}, {8, 0, 0}};
+  c.lines[0].start = model::Start::points;
   c.statics.enabled = false;
-  c.dynamics.enabled = true, c.dynamics.duration = 1, c.dynamics.step = 0.02;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 1;
+  c.dynamics.step = 0.02;
   return c;
 }
 
@@ -81,8 +98,14 @@ const std::vector<Pair> kPairs = {
 model::Case linked(const Pair& p, bool tension_only, double rest) {
   model::Case c = things();
   model::Link& l = c.links.emplace_back();
-  l.name = "link", l.end_a = p.a, l.end_b = p.b, l.rest_given = true;
-  l.law.rest_length = rest, l.law.stiffness = 3000, l.law.damping = 150, l.law.tension_only = tension_only;
+  l.name = "link";
+  l.end_a = p.a;
+  l.end_b = p.b;
+  l.rest_given = true;
+  l.law.rest_length = rest;
+  l.law.stiffness = 3000;
+  l.law.damping = 150;
+  l.law.tension_only = tension_only;
   return c;
 }
 
@@ -106,7 +129,8 @@ Step step_error(const model::Case& c) {
 
 TEST(Links, TangentOfAStepForEveryPairOfEnds) {
   int rank = 0, size = 1, apart = 0;
-  MPI_Comm_rank(PETSC_COMM_WORLD, &rank), MPI_Comm_size(PETSC_COMM_WORLD, &size);
+  MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+  MPI_Comm_size(PETSC_COMM_WORLD, &size);
   for (const Pair& p : kPairs)
     for (const auto& [tension_only, rest] :
          {std::pair{false, 9.0}, {false, 0.7}, {true, 0.7}, {false, 0.0}}) {
@@ -127,16 +151,26 @@ TEST(Links, MomentumOfTwoBodies) {
   c.environment.gravity = 0;
   for (const double x : {0.0, 4.0}) {
     model::Body& b = c.bodies.emplace_back();
-    b.name = x > 0 ? "second" : "first", b.position = {x, 0, 0};
+    b.name = x > 0 ? "second" : "first";
+    b.position = {x, 0, 0};
     model::BodyMass& m = b.mass.emplace();
-    m.mass = x > 0 ? 30 : 80, m.inertia = {12, 15, 9}, m.centre = {0.1, -0.2, 0.15};
-    m.velocity = x > 0 ? Vec3(2, 1, 0.3) : Vec3(-1, 0, 0), m.angular_velocity = {0.5, -0.3, 0.2};
+    m.mass = x > 0 ? 30 : 80;
+    m.inertia = {12, 15, 9};
+    m.centre = {0.1, -0.2, 0.15};
+    m.velocity = x > 0 ? Vec3(2, 1, 0.3) : Vec3(-1, 0, 0);
+    m.angular_velocity = {0.5, -0.3, 0.2};
   }
   model::Link& l = c.links.emplace_back();
-  l.name = "link", l.end_a = on_body("first", {0.5, 0.7, 0}), l.end_b = on_body("second", {-0.4, 0, 0.8});
-  l.law.stiffness = 2000, l.law.damping = 50;
+  l.name = "link";
+  l.end_a = on_body("first", {0.5, 0.7, 0});
+  l.end_b = on_body("second", {-0.4, 0, 0.8});
+  l.law.stiffness = 2000;
+  l.law.damping = 50;
   c.statics.enabled = false;
-  c.dynamics.enabled = true, c.dynamics.duration = 4, c.dynamics.step = 0.005, c.dynamics.tolerance = 1e-13;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 4;
+  c.dynamics.step = 0.005;
+  c.dynamics.tolerance = 1e-13;
   Simulation sim(PETSC_COMM_WORLD, c);
   Dynamics& d = sim.dynamics();
   d.start(sim.state());
@@ -158,7 +192,8 @@ TEST(Links, MomentumOfTwoBodies) {
   double kept = 0, turned = 0, pull = 0;
   integrate(d, 4, 4, [&](const StepInfo&) {
     const auto [p, L] = momentum();
-    kept = std::max(kept, (p - linear).norm()), turned = std::max(turned, (L - angular).norm());
+    kept = std::max(kept, (p - linear).norm());
+    turned = std::max(turned, (L - angular).norm());
     for (size_t n = 0; n < static_cast<size_t>(sim.local().owned); ++n)
       pull = std::max(pull, d.kinematics().a[n].norm());
   });

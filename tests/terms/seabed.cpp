@@ -25,7 +25,9 @@ struct OneNode {
     for (int i = 0; i < 2; ++i) mesh.nodes.push_back({0, 1.0 * i, 0.5, false});
     mesh.elements.push_back({0, 0, 1, 0, 1.0, false});
     LineSpan span;
-    span.nodes = 2, span.elements = 1, span.length = 1;
+    span.nodes = 2;
+    span.elements = 1;
+    span.length = 1;
     mesh.lines.push_back(span);
     local = local_mesh(mesh, {0, 0}, 0, 1);
     SeabedTerm::PointLaw none;
@@ -36,7 +38,8 @@ struct OneNode {
   // A step to x, committed: friction on the node.
   Vec3 go(const Vec3& x) {
     bed->prepare(state.view(h), h);
-    state.x[0] = x, state.x[1] = x + Vec3::UnitX();
+    state.x[0] = x;
+    state.x[1] = x + Vec3::UnitX();
     state.time += h;
     bed->commit(state.view(h));
     FieldRegistry fields;
@@ -56,7 +59,10 @@ SeabedTerm::PointLaw paper() {
   law.radius = 0.1;
   law.law.normal.stiffness = 1e6;
   FrictionLaw& f = law.law.friction;
-  f.axial = 0.3, f.lateral = 0.8, f.axial_length = 0.01, f.lateral_length = 0.04;
+  f.axial = 0.3;
+  f.lateral = 0.8;
+  f.axial_length = 0.01;
+  f.lateral_length = 0.04;
   f.spring = FrictionSpring::michalopoulos;
   return law;
 }
@@ -96,9 +102,11 @@ TEST(SeabedTable, ForceAndPotentialOfANode) {
     model::Case c;
     c.lines.resize(1);
     model::LineType& t = c.line_types.emplace_back();
-    t.outer_diameter = t.contact_diameter = 0.4, t.mass_per_length = 50;
+    t.outer_diameter = t.contact_diameter = 0.4;
+    t.mass_per_length = 50;
     model::Seabed& bed = c.environment.seabed;
-    bed.present = true, bed.depth = 90;
+    bed.present = true;
+    bed.depth = 90;
     bed.basis = by_length ? model::StiffnessBasis::per_length : model::StiffnessBasis::per_area;
     bed.force_table = std::make_shared<const ContactForceTable>(rows);
     bed.normal_stiffness = bed.force_table->largest_slope();
@@ -299,13 +307,17 @@ TEST(SeabedShapes, SlopesAreTheSame) {
   for (int i = -3; i <= 5; ++i) at.push_back(7.5 * i);
   TriangleMesh sheet;
   for (const double y : at)
-    for (const double x : at) z.push_back(slope(x, y)), sheet.vertices.push_back({x, y, z.back()});
+    for (const double x : at) {
+      z.push_back(slope(x, y));
+      sheet.vertices.push_back({x, y, z.back()});
+    }
   const int n = static_cast<int>(at.size());
   for (int j = 0; j + 1 < n; ++j)
     for (int i = 0; i + 1 < n; ++i) {
       const int a = j * n + i;
       // One of each pair is turned over: the bed sees to it.
-      sheet.triangles.push_back({a, a + 1, a + n + 1}), sheet.triangles.push_back({a, a + n, a + n + 1});
+      sheet.triangles.push_back({a, a + 1, a + n + 1});
+      sheet.triangles.push_back({a, a + n, a + n + 1});
     }
   TriangleMesh ground = ground_under(sheet);
   std::vector<bool> active(ground.triangles.size(), false);
@@ -315,7 +327,9 @@ TEST(SeabedShapes, SlopesAreTheSame) {
   OneNode grid(std::shared_ptr<const Surface>(std::make_shared<const HeightGrid>(at, at, z)), paper());
   OneNode mesh(std::shared_ptr<const Surface>(std::make_shared<const MeshSurface>(ground, active)), paper());
   const Vec3 above = Vec3(0, 15, slope(0, 15)) + 0.3 * plane.normal;
-  formula.go(above), grid.go(above), mesh.go(above);
+  formula.go(above);
+  grid.go(above);
+  mesh.go(above);
   for (int i = 0; i < 60; ++i) {
     const double t = 0.1 * i, x = 20 * std::sin(t), y = 15 * std::cos(1.7 * t);
     const Vec3 p = Vec3(x, y, slope(x, y)) + (0.0985 + 0.01 * std::sin(3 * t)) * plane.normal;
@@ -330,7 +344,7 @@ TEST(SeabedShapes, SlopesAreTheSame) {
 
 // What was near before changes the time and never the answer: the force is that of a bed that has not been
 // asked before.
-TEST(SeabedShapes, AnswersDoNotDependOnTheWay) {
+TEST(SeabedShapes, AnswersDoNotDependOnThePath) {
   const auto bed = hilly();
   SeabedTerm::PointLaw law = paper();
   law.law.friction = {};

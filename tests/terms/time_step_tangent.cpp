@@ -13,11 +13,15 @@ AlphaState committed(const LocalMesh& mesh, const Trial& t) {
   alpha_start(mesh, from);
   for (size_t i = 0; i < from.ax.size(); ++i) {
     const int g = mesh.global[i];
-    from.s.a[i] = 3 * noise3(g, 31), from.ax[i] = 3 * noise3(g, 32);
+    from.s.a[i] = 3 * noise3(g, 31);
+    from.ax[i] = 3 * noise3(g, 32);
     if (!mesh.rotates(static_cast<int>(i))) continue;
-    from.s.alpha[i] = 3 * noise3(g, 33), from.aw[i] = 3 * noise3(g, 34);
-    for (int c = 0; c < 3; ++c)
-      from.s.directors[i].col(c) = 2 * noise3(g, 35 + c), from.ad[i].col(c) = 2 * noise3(g, 38 + c);
+    from.s.alpha[i] = 3 * noise3(g, 33);
+    from.aw[i] = 3 * noise3(g, 34);
+    for (int c = 0; c < 3; ++c) {
+      from.s.directors[i].col(c) = 2 * noise3(g, 35 + c);
+      from.ad[i].col(c) = 2 * noise3(g, 38 + c);
+    }
   }
   return from;
 }
@@ -27,7 +31,9 @@ TEST(StepTangent, IsTheDerivativeByTheIncrements) {
     for (const bool turned : {false, true}) {
       const auto model = held_model(PETSC_COMM_SELF, {});
       SuiteModel& m = *model;
-      add_structure(m, 0.1, 200, turned), add_mass(m, {}, turned), add_loads(m, {}, true);
+      add_structure(m, 0.1, 200, turned);
+      add_mass(m, {}, turned);
+      add_loads(m, {}, true);
       System& system = *m.system;
       const LocalMesh& mesh = system.mesh();
       const AlphaCoefficients alpha(rho);
@@ -77,7 +83,8 @@ TEST(StepTangent, DirectorsFollowTheirAccelerations) {
       AlphaState from;
       from.s.resize(l.nodes());
       const auto motion = [](double t, Vec3& w, Vec3& alpha) {
-        w = Vec3(0.7, 3 * std::cos(t), 0.4), alpha = Vec3(0, -3 * std::sin(t), 0);
+        w = Vec3(0.7, 3 * std::cos(t), 0.4);
+        alpha = Vec3(0, -3 * std::sin(t), 0);
       };
       motion(0, from.s.w[0], from.s.alpha[0]);
       alpha_start(l, from);
@@ -100,8 +107,8 @@ TEST(StepTangent, DirectorsFollowTheirAccelerations) {
         const Mat3 balance = (1 - c.am) * to.ad[0] + c.am * from.ad[0] - (1 - c.af) * to.s.directors[0] -
                              c.af * from.s.directors[0];
         telescoped = std::max(telescoped, h * balance.norm());
-        const Mat3 follows = director_acceleration(to.s.q[0], to.s.w[0], to.s.alpha[0]);
-        if (i >= steps / 2) worst = std::max(worst, (to.s.directors[0] - follows).norm());
+        const Mat3 exact = director_acceleration(to.s.q[0], to.s.w[0], to.s.alpha[0]);
+        if (i >= steps / 2) worst = std::max(worst, (to.s.directors[0] - exact).norm());
         std::swap(from, to);
       }
       EXPECT_LT(telescoped, 1e-13);

@@ -8,7 +8,8 @@ namespace {
 
 Energy moving(double kinetic, double work = 0) {
   Energy e;
-  e.kinetic = kinetic, e.work = work;
+  e.kinetic = kinetic;
+  e.work = work;
   return e;
 }
 
@@ -26,7 +27,7 @@ TEST(Audit, IsSilentOfWhatIsBroughtIn) {
   EXPECT_FALSE(a.wrong());
 }
 
-TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
+TEST(Audit, ReportsWhatAStepMadeWhereAndWhatHelps) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   EXPECT_TRUE(a.update(moving(100), moving(103), 0.3, 0.1));
@@ -46,8 +47,8 @@ TEST(Audit, TellsWhatAStepMadeWhereAndWhatHelps) {
       << w;
 }
 
-// A blow at the start is none the shorter for shorter steps.
-TEST(Audit, TellsOfABlowAtTheStart) {
+// An impact at the start is none the shorter for shorter steps.
+TEST(Audit, ReportsAnImpactAtTheStart) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(103), 0.3, 0.1);
@@ -55,7 +56,7 @@ TEST(Audit, TellsOfABlowAtTheStart) {
       a.warning(true, "line chain, arc length 3 m", "bodies.vessel.motion"),
       "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
       "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: bodies.vessel.motion begins with a "
-      "velocity and strikes the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter "
+      "velocity, an impact on the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter "
       "step is no help");
   a.update(moving(100), moving(110), 0.7, 0.1);  // later it was something else
   EXPECT_NE(a.warning(true, "here", "bodies.vessel.motion").find("give dynamics.step: 0.025 s"),
@@ -63,7 +64,7 @@ TEST(Audit, TellsOfABlowAtTheStart) {
 }
 
 // Made first and lost later: at the end the sum is right, and the run wrong all the same.
-TEST(Audit, RemembersWhatWasAmissOnTheWay) {
+TEST(Audit, KeepsTheLargestErrorOfTheRun) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
   a.update(moving(100), moving(130), 1, 0.1);
@@ -95,8 +96,10 @@ TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
   const Energy start = moving(1000);
   a.update(start, start, 0, 0);
   for (int wave = 1; wave <= 10000; ++wave) {
-    in += 100, a.update(start, moving(1100.05 - 0.1 * wave, in), wave, 1);
-    in -= 100, a.update(start, moving(1000 - 0.1 * wave, in), wave + 0.5, 1);
+    in += 100;
+    a.update(start, moving(1100.05 - 0.1 * wave, in), wave, 1);
+    in -= 100;
+    a.update(start, moving(1000 - 0.1 * wave, in), wave + 0.5, 1);
   }
   EXPECT_NEAR(a.error, -1000, 1);
   EXPECT_EQ(a.warning(false, "here"), "");
@@ -108,8 +111,10 @@ TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
   a.update(moving(0), moving(0), 0, 0);
   double in = 0;
   for (int wave = 1; wave <= 10000; ++wave) {
-    in += 100, a.update(moving(0), moving(100, in), wave, 1);
-    in -= 100, a.update(moving(0), moving(0, in), wave + 0.5, 1);
+    in += 100;
+    a.update(moving(0), moving(100, in), wave, 1);
+    in -= 100;
+    a.update(moving(0), moving(0, in), wave + 0.5, 1);
   }
   a.update(moving(0), moving(19, 0), 10001, 0.1);
   EXPECT_FALSE(a.wrong());
@@ -147,7 +152,8 @@ TEST(Audit, RestIsNoAlarm) {
   e.strain = 434;
   const Energy start = e;
   a.update(start, start, 0, 0);
-  e.strain += 3e-10, e.kinetic = 1e-12;
+  e.strain += 3e-10;
+  e.kinetic = 1e-12;
   a.update(start, e, 0.1, 0.1);
   e.strain -= 6e-10;
   a.update(start, e, 0.2, 0.1);

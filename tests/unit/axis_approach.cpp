@@ -16,16 +16,19 @@ namespace {
 AxisEnds bent(const Vec3& a, const Vec3& b, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   AxisEnds e;
-  e.x1 = a, e.x2 = b;
+  e.x1 = a;
+  e.x2 = b;
   e.length = 1.01 * (b - a).norm();
   const Quat along = minimal_rotation(e.tangent, b - a);
   const auto turn = [&] { return exp_so3(0.5 * Vec3(unit(random), unit(random), unit(random))) * along; };
-  e.q1 = turn(), e.q2 = turn();
+  e.q1 = turn();
+  e.q2 = turn();
   return e;
 }
 
 AxisEnds shifted(AxisEnds e, const Vec3& by) {
-  e.x1 += by, e.x2 += by;
+  e.x1 += by;
+  e.x2 += by;
   return e;
 }
 
@@ -37,14 +40,17 @@ double distance(const AxisShape& a, const AxisShape& b) {
     for (int i = -50; i <= 50; ++i) {
       const double xi = std::clamp((level ? middle : 0.5) + 0.01 * i * width, 0.0, 1.0);
       const double d = closest_point_on(b, a.point(xi)).distance;
-      if (d < least) least = d, at = xi;
+      if (d < least) {
+        least = d;
+        at = xi;
+      }
     }
   }
   return least;
 }
 
 // Lines that cross at (0, 0), one above the other by `gap`, which goes from one value to another.
-TEST(AxisApproach, NoneChangesSidesUnseenHoweverDeep) {
+TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
   const double reach = 0.15;
@@ -64,7 +70,8 @@ TEST(AxisApproach, NoneChangesSidesUnseenHoweverDeep) {
       for (int n = 0; n < 30; ++n) {
         const Vec3 d = A.point(x) - B.point(y), u = A.slope(x), v = B.slope(y);
         const double det = -u.x() * v.y() + u.y() * v.x();
-        x -= (-d.x() * v.y() + d.y() * v.x()) / det, y -= (u.x() * d.y() - u.y() * d.x()) / det;
+        x -= (-d.x() * v.y() + d.y() * v.x()) / det;
+        y -= (u.x() * d.y() - u.y() * d.x()) / det;
       }
       (A.point(x).z() > B.point(y).z() ? high : low) = z;
     }

@@ -16,7 +16,8 @@ BezierAxis random_axis(std::mt19937& random, double bend) {
   std::uniform_real_distribution<double> u(-1, 1);
   const auto vec = [&] { return Vec3(u(random), u(random), u(random)); };
   BezierAxis a = BezierAxis::straight(vec(), vec());
-  a.b[1] += bend * vec(), a.b[2] += bend * vec();
+  a.b[1] += bend * vec();
+  a.b[2] += bend * vec();
   return a;
 }
 

@@ -20,9 +20,14 @@ AxisEnds random_ends(unsigned seed) {
   AxisEnds e;
   e.length = 1.4;
   e.tangent = vec().normalized();
-  e.q1 = exp_so3(2 * vec()), e.q2 = e.q1 * exp_so3(0.5 * vec());
-  e.x1 = vec(), e.x2 = e.x1 + 1.3 * (e.q1 * e.tangent) + 0.3 * vec();
-  e.v1 = vec(), e.v2 = vec(), e.w1 = vec(), e.w2 = vec();
+  e.q1 = exp_so3(2 * vec());
+  e.q2 = e.q1 * exp_so3(0.5 * vec());
+  e.x1 = vec();
+  e.x2 = e.x1 + 1.3 * (e.q1 * e.tangent) + 0.3 * vec();
+  e.v1 = vec();
+  e.v2 = vec();
+  e.w1 = vec();
+  e.w2 = vec();
   return e;
 }
 
@@ -38,12 +43,17 @@ Vec12 force(const AxisEnds& e, Mat12* K = nullptr, Mat12* C = nullptr) {
     const Mat3 k = A * x.array().cos().matrix().asDiagonal();
     for (size_t i = 0; i < 4; ++i) {
       g.F[i] += H[i] * p;
-      for (size_t j = 0; j < 4; ++j)
-        block_of(g.K, i, j) += H[i] * H[j] * k, block_of(g.C, i, j) += H[i] * H[j] * B;
+      for (size_t j = 0; j < 4; ++j) {
+        block_of(g.K, i, j) += H[i] * H[j] * k;
+        block_of(g.C, i, j) += H[i] * H[j] * B;
+      }
     }
   }
   Vec12 f = Vec12::Zero();
-  if (K) K->setZero(), C->setZero();
+  if (K) {
+    K->setZero();
+    C->setZero();
+  }
   Stencil stencil;
   shape.attach(stencil);
   stencil.to_blocks(g, true, f.data(), K ? K->data() : nullptr, C ? C->data() : nullptr);

@@ -27,7 +27,8 @@ BezierAxis straight(const Vec3& a, const Vec3& b) { return BezierAxis::straight(
 
 TEST(AxisSweep, FindsWhatSamplingFinds) {
   BoxShape plate, block;
-  plate.size = Vec3(1, 2, 0.02), plate.rotation = Vec3(0.3, -0.2, 0.5);
+  plate.size = Vec3(1, 2, 0.02);
+  plate.rotation = Vec3(0.3, -0.2, 0.5);
   block.size = Vec3(0.5, 0.6, 0.7);
   SphereShape ball;
   ball.radius = 0.3;
@@ -41,7 +42,10 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
     const Surface& body = *bodies[i % 3];
     BezierAxis from = straight(Vec3(0, 0, 1.2) + vec(), Vec3(0, 0, 1.2) + vec()), to = from;
     const Vec3 way = 2.5 * vec();
-    for (size_t k = 0; k < 4; ++k) from.b[k] += 0.2 * vec(), to.b[k] += way + 0.3 * vec();
+    for (size_t k = 0; k < 4; ++k) {
+      from.b[k] += 0.2 * vec();
+      to.b[k] += way + 0.3 * vec();
+    }
     // For certain by a margin either way: pieces of a radius are looked at as wholes.
     bool must = false, may = false;
     for (int s = 0; s <= 120; ++s) {
@@ -57,7 +61,8 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
     const bool found = goes_through(field_of(body), from, to, kRadius);
     EXPECT_TRUE(found || !must) << i;
     EXPECT_TRUE(may || !found) << i;
-    through += must, clear += !may;
+    through += must;
+    clear += !may;
   }
   printf("  %d go through, %d are clear of it\n", through, clear);
   EXPECT_GT(through, 100);
@@ -78,7 +83,8 @@ TEST(AxisSweep, MissesNothingThatIsSmall) {
 
 TEST(AxisSweep, LetsPassWhatSlidesTouchesAndIsPressedIn) {
   BoxShape floor;
-  floor.centre = Vec3(0, 0, -1), floor.size = Vec3(50, 50, 2);
+  floor.centre = Vec3(0, 0, -1);
+  floor.size = Vec3(50, 50, 2);
   const auto surface = make_surface(floor);
   const auto moved = [&](double z0, double z1, double along) {
     int asked = 0;
@@ -109,7 +115,7 @@ TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
     EXPECT_TRUE(found(x0, 0.01, 0, true)) << x0;      // within, but nearer to its back
     EXPECT_FALSE(found(x0, -0.01, 0.1, true)) << x0;  // deeper
     EXPECT_FALSE(found(x0, -0.04, 0.1, true)) << x0;  // out again
-    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // a line so deep has been told of by others
+    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // others have reported a line so deep
   }
   EXPECT_TRUE(found(-0.04, 0.04, 0.1, true));
 }

@@ -32,23 +32,32 @@ Set random_set(unsigned seed, double bend, double beta, bool turned) {
   Mat3 turn = Mat3::Identity();
   if (turned) {
     turn = exp_so3(vec()).toRotationMatrix();
-    t.axes = std::make_shared<const Mat3>(turn), t.r.axes = t.axes.get();
+    t.axes = std::make_shared<const Mat3>(turn);
+    t.r.axes = t.axes.get();
     t.r.psi = 0.1 * vec();
     t.r.strain = 0.01;
   }
   t.e.x1 = vec();
   t.e.x2 = t.e.x1 + t.e.q1 * (turn * (1.35 * (Vec3::UnitX() + 0.3 * bend * vec())));
-  t.e.v1 = vec(), t.e.v2 = vec(), t.e.w1 = vec(), t.e.w2 = vec();
+  t.e.v1 = vec();
+  t.e.v2 = vec();
+  t.e.w1 = vec();
+  t.e.w2 = vec();
   return t;
 }
 
 BeamEnds moved(BeamEnds e, const Vec12& d) {
-  e.x1 += d.segment<3>(0), e.x2 += d.segment<3>(6);
-  e.q1 = e.q1 * exp_so3(d.segment<3>(3)), e.q2 = e.q2 * exp_so3(d.segment<3>(9));
+  e.x1 += d.segment<3>(0);
+  e.x2 += d.segment<3>(6);
+  e.q1 = e.q1 * exp_so3(d.segment<3>(3));
+  e.q2 = e.q2 * exp_so3(d.segment<3>(9));
   return e;
 }
 BeamEnds quickened(BeamEnds e, const Vec12& d) {
-  e.v1 += d.segment<3>(0), e.w1 += d.segment<3>(3), e.v2 += d.segment<3>(6), e.w2 += d.segment<3>(9);
+  e.v1 += d.segment<3>(0);
+  e.w1 += d.segment<3>(3);
+  e.v2 += d.segment<3>(6);
+  e.w2 += d.segment<3>(9);
   return e;
 }
 Vec12 force(const Set& t, const BeamEnds& e) {
@@ -108,7 +117,10 @@ TEST(Beam, RigidMotionTurnsTheForceAndKeepsTheMoment) {
   const Set t = random_set(3, 0.6, 0, false);
   const Quat R = exp_so3(Vec3(2.1, -1.3, 0.4));
   BeamEnds e = t.e;
-  e.x1 = R * e.x1 + Vec3(1, 2, 3), e.x2 = R * e.x2 + Vec3(1, 2, 3), e.q1 = R * e.q1, e.q2 = R * e.q2;
+  e.x1 = R * e.x1 + Vec3(1, 2, 3);
+  e.x2 = R * e.x2 + Vec3(1, 2, 3);
+  e.q1 = R * e.q1;
+  e.q2 = R * e.q2;
   const Vec12 a = force(t, t.e), b = force(t, e);
   EXPECT_LT((R * a.segment<3>(6) - b.segment<3>(6)).norm(), 1e-12 * a.norm());
   EXPECT_LT((a.segment<3>(9) - b.segment<3>(9)).norm(), 1e-12 * a.norm());
@@ -121,7 +133,8 @@ TEST(Beam, ACircularArcIsPureBending) {
   BeamEnds e;
   e.x1 = Vec3::Zero();
   e.x2 = Vec3(R * std::sin(phi), R * (1 - std::cos(phi)), 0);
-  e.q1 = Quat::Identity(), e.q2 = exp_so3(Vec3(0, 0, phi));
+  e.q1 = Quat::Identity();
+  e.q2 = exp_so3(Vec3(0, 0, phi));
   const BeamStress b = beam_stress(s, {}, e);
   EXPECT_NEAR(b.moment1.z(), s.EI3 / R, 1e-9);
   EXPECT_NEAR(b.moment2.z(), s.EI3 / R, 1e-9);
@@ -142,8 +155,10 @@ TEST(Beam, DampingOnlyTakesEnergy) {
   // a rigid motion dissipates nothing
   Set w = t;
   const Vec3 spin(0.3, -0.8, 0.5);
-  w.e.v1 = spin.cross(w.e.x1), w.e.v2 = spin.cross(w.e.x2);
-  w.e.w1 = w.e.q1.conjugate() * spin, w.e.w2 = w.e.q2.conjugate() * spin;
+  w.e.v1 = spin.cross(w.e.x1);
+  w.e.v2 = spin.cross(w.e.x2);
+  w.e.w1 = w.e.q1.conjugate() * spin;
+  w.e.w2 = w.e.q2.conjugate() * spin;
   EXPECT_LT(beam_stress(w.s, w.r, w.e).dissipation, 1e-20);
 }
 

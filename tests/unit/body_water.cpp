@@ -15,9 +15,13 @@ using test::slope;
 
 BodyInWater module() {
   BodyInWater b;
-  b.centre = Vec3(0.4, -0.3, 0.6), b.drag_centre = Vec3(-0.2, 0.5, 0.8);
-  b.height = 3, b.buoyancy = 60, b.displaced_mass = 6;
-  b.added = Vec3(3, 5, 9), b.drag = Vec3(2, 4, 7);
+  b.centre = Vec3(0.4, -0.3, 0.6);
+  b.drag_centre = Vec3(-0.2, 0.5, 0.8);
+  b.height = 3;
+  b.buoyancy = 60;
+  b.displaced_mass = 6;
+  b.added = Vec3(3, 5, 9);
+  b.drag = Vec3(2, 4, 7);
   return b;
 }
 
@@ -26,16 +30,20 @@ RigidBodyState state(double z, const Vec6& u = Vec6::Zero(), const Vec6& rate = 
   RigidBodyState s;
   s.x = Vec3(0.3, -0.2, z) + u.head<3>();
   s.q = exp_so3(Vec3(0.7, -1.1, 0.9)) * exp_so3(u.tail<3>());
-  s.v = Vec3(0.4, 0.1, -0.3) + rate.head<3>(), s.w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
-  s.a = Vec3(0.2, 0.5, -0.1) + second.head<3>(), s.alpha = Vec3(-0.4, 0.3, 0.7) + second.tail<3>();
+  s.v = Vec3(0.4, 0.1, -0.3) + rate.head<3>();
+  s.w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
+  s.a = Vec3(0.2, 0.5, -0.1) + second.head<3>();
+  s.alpha = Vec3(-0.4, 0.3, 0.7) + second.tail<3>();
   return s;
 }
 
 // At a height z, of a current that changes with it.
 Water sea(double z) {
   Water w;
-  w.velocity = Vec3(1.1, -0.4, 0.3) + 0.2 * z * Vec3(1, 0.5, 0), w.by_height = 0.2 * Vec3(1, 0.5, 0);
-  w.acceleration = Vec3(0.6, 0.2, -0.7), w.surface = 0.25;
+  w.velocity = Vec3(1.1, -0.4, 0.3) + 0.2 * z * Vec3(1, 0.5, 0);
+  w.by_height = 0.2 * Vec3(1, 0.5, 0);
+  w.acceleration = Vec3(0.6, 0.2, -0.7);
+  w.surface = 0.25;
   return w;
 }
 
@@ -70,7 +78,8 @@ TEST(BodyWater, TangentsAreDerivatives) {
 
 TEST(BodyWater, BuoyancyPullsDownItsPotential) {
   BodyInWater b = module();
-  b.added.setZero(), b.drag.setZero();
+  b.added.setZero();
+  b.drag.setZero();
   const Water calm;
   for (const double z : {-0.6, 0.9, -1.9, -8.0, 4.0}) {
     BodyWaterResidual r;
@@ -97,7 +106,10 @@ TEST(BodyWater, ConvexPartIsNotNegative) {
 // wholly on the water's account go with the water.
 TEST(BodyWater, RoundBodyHasNoAxes) {
   BodyInWater b = module();
-  b.centre.setZero(), b.drag_centre.setZero(), b.added.setConstant(4), b.drag.setConstant(3);
+  b.centre.setZero();
+  b.drag_centre.setZero();
+  b.added.setConstant(4);
+  b.drag.setConstant(3);
   RigidBodyState s = state(-8), other = s;
   other.q = exp_so3(Vec3(-0.4, 0.8, 1.7));
   EXPECT_LT((residual(b, s).f - residual(b, other).f).norm(), 1e-12);

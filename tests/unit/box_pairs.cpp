@@ -61,7 +61,10 @@ TEST(BoxPairs, UnevenSetUps) {
   std::mt19937_64 rng(11);
   std::uniform_real_distribution<double> unit(0, 1);
   const auto moved = [](std::vector<Box> boxes, const Vec3& by) {
-    for (Box& b : boxes) b.lo += by, b.hi += by;
+    for (Box& b : boxes) {
+      b.lo += by;
+      b.hi += by;
+    }
     return boxes;
   };
   std::vector<std::vector<Box>> set_ups;

@@ -27,7 +27,8 @@ struct Random {
 MassEnds random_ends(Random& r) {
   MassEnds e;
   for (Vec3* p : {&e.a1, &e.a2, &e.v1, &e.v2, &e.w1, &e.w2, &e.alpha1, &e.alpha2}) *p = r.vec();
-  e.q1 = exp_so3(2 * r.vec()), e.q2 = e.q1 * exp_so3(0.3 * r.vec());
+  e.q1 = exp_so3(2 * r.vec());
+  e.q2 = e.q1 * exp_so3(0.3 * r.vec());
   return e;
 }
 
@@ -60,7 +61,8 @@ TEST(Cable, SlackCarriesNothing) {
   CableState e{Vec3::Zero(), Vec3(0.9, 0, 0)};
   e.v2 = Vec3(50, 0, 0);  // closing the slack fast must not pull yet
   EXPECT_EQ(cable_stress(s, e).tension, 0);
-  e.x2.x() = 1.01, e.v2.x() = -50;  // damping must not push
+  e.x2.x() = 1.01;
+  e.v2.x() = -50;  // damping must not push
   EXPECT_EQ(cable_stress(s, e).tension, 0);
 }
 
@@ -121,7 +123,9 @@ std::vector<Thrown> thrown(const CableSection& s, double filter) {
         t.x1 + (i % 7 == 0 ? 1e-7 : 0.2) * r.vec() + s.length * (1 + 0.15 * r.u(r.g)) * r.vec().normalized();
     if (i % 7 == 0) t.x2 = t.x1 + (x2 - x1) * (1 + 1e-9);
     out.push_back(t);
-    x1 = t.x1, x2 = t.x2, stretch = cable_loss(s, t.from, t.step, x1, x2).stretch;
+    x1 = t.x1;
+    x2 = t.x2;
+    stretch = cable_loss(s, t.from, t.step, x1, x2).stretch;
   }
   return out;
 }
@@ -146,7 +150,8 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
           EXPECT_GE(lost.damped, 0);
           EXPECT_GE(S.dot(chord + p.from.chord), 0);                                // it never pushes
           EXPECT_LT(S.cross(chord + p.from.chord).norm(), 1e-12 * (1 + S.norm()));  // and turns nothing
-          pulled += S.norm() > 0, taut += S.norm() > 0 && energy(chord) > 0 && energy(p.from.chord) > 0;
+          pulled += S.norm() > 0;
+          taut += S.norm() > 0 && energy(chord) > 0 && energy(p.from.chord) > 0;
           EXPECT_NEAR(work, stored + lost.damped + lost.filtered, 1e-10 * (1 + std::abs(stored)));
           // Where it would push, nothing acts, and what it gains is of what the filter holds.
           if (S.norm() == 0) {
@@ -164,7 +169,8 @@ TEST(CableMean, TheFilterGivesBackNoMoreThanItHolds) {
   double sum = 0, least = 0, most = 0;
   for (const Thrown& p : thrown(s, 0.06)) {
     sum += cable_loss(s, p.from, p.step, p.x1, p.x2).filtered;
-    least = std::min(least, sum), most = std::max(most, sum);
+    least = std::min(least, sum);
+    most = std::max(most, sum);
   }
   EXPECT_GE(least, 0);
   EXPECT_GT(most, 1);
@@ -218,7 +224,8 @@ TEST(CableMass, IsTheForceOfUnitAccelerations) {
     const Vec3 a1 = j < 3 ? Vec3(Vec3::Unit(j)) : Vec3(Vec3::Zero()),
                a2 = j < 3 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(j - 3));
     cable_mass_force(s, a1, a2, Vec3::Zero(), f.data());
-    expected[j] = m.own, expected[(j + 3) % 6] = m.shared;
+    expected[j] = m.own;
+    expected[(j + 3) % 6] = m.shared;
     EXPECT_LT((f - expected).norm(), 1e-12);
   }
 }
@@ -245,7 +252,8 @@ TEST(BeamMass, TangentsAreDerivatives) {
           if (kind == 2) (turn ? (node ? m.alpha2 : m.alpha1) : (node ? m.a2 : m.a1)) += d;
           beam_mass_force(s, m, load, out.data());
         };
-        at(1e-5, a), at(-1e-5, b);
+        at(1e-5, a);
+        at(-1e-5, b);
         D[kind].col(j) = (a - b) / 2e-5;
       }
     EXPECT_LT((K - D[0]).norm(), 1e-8 * D[0].norm());
@@ -264,8 +272,12 @@ TEST(BeamMass, KineticEnergyChangesByThePowerOfInertia) {
   v << e.v1, e.w1, e.v2, e.w2;
   auto energy_at = [&](double h) {
     MassEnds m = e;
-    m.v1 += h * e.a1, m.v2 += h * e.a2, m.w1 += h * e.alpha1, m.w2 += h * e.alpha2;
-    m.q1 = e.q1 * exp_so3(h * e.w1), m.q2 = e.q2 * exp_so3(h * e.w2);
+    m.v1 += h * e.a1;
+    m.v2 += h * e.a2;
+    m.w1 += h * e.alpha1;
+    m.w2 += h * e.alpha2;
+    m.q1 = e.q1 * exp_so3(h * e.w1);
+    m.q2 = e.q2 * exp_so3(h * e.w2);
     return beam_kinetic_energy(s, m);
   };
   EXPECT_NEAR((energy_at(1e-5) - energy_at(-1e-5)) / 2e-5, f.dot(v), 1e-7 * f.norm());

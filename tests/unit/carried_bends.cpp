@@ -32,10 +32,12 @@ TEST(CarriedBends, DividedAndJoined) {
   Cells cells;
   add(cells, 0, 1.4, whole);
   Values a(3), b(3), both(3);
-  remember_cells(cells, 1, 0, 0.9, a.data()), remember_cells(cells, 1, 0.9, 1.4, b.data());
+  remember_cells(cells, 1, 0, 0.9, a.data());
+  remember_cells(cells, 1, 0.9, 1.4, b.data());
   EXPECT_NEAR(sum(0, 0.9, a) + sum(0.9, 1.4, b), sum(0, 1.4, whole), 1e-14);
   cells.clear();
-  add(cells, 0, 0.9, a), add(cells, 0.9, 1.4, b);
+  add(cells, 0, 0.9, a);
+  add(cells, 0.9, 1.4, b);
   remember_cells(cells, 1, 0, 1.4, both.data());
   EXPECT_NEAR(sum(0, 1.4, both), sum(0, 1.4, whole), 1e-14);
   EXPECT_GE(*std::min_element(both.begin(), both.end()), 1);
@@ -54,7 +56,8 @@ TEST(CarriedBends, PaidOutAndHauledIn) {
     add(cells, 0, length, was);
     cells.push_back({length, to, (i < 150 ? none : more).data()});
     remember_cells(cells, 1, 0, to, now.data());
-    expected += 0.002 * (i < 150 ? 0 : 3), length = to;
+    expected += 0.002 * (i < 150 ? 0 : 3);
+    length = to;
     EXPECT_NEAR(sum(0, length, now), expected, 1e-12);
     EXPECT_GE(*std::min_element(now.begin(), now.end()), 0);
     EXPECT_LE(*std::max_element(now.begin(), now.end()), i < 150 ? 1 : 3);
@@ -66,7 +69,8 @@ TEST(CarriedBends, PaidOutAndHauledIn) {
   for (const double to : {0.7, 0.3, 0.9}) {
     const Values same{2, 2, 2};
     Cells cells;
-    add(cells, 0, 0.5, same), cells.push_back({0.5, 1, same.data()});
+    add(cells, 0, 0.5, same);
+    cells.push_back({0.5, 1, same.data()});
     remember_cells(cells, 1, 0, to, now.data());
     for (const double v : now) EXPECT_NEAR(v, 2, 1e-14);
   }
@@ -78,7 +82,10 @@ PlasticBending law() {
 
 BeamSection section(const PlasticBending& p, bool yields) {
   BeamSection s;
-  s.length = 0.8, s.EA = 1e9, s.EI2 = s.EI3 = p.initial(), s.GJ = 4e6;
+  s.length = 0.8;
+  s.EA = 1e9;
+  s.EI2 = s.EI3 = p.initial();
+  s.GJ = 4e6;
   if (yields) s.plastic = &p;
   return s;
 }
@@ -94,11 +101,12 @@ TEST(CarriedBends, WorkOnElasticBends) {
   const BeamEnds e = bent(0.79, {0, 0.0015, -0.0007}, {0, -0.003, 0.0025});
   const Values never(p.memory(), 0);
   const BeamSection linear = section(p, false), yields = section(p, true);
-  const double felt = beam_feed(linear, {}, e).force - beam_feed(yields, {}, e).force;
-  EXPECT_GT(felt, 50);
+  const double feeder_force = beam_feed(linear, {}, e).force - beam_feed(yields, {}, e).force;
+  EXPECT_GT(feeder_force, 50);
   for (const bool at_b : {false, true})
     for (const double* entering : {never.data(), static_cast<const double*>(nullptr)})
-      EXPECT_NEAR(fed_bending_work(yields, {}, e, at_b, entering), -felt, 1e-9 * felt) << at_b;
+      EXPECT_NEAR(fed_bending_work(yields, {}, e, at_b, entering), -feeder_force, 1e-9 * feeder_force)
+          << at_b;
 }
 
 // An arc that has yielded: what enters is bent from straight, on the curve of the first bend; what leaves

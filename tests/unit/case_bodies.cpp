@@ -102,19 +102,20 @@ std::string wrong_in_water(const std::string& in_water,
 TEST(CaseBodies, BodyInWater) {
   const std::string fine = "volume: 2 m3, height: 3";
   EXPECT_EQ(wrong_in_water(fine), "");
-  const auto says = [](const std::string& all, const std::string& part) {
+  const auto expect_message = [](const std::string& all, const std::string& part) {
     EXPECT_NE(all.find(part), std::string::npos) << all;
   };
-  says(wrong_in_water(fine, "gravity: 9.81"),
-       ":9: bodies.A.floating.in_water: there is no water: give 'environment: {water: ...}'");
-  says(wrong_in_water(fine, "water: {density: 1000}", "false"),
-       ":9: bodies.A.floating.in_water: brings the buoyancy of the body, so that its weight acts as well");
-  says(wrong_in_water("volume: -2, height: 3"), "in_water.volume");
-  says(wrong_in_water("volume: 2, height: 0"), "in_water.height");
-  says(wrong_in_water("volume: 2"), "height");
-  says(wrong_in_water(fine + ", drag_area: [1, -1, 1]"), "in_water.drag_area");
-  says(wrong_in_water(fine + ", Ca: [1, 1, 1], added_mass: [1, 1, 1]"), "added_mass");
-  says(wrong_in_water(fine + ", center_of_buoyancy: [1, 1, 1]"), "centre_of_buoyancy");
+  expect_message(wrong_in_water(fine, "gravity: 9.81"),
+                 ":9: bodies.A.floating.in_water: there is no water: give 'environment: {water: ...}'");
+  expect_message(
+      wrong_in_water(fine, "water: {density: 1000}", "false"),
+      ":9: bodies.A.floating.in_water: brings the buoyancy of the body, so that its weight acts as well");
+  expect_message(wrong_in_water("volume: -2, height: 3"), "in_water.volume");
+  expect_message(wrong_in_water("volume: 2, height: 0"), "in_water.height");
+  expect_message(wrong_in_water("volume: 2"), "height");
+  expect_message(wrong_in_water(fine + ", drag_area: [1, -1, 1]"), "in_water.drag_area");
+  expect_message(wrong_in_water(fine + ", Ca: [1, 1, 1], added_mass: [1, 1, 1]"), "added_mass");
+  expect_message(wrong_in_water(fine + ", center_of_buoyancy: [1, 1, 1]"), "centre_of_buoyancy");
 }
 
 // Coefficients times areas, added mass by coefficient or by itself, drag at the centre of buoyancy or its

@@ -79,19 +79,19 @@ TEST(CaseChanges, AreMadeInTheDocument) {
   for (const std::string& n : c.notes) EXPECT_FALSE(n.starts_with("--set")) << n;
 }
 
-// A case with other lengths says of its changes what it said, and once what it doubts of them.
-TEST(CaseChanges, AreToldOfACaseWithOtherLengths) {
+// A case with other lengths repeats the notes on its changes, and has the warnings of them once.
+TEST(CaseChanges, AreReportedForACaseWithOtherLengths) {
   const model::Case c = read({"dynamics.step=0.5"});
-  const auto doubts = [](const model::Case& of) {
+  const auto warnings = [](const model::Case& of) {
     return std::count_if(of.notes.begin(), of.notes.end(), [](const std::string& n) {
       return n.starts_with("two.yaml with --set: dynamics.step: 0.5 s is 18 steps");
     });
   };
-  EXPECT_EQ(doubts(c), 1);
+  EXPECT_EQ(warnings(c), 1);
   const model::Case other = io::with_lengths(c, {{"lines.other.sections[0]", 61}});
   EXPECT_EQ(other.lines[1].sections[0].length, 61);
   EXPECT_EQ(other.change_notes, std::vector<std::string>{"--set dynamics.step=0.5 (in the file 0.1)"});
-  EXPECT_EQ(doubts(other), 1);
+  EXPECT_EQ(warnings(other), 1);
 }
 
 TEST(CaseChanges, LeaveAllElseAsItIs) {
@@ -148,11 +148,11 @@ TEST(CaseChanges, ThatCannotBeMadeAreRefusedWithOneSentence) {
         "(the case is changed by --set lines.other.sections[0].length=4)"}},
   };
   for (const Refusal& r : refusals) {
-    const std::string said = message_of(r.change);
-    EXPECT_FALSE(said.empty()) << r.change << " was accepted";
-    EXPECT_EQ(said.find('\n'), std::string::npos) << said;
+    const std::string message = message_of(r.change);
+    EXPECT_FALSE(message.empty()) << r.change << " was accepted";
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     for (const std::string& part : r.parts)
-      EXPECT_NE(said.find(part), std::string::npos) << part << "\n" << said;
+      EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
   }
 }
 

@@ -73,12 +73,12 @@ TEST(CaseFuzz, MutatedReelIsACaseOrASentence) {
   ASSERT_NO_THROW(io::read_case_text(original.str(), path));
 
   std::mt19937 random(20061);
-  int good = 0, refused = 0;
+  int accepted = 0, refused = 0;
   for (int i = 0; i < 2000; ++i) {
     const std::string text = mutate(original.str(), random);
     try {
       io::read_case_text(text, path);
-      ++good;
+      ++accepted;
     } catch (const InputError& e) {
       const std::string message = e.what();
       ++refused;
@@ -89,7 +89,7 @@ TEST(CaseFuzz, MutatedReelIsACaseOrASentence) {
     }
   }
   // Both happen, or the mutations are no test.
-  EXPECT_GT(good, 100);
+  EXPECT_GT(accepted, 100);
   EXPECT_GT(refused, 500);
 }
 

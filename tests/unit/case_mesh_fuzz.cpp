@@ -20,7 +20,7 @@ std::string text_of(const std::string& path) {
   return s.str();
 }
 
-// Bytes overwritten, left out, doubled, or the rest cut off.
+// Bytes overwritten, excluded, doubled, or the rest cut off.
 std::string broken(std::string text, std::mt19937& gen) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(gen()) % n; };
   for (std::size_t k = 1 + below(6); k > 0 && !text.empty(); --k) {

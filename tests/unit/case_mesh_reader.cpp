@@ -1,4 +1,4 @@
-// Meshes from files: welded, closed, outward, scaled; notes on what was mended.
+// Meshes from files: welded, closed, outward, scaled; notes on what was repaired.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -149,14 +149,14 @@ TEST(CaseMeshReader, StlTextsAsTheyAreWritten) {
 }
 
 // 80 bytes of header, the number of facets, 50 bytes each.
-std::string binary(std::string header, std::uint32_t told, int facets) {
+std::string binary(std::string header, std::uint32_t message, int facets) {
   const std::array<std::array<float, 9>, 4> corners = {{{0, 0, 0, 0, 1, 0, 1, 0, 0},
                                                         {0, 0, 0, 1, 0, 0, 0, 0, 1},
                                                         {0, 0, 0, 0, 0, 1, 0, 1, 0},
                                                         {1, 0, 0, 0, 1, 0, 0, 0, 1}}};
   header.resize(80, ' ');
   const auto put = [&](const auto& x) { header.append(reinterpret_cast<const char*>(&x), sizeof x); };
-  put(told);
+  put(message);
   for (int f = 0; f < facets; ++f) {
     put(std::array<float, 3>{});
     put(corners[static_cast<std::size_t>(f % 4)]);
@@ -172,9 +172,9 @@ TEST(CaseMeshReader, BinaryStlOfAnyHeader) {
 }
 
 TEST(CaseMeshReader, StlFilesThatAreRefusedSayWhatWasFound) {
-  const std::string good = tetrahedron("t", "0 0 0", "1 0 0", "0 1 0", "0 0 1", true);
+  const std::string well_formed = tetrahedron("t", "0 0 0", "1 0 0", "0 1 0", "0 0 1", true);
   const auto with = [&](const std::string& from, const std::string& to) {
-    std::string s = good;
+    std::string s = well_formed;
     return s.replace(s.find(from), from.size(), to);
   };
   const std::pair<std::string, const char*> files[] = {
@@ -186,7 +186,7 @@ TEST(CaseMeshReader, StlFilesThatAreRefusedSayWhatWasFound) {
       {"hello", "is no STL file: a text begins with 'solid'"},
       {with("vertex 0 1 0", "vertex 0 1,5 0"), "line 5 of the STL text should have a number, not '1,5'"},
       {with("endloop", "vertex 1 1 1"), "line 7 of the STL text should have 'endloop', as a facet has three"},
-      {good.substr(0, good.rfind("endloop")),
+      {well_formed.substr(0, well_formed.rfind("endloop")),
        "should have 'endloop', as a facet has three corners, not the end"}};
   for (const auto& [text, expected] : files) try {
       io::read_mesh(temporary("refused.stl", text));
@@ -207,7 +207,7 @@ TEST(CaseMeshReader, DoubledDecksStayAndSheetsAreRefused) {
   EXPECT_TRUE(m.report.valid());
   EXPECT_DOUBLE_EQ(m.report.volume, 1);
   ASSERT_EQ(m.notes.size(), 1U);
-  EXPECT_NE(m.notes[0].find("deck.obj: 2 triangles that are listed more than once left out"),
+  EXPECT_NE(m.notes[0].find("deck.obj: 2 triangles that are listed more than once excluded"),
             std::string::npos)
       << m.notes[0];
   for (const char* faces : {"f 1 2 3\nf 1 3 4\nf 1 3 2\nf 1 4 3\n", "f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n"})

@@ -33,7 +33,7 @@ const std::string kRows =
     "rows: [[0, 0, 0, 0, 0, 0, 0], [2, 0, 0, 0, 0, 0, 0], [4, 0, 0, 2, 0, 0, 10], [6, 0, 0, 2, 0, 0, 10], "
     "[8, 0, 0, 2, 0, 0, 10]]";
 
-TEST(CaseMotion, OvershootOfASplineIsTold) {
+TEST(CaseMotion, OvershootOfASplineIsReported) {
   const model::Case c = read(kRows);
   // The other is that the spline begins with a velocity.
   ASSERT_EQ(c.notes.size(), 2U);
@@ -70,7 +70,7 @@ TEST(CaseMotion, MonotoneAndLinearStayBetweenTheRows) {
   const model::Case linear = read(kRows + ", interpolation: linear");
   EXPECT_NEAR(model::rigid_motion(linear.bodies[0]).at(2.5).position.z(), 0.5, 1e-14);
   EXPECT_NE(model::summary(linear).find("straight lines between them"), std::string::npos);
-  // Of a wave of a dozen rows a period no overshoot is told.
+  // Of a wave of a dozen rows a period no overshoot is reported.
   std::string rows;
   for (int i = 0; i <= 24; ++i)
     rows += fmt::format("{}[{}, 0, 0, {}]", i ? ", " : "", 0.5 * i, std::sin(2 * M_PI * i / 12.));

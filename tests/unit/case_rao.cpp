@@ -190,10 +190,10 @@ dynamics: {duration: 20}
                            "longest one, 6 s, are used"),
             std::string::npos)
       << longer[0];
-  const auto astray = notes(wave, {5, 12}, {0});
-  ASSERT_EQ(astray.size(), 1U);
+  const auto uncovered = notes(wave, {5, 12}, {0});
+  ASSERT_EQ(uncovered.size(), 1U);
   EXPECT_EQ(
-      astray[0],
+      uncovered[0],
       "bodies.ship.motion.rao: the table has one direction, 0 deg, whose responses are used for waves up "
       "to 60 deg away from it: give rows for the directions of the sea");
 }

@@ -286,7 +286,8 @@ TEST(CaseReader, ElementLength) {
         double sum = 0, most = 0;
         for (int i = 0; i < n; ++i) {
           const double x = n > 1 ? std::pow(g, static_cast<double>(i) / (n - 1)) : 1;
-          sum += x, most = std::max(most, x);
+          sum += x;
+          most = std::max(most, x);
         }
         return 50 * most / sum;
       };

@@ -58,7 +58,7 @@ TEST(CaseSea, SeabedByTable) {
   }
 }
 
-TEST(CaseSea, AnAnchorUnderTheSeabedIsTold) {
+TEST(CaseSea, AnAnchorUnderTheSeabedIsReported) {
   const auto notes = [](const char* height) {
     return read("{water: {}, seabed: {depth: 90}}", HAWSER_SOURCE_DIR "/tests/data/bad", height).notes;
   };

@@ -48,7 +48,7 @@ TEST(CaseShapes, OfEveryKind) {
   EXPECT_EQ(std::get<SphereShape>(*c.volumes[2].shape).radius, 0.5);
   EXPECT_EQ(std::get<TorusShape>(*c.volumes[5].shape).axis, Vec3::UnitY());
 
-  // At a point above (0.1, 0, 0): what contact is told of each.
+  // At a point above (0.1, 0, 0): what contact gets of each.
   const auto volumes = run::load_volumes(c);
   const auto surfaces = run::surfaces(volumes);
   const auto distance = [&](size_t i, const Vec3& y) { return surfaces[i]->query(y, 1e9)->distance; };

@@ -179,10 +179,13 @@ TEST(Catenary, FreeStrainIsALongerLine) {
   const double e = 0.03;
   std::vector<CatenarySection> warm{{100, {20, 0, -50}, 1e6}, {50, {0, 0, -80}, 2e6, {0, 0, -1000}}},
       longer = warm;
-  warm[0].free_strain = e, warm[1].free_strain = -e;
+  warm[0].free_strain = e;
+  warm[1].free_strain = -e;
   for (CatenarySection& s : longer) {
     const double by = &s == &longer[0] ? 1 + e : 1 - e;
-    s.length *= by, s.EA *= by, s.load /= by;
+    s.length *= by;
+    s.EA *= by;
+    s.load /= by;
   }
   for (const Vec3& b : {Vec3(120, 10, 30), Vec3(150, 0, 20)}) {
     const CatenaryShape w = catenary({0, 0, 0}, b, warm), l = catenary({0, 0, 0}, b, longer);

@@ -192,7 +192,9 @@ TEST(CatenaryOnBed, FreeStrainIsALongerLine) {
     std::vector<CatenarySection> warm{part(1200, 500, 7e8), part(900, 335, 5e8)}, longer = warm;
     for (size_t i = 0; i < 2; ++i) {
       warm[i].free_strain = by[i] - 1;
-      longer[i].length *= by[i], longer[i].EA *= by[i], longer[i].load /= by[i];
+      longer[i].length *= by[i];
+      longer[i].EA *= by[i];
+      longer[i].load /= by[i];
     }
     const auto w = catenary_on_bed({0, 0, -200}, {x, 0, -14}, warm, 0.6),
                l = catenary_on_bed({0, 0, -200}, {x, 0, -14}, longer, 0.6);

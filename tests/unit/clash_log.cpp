@@ -8,8 +8,13 @@ namespace {
 
 ActiveContact touch(int line, int volume, double from, double to, double force = 1, double depth = 0) {
   ActiveContact t;
-  t.line = line, t.volume = volume, t.from = from, t.to = to;
-  t.force = force, t.depth = depth, t.energy = 0.1 * force;
+  t.line = line;
+  t.volume = volume;
+  t.from = from;
+  t.to = to;
+  t.force = force;
+  t.depth = depth;
+  t.energy = 0.1 * force;
   return t;
 }
 
@@ -118,7 +123,8 @@ TEST(ClashLog, GoesOnFromItsRecord) {
       step(log, 0.07 * i, t);
     }
   };
-  run(whole, 0, 60), run(half, 0, 23);
+  run(whole, 0, 60);
+  run(half, 0, 23);
   ClashLog rest(settings());
   rest.restore(half.save());
   run(rest, 23, 60);
@@ -129,7 +135,7 @@ TEST(ClashLog, GoesOnFromItsRecord) {
 }
 
 // Of a file it is known what its last output holds, also when the checkpoint is of a later time.
-TEST(ClashLog, KnowsWhatItTold) {
+TEST(ClashLog, KeepsWhatItHasReported) {
   ClashLog log(settings());
   step(log, 0, {touch(0, 0, 1, 2, 3), touch(1, 0, 1, 2, 3)});
   step(log, 1, {touch(0, 0, 1, 2, 3)});
@@ -139,14 +145,14 @@ TEST(ClashLog, KnowsWhatItTold) {
   ClashLog rest(settings());
   rest.restore(log.save());
   EXPECT_TRUE(rest.open().empty());
-  EXPECT_EQ(rest.told().ended, 1);
-  ASSERT_EQ(rest.told().open.size(), 1u);
-  EXPECT_EQ(rest.told().open[0].peak_force, 3);
+  EXPECT_EQ(rest.reported().ended, 1);
+  ASSERT_EQ(rest.reported().open.size(), 1u);
+  EXPECT_EQ(rest.reported().open[0].peak_force, 3);
   EXPECT_EQ(rest.take().ended.size(), 1u);
-  EXPECT_EQ(rest.told().ended, 2);
+  EXPECT_EQ(rest.reported().ended, 2);
   rest.begin_file();
-  EXPECT_EQ(rest.told().ended, 0);
-  EXPECT_TRUE(rest.told().open.empty());
+  EXPECT_EQ(rest.reported().ended, 0);
+  EXPECT_TRUE(rest.reported().open.empty());
 }
 
 TEST(ClashLog, TheLargestAreKept) {

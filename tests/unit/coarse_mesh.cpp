@@ -21,7 +21,8 @@ struct Sphere {
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
         const int a = i * n + j, b = i * n + (j + 1) % n;
-        triangles.push_back({a, a + n, b}), triangles.push_back({b, a + n, b + n});
+        triangles.push_back({a, a + n, b});
+        triangles.push_back({b, a + n, b + n});
       }
   }
 };
@@ -35,7 +36,8 @@ TEST(CoarseMesh, HasAsManyVerticesAsAskedForAndTheShape) {
   double area = 0, volume = 0;
   for (const auto& [a, b, c] : m.triangles) {
     const Vec3 &x = m.vertices.at(a), &y = m.vertices.at(b), &z = m.vertices.at(c);
-    area += 0.5 * (y - x).cross(z - x).norm(), volume += x.dot(y.cross(z)) / 6;
+    area += 0.5 * (y - x).cross(z - x).norm();
+    volume += x.dot(y.cross(z)) / 6;
   }
   EXPECT_NEAR(area, 36 * M_PI, 0.05 * 36 * M_PI);
   EXPECT_NEAR(volume, 36 * M_PI, 0.03 * 36 * M_PI);  // triangles have kept their sense
@@ -58,13 +60,16 @@ TEST(CoarseMesh, KeepsSharpEdges) {
       for (int j = 0; j <= n; ++j) {
         const double side = face < 3 ? 1 : -1;
         Vec3 x;
-        x[face % 3] = side, x[(face + 1) % 3] = side * (2.0 * i / n - 1), x[(face + 2) % 3] = 2.0 * j / n - 1;
+        x[face % 3] = side;
+        x[(face + 1) % 3] = side * (2.0 * i / n - 1);
+        x[(face + 2) % 3] = 2.0 * j / n - 1;
         vertices.push_back(x + Vec3(5, 0, 0));
       }
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j) {
         const int a = first + i * (n + 1) + j, b = a + n + 1;
-        triangles.push_back({a, b, a + 1}), triangles.push_back({a + 1, b, b + 1});
+        triangles.push_back({a, b, a + 1});
+        triangles.push_back({a + 1, b, b + 1});
       }
   }
   const CoarseMesh m = coarse_mesh(vertices, triangles, 500);

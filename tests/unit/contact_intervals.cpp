@@ -45,7 +45,7 @@ TEST(ContactIntervals, FindsARollerAnywhere) {
       continue;
     }
     ASSERT_EQ(found.size(), 1u) << L << " " << c << " " << R << " " << height;
-    // A root is as good as the gap: eps over its slope.
+    // A root is equivalent to the gap: eps over its slope.
     EXPECT_NEAR(found[0].from, from, 1e-13 + 1e-15 * R / half);
     EXPECT_NEAR(found[0].to, to, 1e-13 + 1e-15 * R / half);
     EXPECT_EQ(found[0].from_moves, from > 0);
@@ -107,8 +107,10 @@ TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
         within = std::max(within, std::abs(d - depth(was, L, as_split_before(before, before, none))));
         EXPECT_TRUE(none.empty());
         if (last >= 0) between_steps = std::max(between_steps, std::abs(d - last));
-        last = d, most = std::max(most, d);
-        filled_ever += !filled.empty(), parted += before.size() > 1;
+        last = d;
+        most = std::max(most, d);
+        filled_ever += !filled.empty();
+        parted += before.size() > 1;
       }
     }
   printf(
@@ -122,7 +124,8 @@ TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
 
 TEST(ContactIntervals, LyingAndArching) {
   Gap g;
-  g.value = [](double) { return -1e-3; }, g.slope = [](double) { return 0.0; };
+  g.value = [](double) { return -1e-3; };
+  g.slope = [](double) { return 0.0; };
   auto found = contact_intervals(std::ref(g), {1}, 1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(g.calls, 3);

@@ -37,7 +37,8 @@ Place at(const Situation& s, double xi) {
   const Vec3 na = Vec3(0.2, -0.1, 1).normalized(), nb = Vec3(0.3, 0.1, 1).normalized();
   const Vec3 a = s.slip * na.cross(Vec3(1, 2, 0)), b = s.slip * nb.cross(Vec3(2, -1, 0.5));
   const SlipBetween m = slip_between(a, na, b, nb, xi, false);
-  p.start.slip = m.slip, p.start.normal = m.normal;
+  p.start.slip = m.slip;
+  p.start.normal = m.normal;
   return p;
 }
 
@@ -61,9 +62,12 @@ TEST(ContactAlong, DerivativeOfTheForce) {
   for (const Situation& s : all) {
     ContactLaw law;
     law.normal = {1e5, 1e-3, 300};
-    law.friction.axial = s.axial, law.friction.lateral = s.lateral, law.friction.stiffness = s.stiffness;
+    law.friction.axial = s.axial;
+    law.friction.lateral = s.lateral;
+    law.friction.stiffness = s.stiffness;
     law.friction.blend_speed = s.blend;
-    law.friction.axial_kinetic = 0.5 * s.axial, law.friction.lateral_kinetic = 0.6 * s.lateral;
+    law.friction.axial_kinetic = 0.5 * s.axial;
+    law.friction.lateral_kinetic = 0.6 * s.lateral;
     law.friction.axial_length = law.friction.lateral_length = 2e-3;
     for (const double xi : {0.3, 0.55}) {
       const auto rate = [xi](auto value) {

@@ -29,31 +29,31 @@ lines:
 )",
                                            "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
-  const auto said = [&](double degrees, double pressed, double largest) {
+  const auto sentence = [&](double degrees, double pressed, double largest) {
     ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
     State s;
     s.resize(3);
     const double a = degrees * M_PI / 180;
     s.x = {Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(2 + 2 * std::cos(a), 0, -2 * std::sin(a))};
     const std::vector<double> tension{1000, 1000, 1000}, normal{0, pressed, 0};
-    errors.look(s.view(0), {tension, {}, normal, std::vector<bool>(3, true)});
+    errors.update(s.view(0), {tension, {}, normal, std::vector<bool>(3, true)});
     const std::vector<std::string> all = errors.warnings(0, largest, HUGE_VAL);
     return all.empty() ? "" : all.front();
   };
-  const std::string sharp = said(90, 1400, 2000);
+  const std::string sharp = sentence(90, 1400, 2000);
   EXPECT_NE(sharp.find("line sling turns by 90 degrees from one element to the next"), std::string::npos)
       << sharp;
   EXPECT_NE(sharp.find("arc length 2 m, t = 0 s"), std::string::npos) << sharp;
   EXPECT_NE(sharp.find("up to 1e+03 N, 50 % of the largest"), std::string::npos) << sharp;
-  EXPECT_NE(said(16, 350, 1000).find("turns by 16 degrees"), std::string::npos);
-  EXPECT_EQ(said(10, 350, 1000), "");
-  EXPECT_EQ(said(90, 0, 1000), "");      // a kink in the water
-  EXPECT_EQ(said(90, 1400, 51000), "");  // slack against what the line bears elsewhere
+  EXPECT_NE(sentence(16, 350, 1000).find("turns by 16 degrees"), std::string::npos);
+  EXPECT_EQ(sentence(10, 350, 1000), "");
+  EXPECT_EQ(sentence(90, 0, 1000), "");      // a kink in the water
+  EXPECT_EQ(sentence(90, 1400, 51000), "");  // slack against what the line bears elsewhere
 }
 
-// What is told of a line whose elements of 10 m turn by the same angle, from one to the next.
-std::vector<std::string> told_of_arc(int elements, double degrees, double tension, double largest,
-                                     const std::string& more = "") {
+// The warnings of a line whose elements of 10 m turn by the same angle, from one to the next.
+std::vector<std::string> warnings_of_arc(int elements, double degrees, double tension, double largest,
+                                         const std::string& more = "") {
   const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
 line_types: {{wire: {{outer_diameter: 0.05, mass_per_length: 5, EA: 1.0e15, bending: false}}}}
@@ -75,32 +75,32 @@ lines:
         (static_cast<double>(n) - 0.5 * static_cast<double>(elements) - 0.5) * degrees * M_PI / 180;
     s.x[n] = n == 0 ? Vec3(Vec3::Zero()) : Vec3(s.x[n - 1] + 10 * Vec3(std::cos(a), 0, std::sin(a)));
   }
-  errors.look(s.view(0), {std::vector<double>(nodes, tension), {}, {}, std::vector<bool>(nodes, false)});
+  errors.update(s.view(0), {std::vector<double>(nodes, tension), {}, {}, std::vector<bool>(nodes, false)});
   return errors.warnings(0, largest, HUGE_VAL);
 }
 
 // Equal turns theta of N elements: theta²/24 over theta² (N² - 1)/12, the variance of their directions, is
 // 1/2(N² - 1). 3.3 % of 4, 0.79 % of 8; 1 % is left of 4 with elements shorter by sqrt(0.01/0.0333).
 TEST(ElementErrors, SagOfCablesBetweenNodes) {
-  const std::vector<std::string> told = told_of_arc(4, 2, 1000, 1000);
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_TRUE(told.front().starts_with(
+  const std::vector<std::string> warnings = warnings_of_arc(4, 2, 1000, 1000);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_TRUE(warnings.front().starts_with(
       "line wire sags between the nodes of its elements of 10 m: it turns by 2 degrees from one to the next "
       "(arc length "))
-      << told.front();
-  EXPECT_TRUE(
-      told.front().ends_with(" m, t = 0 s), so that its tension is off by about 3.3 % of the largest: give "
-                             "it elements of 5.5 m there"))
-      << told.front();
-  EXPECT_TRUE(told_of_arc(8, 2, 1000, 1000).empty());
-  EXPECT_TRUE(told_of_arc(4, 2, 1000, 1700).empty());  // 2.0 % of what the line bears at another time
-  EXPECT_EQ(told_of_arc(4, 2, 1000, 1600).size(), 1U);
+      << warnings.front();
+  EXPECT_TRUE(warnings.front().ends_with(
+      " m, t = 0 s), so that its tension is off by about 3.3 % of the largest: give "
+      "it elements of 5.5 m there"))
+      << warnings.front();
+  EXPECT_TRUE(warnings_of_arc(8, 2, 1000, 1000).empty());
+  EXPECT_TRUE(warnings_of_arc(4, 2, 1000, 1700).empty());  // 2.0 % of what the line bears at another time
+  EXPECT_EQ(warnings_of_arc(4, 2, 1000, 1600).size(), 1U);
   // The kink at a mass is none of the line's sag.
-  EXPECT_TRUE(told_of_arc(2, 2, 1000, 1000, "\n    masses: [{at: 10, mass: 100}]").empty());
-  EXPECT_EQ(told_of_arc(2, 2, 1000, 1000).size(), 1U);
+  EXPECT_TRUE(warnings_of_arc(2, 2, 1000, 1000, "\n    masses: [{at: 10, mass: 100}]").empty());
+  EXPECT_EQ(warnings_of_arc(2, 2, 1000, 1000).size(), 1U);
 }
 
-double least_tension(int elements, std::string& told) {
+double least_tension(int elements, std::string& warnings) {
   const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
 environment: {{gravity: 9.80665}}
@@ -121,30 +121,30 @@ lines:
   for (const FieldSource& f : fields.sources())
     if (f.name == "effective_tension") f.fill(at, tension);
   ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
-  errors.look(at, {tension, {}, {}, std::vector<bool>(tension.size(), false)});
+  errors.update(at, {tension, {}, {}, std::vector<bool>(tension.size(), false)});
   const auto all = errors.warnings(0, *std::max_element(tension.begin(), tension.end()), HUGE_VAL);
-  told = all.empty() ? "" : all.front();
+  warnings = all.empty() ? "" : all.front();
   return *std::min_element(tension.begin(), tension.end());
 }
 
-// A cable that sags by a tenth of its span: what four elements are told is what they have too little
-// against 64.
+// A cable that sags by a tenth of its span: the error that is reported of four elements is what they have too
+// little against 64.
 TEST(ElementErrors, SagIsWhatShorterElementsShow) {
-  std::string told, fine;
-  const double coarse = least_tension(4, told), exact = least_tension(64, fine);
+  std::string warnings, fine;
+  const double coarse = least_tension(4, warnings), exact = least_tension(64, fine);
   EXPECT_EQ(fine, "");
-  const size_t at = told.find("off by about ");
-  ASSERT_NE(at, std::string::npos) << told;
-  const double percent = std::stod(told.substr(at + 13));
-  EXPECT_NEAR(percent, 100 * (exact - coarse) / exact, 0.3 * percent) << told;
+  const size_t at = warnings.find("off by about ");
+  ASSERT_NE(at, std::string::npos) << warnings;
+  const double percent = std::stod(warnings.substr(at + 13));
+  EXPECT_NEAR(percent, 100 * (exact - coarse) / exact, 0.3 * percent) << warnings;
 }
 
 // A slack chain that hangs straight down to where it lies: at its upper end hangs its weight in water over
 // the height of its axis above what lies, 5842.1 N/m times 199.83 m, by hand. Elements of 10 m give the half
-// of the one that leaves the bed to either of its ends; what they are told is what they are off. Elements of
-// 2 m are not told.
+// of the one that leaves the bed to either of its ends; the reported errors are theirs. Elements of
+// 2 m give no warning.
 TEST(ElementErrors, ASlackChainThatLeavesTheBedSteeply) {
-  const auto top = [](int elements, std::vector<std::string>& told) {
+  const auto top = [](int elements, std::vector<std::string>& warnings) {
     const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
 environment: {{water: {{depth: 200}}, seabed: {{depth: 200, normal_stiffness: {{per_area: 3.0e6}}}}}}
@@ -167,28 +167,28 @@ lines:
     std::vector<bool> carried;
     for (const Vec3& x : at.x) carried.push_back(x.z() < -200 + 0.17);
     ElementErrors errors(MPI_COMM_SELF, c, sim.local(), nullptr);
-    errors.look(at, {tension, {}, {}, carried});
-    told = errors.warnings(0, tension.back(), HUGE_VAL);
+    errors.update(at, {tension, {}, {}, carried});
+    warnings = errors.warnings(0, tension.back(), HUGE_VAL);
     const size_t end = 3 * static_cast<size_t>(sim.local().block[static_cast<size_t>(elements)]);
     return Eigen::Map<const Vec3>(sim.system().reactions().data() + end).norm();
   };
   const double exact = (685 - 1025 * M_PI / 4 * 0.333 * 0.333) * 9.80665 * (200 - 0.1665);
   EXPECT_NEAR(exact, 1167.5e3, 100);
-  std::vector<std::string> told;
-  const double coarse = top(85, told);
-  ASSERT_EQ(told.size(), 1U);
-  const size_t at = told[0].find("off by about ");
-  ASSERT_NE(at, std::string::npos) << told[0];
-  const double percent = std::stod(told[0].substr(at + 13));
-  EXPECT_NEAR(percent, 100 * std::abs(exact - coarse) / coarse, 0.3) << told[0];
-  EXPECT_NEAR(top(425, told), exact, 0.006 * exact);
-  EXPECT_TRUE(told.empty()) << told[0];
+  std::vector<std::string> warnings;
+  const double coarse = top(85, warnings);
+  ASSERT_EQ(warnings.size(), 1U);
+  const size_t at = warnings[0].find("off by about ");
+  ASSERT_NE(at, std::string::npos) << warnings[0];
+  const double percent = std::stod(warnings[0].substr(at + 13));
+  EXPECT_NEAR(percent, 100 * std::abs(exact - coarse) / coarse, 0.3) << warnings[0];
+  EXPECT_NEAR(top(425, warnings), exact, 0.006 * exact);
+  EXPECT_TRUE(warnings.empty()) << warnings[0];
 }
 
 // Moments of nodes 1 m apart of a beam under tension with decay 1 m, exp(-|s|) about its middle: the cubic's
 // own curvature misses 1/16.2 of what it shows. At a mass the forces say what it is.
 TEST(ElementErrors, PeaksOfBendingMoment) {
-  const auto told = [](double decay, double smooth, const std::string& more = "") {
+  const auto warnings = [](double decay, double smooth, const std::string& more = "") {
     const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
 line_types: {{pipe: {{outer_diameter: 0.1, mass_per_length: 10, EA: 1.0e8, EI: {}, GJ: 1000}}}}
@@ -209,17 +209,17 @@ lines:
       s.x[n] = Vec3(static_cast<double>(n), 0, 0);
       moment[n] = -500 * std::exp(-std::abs(static_cast<double>(n) - 4) / (smooth * decay));
     }
-    errors.look(s.view(0), {std::vector<double>(9, 1e4), moment, {}, std::vector<bool>(9, false)});
+    errors.update(s.view(0), {std::vector<double>(9, 1e4), moment, {}, std::vector<bool>(9, false)});
     const auto all = errors.warnings(0, 1e4, 500);
     return all.empty() ? "" : all.front();
   };
   EXPECT_EQ(
-      told(1, 1),
+      warnings(1, 1),
       "the bending moment of line pipe falls off within 1 m at arc length 4 m (t = 0 s), which elements "
       "of 1 m miss by about 6.2 % of the largest: give it elements of 0.37 m there");
-  EXPECT_EQ(told(2, 1), "");                                        // 1.7 %
-  EXPECT_EQ(told(1, 10), "");                                       // no peak
-  EXPECT_EQ(told(1, 1, "\n    masses: [{at: 4, mass: 100}]"), "");  // 0.07 %
+  EXPECT_EQ(warnings(2, 1), "");                                        // 1.7 %
+  EXPECT_EQ(warnings(1, 10), "");                                       // no peak
+  EXPECT_EQ(warnings(1, 1, "\n    masses: [{at: 4, mass: 100}]"), "");  // 0.07 %
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What a winch lets out in a step by its tension, the force of the element at its mouth, and the energy that
-// a changed unstretched length brings.
+// What a winch lets out in a step by its tension, the force of the element at its feed point, and the energy
+// that a changed unstretched length brings.
 #include "hawser/kernels/feeder_law.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ struct Fed {
 Fed step(const CableSection& s, const FeedLaw& law, double from, double h, double chord, double was = 0) {
   const FedElement e =
       feed_step([&](double length) { return cable_feed(s, chord, length, was, h); }, law, from, h);
-  return {e.length, e.gives * cable_feed(s, chord, e.length, was, h).by_chord};
+  return {e.length, e.length_by_force * cable_feed(s, chord, e.length, was, h).by_chord};
 }
 
 TEST(Feed, SolvesItsSpeedLaw) {
@@ -66,7 +66,7 @@ TEST(Feed, SolvesItsSpeedLaw) {
 }
 
 // Within its band a feeder rests; as it leaves it, the tension stays at the edge until the speed is the
-// law's, and from there on follows the law. No tension in between is left out, and the derivative is exact.
+// law's, and from there on follows the law. No tension in between is excluded, and the derivative is exact.
 TEST(Feed, LeavesItsBandWithoutAJump) {
   for (const double most_speed : {0.0, 4.0})
     for (const double damping : {0.0, 0.02})
@@ -122,7 +122,8 @@ TEST(Feed, TheForceFollowsTheLength) {
       const auto mean = [&](const Vec3& x, CablePull* out) {
         CableSection s = before;
         const Fed e = step(s, law, 1, in.h, x.norm(), from.strain);
-        s.length = e.length, s.follows = e.by_chord;
+        s.length = e.length;
+        s.length_by_chord = e.by_chord;
         if (out) cable_mean(s, from, in, Vec3::Zero(), x, *out);
         return cable_mean(s, from, in, Vec3::Zero(), x);
       };
@@ -170,9 +171,17 @@ Bar bent(std::mt19937& g, double GA, const ResponseCurve* table) {
   std::uniform_real_distribution<double> u(-1, 1);
   const auto vec = [&] { return Vec3(u(g), u(g), u(g)); };
   Bar b;
-  b.s.length = 1.3, b.s.EA = 2e3, b.s.EI2 = 15, b.s.EI3 = 40, b.s.GJ = 23, b.s.GA = GA, b.s.tension = table;
-  b.e.q1 = exp_so3(vec()), b.e.q2 = b.e.q1 * exp_so3(0.5 * vec());
-  b.e.x1 = vec(), b.e.x2 = b.e.x1 + b.e.q1 * (1.35 * (Vec3::UnitX() + 0.15 * vec()));
+  b.s.length = 1.3;
+  b.s.EA = 2e3;
+  b.s.EI2 = 15;
+  b.s.EI3 = 40;
+  b.s.GJ = 23;
+  b.s.GA = GA;
+  b.s.tension = table;
+  b.e.q1 = exp_so3(vec());
+  b.e.q2 = b.e.q1 * exp_so3(0.5 * vec());
+  b.e.x1 = vec();
+  b.e.x2 = b.e.x1 + b.e.q1 * (1.35 * (Vec3::UnitX() + 0.15 * vec()));
   return b;
 }
 
@@ -204,7 +213,8 @@ TEST(Feed, ABeamPullsByItsEnergy) {
   }
   // Straight: the tension, and of what it is stretched by the energy.
   Bar b = bent(g, 0, nullptr);
-  b.e.q1 = b.e.q2 = Quat::Identity(), b.e.x2 = b.e.x1 + 1.3013 * Vec3::UnitX();
+  b.e.q1 = b.e.q2 = Quat::Identity();
+  b.e.x2 = b.e.x1 + 1.3013 * Vec3::UnitX();
   const BeamFeed f = beam_feed(b.s, {}, b.e);
   EXPECT_NEAR(f.force, 2e3 * 0.001 * (1.001 - 0.0005), 1e-9);
   EXPECT_NEAR(f.by_chord, 2e3 * 1.001 / 1.3, 1e-9);
@@ -228,7 +238,8 @@ TEST(Feed, TheForceOfABeamFollowsTheLength) {
               return FedPull{f.force, f.slope};
             },
             law, 1.3, 0.1);
-        s.length = fed.length, s.gives = fed.gives;
+        s.length = fed.length;
+        s.length_by_force = fed.length_by_force;
         Vec12 f;
         if (K)
           beam_tangent(s, {}, e, false, f.data(), K, nullptr);
@@ -243,8 +254,10 @@ TEST(Feed, TheForceOfABeamFollowsTheLength) {
       const auto at = [&](double step) {
         const Vec12 m = step * d;
         BeamEnds e = b.e;
-        e.x1 += m.segment<3>(0), e.x2 += m.segment<3>(6);
-        e.q1 = e.q1 * exp_so3(m.segment<3>(3)), e.q2 = e.q2 * exp_so3(m.segment<3>(9));
+        e.x1 += m.segment<3>(0);
+        e.x2 += m.segment<3>(6);
+        e.q1 = e.q1 * exp_so3(m.segment<3>(3));
+        e.q2 = e.q2 * exp_so3(m.segment<3>(9));
         return force(e, nullptr);
       };
       constexpr double e = 1e-3;
@@ -256,7 +269,8 @@ TEST(Feed, TheForceOfABeamFollowsTheLength) {
 
 TEST(Feed, StepsFollowItsChangesOfSpeed) {
   model::Case c;
-  c.dynamics.duration = 1000, c.output.every = 10;
+  c.dynamics.duration = 1000;
+  c.output.every = 10;
   c.lines.emplace_back().end_b.feed.emplace().speed = {{0, 0.5}, {20, 0.5}, {24, 0}};
   EXPECT_DOUBLE_EQ(model::longest_step(c).length, 4. / 20);
   c.events.emplace_back().action.kind = model::Action::Kind::feed;

@@ -22,7 +22,9 @@ Made cut(const std::vector<CatenarySection>& sections, int pieces_a_section) {
   for (const CatenarySection& s : sections) {
     for (int i = 0; i < pieces_a_section; ++i) {
       FlexibleLine::Piece p;
-      p.length = s.length / pieces_a_section, p.EA = s.EA, p.load = s.load;
+      p.length = s.length / pieces_a_section;
+      p.EA = s.EA;
+      p.load = s.load;
       m.line.pieces.push_back(p);
       m.line.points.emplace_back();
       m.arc.push_back(m.arc.back() + p.length);
@@ -77,7 +79,8 @@ TEST(FlexibleShape, TheSameFromAnyStart) {
   for (size_t i = 0; i < m.line.pieces.size(); ++i)
     m.line.pieces[i].buoyancy = i < 30 ? 60 : i < 60 ? 320 : 80;
   m.line.bed = m.line.water = true;
-  m.line.bed_point = Vec3(0, 0, -90), m.line.bed_stiffness = 1e5;
+  m.line.bed_point = Vec3(0, 0, -90);
+  m.line.bed_stiffness = 1e5;
   m.line.bed_normal = Vec3(0.05, 0, 1).normalized();
   m.line.points[75].load = Vec3(0, 0, -3000);
   const Vec3 a(0, 0, 5), b(230, 20, -90);
@@ -85,14 +88,18 @@ TEST(FlexibleShape, TheSameFromAnyStart) {
   std::vector<Vec3> above = straight(m, a, b), tangle = above;
   std::mt19937 g(5);
   std::uniform_real_distribution<double> u(-40, 40);
-  for (size_t i = 1; i + 1 < above.size(); ++i) above[i].z() += 200, tangle[i] += Vec3(u(g), u(g), u(g));
+  for (size_t i = 1; i + 1 < above.size(); ++i) {
+    above[i].z() += 200;
+    tangle[i] += Vec3(u(g), u(g), u(g));
+  }
   for (const auto& other : {flexible_shape(m.line, above), flexible_shape(m.line, tangle)})
     for (size_t i = 0; i < x.size(); ++i) EXPECT_LT((x[i] - other[i]).norm(), 0.5) << i;
   EXPECT_EQ((x.front() - a).norm() + (x.back() - b).norm(), 0);
   double lowest = 0, lying = 0;
   for (const Vec3& p : x) {
     const double gap = m.line.bed_normal.dot(p - m.line.bed_point);
-    lowest = std::min(lowest, gap), lying += gap < 0.01;
+    lowest = std::min(lowest, gap);
+    lying += gap < 0.01;
   }
   EXPECT_GT(lowest, -0.3);
   EXPECT_GT(lying, 5);
@@ -103,7 +110,8 @@ TEST(FlexibleShape, AFreeEndFloats) {
   std::vector<CatenarySection> sections = {{100, Vec3(0, 0, -600), 1e7}};
   Made m = cut(sections, 64);
   for (auto& p : m.line.pieces) p.buoyancy = 1000;
-  m.line.water = true, m.line.held_b = false;
+  m.line.water = true;
+  m.line.held_b = false;
   const std::vector<Vec3> x = flexible_shape(m.line, straight(m, {0, 0, -10}, {60, 0, -90}));
   for (size_t i = 40; i < x.size(); ++i) EXPECT_NEAR(x[i].z(), 0, 1) << i;
 }

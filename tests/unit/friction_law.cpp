@@ -64,7 +64,8 @@ void expect_path(const FrictionLaw& law, int increments, const std::vector<PathR
     for (int i = 0; i < increments; ++i) {
       const Friction<double> f = friction<double>(law, 1000, slip + d, {0, 0, 1}, {1, 0, 0});
       work -= 0.5 * (f.force + force).dot(d);
-      slip = f.slip, force = f.force;
+      slip = f.slip;
+      force = f.force;
     }
     U = {row.U[0], row.U[1], 0};
     EXPECT_NEAR(force.x(), -row.f[0], tolerance * 1000);
@@ -287,7 +288,8 @@ TEST(FrictionLaw, PartOfALegThatSticks) {
     for (int i = 0; i < 1000; ++i) {
       const Friction<double> f = friction<double>(kPaper, 1000, slip + d, {0, 0, 1}, {1, 0, 0});
       slip = f.slip;
-      slid += f.slides, stuck += !f.slides;
+      slid += f.slides;
+      stuck += !f.slides;
       EXPECT_TRUE(f.slides || slid == 0) << leg;  // once it slides it slides on
     }
     EXPECT_NEAR(stuck / 1000., sticks[leg], 1e-3) << leg;
@@ -372,7 +374,9 @@ TEST(FrictionLaw, ReturnsAgreeWhereIsotropic) {
 
 TEST(FrictionLaw, CoefficientsFallWithSpeed) {
   FrictionLaw law{0.5, 0.6, 1e5, 0, 0};
-  law.axial_kinetic = 0.3, law.lateral_kinetic = 0.2, law.blend_speed = 0.1;
+  law.axial_kinetic = 0.3;
+  law.lateral_kinetic = 0.2;
+  law.blend_speed = 0.1;
   const Coulomb<double> still = coulomb_at(law, 0.0), slow = coulomb_at(law, 0.01),
                         fast = coulomb_at(law, 1e4);
   EXPECT_EQ(still.axial, 0.5);

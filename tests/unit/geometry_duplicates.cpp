@@ -66,7 +66,7 @@ std::vector<std::size_t> region(const TriangleMesh& m, std::size_t size, Chance&
 }
 
 // As the reader does it.
-TriangleMesh mended(TriangleMesh m, DuplicateResult* result = nullptr) {
+TriangleMesh dropped(TriangleMesh m, DuplicateResult* result = nullptr) {
   const DuplicateResult r = drop_duplicates(m);
   if (result) *result = r;
   if (!inspect(m).valid()) repair(m);
@@ -106,7 +106,7 @@ TEST(GeometryDuplicates, RegionsWrittenTwiceAreTheSurfaceOnce) {
     }
     if (chance.below(2) == 0) chance.shuffle(m.triangles);
     DuplicateResult r;
-    m = mended(m, &r);
+    m = dropped(m, &r);
     const std::string what = "seed " + std::to_string(seed);
     ASSERT_EQ(r.copies, added) << what;
     ASSERT_EQ(r.back_to_back, 0) << what;
@@ -135,8 +135,10 @@ TEST(GeometryDuplicates, FinsGo) {
     for (std::size_t row = 0; row < rows; ++row) {
       const int c = static_cast<int>(m.vertices.size());
       for (const int v : {a, b}) m.vertices.push_back(Vec3(m.vertices[static_cast<std::size_t>(v)] + out));
-      both({a, b, c + 1}), both({a, c + 1, c});
-      a = c, b = c + 1;
+      both({a, b, c + 1});
+      both({a, c + 1, c});
+      a = c;
+      b = c + 1;
     }
     int copies = 0;
     if (chance.below(2) == 0)
@@ -146,7 +148,7 @@ TEST(GeometryDuplicates, FinsGo) {
         ++copies;
       }
     DuplicateResult r;
-    m = mended(m, &r);
+    m = dropped(m, &r);
     const std::string what = "seed " + std::to_string(seed);
     ASSERT_EQ(r.back_to_back, 4 * static_cast<int>(rows)) << what;
     ASSERT_EQ(r.copies, copies) << what;
@@ -160,7 +162,7 @@ TEST(GeometryDuplicates, AWallBetweenTwoRoomsGoes) {
   append(rooms, box_mesh(Vec3(1, 0, 0), Vec3(2.5, 1, 1)));
   weld(rooms);
   DuplicateResult r;
-  const TriangleMesh one = mended(rooms, &r);
+  const TriangleMesh one = dropped(rooms, &r);
   EXPECT_EQ(r.back_to_back, 4);
   EXPECT_EQ(r.copies, 0);
   EXPECT_TRUE(inspect(one).valid());
@@ -170,7 +172,7 @@ TEST(GeometryDuplicates, AWallBetweenTwoRoomsGoes) {
     flip(t);
     rooms.triangles.push_back(t);
   }
-  const TriangleMesh two = mended(rooms, &r);
+  const TriangleMesh two = dropped(rooms, &r);
   EXPECT_EQ(r.back_to_back, 8);
   EXPECT_EQ(r.copies, 20);
   EXPECT_NEAR(inspect(two).volume, 2.5, 1e-14);
@@ -192,7 +194,7 @@ TEST(GeometryDuplicates, AnOpenHullOfTwoSidesStaysOnce) {
       flip(m.triangles.back());
     }
     DuplicateResult r;
-    m = mended(m, &r);
+    m = dropped(m, &r);
     EXPECT_EQ(r.copies, static_cast<int>(listed));
     EXPECT_EQ(m.triangles.size(), n);
   }
@@ -211,7 +213,7 @@ TEST(GeometryDuplicates, AnOpenHullOfTwoSidesStaysOnce) {
   }
   ASSERT_GT(m.triangles.size(), n + 10);
   DuplicateResult r;
-  const TriangleMesh one = mended(m, &r);
+  const TriangleMesh one = dropped(m, &r);
   EXPECT_EQ(r.copies, 0);
   EXPECT_EQ(one.triangles.size(), n);
   // The hull two-sided as well.
@@ -219,7 +221,7 @@ TEST(GeometryDuplicates, AnOpenHullOfTwoSidesStaysOnce) {
     m.triangles.push_back(hull.triangles[t]);
     flip(m.triangles.back());
   }
-  const TriangleMesh two = mended(m, &r);
+  const TriangleMesh two = dropped(m, &r);
   EXPECT_EQ(r.copies, static_cast<int>(n));
   EXPECT_EQ(two.triangles.size(), n);
 }
@@ -267,11 +269,12 @@ TEST(GeometryDuplicates, SheetsGo) {
   for (const Triangle& t : {Triangle{8, 9, 10}, {8, 10, 11}, {8, 10, 9}, {8, 11, 10}})
     box.triangles.push_back(t);
   DuplicateResult r;
-  TriangleMesh m = mended(box, &r);
+  TriangleMesh m = dropped(box, &r);
   EXPECT_EQ(r.back_to_back, 4);
   EXPECT_EQ(m.triangles.size(), 12U);
   std::vector<Triangle>& t = box.triangles;
-  t[14] = {8, 11, 9}, t[15] = {9, 11, 10};
+  t[14] = {8, 11, 9};
+  t[15] = {9, 11, 10};
   EXPECT_EQ(drop_duplicates(box).sentence, "");
   EXPECT_EQ(drop_flat_pieces(box, 1e-6), 1);
   EXPECT_EQ(box.triangles, clean.triangles);

@@ -7,7 +7,7 @@
 #include "hawser/geometry/mesh_surface.hpp"
 #include "support/shapes.hpp"
 
-namespace hawser::test::geometry_walls_test {
+namespace hawser::test::geometry_facet_groups_test {
 namespace {
 
 Vec3 random_in(const Box& b, std::mt19937& gen) {
@@ -119,7 +119,7 @@ TEST(FacetGroups, OneOfAHollowOfManySides) {
 }
 
 // A deck with a thin bulwark: what stands behind the bulwark does not push back.
-TEST(FacetGroups, BacksAreNoWalls) {
+TEST(FacetGroups, BacksAreNoFacetGroups) {
   TriangleMesh m = prism_mesh({{0, 0}, {4, 0}, {5, 0}, {5, 1}, {4.02, 1}, {4.02, 2}, {4, 2}, {4, 1}, {0, 1}},
                               {{0, 1, 7, 8}, {1, 2, 3, 4, 7}, {7, 4, 5, 6}}, 3);
   const MeshSurface s(m);
@@ -148,7 +148,9 @@ TEST(FacetGroups, ARoundedCorner) {
     const double a = 0.5 * M_PI * i / 9;
     p.emplace_back(kFillet * (1 - std::sin(a)), kFillet * (1 - std::cos(a)));
   }
-  p.emplace_back(0, kFillet), p.emplace_back(0, 2), p.emplace_back(-1, 2);
+  p.emplace_back(0, kFillet);
+  p.emplace_back(0, 2);
+  p.emplace_back(-1, 2);
   const int n = static_cast<int>(p.size());
   std::vector<std::vector<int>> pieces;
   for (int i = 1; i + 1 < n; ++i) pieces.push_back({0, i, i + 1});
@@ -181,4 +183,4 @@ TEST(FacetGroups, OneInALargeBallIsOneInSmallOnes) {
 }
 
 }  // namespace
-}  // namespace hawser::test::geometry_walls_test
+}  // namespace hawser::test::geometry_facet_groups_test

@@ -123,9 +123,9 @@ TEST(GeometryMesh, ReportNamesFaults) {
 
 TEST(GeometryMesh, OrientationRepair) {
   std::mt19937 gen(5);
-  for (const TriangleMesh& good :
+  for (const TriangleMesh& valid :
        {hollow_cube_mesh(), u_channel_mesh(), sphere_mesh(3), flanged_drum_mesh(24, 1, 2, 1.5, 0.2)}) {
-    TriangleMesh m = good;
+    TriangleMesh m = valid;
     int turned = 0;
     for (auto& t : m.triangles)
       if (gen() % 2) {
@@ -135,7 +135,7 @@ TEST(GeometryMesh, OrientationRepair) {
     EXPECT_FALSE(inspect(m).valid());
     EXPECT_EQ(repair(m).turned, turned);
     EXPECT_TRUE(inspect(m).valid());
-    EXPECT_EQ(m.triangles, good.triangles);
+    EXPECT_EQ(m.triangles, valid.triangles);
     EXPECT_EQ(repair(m).turned, 0);
   }
   // Inside out, cavity and all.

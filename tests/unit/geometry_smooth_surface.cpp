@@ -266,7 +266,10 @@ TEST(GeometrySmoothSurface, AskedAgainNearAPlace) {
             ASSERT_EQ(one->point, other->point);
             ASSERT_EQ(one->normal, other->normal);
             ASSERT_EQ(one->curvature, other->curvature);
-            if (far == 1e-3) ++same, kept += near.place == before;
+            if (far == 1e-3) {
+              ++same;
+              kept += near.place == before;
+            }
           }
         }
         printf("  %s facets, noise %.2f%s: a search in %d of %d\n", smooth ? "curved" : "flat", noise,

@@ -214,7 +214,7 @@ TEST(GeometrySpatialHash, OnlyActiveTriangles) {
 }
 
 template <class Structure>
-void strange_points() {
+void unusual_points() {
   const TriangleMesh nothing, m = sphere_mesh(2);
   EXPECT_FALSE(Search<Structure>(nothing).nearest({0, 0, 0}));
   EXPECT_TRUE(Structure().empty());
@@ -226,8 +226,8 @@ void strange_points() {
 }
 
 TEST(GeometrySpatialHash, EmptyAndStrangePoints) {
-  strange_points<SpatialHash>();
-  strange_points<BoxTree>();
+  unusual_points<SpatialHash>();
+  unusual_points<BoxTree>();
 }
 
 TEST(GeometrySpatialHash, VerySmallAndVeryLarge) {

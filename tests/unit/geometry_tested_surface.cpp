@@ -1,4 +1,4 @@
-// Meshes whose inside is told by the tests of points in polyhedra.
+// Meshes whose inside is decided by the tests of points in polyhedra.
 #include <gtest/gtest.h>
 
 #include <random>

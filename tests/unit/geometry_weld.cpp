@@ -50,8 +50,8 @@ TriangleMesh divided_box(double unit) {
           const auto corner = [&](int a, int b) {
             Vec3 x;
             x[axis] = far ? size[axis] : 0;
-            x[(axis + 1) % 3] = a * size[(axis + 1) % 3] / n,
-                           x[(axis + 2) % 3] = b * size[(axis + 2) % 3] / n;
+            x[(axis + 1) % 3] = a * size[(axis + 1) % 3] / n;
+            x[(axis + 2) % 3] = b * size[(axis + 2) % 3] / n;
             return x;
           };
           const int first = static_cast<int>(out.vertices.size());
@@ -183,7 +183,7 @@ TEST(GeometryWeld, AHoleCostsNothingElsewhere) {
 }
 
 // What the user reads of it, in a file as programs write them.
-TEST(GeometryWeld, TheFileIsSaidToBeMended) {
+TEST(GeometryWeld, TheRepairIsReported) {
   const TriangleMesh mesh = noisy(drum_mesh(48, 1, 3, 6));
   const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "hawser_noisy_drum.stl";
   {

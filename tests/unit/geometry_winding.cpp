@@ -102,11 +102,14 @@ TEST(GeometryWinding, PiecesThatOverlapAreOneBody) {
 
 TEST(GeometryWinding, RepairTurnsPatches) {
   TriangleMesh m = without(sphere_mesh(3), {5, 6, 300});
-  const auto good = m.triangles;
+  const auto valid = m.triangles;
   Points next;
   int turned = 0;
   for (std::size_t t = 0; t < m.triangles.size(); ++t)
-    if (next.below(5) == 0) std::swap(m.triangles[t][0], m.triangles[t][1]), ++turned;
+    if (next.below(5) == 0) {
+      std::swap(m.triangles[t][0], m.triangles[t][1]);
+      ++turned;
+    }
   TriangleMesh inside_out = m;
   const RepairResult r = repair(m);
   EXPECT_EQ(r.turned, turned);
@@ -116,7 +119,7 @@ TEST(GeometryWinding, RepairTurnsPatches) {
   for (auto& t : inside_out.triangles) std::swap(t[0], t[1]);
   repair(inside_out);
   EXPECT_NEAR(winding_number(inside_out, Vec3::Zero()), 1, 0.02);
-  EXPECT_EQ(m.triangles.size(), good.size());
+  EXPECT_EQ(m.triangles.size(), valid.size());
   // A sheet encloses nothing.
   TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};

@@ -116,7 +116,10 @@ TEST(HeightGrid, OvershootBesideAStep) {
   const double r = std::sqrt(3) - 2, S = 3 / (3 + std::sqrt(3));
   double most = 0, where = 0;
   for (double u = 0; u < 1; u += 1e-5)
-    if (const double z = S * u * (1 - u) * (r * (1 - u) - u); z < most) most = z, where = u;
+    if (const double z = S * u * (1 - u) * (r * (1 - u) - u); z < most) {
+      most = z;
+      where = u;
+    }
   const auto long_row = spaced(-300, 300, 60), short_row = spaced(0, 40, 4);
   const auto step = [](double x) { return x > 0.1 ? -90.0 : -100.0; };
   const auto along_x = grid(long_row, short_row, [&](double x, double) { return step(x); }).overshoot();

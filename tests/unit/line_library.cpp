@@ -44,7 +44,7 @@ TEST(LineLibrary, ChainByGradeAndDiameter) {
   EXPECT_NEAR(steel, 7850, 0.01 * 7850);
 }
 
-TEST(LineLibrary, WhatTheCaseSaysGoesBefore) {
+TEST(LineLibrary, KeysOfTheCaseTakePrecedence) {
   const model::LineType t =
       type_of("library: polyester, diameter: 0.2, EA: 200 MN, Cd_normal: 1.2, drag_diameter: 0.21");
   EXPECT_EQ(t.EA, 2e8);

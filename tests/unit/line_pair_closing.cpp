@@ -14,13 +14,13 @@ namespace {
 constexpr double kReach = 0.1;
 
 // x on top of y at the end, lines at the angle between them, both straight; `way`: of x relative to y.
-LinePairWay<double> straight(double angle, const Vec3& way) {
+LinePairMotion<double> straight(double angle, const Vec3& way) {
   const Vec3 a = 0.7 * Vec3::UnitX(), b = 1.3 * Vec3(std::cos(angle), std::sin(angle), 0),
              away = kReach * Vec3::UnitZ();
   return {away, away - way, a, a, b, b};
 }
 
-TEST(LinePairClosing, SweepsHaveNoneAndBlowsHaveAll) {
+TEST(LinePairClosing, SweepsHaveNoneAndImpactsHaveAll) {
   for (const double angle : {0.2, 0.6, 1.0, M_PI / 2})
     for (const Vec3& way : {Vec3(0.3, 0, 0), Vec3(0, 0.2, 0), Vec3(-0.1, 0.4, 0)}) {
       EXPECT_NEAR(line_pair_closing(straight(angle, way)), 0, 1e-15);
@@ -31,7 +31,7 @@ TEST(LinePairClosing, SweepsHaveNoneAndBlowsHaveAll) {
 
 // An element that folds right round within the step, as those of a chain that is lowered exactly upright.
 TEST(LinePairClosing, WhatTurnsRoundIsFinite) {
-  LinePairWay<double> way = straight(0, Vec3(0.1, 0, -0.02));
+  LinePairMotion<double> way = straight(0, Vec3(0.1, 0, -0.02));
   way.slope_before = -way.slope;
   EXPECT_TRUE(std::isfinite(line_pair_closing(way)));
   way.along_before = -way.along;
@@ -61,7 +61,7 @@ TEST(LinePairClosing, WhatIsWoundUpCloses) {
       x_before((r + kReach) * turn, 0, kReach);
   const Vec3 lower_before(std::cos(turn), 0, -std::sin(turn));
   for (const bool swapped : {false, true}) {
-    LinePairWay<double> w{kReach * z, x_before - y_before, x, x, x, lower_before};
+    LinePairMotion<double> w{kReach * z, x_before - y_before, x, x, x, lower_before};
     if (swapped) w = {-w.away, -w.away_before, x, lower_before, x, x};
     EXPECT_NEAR(line_pair_closing(w), 0.5 * r * turn * turn, 0.03 * r * turn * turn);
   }
@@ -74,17 +74,25 @@ TEST(LinePairClosing, DerivativesOfTheLaw) {
   for (int seed = 0; seed < 20; ++seed) {
     LinePairLaw law;
     law.radii = 0.12;
-    law.normal.stiffness = 1e3, law.normal.smoothing = 1e-3, law.normal.damping = 2;
+    law.normal.stiffness = 1e3;
+    law.normal.smoothing = 1e-3;
+    law.normal.damping = 2;
     law.friction.axial = law.friction.lateral = seed % 2 ? 0.3 : 3;
     law.friction.axial_length = law.friction.lateral_length = 0.4;
     double in[F::kInputs];
     const auto force = [&](bool derivatives) {
       const auto v = [&in](int first) { return Vec3(in[first], in[first + 1], in[first + 2]); };
       LinePairPoint at;
-      at.away = v(F::kAway), at.along = v(F::kAlong), at.moved = v(F::kMoved), at.rate = in[F::kRate];
-      at.slip[0] = in[F::kSlip], at.slip[1] = in[F::kSlip + 1];
+      at.away = v(F::kAway);
+      at.along = v(F::kAlong);
+      at.moved = v(F::kMoved);
+      at.rate = in[F::kRate];
+      at.slip[0] = in[F::kSlip];
+      at.slip[1] = in[F::kSlip + 1];
       at.is_new = seed % 4 < 3;
-      at.away_before = v(F::kAwayBefore), at.slope = v(F::kSlope), at.slope_before = v(F::kSlopeBefore);
+      at.away_before = v(F::kAwayBefore);
+      at.slope = v(F::kSlope);
+      at.slope_before = v(F::kSlopeBefore);
       at.along_before = v(F::kAlongBefore);
       return line_pair_force(law, at, derivatives);
     };

@@ -29,9 +29,9 @@ std::string refusal(const std::string& keys, const std::string& sea = "water: {}
 }
 
 void expect_refused(const std::string& keys, const std::string& why, const std::string& sea = "water: {}") {
-  const std::string told = refusal(keys, sea);
-  EXPECT_NE(told.find(why), std::string::npos) << keys << ": " << told;
-  EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+  const std::string message = refusal(keys, sea);
+  EXPECT_NE(message.find(why), std::string::npos) << keys << ": " << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 const std::string kPipe = "pipe: {outer_diameter: 10.75 in, wall_thickness: 0.5 in";

@@ -22,8 +22,10 @@ std::vector<Named> laws() {
   for (const bool slack : {false, true})
     for (const bool tables : {false, true}) {
       LinkLaw l;
-      l.rest_length = 2, l.tension_only = slack;
-      l.stiffness = tables ? 0 : 500, l.damping = tables ? 0 : 60;
+      l.rest_length = 2;
+      l.tension_only = slack;
+      l.stiffness = tables ? 0 : 500;
+      l.damping = tables ? 0 : 60;
       if (tables) {
         l.spring = std::make_shared<MonotoneCubic>(Rows{{-0.1, 5}, {0.2, 100}, {0.5, 120}, {0.9, 400}},
                                                    std::nullopt, 0.1);
@@ -45,7 +47,9 @@ double integral(F f, double from, double to) {
 
 TEST(Link, TensionByDefinition) {
   LinkLaw l;
-  l.rest_length = 2, l.stiffness = 500, l.damping = 60;
+  l.rest_length = 2;
+  l.stiffness = 500;
+  l.damping = 60;
   EXPECT_DOUBLE_EQ(link_tension(l, 2.5, 1).tension, 310);
   EXPECT_DOUBLE_EQ(link_tension(l, 1.5, 1).tension, -190);
   l.tension_only = true;

@@ -136,7 +136,8 @@ TEST(Motion, CurvesBetweenRows) {
 // What carries and what is carried: a body that rolls about its own axis while it drifts round.
 TEST(Motion, DriftCarriesTheOtherMotion) {
   DriftLaw drift;
-  drift.offset = Vec3(20, -5, 1), drift.rotation = Vec3(0.05, 0, 0.4);
+  drift.offset = Vec3(20, -5, 1);
+  drift.rotation = Vec3(0.05, 0, 0.4);
   drift.harmonic = {{8, 3, 0}, {0, 0, 0.3}, 120, {0, 1, 0}, {0, 0, 0.5}};
   const std::vector<double> time{-1, 10, 25, 60};
   drift.table.offset = {time, {Vec3(0, 0, 0), Vec3(1, 2, 0), Vec3(4, -2, 0.5), Vec3(0, 1, 0)}};

@@ -62,15 +62,18 @@ io::Checkpoint written(io::Checkpoint c) {
 }
 
 // Of a value that is there from 0 to 1 s and from 3 to 4 s only, also when it goes on from a checkpoint.
-TEST(NodeStatistics, LeaveOutWhatIsNotThere) {
+TEST(NodeStatistics, ExcludeMissingValues) {
   NodeStatistics first(kFields, 2, 0), s(kFields, 2, 0);
   const double none = std::nan("");
-  first.add(0, values(none, none)), first.add(0.5, values(0, none)), first.add(1, values(1, none));
+  first.add(0, values(none, none));
+  first.add(0.5, values(0, none));
+  first.add(1, values(1, none));
   first.add(2, values(none, none));
   io::Checkpoint kept;
   first.save(kept);
   s.restore(written(kept));
-  s.add(3, values(4, none)), s.add(4, values(6, none));
+  s.add(3, values(4, none));
+  s.add(4, values(6, none));
   const std::vector<double> tension = s.table(0), curvature = s.table(1);
   // 0.5 s about 0.5, with 1/12 of its square, and 1 s about 5 with 4/12.
   const double mean = (0.5 * 0.5 + 5) / 1.5;
@@ -98,11 +101,13 @@ TEST(NodeStatistics, OfAStraightLineAreExact) {
   }
 }
 
-TEST(NodeStatistics, BeginWhenTheCaseSays) {
+TEST(NodeStatistics, BeginAtTheTimeOfTheCase) {
   NodeStatistics s(kFields, 2, 2.5);
-  s.add(0, values(100, 0)), s.add(2, values(100, 0));
+  s.add(0, values(100, 0));
+  s.add(2, values(100, 0));
   EXPECT_TRUE(std::isnan(tables(s)[0][0]));
-  s.add(3, values(10, 0)), s.add(4, values(20, 0));
+  s.add(3, values(10, 0));
+  s.add(4, values(20, 0));
   const auto all = tables(s);
   EXPECT_EQ(all[0][0], 10);
   EXPECT_EQ(all[0][1], 3);
@@ -112,7 +117,7 @@ TEST(NodeStatistics, BeginWhenTheCaseSays) {
 }
 
 TEST(NodeStatistics, GoOnFromACheckpoint) {
-  NodeStatistics whole(kFields, 2, 0), half(kFields, 2, 0), rest(kFields, 2, 0), anew(kFields, 2, 0);
+  NodeStatistics whole(kFields, 2, 0), half(kFields, 2, 0), rest(kFields, 2, 0), empty(kFields, 2, 0);
   io::Checkpoint c;
   bool saved = false;
   wave([&](double t, double v) {
@@ -121,13 +126,17 @@ TEST(NodeStatistics, GoOnFromACheckpoint) {
       half.add(t, values(v, t));
       return;
     }
-    if (!saved) half.save(c), rest.restore(written(c)), saved = true;
+    if (!saved) {
+      half.save(c);
+      rest.restore(written(c));
+      saved = true;
+    }
     rest.add(t, values(v, t));
   });
   EXPECT_EQ(tables(whole), tables(rest));
   // One of an older version holds none: they begin anew.
-  anew.restore({});
-  EXPECT_TRUE(std::isnan(tables(anew)[0][0]));
+  empty.restore({});
+  EXPECT_TRUE(std::isnan(tables(empty)[0][0]));
 }
 
 }  // namespace

@@ -18,15 +18,15 @@ TEST(Notes, OfVolumesAreGrouped) {
   for (int i = 1; i <= 18; ++i)
     notes.push_back("volume roller_" + std::to_string(i) + ": normal stiffness 1e+06 N/m per m: because");
   notes.insert(notes.begin() + 3, "volume deck: normal stiffness 2e+06 N/m per m: because");
-  notes.push_back("volumes.port: 3 triangles left out");
-  notes.push_back("volumes.starboard: 3 triangles left out");
+  notes.push_back("volumes.port: 3 triangles excluded");
+  notes.push_back("volumes.starboard: 3 triangles excluded");
   notes.push_back("contact between lines: a note");
   notes.push_back("contact between lines: a note");
   const std::vector<std::string> expected{
       "lines.a: something else",
       "volumes roller_1 ... roller_18 (18 in all): normal stiffness 1e+06 N/m per m: because",
       "volume deck: normal stiffness 2e+06 N/m per m: because",
-      "volumes port and starboard: 3 triangles left out",
+      "volumes port and starboard: 3 triangles excluded",
       "contact between lines: a note",
       "contact between lines: a note"};
   EXPECT_EQ(model::grouped_notes(notes), expected);
@@ -57,13 +57,18 @@ model::Case rod(int elements, const std::string& between = "false") {
 // over 60 iterations of it, and 4 a step of half the longest.
 TEST(Cost, ByATrial) {
   TrialRun t;
-  t.duration = t.reached = 100, t.longest = 0.1, t.spent = 3.7, t.rate = 7;
+  t.duration = t.reached = 100;
+  t.longest = 0.1;
+  t.spent = 3.7;
+  t.rate = 7;
   EXPECT_NEAR(expected_cost(t), 3.7, 1e-12);
   EXPECT_EQ(cost_sentence(t), "expected cost: about 3.7 CPU s");
-  t.reached = 40, t.rate = 0.05;
+  t.reached = 40;
+  t.rate = 0.05;
   EXPECT_NEAR(expected_cost(t), 3.7 + 60 * 0.05, 1e-12);
   EXPECT_EQ(cost_sentence(t), "expected cost: about 6.7 CPU s, by its first 40 of 100 s");
-  t.reached = 0, t.iteration = 0.01;
+  t.reached = 0;
+  t.iteration = 0.01;
   EXPECT_NEAR(expected_cost(t), 0.01 * (60 + 4 * 2000), 1e-12);
   EXPECT_EQ(cost_sentence(t), "expected cost: about 81 CPU s, by the first iterations of statics");
   t.duration = 0;
@@ -95,9 +100,10 @@ TEST(Cost, ATrialEndsWithItsBudget) {
 }
 
 // Too long for an equilibrium within one iteration: the sentence of the run.
-TEST(Cost, ATrialTellsWhyTheRunStops) {
+TEST(Cost, ATrialReportsWhyTheRunStops) {
   model::Case c = rod(8);
-  c.statics.max_iterations = 1, c.statics.relaxation = model::Relaxation::never;
+  c.statics.max_iterations = 1;
+  c.statics.relaxation = model::Relaxation::never;
   Simulation sim(MPI_COMM_SELF, c);
   const TrialRun trial = trial_run(sim, c, 100);
   EXPECT_EQ(trial.failure.find("statics: "), 0U) << trial.failure;
@@ -151,7 +157,7 @@ TEST(Cost, MemoryOfARun) {
 }
 
 TEST(Details, TellTheStiffnessOfALineWithItself) {
-  const auto told = [](const std::string& between) {
+  const auto message = [](const std::string& between) {
     const Simulation sim(MPI_COMM_SELF, rod(10, between));
     for (const std::string& n : sim.details())
       if (n.starts_with("contact of line rod with itself: a normal stiffness of ")) {
@@ -163,9 +169,9 @@ TEST(Details, TellTheStiffnessOfALineWithItself) {
       }
     return false;
   };
-  EXPECT_TRUE(told("true"));
-  EXPECT_FALSE(told("false"));
-  EXPECT_FALSE(told("{normal_stiffness: {per_length: 1e6}}"));
+  EXPECT_TRUE(message("true"));
+  EXPECT_FALSE(message("false"));
+  EXPECT_FALSE(message("{normal_stiffness: {per_length: 1e6}}"));
 }
 
 }  // namespace

@@ -12,7 +12,11 @@ namespace {
 // A 16 in pipe of X65, wall 21 mm.
 PipeSteel sixteen() {
   PipeSteel s;
-  s.outer = 0.4064, s.wall = 0.021, s.smys = 450e6, s.smts = 535e6, s.material_factor = 1;
+  s.outer = 0.4064;
+  s.wall = 0.021;
+  s.smys = 450e6;
+  s.smts = 535e6;
+  s.material_factor = 1;
   return s;
 }
 
@@ -32,7 +36,10 @@ TEST(PipeCodes, CollapsePressureIsARootOfItsEquation) {
   for (const auto& [outer, wall] : {std::pair{0.4064, 0.021}, {0.9144, 0.02}, {0.1524, 0.015}})
     for (const double share : {1.0, 0.85}) {
       PipeSteel s = sixteen();
-      s.outer = outer, s.wall = wall, s.fabrication = share, s.ovality = 0.01;
+      s.outer = outer;
+      s.wall = wall;
+      s.fabrication = share;
+      s.ovality = 0.01;
       const double p = PipeCodes(s).collapse(), elastic = 2 * 207e9 * std::pow(wall / outer, 3) / 0.91,
                    yields = 450e6 * share * 2 * wall / outer;
       const auto difference = [&](double x) {
@@ -90,7 +97,8 @@ TEST(PipeCodes, ApiRp1111) {
                p_c = p_y * p_el / std::hypot(p_y, p_el);
   for (const bool expanded : {true, false})
     for (const double oval : {0.005, 0.02}) {
-      s.cold_expanded = expanded, s.ovality = oval;
+      s.cold_expanded = expanded;
+      s.ovality = oval;
       const PipeCodes p(s);
       EXPECT_NEAR(p.bending_and_pressure(0, (expanded ? 0.6 : 0.7) * p_c, 0), 1, 1e-12);
       // The strain t/2D over 3.33 and times g uses it up; pressure inside does not help.

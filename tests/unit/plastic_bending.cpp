@@ -86,7 +86,10 @@ TEST(PlasticBending, WorkIsKeptOrDissipated) {
       EXPECT_GE(lost, 0);
       dissipated += lost;
       const BendingMoment after = law.at(next[0], next[1], set.data());
-      for (int i = 0; i < 2; ++i) work += 0.5 * (before.m[i] + after.m[i]) * (next[i] - c[i]), c[i] = next[i];
+      for (int i = 0; i < 2; ++i) {
+        work += 0.5 * (before.m[i] + after.m[i]) * (next[i] - c[i]);
+        c[i] = next[i];
+      }
     }
   }
   EXPECT_GT(dissipated, 100);
@@ -150,8 +153,10 @@ TEST(PlasticBending, TangentOfTheElement) {
   using Vec12 = Eigen::Matrix<double, 12, 1>;
   using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
   const auto moved = [](BeamEnds e, const Vec12& d) {
-    e.x1 += d.segment<3>(0), e.x2 += d.segment<3>(6);
-    e.q1 = e.q1 * exp_so3(d.segment<3>(3)), e.q2 = e.q2 * exp_so3(d.segment<3>(9));
+    e.x1 += d.segment<3>(0);
+    e.x2 += d.segment<3>(6);
+    e.q1 = e.q1 * exp_so3(d.segment<3>(3));
+    e.q2 = e.q2 * exp_so3(d.segment<3>(9));
     return e;
   };
   for (unsigned seed = 0; seed < 12; ++seed) {
@@ -163,12 +168,17 @@ TEST(PlasticBending, TangentOfTheElement) {
     std::vector<double> set(kBendingPlaces * law.memory(), 0);
     BeamEnds e;
     for (int k = 0; k < 4; ++k) {
-      e.q1 = exp_so3(2 * vec()), e.q2 = e.q1 * exp_so3(0.8 * vec());
-      e.x1 = vec(), e.x2 = e.x1 + e.q1 * (1.35 * (Vec3::UnitX() + 0.25 * vec()));
+      e.q1 = exp_so3(2 * vec());
+      e.q2 = e.q1 * exp_so3(0.8 * vec());
+      e.x1 = vec();
+      e.x2 = e.x1 + e.q1 * (1.35 * (Vec3::UnitX() + 0.25 * vec()));
       if (k == 3) break;
       EXPECT_GE(beam_bend(s, r, e, set.data()), 0);
     }
-    e.v1 = vec(), e.v2 = vec(), e.w1 = vec(), e.w2 = vec();
+    e.v1 = vec();
+    e.v2 = vec();
+    e.w1 = vec();
+    e.w2 = vec();
     r.set = set.data();
     Mat12 K, C = Mat12::Zero(), Kd;
     Vec12 f;

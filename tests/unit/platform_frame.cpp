@@ -20,7 +20,8 @@ RigidBodyState state(const Vec6& place = Vec6::Zero(), const Vec6& rate = Vec6::
   RigidBodyState s;
   s.x = Vec3(0.3, -0.2, 0.5) + place.head<3>();
   s.q = exp_so3(Vec3(0.2, -0.3, 0.9)) * exp_so3(place.tail<3>());
-  s.v = Vec3(0.4, 0.1, -0.3) + rate.head<3>(), s.w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
+  s.v = Vec3(0.4, 0.1, -0.3) + rate.head<3>();
+  s.w = Vec3(0.5, -0.6, 0.8) + rate.tail<3>();
   s.a = Vec3(0.2, 0.5, -0.1) + acceleration.head<3>();
   s.alpha = Vec3(-0.4, 0.3, 0.7) + acceleration.tail<3>();
   return s;
@@ -64,7 +65,8 @@ TEST(PlatformFrame, AccelerationIsTheRateOfTheRate) {
   const auto at = [](double t) {
     const RigidBodyState s = state();
     RigidBodyState moved = s;
-    moved.x += t * s.v + 0.5 * t * t * s.a, moved.v += t * s.a;
+    moved.x += t * s.v + 0.5 * t * t * s.a;
+    moved.v += t * s.a;
     moved.w += t * s.alpha;
     moved.q = s.q * exp_so3(t * s.w + 0.5 * t * t * s.alpha);
     return platform_rate(axes(), kArm, moved);
@@ -99,8 +101,8 @@ TEST(PlatformFrame, PullIsTheGradientOfItsPotentialWithItsTangent) {
 }
 
 TEST(PlatformFrame, LoadsHaveTheirTangent) {
-  for (const bool follows : {false, true}) {
-    const RigidBodyLoad load{Vec3(3, -2, 5), Vec3(1, 4, -2), kArm, follows};
+  for (const bool body_fixed : {false, true}) {
+    const RigidBodyLoad load{Vec3(3, -2, 5), Vec3(1, 4, -2), kArm, body_fixed};
     const auto of = [&load](const RigidBodyState& s) {
       RigidBodyResidual r;
       add_load(load, s, r);
@@ -109,7 +111,7 @@ TEST(PlatformFrame, LoadsHaveTheirTangent) {
     for (int k = 0; k < 6; ++k) {
       const Vec6 d = Vec6::Unit(k);
       const Vec6 found = slope([&](const Vec6& u) { return of(state(u)).applied; }, d);
-      EXPECT_LT((of(state()).K * d - found).norm(), 1e-9) << k << follows;
+      EXPECT_LT((of(state()).K * d - found).norm(), 1e-9) << k << body_fixed;
     }
   }
 }

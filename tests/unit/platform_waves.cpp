@@ -12,9 +12,12 @@ std::vector<WaveComponent> sea() {
   std::vector<WaveComponent> out;
   for (int i = 0; i < 12; ++i) {
     WaveComponent w;
-    w.omega = 0.4 + 0.07 * i, w.number = w.omega * w.omega / 9.81;
-    w.amplitude = 1 + 0.3 * std::sin(i), w.phase = 0.9 * i * i;
-    w.x = std::cos(0.3), w.y = std::sin(0.3);
+    w.omega = 0.4 + 0.07 * i;
+    w.number = w.omega * w.omega / 9.81;
+    w.amplitude = 1 + 0.3 * std::sin(i);
+    w.phase = 0.9 * i * i;
+    w.x = std::cos(0.3);
+    w.y = std::sin(0.3);
     out.push_back(w);
   }
   return out;
@@ -38,7 +41,8 @@ WaveForceTable mean() {
   for (int i = 0; i < 8; ++i) {
     omega.push_back(0.35 + 0.15 * i);
     values.push_back(ComplexVec6::Zero());
-    values.back()[0] = 1 + i, values.back()[1] = 3 - i;
+    values.back()[0] = 1 + i;
+    values.back()[1] = 3 - i;
   }
   return {omega, {0}, values};
 }
@@ -46,11 +50,18 @@ WaveForceTable mean() {
 // (re cos - im sin) of a single wave, at a body that is turned and away from the origin.
 TEST(PlatformWaves, FirstOrderLeadsTheCrest) {
   std::vector<ComplexVec6> values(4, ComplexVec6::Zero());
-  values[0][2] = Complex(1, 2), values[1][2] = Complex(3, 4);   // 0 deg
-  values[2][2] = Complex(5, -6), values[3][2] = Complex(7, 8);  // 90 deg
+  values[0][2] = Complex(1, 2);
+  values[1][2] = Complex(3, 4);  // 0 deg
+  values[2][2] = Complex(5, -6);
+  values[3][2] = Complex(7, 8);  // 90 deg
   const WaveForceTable table({0.5, 1.0}, {0, M_PI / 2}, values);
   WaveComponent w;
-  w.omega = 0.75, w.amplitude = 2, w.phase = 0.4, w.number = 0.06, w.x = std::cos(0.9), w.y = std::sin(0.9);
+  w.omega = 0.75;
+  w.amplitude = 2;
+  w.phase = 0.4;
+  w.number = 0.06;
+  w.x = std::cos(0.9);
+  w.y = std::sin(0.9);
   const PlatformWaves waves({w}, 0.9 - M_PI / 4, table, {}, {}, SecondOrder::none);
   const Complex X = 0.25 * (Complex(1, 2) + Complex(3, 4) + Complex(5, -6) + Complex(7, 8));
   const double t = 3.1, x = 12, y = -5;

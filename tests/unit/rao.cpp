@@ -33,8 +33,11 @@ TEST(Rao, InterpolatesInTheComplexPlane) {
 
 WaveField wave(double amplitude, double omega, double direction, double phase) {
   WaveComponent c;
-  c.amplitude = amplitude, c.omega = omega, c.phase = phase;
-  c.x = std::cos(direction), c.y = std::sin(direction);
+  c.amplitude = amplitude;
+  c.omega = omega;
+  c.phase = phase;
+  c.x = std::cos(direction);
+  c.y = std::sin(direction);
   return WaveField({c}, 0, 9.80665, Stretching::none);
 }
 
@@ -57,7 +60,9 @@ TEST(Rao, PhaseIsALagAfterTheCrestAtTheOrigin) {
 TEST(Rao, TurnsWithTheHeading) {
   const double heading = 2.1;
   Response ahead{}, abeam{};
-  ahead[0] = 1, abeam[1] = 2, abeam[3] = 0.1;
+  ahead[0] = 1;
+  abeam[1] = 2;
+  abeam[3] = 0.1;
   const RaoTable t({{0.7, 0, ahead}, {0.7, M_PI / 2, abeam}, {0.7, M_PI, ahead}, {0.7, 1.5 * M_PI, abeam}});
   const Vec3 bow(std::cos(heading), std::sin(heading), 0), port(-std::sin(heading), std::cos(heading), 0);
   Vec3 x, r;
@@ -95,7 +100,7 @@ TEST(Rao, OtherSideIsAMirror) {
     }
 }
 
-TEST(Rao, KnowsTheDirectionsBesideOne) {
+TEST(Rao, HasTheDirectionsBesideOne) {
   const double deg = M_PI / 180;
   const RaoTable t(
       {{0.5, 0, heave_of(1, 0)}, {0.5, 90 * deg, heave_of(1, 0)}, {0.5, 180 * deg, heave_of(1, 0)}});
@@ -104,7 +109,11 @@ TEST(Rao, KnowsTheDirectionsBesideOne) {
     EXPECT_NEAR(b.from / deg, from, 1e-9) << direction;
     EXPECT_NEAR(b.to / deg, to, 1e-9) << direction;
   };
-  expect(30, 0, 90), expect(90, 90, 90), expect(-270, 90, 90), expect(200, 180, 360), expect(-10, 180, 360);
+  expect(30, 0, 90);
+  expect(90, 90, 90);
+  expect(-270, 90, 90);
+  expect(200, 180, 360);
+  expect(-10, 180, 360);
   expect(360, 0, 0);
   const RaoTable one({{0.5, 30 * deg, heave_of(1, 0)}});
   EXPECT_EQ(one.neighbours(2).from, one.neighbours(2).to);

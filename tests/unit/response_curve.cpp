@@ -70,8 +70,10 @@ using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
 
 BeamEnds moved(BeamEnds e, const Vec12& d) {
-  e.x1 += d.segment<3>(0), e.x2 += d.segment<3>(6);
-  e.q1 = e.q1 * exp_so3(d.segment<3>(3)), e.q2 = e.q2 * exp_so3(d.segment<3>(9));
+  e.x1 += d.segment<3>(0);
+  e.x2 += d.segment<3>(6);
+  e.q1 = e.q1 * exp_so3(d.segment<3>(3));
+  e.q2 = e.q2 * exp_so3(d.segment<3>(9));
   return e;
 }
 
@@ -83,14 +85,25 @@ TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
   const auto random = [&] { return Vec3(u(g), u(g), u(g)); };
   for (int i = 0; i < 12; ++i) {
     BeamSection s{1.2, rope.initial(), pipe.initial() + (i % 2 ? 30 : 0), 0, 40, 0, i % 3 ? 0.0 : 0.2};
-    s.EI3 = s.EI2, s.tension = &rope, s.moment = &pipe;
+    s.EI3 = s.EI2;
+    s.tension = &rope;
+    s.moment = &pipe;
     BeamReference r;
     Mat3 turn = Mat3::Identity();
-    if (i > 5) turn = exp_so3(random()).toRotationMatrix(), r.axes = &turn, r.psi = 0.1 * random();
+    if (i > 5) {
+      turn = exp_so3(random()).toRotationMatrix();
+      r.axes = &turn;
+      r.psi = 0.1 * random();
+    }
     BeamEnds e;
-    e.x1 = random(), e.q1 = exp_so3(random()), e.q2 = e.q1 * exp_so3(0.4 * random());
+    e.x1 = random();
+    e.q1 = exp_so3(random());
+    e.q2 = e.q1 * exp_so3(0.4 * random());
     e.x2 = e.x1 + e.q1 * (turn * Vec3(1.25, 0.1 * u(g), 0.1 * u(g)));
-    e.v1 = random(), e.v2 = random(), e.w1 = random(), e.w2 = random();
+    e.v1 = random();
+    e.v2 = random();
+    e.w1 = random();
+    e.w2 = random();
     Mat12 K, C, Kd;
     Vec12 f, a, b, c, d;
     beam_tangent(s, r, e, false, f.data(), K.data(), C.data());
@@ -116,10 +129,15 @@ TEST(ResponseCurve, StraightTablesChangeNothing) {
   const ResponseCurve rope(std::vector<Row>{{0.1, 30}, {0.2, 60}}, false),
       pipe(std::vector<Row>{{0.1, 5}, {0.2, 10}}, true);
   BeamSection plain{1.2, 300, 50, 50, 40, 0, 0.1}, tables = plain;
-  tables.tension = &rope, tables.moment = &pipe;
+  tables.tension = &rope;
+  tables.moment = &pipe;
   BeamEnds e;
-  e.x1 = Vec3(1, 2, 3), e.q1 = exp_so3(Vec3(0.2, -0.5, 0.3)), e.q2 = e.q1 * exp_so3(Vec3(0.2, 0.5, -0.4));
-  e.x2 = e.x1 + e.q1 * Vec3(1.3, 0.1, -0.2), e.v1 = Vec3(1, 0, 2), e.w2 = Vec3(0.3, 1, 0);
+  e.x1 = Vec3(1, 2, 3);
+  e.q1 = exp_so3(Vec3(0.2, -0.5, 0.3));
+  e.q2 = e.q1 * exp_so3(Vec3(0.2, 0.5, -0.4));
+  e.x2 = e.x1 + e.q1 * Vec3(1.3, 0.1, -0.2);
+  e.v1 = Vec3(1, 0, 2);
+  e.w2 = Vec3(0.3, 1, 0);
   Mat12 K, L, C, D;
   Vec12 f, g;
   beam_tangent(plain, {}, e, false, f.data(), K.data(), C.data());
@@ -146,7 +164,8 @@ TEST(ResponseCurve, CableTangentAndEnergyBelongToItsForce) {
     EXPECT_NEAR(f.tail<3>().norm(), strain > 0 ? rope.at(strain).force : 0, 1e-9);
     for (int j = 0; j < 3; ++j) {
       test::CableState p = e, m = e;
-      p.x2[j] += 1e-6, m.x2[j] -= 1e-6;
+      p.x2[j] += 1e-6;
+      m.x2[j] -= 1e-6;
       const test::CableForce rise = cable_force(s, p) - cable_force(s, m);
       EXPECT_LT((K.col(3 + j) - rise / 2e-6).norm(), 1e-5 * (1 + K.norm()));
       EXPECT_NEAR(f[3 + j], (cable_stress(s, p).strain_energy - cable_stress(s, m).strain_energy) / 2e-6,

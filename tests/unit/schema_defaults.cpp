@@ -53,7 +53,7 @@ bool has_fields(const Key& k) {
 
 // Without a spectrum there are no components, the peakedness of JONSWAP is that of no other spectrum, and the
 // keys of a Stokes wave make its row.
-const std::set<std::string> kOtherwise = {
+const std::set<std::string> kFallback = {
     ".environment.waves.jonswap.components",           ".environment.waves.jonswap.gamma",
     ".environment.waves.pierson_moskowitz.components", ".environment.waves.spectrum.components",
     ".environment.waves.stokes.direction_deg",         ".environment.waves.stokes.phase_deg"};
@@ -70,7 +70,7 @@ int compare(const Key& key, const std::string& path) {
       check_structure(root, only, "test");
       const std::optional<bool> same = keeps_initial(root);
       EXPECT_TRUE(same.has_value()) << here << " is for a struct that this test does not know";
-      EXPECT_EQ(same.value_or(true), kOtherwise.count(here) == 0)
+      EXPECT_EQ(same.value_or(true), kFallback.count(here) == 0)
           << here << ": default " << *k.fallback << ", but the field is made with another value";
       ++compared;
     }

@@ -20,8 +20,10 @@ TEST(SegmentCcd, NeverMissesAndNeverCriesWolf) {
   for (int i = 0; i < 3000; ++i) {
     const Vec3 push = vector(2);
     MovingSegment a{vector(1), vector(1), {}, {}}, b{vector(1) + push, vector(1) + push, {}, {}};
-    a.from1 = a.from0 + vector(1), a.to1 = a.to0 + vector(1);
-    b.from1 = b.from0 + vector(1) - 2 * push, b.to1 = b.to0 + vector(1) - 2 * push;
+    a.from1 = a.from0 + vector(1);
+    a.to1 = a.to0 + vector(1);
+    b.from1 = b.from0 + vector(1) - 2 * push;
+    b.to1 = b.to0 + vector(1) - 2 * push;
     const double least = 0.05, tolerance = 0.002;
     const double found = first_approach(a, b, least, tolerance);
     const auto distance = [&](double t) {

@@ -38,7 +38,7 @@ void write_bed(const std::string& path, double there, double sign = 1, const std
 std::string folder() { return testing::TempDir(); }
 
 // What a case of it says: its notes, or the sentence that refuses it.
-std::vector<std::string> said(const std::string& model, const std::vector<std::string>& set) {
+std::vector<std::string> warnings_of(const std::string& model, const std::vector<std::string>& set) {
   try {
     return io::read_case_text(text_of(model), folder() + "/" + model + ".yaml", {}, MPI_COMM_SELF, set).notes;
   } catch (const InputError& e) {
@@ -328,13 +328,14 @@ class Slips : public testing::Test {
 };
 
 TEST_F(Slips, TheModelsAreClean) {
-  for (const std::string& name : kModels) EXPECT_EQ(said(name, {}), std::vector<std::string>{}) << name;
+  for (const std::string& name : kModels)
+    EXPECT_EQ(warnings_of(name, {}), std::vector<std::string>{}) << name;
 }
 
 TEST_F(Slips, EachIsRefusedOrNoted) {
   EXPECT_GE(kSlips.size(), 80U);
   for (const Slip& s : kSlips) {
-    const std::vector<std::string> found = said(s.model, s.set);
+    const std::vector<std::string> found = warnings_of(s.model, s.set);
     const auto is_it = [&](const std::string& n) { return n.find(s.part) != std::string::npos; };
     EXPECT_TRUE(std::any_of(found.begin(), found.end(), is_it))
         << s.model << ": " << s.name << ": " << s.part << "\n"
@@ -346,15 +347,15 @@ TEST_F(Slips, EachIsRefusedOrNoted) {
 // What changes all results comes before what only resolves them.
 TEST_F(Slips, ByWhatTheyCanChange) {
   const std::vector<std::string> found =
-      said("mooring", {"output.every=8", "environment.water.density=1.025"});
+      warnings_of("mooring", {"output.every=8", "environment.water.density=1.025"});
   ASSERT_EQ(found.size(), 2U);
   EXPECT_NE(found[0].find("the density of water"), std::string::npos) << found[0];
 }
 
 // Before a table in UTF-8 some spreadsheets put a mark; UTF-16 is refused.
 TEST_F(Slips, MarksBeforeTexts) {
-  EXPECT_EQ(said("grid", {"environment.seabed.grid.file=marked.xyz"}), std::vector<std::string>{});
-  const std::vector<std::string> found = said("grid", {"environment.seabed.grid.file=utf16.xyz"});
+  EXPECT_EQ(warnings_of("grid", {"environment.seabed.grid.file=marked.xyz"}), std::vector<std::string>{});
+  const std::vector<std::string> found = warnings_of("grid", {"environment.seabed.grid.file=utf16.xyz"});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NE(found[0].find("UTF-16; save it as UTF-8"), std::string::npos) << found[0];
 }

@@ -26,7 +26,7 @@ lines:
 )";
 
 // Half a wave of so many seconds and 1 kN in equal steps, one of them at its top.
-std::string told(double half, int steps, double rest = 0, bool damped = false) {
+std::string warning(double half, int steps, double rest = 0, bool damped = false) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
   Snaps snaps(c, sim.local());
@@ -34,7 +34,7 @@ std::string told(double half, int steps, double rest = 0, bool damped = false) {
   for (int k = 0; k <= steps; ++k) {
     const double way = M_PI * k / steps;
     const std::vector<double> tension(3, rest + (1000 - rest) * std::max(std::sin(way), 0.0));
-    snaps.look(1 + h * k, k == 0 ? 0 : h, tension, tension);
+    snaps.update(1 + h * k, k == 0 ? 0 : h, tension, tension);
   }
   return snaps.warning(MPI_COMM_SELF, 0, "sling", 1000, damped, true);
 }
@@ -42,40 +42,43 @@ std::string told(double half, int steps, double rest = 0, bool damped = false) {
 // cos(pi/4) is 71 %, cos(pi/8) 92 % of the top.
 TEST(Snaps, OfTooFewSteps) {
   EXPECT_EQ(
-      told(1, 4),
-      "the largest tension of line sling (1 kN at arc length 0 m, t = 1.5 s) is that of a blow which is not "
+      warning(1, 4),
+      "the largest tension of line sling (1 kN at arc length 0 m, t = 1.5 s) is that of an impact which is "
+      "not "
       "resolved: 29 % of it come up in one step of 0.25 s, so that it may be higher or lower, on another "
       "number "
       "of ranks as well. Where it matters, compare with dynamics.step: 0.083 s and elements half as long");
-  EXPECT_EQ(told(1, 8), "");
-  EXPECT_EQ(told(1, 4, 600), "");  // a wave of 400 N on 600 N
+  EXPECT_EQ(warning(1, 8), "");
+  EXPECT_EQ(warning(1, 4, 600), "");  // a wave of 400 N on 600 N
 }
 
 // A wave of 2 ms from top to top of zero turns by 0.70 rad while it passes an element, one of 4 ms by 0.35.
 TEST(Snaps, OfTooFewElements) {
-  EXPECT_NE(told(2e-3, 100).find("comes and goes faster than a wave passes three elements"),
+  EXPECT_NE(warning(2e-3, 100).find("comes and goes faster than a wave passes three elements"),
             std::string::npos);
-  EXPECT_EQ(told(4e-3, 100), "");
+  EXPECT_EQ(warning(4e-3, 100), "");
 }
 
-// Where axial waves are damped what comes up within an echo, 1.79 ms, is told as well: half of 3 ms, not
+// Where axial waves are damped what comes up within an echo, 1.79 ms, is reported as well: half of 3 ms, not
 // of 4.
 TEST(Snaps, OfDampedWaves) {
-  EXPECT_EQ(told(3e-3, 100), "");
-  EXPECT_NE(
-      told(3e-3, 100, 0, true).find("it comes up from 0 kN within 0.0015 s, and the steps damp axial waves"),
-      std::string::npos);
-  EXPECT_EQ(told(4e-3, 100, 0, true), "");
-  EXPECT_EQ(told(3e-3, 100, 700, true), "");
+  EXPECT_EQ(warning(3e-3, 100), "");
+  EXPECT_NE(warning(3e-3, 100, 0, true)
+                .find("it comes up from 0 kN within 0.0015 s, and the steps damp axial waves"),
+            std::string::npos);
+  EXPECT_EQ(warning(4e-3, 100, 0, true), "");
+  EXPECT_EQ(warning(3e-3, 100, 700, true), "");
 }
 
-// What falls when something lets go was no blow.
+// What falls when something lets go was no impact.
 TEST(Snaps, NotOfWhatFalls) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
   Snaps snaps(c, sim.local());
   const std::vector<double> held(3, 1000), loose(3, 100);
-  snaps.look(0, 0, held, held), snaps.look(0.1, 0.1, held, held), snaps.look(0.2, 0.1, loose, loose);
+  snaps.update(0, 0, held, held);
+  snaps.update(0.1, 0.1, held, held);
+  snaps.update(0.2, 0.1, loose, loose);
   EXPECT_EQ(snaps.warning(MPI_COMM_SELF, 0, "sling", 1000, true, true), "");
 }
 

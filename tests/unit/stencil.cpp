@@ -35,7 +35,10 @@ Vec6 force(const Vec6& u, const Vec6& rate, Mat6* K = nullptr, Mat6* C = nullptr
   }
   s.turns[0] = {-1, 1, {}, R, {}};
   Vec6 f = Vec6::Zero();
-  if (K) K->setZero(), C->setZero();
+  if (K) {
+    K->setZero();
+    C->setZero();
+  }
   s.to_blocks(g, turning, f.data(), K ? K->data() : nullptr, C ? C->data() : nullptr);
   return f;
 }
@@ -66,7 +69,8 @@ TEST(Stencil, MomentsAreThoseOfTheArms) {
   for (const Vec3& a : kArms) {
     const Vec3 X = Vec3(0.3, -0.2, 0.5) + R * a, v = Vec3(0.4, 0.1, -0.3) + R * Vec3(0.5, -0.6, 0.8).cross(a);
     const Vec3 p = kField * X.array().sin().matrix() + kDrag * v;
-    sum += p, moment += (R * a).cross(p);
+    sum += p;
+    moment += (R * a).cross(p);
     if (&a == &kArms[0]) moment += kField * X.array().cos().matrix();
   }
   EXPECT_LT((f.head<3>() - sum).norm(), 1e-14 * f.norm());

@@ -13,7 +13,10 @@ constexpr double kG = 9.80665;
 
 StokesInput input(double height, double period, double depth) {
   StokesInput in;
-  in.height = height, in.period = period, in.depth = depth, in.gravity = kG;
+  in.height = height;
+  in.period = period;
+  in.depth = depth;
+  in.gravity = kG;
   return in;
 }
 
@@ -49,7 +52,8 @@ TEST(StokesWave, ConditionsAtTheSurfaceAreOfSixthOrder) {
         // Half the height at the same length, so that the order is that in k H/2 alone.
         const auto of = [&](double height) {
           StokesInput in = input(height, 9, depth);
-          in.current = current, in.transport = transport;
+          in.current = current;
+          in.transport = transport;
           const double length = depth > 0 && depth < 20 ? 80 : 120;
           double low = 3, high = 40;  // the period of that length
           for (int i = 0; i < 200; ++i) {
@@ -76,7 +80,9 @@ TEST(StokesWave, ConditionsAtTheSurfaceAreOfSixthOrder) {
 // gradient of pressure: a gradient too. With a ramp as well.
 TEST(StokesWave, IsPotentialFlow) {
   StokesInput in = input(6, 9, 35);
-  in.direction = 0.7, in.phase = 0.4, in.current = 0.8;
+  in.direction = 0.7;
+  in.phase = 0.4;
+  in.current = 0.8;
   const StokesWave w(in);
   const double h = 1e-3, factor = 0.6, rate = 0.3;
   for (const Vec3& x : {Vec3(3, -2, -5), Vec3(40, 10, -2.5), Vec3(-7, 100, -34)})
@@ -109,7 +115,8 @@ TEST(StokesWave, ContinuityAndTransport) {
   for (const bool transport : {false, true})
     for (const double current : {0.0, 0.5}) {
       StokesInput in = input(2, 8, 20);
-      in.current = current, in.transport = transport;
+      in.current = current;
+      in.transport = transport;
       const StokesWave w(in);
       const auto flux = [&](double x, double t) {  // Simpson from the bed to the surface
         const double top = w.at({x, 0, 0}, t).surface, step = (top + 20) / 400;
@@ -140,7 +147,9 @@ TEST(StokesWave, ContinuityAndTransport) {
 // Tsai): period, speed, constants, and coefficients of surface and potential.
 TEST(StokesWave, FentonsProgram) {
   StokesInput in;
-  in.gravity = 1, in.depth = 1, in.height = 0.3;
+  in.gravity = 1;
+  in.depth = 1;
+  in.height = 0.3;
   double low = 5, high = 12;
   for (int i = 0; i < 200; ++i) {
     in.period = 0.5 * (low + high);
@@ -172,10 +181,14 @@ TEST(StokesWave, FentonsProgram) {
 // 86 % of the highest on deeper water, by its period.
 TEST(StokesWave, NearExactWaves) {
   StokesInput in;
-  in.gravity = 1, in.depth = 1, in.height = 0.3, in.period = 8.5153;
+  in.gravity = 1;
+  in.depth = 1;
+  in.height = 0.3;
+  in.period = 8.5153;
   const StokesWave shallow(in);
   EXPECT_NEAR(shallow.length(), 8, 0.001 * 8);
-  in.height = 0.2, in.period = 3;
+  in.height = 0.2;
+  in.period = 3;
   const StokesWave steep(in);
   printf("  length %+.2f %%, %+.2f %%\n", 100 * (shallow.length() / 8 - 1),
          100 * (steep.length() / 1.6526 - 1));

@@ -24,21 +24,31 @@ struct Four {
     const auto any = [&](double size) { return Vec3(size * Vec3(unit(random), unit(random), unit(random))); };
     for (int i = 0; i < 4; ++i) {
       WaterSection& s = section[i];
-      s.length = 4 + unit(random), s.radius = 0.2 + 0.1 * unit(random), s.buoyancy = 300 + 50 * unit(random);
-      s.displaced_mass = 40 + i, s.added_normal = 45 + 3 * i, s.added_axial = 5 + i;
-      s.drag_normal = 90 + 10 * i, s.drag_axial = 30 + 5 * i;
+      s.length = 4 + unit(random);
+      s.radius = 0.2 + 0.1 * unit(random);
+      s.buoyancy = 300 + 50 * unit(random);
+      s.displaced_mass = 40 + i;
+      s.added_normal = 45 + 3 * i;
+      s.added_axial = 5 + i;
+      s.drag_normal = 90 + 10 * i;
+      s.drag_axial = 30 + 5 * i;
       const Vec3 middle = any(20) - Vec3(0, 0, depth), half = any(3);
       for (int k = 0; k < 2; ++k) {
         x[i][k] = middle + (k ? half : Vec3(-half));
-        v[i][k] = any(i == 3 ? 0 : 2), a[i][k] = any(1.5);
+        v[i][k] = any(i == 3 ? 0 : 2);
+        a[i][k] = any(1.5);
         water[i][k].surface = 0.1 * unit(random);
         if (!moving) continue;
-        water[i][k].velocity = any(1), water[i][k].by_height = any(0.1), water[i][k].acceleration = any(1);
+        water[i][k].velocity = any(1);
+        water[i][k].by_height = any(0.1);
+        water[i][k].acceleration = any(1);
       }
       sections.set(i, s);
       for (int k = 0; k < 2; ++k)
         for (int c = 0; c < 3; ++c) {
-          motion.x[k][c][i] = x[i][k][c], motion.v[k][c][i] = v[i][k][c], motion.a[k][c][i] = a[i][k][c];
+          motion.x[k][c][i] = x[i][k][c];
+          motion.v[k][c][i] = v[i][k][c];
+          motion.a[k][c][i] = a[i][k][c];
           motion.velocity[k][c][i] = water[i][k].velocity[c];
           motion.by_height[k][c][i] = water[i][k].by_height[c];
           motion.acceleration[k][c][i] = water[i][k].acceleration[c];

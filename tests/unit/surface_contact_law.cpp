@@ -71,7 +71,8 @@ std::vector<ContactLaw> laws() {
         for (FrictionLaw& law : f) {
           law.back = back;
           law.blend_speed = speed;
-          law.axial_kinetic = 0.6 * law.axial, law.lateral_kinetic = 0.6 * law.lateral;
+          law.axial_kinetic = 0.6 * law.axial;
+          law.lateral_kinetic = 0.6 * law.lateral;
           out.push_back({n, law});
         }
       }

@@ -1,4 +1,4 @@
-// WAMIT's files: scales, rows that are left out, files packed by gzip, and what is refused.
+// WAMIT's files: scales, rows that are excluded, files packed by gzip, and what is refused.
 #include "hawser/io/wamit_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -83,7 +83,7 @@ TEST_F(WamitReader, ReadsPackedFiles) {
   EXPECT_NEAR(read().added_mass[0](0, 0), 0.6 * 8000, 1e-9);
 }
 
-TEST_F(WamitReader, EstimatesTheInfiniteFrequencyAndSaysSo) {
+TEST_F(WamitReader, EstimatesTheInfiniteFrequencyWithANote) {
   std::string text;
   for (int k = 1; k < 200; ++k) {
     const double w = 0.05 * k, B = w * w * std::exp(-w);
@@ -127,8 +127,8 @@ TEST_F(WamitReader, NamesThePeriodOfSkewAddedMass) {
   EXPECT_NE(notes[0].find("by up to 20 % of the diagonal, at 3.142 s"), std::string::npos) << notes[0];
 }
 
-// Damping (1, 2; 2, 1) has the eigenvalues 3 and -1, of which the second is left out: (1.5, 1.5; 1.5, 1.5).
-TEST_F(WamitReader, LeavesOutNegativeDamping) {
+// Damping (1, 2; 2, 1) has the eigenvalues 3 and -1, of which the second is excluded: (1.5, 1.5; 1.5, 1.5).
+TEST_F(WamitReader, ExcludesNegativeDamping) {
   std::string text = "0 1 1 0.5\n0 2 2 0.5\n";
   for (const char* period : {"6.283185307179586", "3.141592653589793", "2.0943951023931953"})
     for (const char* entry : {" 1 1 0.5 1", " 2 2 0.5 1", " 1 2 0 0", " 2 1 0 0"})
@@ -141,7 +141,7 @@ TEST_F(WamitReader, LeavesOutNegativeDamping) {
   EXPECT_NEAR(d.damping[2](0, 1), 1.5 * 3 * 8000, 1e-6);
   EXPECT_NEAR(d.damping[0](0, 0), 8000, 1e-6);
   ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("is left out"), std::string::npos);
+  EXPECT_NE(notes[0].find("is excluded"), std::string::npos);
   write(".1", "0 1 1 0.5\n6 1 1 0.5 -0.1\n3 1 1 0.5 -0.1\n");
   EXPECT_NE(refusal().find("cannot drive it"), std::string::npos) << refusal();
 }

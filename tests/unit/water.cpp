@@ -15,8 +15,12 @@ constexpr double kRho = 1025, kG = 9.80665;
 WaterSection section(double length, double d, double Cd = 1.2, double Cax = 0.1, double Ca = 1) {
   const double A = M_PI / 4 * d * d;
   WaterSection s;
-  s.length = length, s.radius = d / 2, s.buoyancy = kRho * kG * A, s.displaced_mass = kRho * A;
-  s.added_normal = Ca * kRho * A, s.drag_normal = 0.5 * kRho * Cd * d,
+  s.length = length;
+  s.radius = d / 2;
+  s.buoyancy = kRho * kG * A;
+  s.displaced_mass = kRho * A;
+  s.added_normal = Ca * kRho * A;
+  s.drag_normal = 0.5 * kRho * Cd * d;
   s.drag_axial = 0.5 * kRho * Cax * M_PI * d;
   return s;
 }
@@ -39,7 +43,8 @@ TEST(Wetting, IsTheSegmentOfACircleAndTheCapOfABall) {
     const double h = 2.0 / n, u = -1 + (i + 0.5) * h;
     area += h * 2 * std::sqrt(1 - u * u) / M_PI;
     cap += h * 0.75 * (1 - u * u);
-    area_sum += h * area, cap_sum += h * cap;
+    area_sum += h * area;
+    cap_sum += h * cap;
     if (i % 9973) continue;
     const double end = u + h / 2;
     EXPECT_NEAR(circle_wetting(end).share, area, 1e-7);
@@ -66,7 +71,8 @@ TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
     for (int i = 0; i < 60; ++i) {
       const double z = 0.5 * (low + high);
       WaterEnds e;
-      e.x1 = {0, 0, z}, e.x2 = {10, 0, z};
+      e.x1 = {0, 0, z};
+      e.x2 = {10, 0, z};
       water_residual(beam, s, e, f);
       (-f[2] > weight * 5 ? low : high) = z;
     }
@@ -118,7 +124,8 @@ TEST(WaterLoad, SteepElementsDisplaceWhatIsUnderWater) {
       for (int i = 0; i <= 3000; ++i) {
         const double middle = 9 - 0.006 * i;
         WaterEnds e;
-        e.x1 = {0, 0, middle - 5}, e.x2 = {0, 0, middle + 5};
+        e.x1 = {0, 0, middle - 5};
+        e.x2 = {0, 0, middle + 5};
         e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), Vec3::UnitZ());
         const MassEnds& m = e.motion;
         if (beam)
@@ -161,7 +168,8 @@ TEST(WaterLoad, ALeaningCylinderDisplacesWhatIsUnderWater) {
       double sum = 0;
       for (int i = 0; i < n; ++i) {
         WaterEnds e;
-        e.x1 = middle + (i * s.length - length / 2) * t, e.x2 = e.x1 + s.length * t;
+        e.x1 = middle + (i * s.length - length / 2) * t;
+        e.x2 = e.x1 + s.length * t;
         e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), t);
         sum += water_potential(s, e, true);
       }
@@ -180,8 +188,10 @@ TEST(WaterLoad, TangentOfALeaningElement) {
       Vec3 x[2] = {{0, 0, -0.8 * t.z() + 0.03}, 4.1 * t + Vec3(0, 0, -0.8 * t.z() + 0.03)};
       const Vec3 v[2] = {{0.3, -0.2, 0.5}, {0.1, 0.4, -0.3}}, a[2] = {{1, 0.2, -0.4}, {-0.3, 0.6, 0.2}};
       Water water[2];
-      water[0].velocity = Vec3(0.7, 0.2, 0.1), water[1].velocity = Vec3(0.9, -0.1, 0.2);
-      water[0].surface = 0.02, water[1].surface = -0.03;
+      water[0].velocity = Vec3(0.7, 0.2, 0.1);
+      water[1].velocity = Vec3(0.9, -0.1, 0.2);
+      water[0].surface = 0.02;
+      water[1].surface = -0.03;
       const CableInWater e{x[0], x[1], v[0], v[1], a[0], a[1], water[0], water[1]};
       double f[6], K[36], C[36], M[36];
       cable_water_tangent(s, e, false, f, K, C, M);
@@ -212,9 +222,12 @@ TEST(WaterLoad, TangentOfALeaningElement) {
 TEST(WaterLoad, ForceIsTheDerivativeOfThePotential) {
   const WaterSection s = section(4, 0.6, 0, 0, 0);
   WaterEnds e;
-  e.x1 = {0, 0, -0.3}, e.x2 = {3.9, 0.2, 0.5};
-  e.water1.surface = 0.1, e.water2.surface = 0.2;
-  e.motion.q1 = exp_so3({0, -0.3, 0.1}), e.motion.q2 = exp_so3({0.2, -0.1, 0});
+  e.x1 = {0, 0, -0.3};
+  e.x2 = {3.9, 0.2, 0.5};
+  e.water1.surface = 0.1;
+  e.water2.surface = 0.2;
+  e.motion.q1 = exp_so3({0, -0.3, 0.1});
+  e.motion.q2 = exp_so3({0.2, -0.1, 0});
   for (const bool beam : {false, true}) {
     double f[12];
     water_residual(beam, s, e, f);
@@ -240,11 +253,13 @@ TEST(WaterLoad, MorisonOfASlantingLine) {
   const WaterSection s = section(5, 0.2, 1.1, 0.05, 0.9);
   WaterEnds e;
   const Vec3 t = Vec3(3, 0, 4) / 5;
-  e.x1 = {0, 0, -50}, e.x2 = e.x1 + 5 * t;
+  e.x1 = {0, 0, -50};
+  e.x2 = e.x1 + 5 * t;
   e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), t);
   e.water1.velocity = e.water2.velocity = Vec3(0.8, -0.5, 0);
   const Vec3 v(-0.1, 0.2, 0.3), a(0.4, -0.2, 0.7);
-  e.motion.v1 = e.motion.v2 = v, e.motion.a1 = e.motion.a2 = a;
+  e.motion.v1 = e.motion.v2 = v;
+  e.motion.a1 = e.motion.a2 = a;
   const Vec3 u = Vec3(0.8, -0.5, 0) - v, un = u - u.dot(t) * t, an = a - a.dot(t) * t;
   const double A = M_PI / 4 * 0.04;
   const Vec3 expected = 5 * (0.5 * kRho * 1.1 * 0.2 * un.norm() * un +
@@ -262,7 +277,8 @@ TEST(WaterLoad, FroudeKrylovAndAddedMass) {
   WaterSection s = section(5, 0.2, 0, 0, 0.9);
   s.added_axial = 0.1 * s.displaced_mass;
   WaterEnds e;
-  e.x1 = {0, 0, -50}, e.x2 = {5, 0, -50};
+  e.x1 = {0, 0, -50};
+  e.x2 = {5, 0, -50};
   e.water1.acceleration = e.water2.acceleration = Vec3(2, 3, 0);
   double f[12];
   for (const bool beam : {false, true}) {
@@ -289,7 +305,9 @@ TEST(Current, TableAndPowerLaw) {
   EXPECT_NEAR(u.x(), 2 * std::pow(0.5, 1. / 7), 1e-14);
   Vec3 a, b, x;
   for (const double z : {1.0, 50.0, 99.0, 99.95}) {
-    law.at(z + 1e-5, a, x), law.at(z - 1e-5, b, x), law.at(z, u, d);
+    law.at(z + 1e-5, a, x);
+    law.at(z - 1e-5, b, x);
+    law.at(z, u, d);
     EXPECT_NEAR(d.x(), (a.x() - b.x()) / 2e-5, 1e-6 * std::abs(d.x())) << z;
   }
   law.at(120, u, d);

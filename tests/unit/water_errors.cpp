@@ -14,9 +14,9 @@
 namespace hawser::record::water_errors_test {
 namespace {
 
-// What is told of a cable, `more` besides, where it starts; a step that ends at `time` led there, 0: none
+// The warnings of a cable, `more` besides, where it starts; a step that ends at `time` led there, 0: none
 // did.
-std::vector<std::string> told(const std::string& sea, const std::string& line, double time = 0) {
+std::vector<std::string> warnings(const std::string& sea, const std::string& line, double time = 0) {
   const model::Case c = io::read_case_text(fmt::format(R"(
 hawser: 1
 environment: {{gravity: 9.81, water: {{density: 1000, depth: 1000}}, {}}}
@@ -33,7 +33,7 @@ lines: {}
   WaterErrors errors(c, sim.system());
   State& s = sim.state();
   s.time = time;
-  errors.look(s.view(time > 0 ? 0.1 : 0));
+  errors.update(s.view(time > 0 ? 0.1 : 0));
   return errors.warnings();
 }
 
@@ -50,29 +50,30 @@ const char* const kJet =
 // A jet between two nodes: drag of 1/2 rho Cd D times the integral of u², 10/3 m³/s², of which an element
 // has nothing and its halves have all.
 TEST(WaterErrors, CurrentBetweenTheNodes) {
-  const std::vector<std::string> all = told(kJet, upright(10));
+  const std::vector<std::string> all = warnings(kJet, upright(10));
   ASSERT_EQ(all.size(), 1U);
   EXPECT_EQ(
       all.front(),
       "line l has elements of 10 m at arc length 5 m (5 m below the still water, t = 0 s), between whose "
       "nodes the current is not linear, so that the forces of the flow on the elements of the line are "
       "off by about 100 % of their largest sum, 0.6 kN: give it elements of 5 m there");
-  EXPECT_EQ(told(kJet, upright(10, "rod")).size(), 0U);  // which has no drag
+  EXPECT_EQ(warnings(kJet, upright(10, "rod")).size(), 0U);  // which has no drag
   // What is linear from node to node is right.
-  EXPECT_TRUE(told("current: {profile: [{depth: 0, speed: 2}, {depth: 10, speed: 1}]}", upright(10)).empty());
-  EXPECT_TRUE(told("current: {speed: 1}", upright(10)).empty());
+  EXPECT_TRUE(
+      warnings("current: {profile: [{depth: 0, speed: 2}, {depth: 10, speed: 1}]}", upright(10)).empty());
+  EXPECT_TRUE(warnings("current: {speed: 1}", upright(10)).empty());
 }
 
 // 600 N turn a tension of 10 MN or more by less than 1e-4: that of a bar is 53 MN, that of the rope 0.53.
 TEST(WaterErrors, OfNoMatterBesideTheTension) {
-  EXPECT_EQ(told(kJet, upright(9.5)).size(), 1U);
-  EXPECT_TRUE(told(kJet, upright(9.5, "bar")).empty());
+  EXPECT_EQ(warnings(kJet, upright(9.5)).size(), 1U);
+  EXPECT_TRUE(warnings(kJet, upright(9.5, "bar")).empty());
 }
 
 // A level element that sees 0.09 of 0.1233 m²/s² lacks 600 N of drag. The chain weighs 98 kN in water.
 TEST(WaterErrors, OfNoMatterBesideTheWeight) {
   const auto level = [](const std::string& type) {
-    return told(
+    return warnings(
                "current: {profile: [{depth: 10, speed: 0.3}, {depth: 11, speed: 0.4}, {depth: 12, speed: "
                "0.3}]}",
                fmt::format(
@@ -89,7 +90,7 @@ TEST(WaterErrors, OfNoMatterBesideTheWeight) {
 // 44.407 on both.
 TEST(WaterErrors, LinesThatAreJoinedBearTogether) {
   const auto both = [](const std::string& end, const std::string& joints) {
-    return told(
+    return warnings(
         "current: {profile: [{depth: 0, speed: 2}, {depth: 10, speed: 2}, {depth: 11, speed: 2.1}, "
         "{depth: 12, speed: 2}]}",
         fmt::format("{{high: {{sections: [{{type: rope, length: 9, elements: 9}}], start: straight, "
@@ -112,7 +113,7 @@ TEST(WaterErrors, LinesThatAreJoinedBearTogether) {
 TEST(WaterErrors, WavesBetweenTheNodes) {
   const double period = std::sqrt(2 * M_PI * 100 / 9.81);
   const auto level = [&](int elements, double time = 40) {
-    return told(
+    return warnings(
         fmt::format("waves: {{regular: {{height: 0.5, period: {:.12g}}}}}", period),
         fmt::format("{{l: {{sections: [{{type: rod, length: 200, elements: {}}}], start: straight, end_a: "
                     "{{anchor: [0, 0, -10]}}, end_b: {{anchor: [200, 0, -10]}}}}}}",

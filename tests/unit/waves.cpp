@@ -51,12 +51,14 @@ TEST(Waves, Dispersion) {
 WaveField regular(double height, double period, double depth, Stretching s = Stretching::none,
                   double phase = 0) {
   WaveComponent c;
-  c.amplitude = height / 2, c.omega = 2 * M_PI / period, c.phase = phase;
+  c.amplitude = height / 2;
+  c.omega = 2 * M_PI / period;
+  c.phase = phase;
   return WaveField({c}, depth, kG, s);
 }
 
 // An irregular sea component by component with the functions of the C library, at a place where x, y are far
-// from zero, and late: to rounding of the angles where no component is left out, and within what may be left
+// from zero, and late: to rounding of the angles where no component is excluded, and within what may be cut
 // out where some are. Of a sea, and of one with hardly any energy but in short waves.
 TEST(Waves, SumsOverComponents) {
   for (const double depth : {0.0, 30.0, 200.0}) {
@@ -69,13 +71,14 @@ TEST(Waves, SumsOverComponents) {
       const double x = -731.7, y = 412.3, t = 10795.3, bottom = depth > 0 ? depth : 400;
       double speed = 0, growth = 0, surface = 0;
       for (const WaveComponent& c : sea) {
-        speed += c.amplitude * c.omega, growth += c.amplitude * c.omega * c.omega;
+        speed += c.amplitude * c.omega;
+        growth += c.amplitude * c.omega * c.omega;
         surface += c.amplitude * std::cos(c.number * (c.x * x + c.y * y) - c.omega * t + c.phase);
       }
       WaveSums::Phases phases;
       sums.phases(x, y, t, sums.size(), phases);
       EXPECT_NEAR(phases.surface, surface, 1e-11 * speed);
-      bool left_out = false;
+      bool excluded = false;
       for (const double z : {2.0, 0.0, -0.1, -1.0, -10.0, -0.5 * bottom, -0.9 * bottom, -bottom}) {
         Vec3 u = Vec3::Zero(), a = Vec3::Zero(), u0 = Vec3::Zero(), a0 = Vec3::Zero();
         double most = 0;
@@ -88,23 +91,23 @@ TEST(Waves, SumsOverComponents) {
           const Vec3 along(c.x, c.y, 0), up(0, 0, 1);
           u0 += (e + back) * std::cos(angle) * along + (e - back) * std::sin(angle) * up;
           a0 += c.omega * ((e + back) * std::sin(angle) * along - (e - back) * std::cos(angle) * up);
-          if (2 * std::exp(k * z) > WaveSums::kLeftOut) most = std::max(most, k);
+          if (2 * std::exp(k * z) > WaveSums::kNegligible) most = std::max(most, k);
         }
         sums.add_motion(phases, z, u, a);
         const bool all = most >= sea.back().number;
-        left_out |= !all && (u - u0).norm() > 2e-10 * speed;  // more than rounding may, below
-        EXPECT_LE((u - u0).norm(), (all ? 1e-10 : WaveSums::kLeftOut) * speed) << depth << " " << z;
-        EXPECT_LE((a - a0).norm(), (all ? 1e-10 : WaveSums::kLeftOut) * growth) << depth << " " << z;
+        excluded |= !all && (u - u0).norm() > 2e-10 * speed;  // more than rounding may, below
+        EXPECT_LE((u - u0).norm(), (all ? 1e-10 : WaveSums::kNegligible) * speed) << depth << " " << z;
+        EXPECT_LE((a - a0).norm(), (all ? 1e-10 : WaveSums::kNegligible) * growth) << depth << " " << z;
       }
-      EXPECT_TRUE(left_out) << depth << (ripples ? ", ripples" : "");
+      EXPECT_TRUE(excluded) << depth << (ripples ? ", ripples" : "");
     }
   }
 }
 
-// What a place at the bed leaves out of the elevation does not show in the motion there: against the field
+// What a place at the bed excludes of the elevation does not show in the motion there: against the field
 // with the same components at the elevation that they all make. Only at a bed and with Wheeler's stretching
-// is anything left out.
-TEST(Waves, PlacesAtTheBedAskForWhatTheyFeel) {
+// is anything excluded.
+TEST(Waves, PlacesAtTheBedSumSignificantComponents) {
   for (const double depth : {0.0, 200.0})
     for (const Stretching s : {Stretching::none, Stretching::vertical, Stretching::wheeler}) {
       std::vector<WaveComponent> sea = irregular(Jonswap{4, 9, 3.3}, 0.4, 400, 7, 0);
@@ -112,8 +115,10 @@ TEST(Waves, PlacesAtTheBedAskForWhatTheyFeel) {
       for (WaveComponent& c : sea) c.number = wave_number(c.omega, depth, kG);
       const WaveSums sums(sea, depth);
       double speed = 0, growth = 0;
-      for (const WaveComponent& c : sea)
-        speed += c.amplitude * c.omega, growth += c.amplitude * c.omega * c.omega;
+      for (const WaveComponent& c : sea) {
+        speed += c.amplitude * c.omega;
+        growth += c.amplitude * c.omega * c.omega;
+      }
       int fewer = 0;
       for (const double z : {-40.0, -80.0, -120.0, -180.0, -199.0, -199.99, -200.0})
         for (double t = 100; t < 130; t += 7) {
@@ -127,8 +132,8 @@ TEST(Waves, PlacesAtTheBedAskForWhatTheyFeel) {
           sums.add_motion(all, there, u, a);
           const WaveMotion m = field.at({12, -5, z}, t);
           fewer += m.surface != eta;
-          EXPECT_LE((m.velocity - u).norm(), 2 * WaveSums::kLeftOut * speed) << depth << " " << z;
-          EXPECT_LE((m.acceleration - a).norm(), 2 * WaveSums::kLeftOut * growth) << depth << " " << z;
+          EXPECT_LE((m.velocity - u).norm(), 2 * WaveSums::kNegligible * speed) << depth << " " << z;
+          EXPECT_LE((m.acceleration - a).norm(), 2 * WaveSums::kNegligible * growth) << depth << " " << z;
         }
       EXPECT_EQ(fewer > 0, depth > 0 && s == Stretching::wheeler) << depth << " " << static_cast<int>(s);
     }
@@ -138,8 +143,10 @@ TEST(Waves, PlacesAtTheBedAskForWhatTheyFeel) {
 TEST(Waves, AtTheBedUnderSwellAndShortWaves) {
   constexpr double depth = 1000;
   WaveComponent swell, chop;
-  swell.amplitude = 2, swell.omega = 2 * M_PI / 25;
-  chop.amplitude = 0.3, chop.omega = 2 * M_PI / 2;
+  swell.amplitude = 2;
+  swell.omega = 2 * M_PI / 25;
+  chop.amplitude = 0.3;
+  chop.omega = 2 * M_PI / 2;
   for (const Stretching s : {Stretching::none, Stretching::vertical, Stretching::wheeler}) {
     const WaveField both({swell, chop}, depth, kG, s), one({swell}, depth, kG, s);
     const WaveMotion m = both.at({10, 0, -depth}, 3), n = one.at({10, 0, -depth}, 3);
@@ -154,8 +161,16 @@ TEST(Waves, AtTheBedUnderSwellAndShortWaves) {
 TEST(Waves, IsPotentialFlow) {
   const double a = 1e-4, depth = 30, h = 1e-3;
   WaveComponent c, d;
-  c.amplitude = a, c.omega = 0.7, c.phase = 0.3, c.x = 0.6, c.y = 0.8;
-  d.amplitude = 0.5 * a, d.omega = 1.1, d.phase = -1, d.x = 0, d.y = -1;
+  c.amplitude = a;
+  c.omega = 0.7;
+  c.phase = 0.3;
+  c.x = 0.6;
+  c.y = 0.8;
+  d.amplitude = 0.5 * a;
+  d.omega = 1.1;
+  d.phase = -1;
+  d.x = 0;
+  d.y = -1;
   const WaveField w({c, d}, depth, kG, Stretching::none);
   for (const Vec3& x : {Vec3(3, -2, -5), Vec3(40, 10, -0.1), Vec3(-7, 100, -29)}) {
     const double t = 4.2;
@@ -264,7 +279,8 @@ TEST(Waves, IrregularSeaOfThreeHours) {
     std::vector<std::complex<double>> now, turn;
     std::vector<double> omega;
     for (const WaveComponent& k : w.components()) {
-      now.push_back(std::polar(k.amplitude, k.phase)), turn.push_back(std::polar(1.0, -k.omega * h));
+      now.push_back(std::polar(k.amplitude, k.phase));
+      turn.push_back(std::polar(1.0, -k.omega * h));
       omega.push_back(k.omega);
     }
     double sum2 = 0, rate2 = 0, elevation = 0;
@@ -275,13 +291,16 @@ TEST(Waves, IrregularSeaOfThreeHours) {
       for (size_t k = 0; k < now.size(); ++k) {
         now[k] = {now[k].real() * turn[k].real() - now[k].imag() * turn[k].imag(),
                   now[k].real() * turn[k].imag() + now[k].imag() * turn[k].real()};
-        elevation += now[k].real(), rate += omega[k] * now[k].imag();
+        elevation += now[k].real();
+        rate += omega[k] * now[k].imag();
       }
-      sum2 += elevation * elevation, rate2 += rate * rate;
+      sum2 += elevation * elevation;
+      rate2 += rate * rate;
     }
     EXPECT_NEAR(w.at({0, 0, 0}, n * h).surface, elevation, 1e-8);
     const double variance = sum2 / n / m0 - 1, period = 2 * M_PI * std::sqrt(sum2 / rate2) / T02 - 1;
-    worst[0] = std::max(worst[0], std::abs(variance)), worst[1] = std::max(worst[1], std::abs(period));
+    worst[0] = std::max(worst[0], std::abs(variance));
+    worst[1] = std::max(worst[1], std::abs(period));
     EXPECT_LT(std::abs(variance), 0.01) << seed;
     EXPECT_LT(std::abs(period), 0.01) << seed;
   }
@@ -322,7 +341,9 @@ TEST(Waves, SpreadingOfEverySeed) {
       for (const WaveComponent& c : sea) {
         const std::complex<double> turn = std::complex<double>(c.x, c.y) * std::polar(1.0, -0.7);
         const double energy = c.amplitude * c.amplitude;
-        all += energy, once += energy * turn, twice += energy * turn * turn;
+        all += energy;
+        once += energy * turn;
+        twice += energy * turn * turn;
         if (turn.imag() > 0) left += energy;
       }
       const double off = std::abs(std::arg(once)) * 180 / M_PI;
@@ -338,10 +359,10 @@ TEST(Waves, SpreadingOfEverySeed) {
 
 // No phase of one sea is found again in another, shifted by some components or not.
 TEST(Waves, SeedsAreIndependent) {
-  std::map<double, std::uint64_t> seen;
+  std::map<double, std::uint64_t> first_seed;
   for (std::uint64_t seed = 0; seed < 40; ++seed)
     for (const WaveComponent& c : irregular({5, 10, 3.3}, 0, 100, seed, 0)) {
-      const auto [there, first] = seen.emplace(c.phase, seed);
+      const auto [there, first] = first_seed.emplace(c.phase, seed);
       ASSERT_TRUE(first) << "seeds " << there->second << " and " << seed;
     }
 }
@@ -355,12 +376,14 @@ TEST(Waves, SpectrumByRows) {
     for (int k = 0; k < 1000; ++k) {
       const double z = (k + 0.5) / 1000, step = (rows[i].omega - rows[i - 1].omega) / 1000;
       const double s = rows[i - 1].density + z * (rows[i].density - rows[i - 1].density);
-      m0 += step * s, m1 += step * s * (rows[i - 1].omega + 1000 * z * step);
+      m0 += step * s;
+      m1 += step * s * (rows[i - 1].omega + 1000 * z * step);
     }
   const auto sea = irregular(rows, 0.7, 400, 3);
   double energy = 0, first = 0;
   for (const WaveComponent& c : sea) {
-    energy += 0.5 * c.amplitude * c.amplitude, first += 0.5 * c.amplitude * c.amplitude * c.omega;
+    energy += 0.5 * c.amplitude * c.amplitude;
+    first += 0.5 * c.amplitude * c.amplitude * c.omega;
     EXPECT_GE(c.omega, 0.2);
     EXPECT_LE(c.omega, 2);
     EXPECT_NEAR(c.x, std::cos(0.7), 1e-15);

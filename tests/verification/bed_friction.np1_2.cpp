@@ -25,7 +25,8 @@ Shown run(const std::string& name, const std::string& text) {
   const std::string base = base_of(name);
   runs::write_case(base + ".yaml", text);
   run::RunOptions options;
-  options.case_path = base + ".yaml", options.quiet = true;
+  options.case_path = base + ".yaml";
+  options.quiet = true;
   Shown s;
   try {
     s.exit = run::run(MPI_COMM_WORLD, options);
@@ -201,7 +202,7 @@ struct Leg {
   LegOnBed own;
   // Where all that lies does so on the bed that gives way to an end under it: on that bed, which is steeper.
   LegOnBed beside_anchor;
-  double gives_way = 0;                   // m from the anchor
+  double moves_aside = 0;                 // m from the anchor
   double friction = 0, mobilisation = 0;  // m; 0: the slightest slip
 };
 
@@ -250,7 +251,7 @@ Leg random_leg(int seed) {
   // The line comes from the place on the bed that is nearest to an end under it.
   own.x += under * std::sin(slope) * std::cos(slope);
   own.z += under * std::pow(std::sin(slope), 2);
-  out.gives_way = std::min(under / 0.005, kind == 1 ? 0.25 * length : length);
+  out.moves_aside = std::min(under / 0.005, kind == 1 ? 0.25 * length : length);
   std::string more;
   if (kind == 2) {
     own.lift = uniform(2, 6) * w;
@@ -259,7 +260,7 @@ Leg random_leg(int seed) {
                        (50 * kGravity + own.lift) / (kDensity * kGravity));
   }
   out.beside_anchor = own;
-  if (under > 0) out.beside_anchor.slope += under / out.gives_way;
+  if (under > 0) out.beside_anchor.slope += under / out.moves_aside;
   out.beside_anchor.x = away;
   out.beside_anchor.z = fairlead - (bed + padeye);
   std::string ground = fmt::format("depth: {}, slope_deg: {}, slope_direction_deg: {}", depth,
@@ -312,7 +313,7 @@ TEST(BedFriction, RandomLegs) {
   for (int seed = 0; tried < legs; ++seed) {
     const Leg leg = random_leg(seed);
     std::optional<LegLoads> own = LegSolver(leg.own).solve();
-    if (own && own->lying < leg.gives_way) own = LegSolver(leg.beside_anchor).solve();
+    if (own && own->lying < leg.moves_aside) own = LegSolver(leg.beside_anchor).solve();
     // Lines that lie to some extent, and buoys on what is pulled: where it is not, a buoy rises with slack.
     if (!own || own->lying < 0.05 * leg.own.length) continue;
     if (leg.own.lift > 0 && !(own->anchor > 5 * leg.own.lift)) continue;

@@ -233,10 +233,12 @@ Lowered lower(MPI_Comm comm, const model::Case& c) {
     const int n = s.local().find(s.mesh().body_node(0));
     Vec3 x = n >= 0 && n < s.local().owned ? Vec3(d.kinematics().x[static_cast<size_t>(n)]) : Vec3::Zero();
     MPI_Allreduce(MPI_IN_PLACE, x.data(), 3, MPI_DOUBLE, MPI_SUM, comm);
-    out.place = x, out.least = std::min(out.least, x.z());
+    out.place = x;
+    out.least = std::min(out.least, x.z());
   });
   const auto [left, all] = energy();
-  out.unexplained = left - stored - (all - brought), out.turnover = std::abs(stored - left) + std::abs(all);
+  out.unexplained = left - stored - (all - brought);
+  out.turnover = std::abs(stored - left) + std::abs(all);
   return out;
 }
 

@@ -11,7 +11,9 @@ constexpr double kG = 9.80665;
 
 model::End on(const std::string& body, const Vec3& at) {
   model::End e;
-  e.kind = model::EndKind::body, e.body = body, e.at = at;
+  e.kind = model::EndKind::body;
+  e.body = body;
+  e.at = at;
   return e;
 }
 
@@ -26,17 +28,22 @@ model::Case load(double mass, const Vec3& inertia, const Vec3& position, const s
   c.environment.gravity = kG;
   c.line_types = {cable_type(1e5 * mass * kG, 1e-7 * mass)};
   model::Body& b = c.bodies.emplace_back();
-  b.name = "load", b.position = position;
+  b.name = "load";
+  b.position = position;
   model::BodyMass& m = b.mass.emplace();
-  m.mass = mass, m.inertia = inertia, m.weight = true;
+  m.mass = mass;
+  m.inertia = inertia;
+  m.weight = true;
   for (size_t i = 0; i < slings.size(); ++i) {
     model::Line l;
     l.name = "sling " + std::to_string(i);
     l.sections.push_back({"cable", slings[i].length, elements, 1});
-    l.end_a = anchor(slings[i].from), l.end_b = on("load", slings[i].at);
+    l.end_a = anchor(slings[i].from);
+    l.end_b = on("load", slings[i].at);
     c.lines.push_back(l);
   }
-  c.dynamics.enabled = true, c.dynamics.rho_infinity = 1;
+  c.dynamics.enabled = true;
+  c.dynamics.rho_infinity = 1;
   return c;
 }
 
@@ -72,7 +79,8 @@ TEST(BodiesOnLines, BifilarPendulum) {
       load(m, {30, 30, J}, {0, 0, -L}, {{{-b, 0, 0}, {-b, 0, 0}, L}, {{b, 0, 0}, {b, 0, 0}, L}}, 1);
   const double T = 2 * M_PI * std::sqrt(J * L / (m * kG * b * b));
   c.bodies[0].mass->angular_velocity = {0, 0, 0.01 * 2 * M_PI / T};
-  c.dynamics.duration = 5 * T, c.dynamics.step = T / 400;
+  c.dynamics.duration = 5 * T;
+  c.dynamics.step = T / 400;
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
   Dynamics& d = s.dynamics();
@@ -104,7 +112,8 @@ TEST(BodiesOnLines, CompoundPendulumOnALine) {
   const double rate = 0.01 * 2 * M_PI / T;
   c.bodies[0].mass->velocity = {rate * (L + d0 * mode[1]), 0, 0};
   c.bodies[0].mass->angular_velocity = {0, -rate * mode[1], 0};
-  c.dynamics.duration = 5 * T, c.dynamics.step = T / 400;
+  c.dynamics.duration = 5 * T;
+  c.dynamics.step = T / 400;
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
   Dynamics& dyn = s.dynamics();

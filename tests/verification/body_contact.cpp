@@ -13,16 +13,23 @@ namespace {
 
 model::Body floater(const char* name, double mass, const Vec3& at, const Vec3& velocity) {
   model::Body b;
-  b.name = name, b.position = at;
+  b.name = name;
+  b.position = at;
   b.mass.emplace();
-  b.mass->mass = mass, b.mass->inertia = Vec3(40, 50, 60) * mass, b.mass->velocity = velocity;
+  b.mass->mass = mass;
+  b.mass->inertia = Vec3(40, 50, 60) * mass;
+  b.mass->velocity = velocity;
   return b;
 }
 
 model::Volume volume(const char* name, const char* body, Primitive shape, model::StiffnessBasis basis,
                      double stiffness) {
   model::Volume v;
-  v.name = name, v.body = body, v.shape = std::move(shape), v.basis = basis, v.normal_stiffness = stiffness;
+  v.name = name;
+  v.body = body;
+  v.shape = std::move(shape);
+  v.basis = basis;
+  v.normal_stiffness = stiffness;
   return v;
 }
 
@@ -48,7 +55,9 @@ model::Case floaters(double zeta) {
       volume("fender", "north", SphereShape{{29.95, 0, 0}, 1}, model::StiffnessBasis::per_point, 5e6),
       volume("hull", "south", BoxShape{{0, 0, 0}, {60, 40, 20}}, model::StiffnessBasis::per_length, 1e9)};
   c.volumes[0].relative_damping = zeta;
-  c.dynamics.enabled = true, c.dynamics.duration = 8, c.dynamics.rho_infinity = 1;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 8;
+  c.dynamics.rho_infinity = 1;
   c.dynamics.step = 0.005;
   return c;
 }
@@ -72,7 +81,8 @@ Bump bump(double zeta) {
         std::max(out.momentum, std::abs(1e7 * k.v[a].x() + 2.5e7 * k.v[b].x() - p0) / std::abs(p0));
     const Energy e = run.sim.system().energy(k);
     out.audit = std::max(out.audit, std::abs(total(e) + e.damping - e0) / e0);
-    out.v1 = k.v[a].x(), out.v2 = k.v[b].x();
+    out.v1 = k.v[a].x();
+    out.v2 = k.v[b].x();
   });
   out.depth = run.sim.body_contact()->largest_penetration();
   printf("zeta %g: penetration %.6f m, force %.4e N, %.4f s, v %.6f %.6f m/s; momentum %.1e, energy %.1e\n",
@@ -106,7 +116,8 @@ TEST(BodyContact, FloatersWithAFenderByTable) {
   model::Case c = floaters(0);
   const std::vector<ContactForceTable::Row> rows{{0.1, 4e5}, {0.3, 9e5}, {1.5, 2e6}};
   const auto table = std::make_shared<ContactForceTable>(rows);
-  c.volumes[0].force_table = table, c.volumes[0].normal_stiffness = table->largest_slope();
+  c.volumes[0].force_table = table;
+  c.volumes[0].normal_stiffness = table->largest_slope();
   Collision run(c);
   integrate(run.sim.dynamics(), 8, 8, [](const StepInfo&) {});
   const double mass = 1 / (1 / 1e7 + 1 / 2.5e7), energy = 0.5 * mass * 0.6 * 0.6;
@@ -134,14 +145,18 @@ TEST(BodyContact, ThinPlatesAreNotPassed) {
           c.bodies[0].rotation = Vec3(0.1, 0.2, 0.3);
           c.volumes = {volume("block", "block", BoxShape{{0, 0, 0}, {2, 2, 2}}, basis, stiffness),
                        volume("plate", "", BoxShape{{0, 0, 0}, {0.05, 10, 10}}, basis, stiffness)};
-          c.dynamics.enabled = true, c.dynamics.duration = 1, c.dynamics.step = step;
-          c.dynamics.max_step = 0.1, c.dynamics.resolve_impacts = resolve;
+          c.dynamics.enabled = true;
+          c.dynamics.duration = 1;
+          c.dynamics.step = step;
+          c.dynamics.max_step = 0.1;
+          c.dynamics.resolve_impacts = resolve;
           Collision run(c);
           const size_t n = run.node(0);
           run.sim.dynamics().run(
               3 / speed, [](double) { return 1e300; },
               [&](const StepInfo& i) {
-                ++steps, rejected += i.rejected;
+                ++steps;
+                rejected += i.rejected;
                 return true;
               });
           passed += run.sim.dynamics().committed().s.x[n].x() > 0;
@@ -162,7 +177,9 @@ TEST(BodyContact, ABodyOnSpringsSwings) {
   c.bodies[0].mass->stiffness = Vec3(800, 500, 900);
   c.bodies[0].mass->turning_stiffness = Vec3(0, 0, 3000);
   c.bodies[0].mass->angular_velocity = Vec3(0, 0, 0.1);
-  c.dynamics.enabled = true, c.dynamics.duration = 40, c.dynamics.rho_infinity = 1;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 40;
+  c.dynamics.rho_infinity = 1;
   c.dynamics.step = 0.01;
   Collision run(c);
   Dynamics& d = run.sim.dynamics();
@@ -184,12 +201,15 @@ TEST(BodyContact, TumblingBoxesKeepMomentum) {
   c.bodies = {floater("a", 3, {-1.6, 0.1, 0.2}, {1, 0.1, 0}),
               floater("b", 5, {1.5, 0, -0.1}, {-0.6, 0, 0.1})};
   for (auto& b : c.bodies) b.mass->inertia = b.mass->mass * Vec3(0.4, 0.5, 0.6);
-  c.bodies[0].rotation = Vec3(0.5, 0.9, -0.3), c.bodies[1].rotation = Vec3(-0.4, 0.3, 0.8);
+  c.bodies[0].rotation = Vec3(0.5, 0.9, -0.3);
+  c.bodies[1].rotation = Vec3(-0.4, 0.3, 0.8);
   c.bodies[0].mass->angular_velocity = Vec3(0.4, -0.3, 0.5);
   c.bodies[1].mass->centre = Vec3(0.1, -0.05, 0.1);
   c.volumes = {volume("A", "a", BoxShape{{0, 0, 0}, {1.4, 1, 0.8}}, model::StiffnessBasis::per_length, 4000),
                volume("B", "b", BoxShape{{0, 0, 0}, {1, 1.2, 0.9}}, model::StiffnessBasis::per_length, 4000)};
-  c.dynamics.enabled = true, c.dynamics.duration = 3, c.dynamics.rho_infinity = 1;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 3;
+  c.dynamics.rho_infinity = 1;
   c.dynamics.step = 0.002;
   Collision run(c);
   Dynamics& d = run.sim.dynamics();

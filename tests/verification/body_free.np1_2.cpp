@@ -11,10 +11,13 @@ model::Case box(double mass) {
   model::Case c;
   c.statics.enabled = false;
   c.bodies.emplace_back();
-  c.bodies[0].name = "box", c.bodies[0].position = {0, 0, 2};
+  c.bodies[0].name = "box";
+  c.bodies[0].position = {0, 0, 2};
   c.bodies[0].mass.emplace();
-  c.bodies[0].mass->mass = mass, c.bodies[0].mass->inertia = Vec3(0.5, 0.6, 0.4) * mass;
-  c.dynamics.enabled = true, c.dynamics.duration = 1;
+  c.bodies[0].mass->mass = mass;
+  c.bodies[0].mass->inertia = Vec3(0.5, 0.6, 0.4) * mass;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 1;
   return c;
 }
 

@@ -1,5 +1,5 @@
-// Bodies strike bodies at default steps and damping of the scheme: the energy of the impact comes back,
-// whatever it is that touches, and on every number of ranks alike.
+// Impacts of bodies on bodies at default steps and damping of the scheme: the energy of the impact comes
+// back, whatever it is that touches, and on every number of ranks alike.
 #include <gtest/gtest.h>
 
 #include "hawser/base/error.hpp"
@@ -19,17 +19,22 @@ model::Case two(const Primitive& a, const Primitive& b, StiffnessBasis basis, co
     model::Body body;
     body.name = std::string(1, second ? 'B' : 'A');
     body.mass.emplace();
-    body.mass->mass = second ? 2000 : 1000, body.mass->inertia = {500, 600, 400};
+    body.mass->mass = second ? 2000 : 1000;
+    body.mass->inertia = {500, 600, 400};
     body.mass->velocity = {second ? -0.5 : 1, 0, 0};
     if (second) body.position = at;
     c.bodies.push_back(body);
     model::Volume v;
-    v.name = std::string(1, second ? 'b' : 'a'), v.body = body.name, v.shape = second ? b : a;
-    v.basis = basis, v.normal_stiffness = 1e6;
+    v.name = std::string(1, second ? 'b' : 'a');
+    v.body = body.name;
+    v.shape = second ? b : a;
+    v.basis = basis;
+    v.normal_stiffness = 1e6;
     c.volumes.push_back(v);
   }
   // They touch at 0.07 s, for 0.1 s.
-  c.dynamics.enabled = true, c.dynamics.duration = 0.5;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 0.5;
   return c;
 }
 
@@ -37,10 +42,12 @@ model::Case two(const Primitive& a, const Primitive& b, StiffnessBasis basis, co
 model::Case falling() {
   model::Case c = two(BoxShape{{0, 0, 0}, {2, 2, 2}}, PlaneShape{{0, 0, 0}, {0, 0, 1}},
                       StiffnessBasis::per_point, Vec3::Zero());
-  c.bodies[0].mass->weight = true, c.bodies[0].mass->velocity.setZero();
+  c.bodies[0].mass->weight = true;
+  c.bodies[0].mass->velocity.setZero();
   c.bodies[0].position = {0, 0, 2};
   c.bodies[1].mass.reset();
-  c.volumes[1].basis = StiffnessBasis::automatic, c.volumes[1].normal_stiffness = 0;
+  c.volumes[1].basis = StiffnessBasis::automatic;
+  c.volumes[1].normal_stiffness = 0;
   c.dynamics.duration = 1;
   return c;
 }
@@ -90,7 +97,9 @@ Outcome impact_event(MPI_Comm comm, const model::Case& c) {
     out.energy = std::max(out.energy, std::abs(n.total - start.total) / size);
     out.strain = std::max(out.strain, n.strain / size);
     if (!falls) out.momentum = std::max(out.momentum, (n.momentum - start.momentum).norm() / 1000);
-    ++out.steps, out.touching += n.strain > 1e-3 * size, out.rejected += i.rejected;
+    ++out.steps;
+    out.touching += n.strain > 1e-3 * size;
+    out.rejected += i.rejected;
   });
   for (int b = 0; b < 2; ++b) {
     const auto p = s.body_pose(b, d.kinematics());
@@ -165,7 +174,10 @@ TEST(BodyImpact, WhatNothingSeesEndsStatics) {
   for (const double apart : {1.9, 2.1}) {
     model::Case c = two(box, box, StiffnessBasis::per_length, {apart, 0, 0});
     c.statics.enabled = true;
-    for (model::Body& b : c.bodies) b.mass->stiffness = Vec3(1e3, 1e3, 1e3), b.mass->velocity.setZero();
+    for (model::Body& b : c.bodies) {
+      b.mass->stiffness = Vec3(1e3, 1e3, 1e3);
+      b.mass->velocity.setZero();
+    }
     const auto volumes = run::load_volumes(c);
     run::Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes));
     std::string what;
@@ -187,7 +199,8 @@ TEST(BodyImpact, WhatWasMetIsNotForgotten) {
   const BoxShape box{{0, 0, 0}, {1.4, 1.4, 1.4}};
   model::Case c = two(box, box, StiffnessBasis::per_length, {1.5, 0.16, -0.02});
   c.bodies[0].mass->velocity = Vec3(3, 0, 0);
-  c.bodies[1].mass->mass = 1000, c.bodies[1].mass->velocity = Vec3(-2, -1.94, 1.11);
+  c.bodies[1].mass->mass = 1000;
+  c.bodies[1].mass->velocity = Vec3(-2, -1.94, 1.11);
   c.bodies[1].rotation = Vec3(-0.22, 0.23, 0.62) * M_PI / 180;
   c.dynamics.duration = 0.4;
   const Outcome out = impact_event(PETSC_COMM_WORLD, c);

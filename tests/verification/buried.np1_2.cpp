@@ -31,7 +31,8 @@ std::vector<double> tensions(Simulation& sim) {
 
 // At rest on one rank and on all, the same.
 void settle(Simulation& all, Simulation& one) {
-  all.solve_statics(), one.solve_statics();
+  all.solve_statics();
+  one.solve_statics();
   expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-7, "statics");
 }
 
@@ -202,7 +203,8 @@ dynamics: {duration: 4, step: 0.1}
 )";
   const auto with = [&](const std::string& at, const std::string& buried) {
     std::string t = text;
-    t.replace(t.find("ANCHOR"), 6, at), t.replace(t.find("BURIED"), 6, buried);
+    t.replace(t.find("ANCHOR"), 6, at);
+    t.replace(t.find("BURIED"), 6, buried);
     return read(t);
   };
   const model::Case c =
@@ -220,7 +222,8 @@ dynamics: {duration: 4, step: 0.1}
   }
   // The same line from the place where it comes out.
   model::Case rest = with("[0, 0, -200]", "start: auto");
-  rest.lines[0].sections[0].length = 825, rest.lines[0].sections[0].elements = 165;
+  rest.lines[0].sections[0].length = 825;
+  rest.lines[0].sections[0].elements = 165;
   Simulation open(PETSC_COMM_SELF, rest);
   open.solve_statics();
   const auto pull = [](Simulation& s) {
@@ -237,7 +240,8 @@ dynamics: {duration: 4, step: 0.1}
   if (first_rank())
     printf("  125 m on along the bed %.1f kN, of that line %.1f kN\n", here / 1e3, there / 1e3);
   EXPECT_NEAR(here, there, 0.02 * T0);
-  run(all, 4), run(one, 4);
+  run(all, 4);
+  run(one, 4);
   expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-7, "after 4 s");
   EXPECT_LT((one.dynamics().kinematics().x[3] - laid[3]).norm(), 0.5);
 }

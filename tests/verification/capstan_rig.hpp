@@ -50,7 +50,8 @@ inline Pulled run(const Pull& p) {
   line.loads.push_back({-kLoad / h * along_circle(0), 0, h, 0, 0});
 
   model::Body hook, drum;
-  hook.name = "hook", drum.name = "drum";
+  hook.name = "hook";
+  drum.name = "drum";
   hook.position = path.back();
   hook.ramp = drum.ramp = 1;
   if (p.moving == Moving::line)
@@ -67,7 +68,8 @@ inline Pulled run(const Pull& p) {
   volume.friction.axial = volume.friction.lateral = p.mu;
   c.volumes.push_back(volume);
   c.dynamics.enabled = true;
-  c.dynamics.step = p.step, c.dynamics.max_step = p.longest;
+  c.dynamics.step = p.step;
+  c.dynamics.max_step = p.longest;
   c.dynamics.duration = p.duration;
 
   Simulation s(PETSC_COMM_WORLD, c, {p.faceted ? faceted_drum(96, kRadius, 1) : round_drum(kRadius, 1)});
@@ -80,7 +82,8 @@ inline Pulled run(const Pull& p) {
   d.run(
       p.duration, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
-        ++out.steps, out.iterations += i.iterations;
+        ++out.steps;
+        out.iterations += i.iterations;
         if (i.time < p.duration / 2) return true;
         const double* r = d.reactions().data() + 3 * s.local().block.back();
         out.ratio.add(Vec3(r[0], r[1], r[2]).norm() / kLoad, i.h);

@@ -36,7 +36,8 @@ End solve(const Suspended& s, int elements, bool bends, model::Start start) {
   End e;
   e.report = sim.solve_statics();
   const size_t b = 3 * static_cast<size_t>(sim.local().block[static_cast<size_t>(elements)]);
-  e.H = sim.system().reactions()[b], e.V = sim.system().reactions()[b + 2];
+  e.H = sim.system().reactions()[b];
+  e.V = sim.system().reactions()[b + 2];
   return e;
 }
 
@@ -118,7 +119,8 @@ TEST(Catenary, FalseBalanceIsLeft) {
     run::Simulation s(PETSC_COMM_WORLD, c);
     report[i] = s.solve_statics();
     const double* top = s.system().reactions().data() + 3 * s.local().block[80];
-    V[i] = top[2], H[i] = std::hypot(top[0], top[1]);
+    V[i] = top[2];
+    H[i] = std::hypot(top[0], top[1]);
     const Energy e = s.system().energy(s.state().view(0));
     energy[i] = e.strain + e.potential;
   }

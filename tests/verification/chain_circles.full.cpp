@@ -9,7 +9,8 @@ TEST(ChainCircles, AllThirty) {
   double sum = 0, worst = 0;
   for (const CircleCase& of : circle_cases()) {
     const double error = std::abs(report(of, circle(of, 82, 1e-3, 2, 3)));
-    sum += error, worst = std::max(worst, error);
+    sum += error;
+    worst = std::max(worst, error);
   }
   const double mean = sum / static_cast<double>(circle_cases().size());
   printf("  mean %.2f %%, worst %.2f %%\n", mean, worst);

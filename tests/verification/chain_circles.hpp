@@ -33,27 +33,41 @@ inline const std::vector<CircleCase>& circle_cases() {
 inline model::Case circling_chain(const CircleCase& of, int elements, double step) {
   const double d = 0.0022, m = 0.0818, modulus = 3e9;
   model::LineType t = cable_type(1e4, m);
-  t.outer_diameter = std::sqrt(4 * m / (M_PI * 7800)), t.contact_diameter = 1e-9, t.drag_diameter = d;
-  t.Cd_normal = 2.5, t.Cd_axial = 0.5, t.Ca_normal = 3.8;
+  t.outer_diameter = std::sqrt(4 * m / (M_PI * 7800));
+  t.contact_diameter = 1e-9;
+  t.drag_diameter = d;
+  t.Cd_normal = 2.5;
+  t.Cd_axial = 0.5;
+  t.Ca_normal = 3.8;
   model::Case c = one_line(t, 33, elements, anchor({0, 0, -3}), {});
   c.environment.gravity = 9.80665;
-  c.environment.water.present = true, c.environment.water.depth = 3, c.environment.water.density = 1000;
+  c.environment.water.present = true;
+  c.environment.water.depth = 3;
+  c.environment.water.density = 1000;
   model::Seabed& bed = c.environment.seabed;
-  bed.present = true, bed.depth = 3;
-  bed.basis = model::StiffnessBasis::per_length, bed.normal_stiffness = modulus * d;
+  bed.present = true;
+  bed.depth = 3;
+  bed.basis = model::StiffnessBasis::per_length;
+  bed.normal_stiffness = modulus * d;
   bed.damping = 2 * std::sqrt(modulus * d * m);
-  bed.friction.axial = bed.friction.lateral = 0.3, bed.friction.mobilisation_length = 0.001;
+  bed.friction.axial = bed.friction.lateral = 0.3;
+  bed.friction.mobilisation_length = 0.001;
   model::Body b;
   b.name = "carriage";
   b.position = Vec3(32.554, 0, 0.3);
   model::HarmonicMotion h;
-  h.amplitude = Vec3(of.radius, 0, of.radius), h.period = of.period, h.phase = Vec3(0, 0, M_PI / 2);
-  b.motion = h, b.ramp = 3 * of.period;
+  h.amplitude = Vec3(of.radius, 0, of.radius);
+  h.period = of.period;
+  h.phase = Vec3(0, 0, M_PI / 2);
+  b.motion = h;
+  b.ramp = 3 * of.period;
   c.bodies.push_back(b);
   model::End e;
-  e.kind = model::EndKind::body, e.body = "carriage";
+  e.kind = model::EndKind::body;
+  e.body = "carriage";
   c.lines[0].end_b = e;
-  c.dynamics.enabled = true, c.dynamics.step = step;
+  c.dynamics.enabled = true;
+  c.dynamics.step = step;
   c.dynamics.tolerance = 1e-6;
   return c;
 }
@@ -84,12 +98,14 @@ inline CircleResult circle(const CircleCase& of, int elements, double step, int 
         const double T = Vec3(r[end], r[end + 1], r[end + 2]).norm();
         const size_t cycle =
             std::min(static_cast<size_t>((info.time - from) / of.period), static_cast<size_t>(judged - 1));
-        peak[cycle] = std::max(peak[cycle], T), out.least = std::min(out.least, T);
+        peak[cycle] = std::max(peak[cycle], T);
+        out.least = std::min(out.least, T);
         return true;
       });
   for (const double p : peak) {
     out.mean += p / judged;
-    out.lowest = std::min(out.lowest, p), out.highest = std::max(out.highest, p);
+    out.lowest = std::min(out.lowest, p);
+    out.highest = std::max(out.highest, p);
   }
   return out;
 }

@@ -87,15 +87,20 @@ double most(double x) {
 
 struct Held {
   double tension = 0, ratio = 0, depth = 0, stiffness = 0;  // N, largest; over the smallest; m; N/m²
-  double steps = 0, amiss = 0;                              // of the energy brought in
+  double steps = 0, problem = 0;                            // of the energy brought in
 };
 
 void look(Simulation& s, const Kinematics& at, Held& out) {
   double least = HUGE_VAL, largest = 0;
   NodeField tension(s, "effective_tension");
-  for (const double t : tension.at(at)) least = std::min(least, t), largest = std::max(largest, t);
-  out.tension = most(largest), out.ratio = out.tension / -most(-least);
-  out.depth = most(s.contact()->largest_penetration().depth), out.stiffness = s.contact()->stiffness(0);
+  for (const double t : tension.at(at)) {
+    least = std::min(least, t);
+    largest = std::max(largest, t);
+  }
+  out.tension = most(largest);
+  out.ratio = out.tension / -most(-least);
+  out.depth = most(s.contact()->largest_penetration().depth);
+  out.stiffness = s.contact()->stiffness(0);
 }
 
 std::unique_ptr<Simulation> simulation(const std::string& name, const std::string& text) {
@@ -184,11 +189,12 @@ TEST(Slings, AreNotDrawnThroughContactThatIsTooSoft) {
     still("soft", sling(kCylinder, 1e5, true, ", normal_stiffness: {per_length: 1.0e5}", false, 0.06));
     ADD_FAILURE() << "statics went through the bar";
   } catch (const SolveError& e) {
-    const std::string said = e.what();
-    EXPECT_NE(said.find(" m, would be drawn through volume bar: its normal_stiffness is too small for what "
-                        "presses, 'auto' finds one by itself"),
-              std::string::npos)
-        << said;
+    const std::string message = e.what();
+    EXPECT_NE(
+        message.find(" m, would be drawn through volume bar: its normal_stiffness is too small for what "
+                     "presses, 'auto' finds one by itself"),
+        std::string::npos)
+        << message;
   }
 }
 
@@ -212,24 +218,28 @@ TEST(Drawn, TensionGrowsAHundredfold) {
   d.start(s->state());
   const Energy start = s->system().energy(d.kinematics());
   d.run(
-      1.2, [](double t) { return t + 100; }, [&](const StepInfo&) { return ++after.steps, true; });
+      1.2, [](double t) { return t + 100; },
+      [&](const StepInfo&) {
+        ++after.steps;
+        return true;
+      });
   look(*s, d.kinematics(), after);
   const Energy e = s->system().energy(d.kinematics());
   double sums[2] = {e.work + d.support_work(), e.kinetic + e.strain - start.kinetic - start.strain +
                                                    e.friction + e.damping - start.friction - start.damping};
   MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
-  after.amiss = sums[1] / sums[0] - 1;
+  after.problem = sums[1] / sums[0] - 1;
   if (rank_of(MPI_COMM_WORLD) == 0)
     std::printf(
         "drawn: %.6g N, then %.6g; T2/T1 %.5f, exact %.5f; %.3g of the radius deep; %.3g, then %.3g N/m²; %g "
         "steps, %.3g of the energy not accounted for\n",
         before.tension, after.tension, after.ratio, std::exp(0.3 * M_PI), after.depth / kLine,
-        before.stiffness, after.stiffness, after.steps, after.amiss);
+        before.stiffness, after.stiffness, after.steps, after.problem);
   EXPECT_GT(after.tension, 100 * before.tension);
   EXPECT_GT(after.stiffness, 2 * before.stiffness);
   EXPECT_LE(after.depth, 0.05 * kLine);
   EXPECT_NEAR(after.ratio, std::exp(0.3 * M_PI), 0.01 * std::exp(0.3 * M_PI));
-  EXPECT_LT(std::abs(after.amiss), 0.01);
+  EXPECT_LT(std::abs(after.problem), 0.01);
   EXPECT_LT(after.steps, 600);
 }
 

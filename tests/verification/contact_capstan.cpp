@@ -38,7 +38,9 @@ INSTANTIATE_TEST_SUITE_P(Drum, Capstan,
 // Steps as the program chooses them, up to ten times longer.
 TEST(CapstanSteps, Automatic) {
   Pull p = at_nodes();
-  p.step = 0, p.longest = 0.05, p.duration = 6;
+  p.step = 0;
+  p.longest = 0.05;
+  p.duration = 6;
   const Pulled o = run(p);
   report(p, o);
   EXPECT_NEAR(o.ratio.mean(), std::exp(0.3 * M_PI), 0.003 * std::exp(0.3 * M_PI));
@@ -51,7 +53,8 @@ TEST(CapstanSteps, Automatic) {
 TEST(CapstanSmooth, CableAndBeam) {
   for (const bool beam : {false, true}) {
     Pull p = at_nodes();
-    p.beam = beam, p.faceted = false;
+    p.beam = beam;
+    p.faceted = false;
     const Pulled o = run(p);
     report(p, o);
     EXPECT_NEAR(o.ratio.mean(), std::exp(0.3 * M_PI), 5e-4 * std::exp(0.3 * M_PI)) << beam;

@@ -47,7 +47,8 @@ void look(Simulation& s, const Kinematics& at, Rest& r) {
   for (const Vec3& x : at.x.first(static_cast<size_t>(s.local().owned)))
     r.x.insert(r.x.end(), x.begin(), x.end());
   NodeField force(s, "contact_force"), friction(s, "friction_force");
-  r.force = force.at(at), r.friction = friction.at(at);
+  r.force = force.at(at);
+  r.friction = friction.at(at);
   r.total.setZero();
   for (size_t i = 0; i < r.force.size(); ++i) r.total[static_cast<int>(i % 3)] += r.force[i];
   for (int c = 0; c < 3; ++c) r.total[c] = sum(r.total[c]);
@@ -162,7 +163,7 @@ TEST(ContactCorner, FromOneWallToTwo) {
     ASSERT_NE(text.find(from), std::string::npos);
     text.replace(text.find(from), from.size(), to);
   };
-  // Free, askew on the deck beside the bulwark, towards which it is blown.
+  // Free, at an angle on the deck beside the bulwark, towards which it is blown.
   put("length: 10.1", "length: 10");
   put("end_a: {body: tug, at: [0, 0.4, 0.4]}", "end_a: free");
   put("end_b: {body: tug, at: [10, 0.4, 0.4]}", "end_b: free");

@@ -31,7 +31,8 @@ Rebound run(const Impact& in) {
   floor.smoothing = 1e-6;
   c.volumes.push_back(floor);
   c.contact.method = model::ContactMethod::nodes;
-  c.dynamics.step = in.step, c.dynamics.rho_infinity = in.rho_infinity;
+  c.dynamics.step = in.step;
+  c.dynamics.rho_infinity = in.rho_infinity;
   Simulation s(PETSC_COMM_WORLD, c, {std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitZ())});
   for (Vec3& v : s.state().v) v = Vec3(0, 0, -in.speed);
   Dynamics& d = s.dynamics();
@@ -59,7 +60,9 @@ Rebound run(const Impact& in) {
           out.lost = 1 - (0.5 * v * v + in.gravity * g) / before;
           return false;
         }
-        t0 = i.time, g0 = g, f0 = f;
+        t0 = i.time;
+        g0 = g;
+        f0 = f;
         return i.time < 2;
       });
   return out;
@@ -71,7 +74,8 @@ TEST(Impact, MassOnSpring) {
   for (const double rho : {0.8, 1.0})
     for (const double height : {1e-6, 0.01, 0.0137}) {
       Impact in;
-      in.rho_infinity = rho, in.height = height;
+      in.rho_infinity = rho;
+      in.height = height;
       const Rebound r = run(in);
       std::printf("impact, rho %.1f, from %g m: force %+.3f %%, duration %+.3f %%, speed %+.3f %%\n", rho,
                   height, 100 * (r.force / 4472.135955 - 1), 100 * (r.duration / 0.07024814731 - 1),
@@ -91,14 +95,17 @@ TEST(Impact, Damped) {
   for (const double height : {1e-6, 0.005, 0.01, 0.0137})
     for (const int fine : {0, 1}) {
       Impact in;
-      in.zeta = 0.1, in.height = height, in.step = kPeriod / (fine ? 1000 : 100);
+      in.zeta = 0.1;
+      in.height = height;
+      in.step = kPeriod / (fine ? 1000 : 100);
       const Rebound r = run(in);
       worst[fine] = std::max(worst[fine], std::abs(r.speed / kSpeed / exact - 1));
       EXPECT_NEAR(r.duration, 0.06609985373, (fine ? 1e-3 : 5e-3) * 0.06609985373);
     }
   // From the moment it touches, as the closed form begins: 0.1 % at T/100 as without damping.
   Impact touching;
-  touching.zeta = 0.1, touching.height = -1.001e-6;
+  touching.zeta = 0.1;
+  touching.height = -1.001e-6;
   const Rebound r = run(touching);
   std::printf("damped impact from the touch, T/100: restitution %+.3f %%\n",
               100 * (r.speed / kSpeed / exact - 1));
@@ -112,7 +119,9 @@ TEST(Impact, Damped) {
 // Dropped by 1 m: m g (h + p) = k p²/2.
 TEST(Impact, Drop) {
   Impact in;
-  in.gravity = 9.81, in.speed = 0, in.height = 1;
+  in.gravity = 9.81;
+  in.speed = 0;
+  in.height = 1;
   const Rebound r = run(in);
   std::printf("drop: force %+.3f %%, energy lost %.3f %%\n", 100 * (r.force / 10407.18242 - 1), 100 * r.lost);
   EXPECT_NEAR(r.force, 10407.18242, 1e-3 * 10407.18242);
@@ -238,10 +247,12 @@ TEST_P(Bar, PeakDoesNotDependOnTheStep) {
     d.run(
         0.012, [](double t) { return t + 100; },
         [&](const StepInfo& i) {
-          ++steps, rejected += i.rejected;
+          ++steps;
+          rejected += i.rejected;
           most = std::max(most, contact.at(d.kinematics())[0]);
           const Energy e = s.system().energy(d.kinematics());
-          energy = std::max(energy, e.kinetic + e.strain), last = e.kinetic + e.strain;
+          energy = std::max(energy, e.kinetic + e.strain);
+          last = e.kinetic + e.strain;
           return true;
         });
     std::printf(

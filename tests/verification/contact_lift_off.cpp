@@ -70,7 +70,8 @@ Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, 
   };
   const double from = middle(0.25 * lift), to = middle(0.75 * lift);
   Found f;
-  f.iterations = report.iterations, f.unstable = report.negative_eigenvalues;
+  f.iterations = report.iterations;
+  f.unstable = report.negative_eigenvalues;
   double sum = 0, start = to;
   int inside = 0;
   Vec3 rest = Vec3::Zero();
@@ -78,8 +79,11 @@ Found solve(const Row& row, model::ContactMethod method, int elements_a_radian, 
     const double angle = std::atan2(k.x[i].z(), k.x[i].x());
     if (normal[i] > 0 && angle > to) rest += Eigen::Map<const Vec3>(force.data() + 3 * i);
     if (angle < from || angle > to) continue;
-    f.curvature.add(curvature[i]), f.moment.add(moment[i]), f.tension.add(tension[i]);
-    sum += normal[i], ++inside;
+    f.curvature.add(curvature[i]);
+    f.moment.add(moment[i]);
+    f.tension.add(tension[i]);
+    sum += normal[i];
+    ++inside;
     if (!facets) start = angle + 0.5 * h / row.rho;  // each node bears what presses on half its elements
   }
   const double pressure = facets ? sum / (row.rho * (to - from)) : sum / (inside * h);
@@ -127,7 +131,7 @@ TEST_P(LineLiftOff, Coarse) { check_step(GetParam(), model::ContactMethod::line,
 
 // 96 flat facets: the line lies on their edges, each bears p rho 2 pi/96 (a quarter of P in the first row),
 // and it leaves from one of them. So P depends on where the edges are: what can be judged is its mean over
-// the positions of the drum, and the spread is told.
+// the positions of the drum, and the spread is printed.
 TEST_P(LiftOff, Facets) {
   const Row& row = GetParam();
   Samples P, curvature, scatter, offset, angle;
@@ -135,8 +139,10 @@ TEST_P(LiftOff, Facets) {
   for (int i = 0; i < positions; ++i) {
     const Found f = solve(row, model::ContactMethod::nodes, 60, {96, 2 * M_PI / 96 * i / positions});
     P.add(f.P / row.P);
-    curvature.add(f.curvature.mean() * row.rho), scatter.add(f.curvature.rms() * row.rho);
-    offset.add(f.offset / row.offset), angle.add(f.lift_off - row.alpha);
+    curvature.add(f.curvature.mean() * row.rho);
+    scatter.add(f.curvature.rms() * row.rho);
+    offset.add(f.offset / row.offset);
+    angle.add(f.lift_off - row.alpha);
   }
   std::printf(
       "lift-off from 96 facets, EI %.0f T %.0f: curvature %+.3f %% (%.2f %% rms along the line), P %+.2f "

@@ -45,7 +45,7 @@ Landing land(model::ContactMethod method, double step, double longest = 0) {
 
 double fallen_energy() { return kMass * 60 * kSpeed * kSpeed / 2; }
 
-// The spring decides the force, not the step, where the program may shorten it as the node strikes.
+// The spring decides the force, not the step, where the program may shorten it at the impact of the node.
 TEST(ContactModels, ElasticPeakDoesNotDependOnTheStep) {
   const double period = 2 * M_PI * std::sqrt(kMass / kStiffness);
   const Landing fine = land(model::ContactMethod::nodes, period / 200);

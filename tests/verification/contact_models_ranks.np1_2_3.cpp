@@ -16,7 +16,7 @@ double contact_force(Simulation& s, const Kinematics& at) {
   return sum(f);
 }
 
-// First blow on the pipe, in steps of 2 ms.
+// First impact on the pipe, in steps of 2 ms.
 TEST(ContactModelsRanks, Motion) {
   for (const model::ContactMethod method : {model::ContactMethod::nodes, model::ContactMethod::gap}) {
     const model::Case c = pipe(method, 2e-3);

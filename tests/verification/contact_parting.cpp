@@ -22,18 +22,20 @@ struct Rig {
     double length = 0;
     for (size_t i = 1; i < shape.size(); ++i) length += (shape[i] - shape[i - 1]).norm();
     c = one_line(type, length / (1 + kPull / kAxial), kElements, anchor(shape.front()), anchor(shape.back()));
-    c.lines[0].start = model::Start::points, c.lines[0].points = shape;
+    c.lines[0].start = model::Start::points;
+    c.lines[0].points = shape;
     c.environment.gravity = 0;
     c.dynamics.step = step;
     const double z = depth - 2 * kRadius;
     if (bar == Bar::line) {
       model::LineType stiff = beam_type(1e10, 1e7, 1e7, 1000);
-      stiff.name = "bar", stiff.contact_diameter = 2 * kRadius;
+      stiff.name = "bar";
+      stiff.contact_diameter = 2 * kRadius;
       c.line_types.push_back(stiff);
       model::Line l;
       l.name = "bar";
       l.sections.push_back({stiff.name, 1, 2, 1});
-      l.end_a = clamp({kSpan / 2, -0.5, z}, Vec3::UnitY()),
+      l.end_a = clamp({kSpan / 2, -0.5, z}, Vec3::UnitY());
       l.end_b = clamp({kSpan / 2, 0.5, z}, Vec3::UnitY());
       c.lines.push_back(l);
       c.contact.between_lines.general.basis = model::StiffnessBasis::per_length;
@@ -75,7 +77,8 @@ Course follow(Simulation& s, Bar bar, double thrown, double until, double from, 
         const Energy e = s.system().energy(d.kinematics());
         out.made = std::max(out.made, (e.kinetic + e.strain - least) / energy);
         least = std::min(least, e.kinetic + e.strain);
-        ++out.steps, out.rejected += i.rejected;
+        ++out.steps;
+        out.rejected += i.rejected;
         return true;
       });
   return out;
@@ -135,7 +138,8 @@ double bar_on_wall(model::ContactMethod method, double stiffness, double step) {
   c.lines[0].start = model::Start::points;
   c.lines[0].points = {Vec3::Zero(), Vec3(20, 0, 0)};
   c.statics.enabled = false;
-  c.dynamics.step = step, c.dynamics.max_step = 0.02;
+  c.dynamics.step = step;
+  c.dynamics.max_step = 0.02;
   c.contact.method = method;
   model::Volume wall;
   wall.name = "wall";
@@ -155,7 +159,8 @@ double bar_on_wall(model::ContactMethod method, double stiffness, double step) {
   d.run(
       0.3, [](double) { return 1e300; },
       [&](const StepInfo&) {
-        made = std::max(made, (energy() - least) / first), least = std::min(least, energy());
+        made = std::max(made, (energy() - least) / first);
+        least = std::min(least, energy());
         return true;
       });
   return made;

@@ -63,7 +63,8 @@ Reeled run(ContactMethod method, int elements, double duration,
   d.run(
       duration, [](double t) { return 25 * (std::floor(t / 25 + 1e-9) + 1); },
       [&](const StepInfo& i) {
-        ++out.steps, out.iterations += i.iterations;
+        ++out.steps;
+        out.iterations += i.iterations;
         const Kinematics k = d.kinematics();
         const std::vector<double>&T = tension.at(k), &N = normal.at(k);
         // Along the hose from end A, at the drum's angle, to the last node that lies on the barrel (one
@@ -73,10 +74,14 @@ Reeled run(ContactMethod method, int elements, double duration,
           return std::remainder(a, 2 * M_PI);
         };
         double angle = 0;
-        last = 0, last_angle = 0;
+        last = 0;
+        last_angle = 0;
         for (size_t n = 1; n < k.x.size(); ++n) {
           angle += turn(n);
-          if (N[n] > 0 && std::hypot(k.x[n].x(), k.x[n].z()) < kRho + 0.001) last = n, last_angle = angle;
+          if (N[n] > 0 && std::hypot(k.x[n].x(), k.x[n].z()) < kRho + 0.001) {
+            last = n;
+            last_angle = angle;
+          }
         }
         out.tied.add(i, T[0]);
         const auto less_weight = [&](size_t n) {
@@ -97,7 +102,7 @@ Reeled run(ContactMethod method, int elements, double duration,
   out.cpu = cpu_seconds() - before;
   out.penetration = s.contact()->largest_penetration().depth;
   const std::vector<double>& M = moment.at(d.kinematics());
-  // Bending settles over sqrt(EI/T) = 1.2 m: leave out what is near the clamp and the lift-off.
+  // Bending settles over sqrt(EI/T) = 1.2 m: exclude what is near the clamp and the lift-off.
   const size_t clear = static_cast<size_t>(std::lround(5 / h));
   for (size_t n = clear; n + clear < last; ++n) out.moment.push_back(M[n] / (EI / kRho));
   const Energy e = s.system().energy(d.kinematics());
@@ -138,7 +143,10 @@ void expect_wound(const char* method, const Reeled& r) {
 
   Samples moment;
   int off = 0;
-  for (const double m : r.moment) moment.add(m), off += std::abs(m - 1) > 0.02;
+  for (const double m : r.moment) {
+    moment.add(m);
+    off += std::abs(m - 1) > 0.02;
+  }
   std::printf(
       "reel, %s: moment on the drum %.4f EI/(R+r), rms %.4f, between %.4f and %.4f, %d of %zu nodes off by 2 "
       "%%\n",

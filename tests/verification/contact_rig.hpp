@@ -57,8 +57,11 @@ inline double path_length(const std::vector<Vec3>& p) {
 struct Samples {
   double weight = 0, sum = 0, square = 0, least = 1e300, most = -1e300;
   void add(double value, double w = 1) {
-    weight += w, sum += w * value, square += w * value * value;
-    least = std::min(least, value), most = std::max(most, value);
+    weight += w;
+    sum += w * value;
+    square += w * value * value;
+    least = std::min(least, value);
+    most = std::max(most, value);
   }
   double mean() const { return sum / weight; }
   double rms() const { return std::sqrt(std::max(0.0, square / weight - mean() * mean())); }
@@ -67,7 +70,11 @@ struct Samples {
 // What a run shows at its accepted steps.
 struct Series {
   std::vector<double> time, step, value;
-  void add(const StepInfo& i, double v) { time.push_back(i.time), step.push_back(i.h), value.push_back(v); }
+  void add(const StepInfo& i, double v) {
+    time.push_back(i.time);
+    step.push_back(i.h);
+    value.push_back(v);
+  }
   // Root mean square over (from, to) [s] about a straight line fitted to the 10 s around each instant.
   double noise(double from, double to) const {
     double sum = 0, weight = 0;
@@ -79,10 +86,15 @@ struct Series {
       double s0 = 0, s1 = 0, s2 = 0, y0 = 0, y1 = 0;
       for (size_t k = low; k < high; ++k) {
         const double x = time[k] - time[i], w = step[k];
-        s0 += w, s1 += w * x, s2 += w * x * x, y0 += w * value[k], y1 += w * x * value[k];
+        s0 += w;
+        s1 += w * x;
+        s2 += w * x * x;
+        y0 += w * value[k];
+        y1 += w * x * value[k];
       }
       const double off = value[i] - (s2 * y0 - s1 * y1) / (s0 * s2 - s1 * s1);
-      sum += step[i] * off * off, weight += step[i];
+      sum += step[i] * off * off;
+      weight += step[i];
     }
     return std::sqrt(sum / weight);
   }

@@ -48,7 +48,8 @@ Course throw_line(const Throw& t, unsigned seed) {
   c.lines[0].points = {Vec3(-5, 0, gap), Vec3(5, 0, gap)};
   c.statics.enabled = false;
   c.dynamics.enabled = true;
-  c.dynamics.step = t.step, c.dynamics.max_step = 0.1;
+  c.dynamics.step = t.step;
+  c.dynamics.max_step = 0.1;
   c.dynamics.resolve_impacts = t.resolve;
   // Between the ends and the middle of an element; of nodes, at one.
   const double at = t.nodes ? 0 : 0.4 + 1.6 * unit(random);
@@ -88,8 +89,12 @@ Course throw_line(const Throw& t, unsigned seed) {
     for (const LocalElement& e : s.local().elements) {
       AxisEnds ends;
       const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
-      ends.beam = !t.cable, ends.length = 5;
-      ends.x1 = k.x[i], ends.x2 = k.x[j], ends.q1 = k.q[i], ends.q2 = k.q[j];
+      ends.beam = !t.cable;
+      ends.length = 5;
+      ends.x1 = k.x[i];
+      ends.x2 = k.x[j];
+      ends.q1 = k.q[i];
+      ends.q2 = k.q[j];
       const AxisShape shape(ends);
       for (int n = 0; n <= 100; ++n) p.push_back(shape.point(0.01 * n) - rise * Vec3::UnitZ());
     }
@@ -103,7 +108,8 @@ Course throw_line(const Throw& t, unsigned seed) {
             if (!t.nodes || n == 100 || n == 101) out.passed += through(plate, last[n], now[n]);
           last = now;
           out.met |= s.contact()->active_count() > 0;
-          ++out.steps, out.rejected += info.rejected;
+          ++out.steps;
+          out.rejected += info.rejected;
           return true;
         });
   out.depth = s.contact()->largest_penetration().depth;
@@ -118,10 +124,14 @@ void expect_none_passes(Throw t, const char* what, unsigned count) {
     int met = 0, all = 0;
     for (const double speed : kSpeeds)
       for (unsigned seed = 0; seed < count; ++seed) {
-        t.speed = speed, t.step = step;
+        t.speed = speed;
+        t.step = step;
         const Course o = throw_line(t, 100 * seed + static_cast<unsigned>(speed));
-        met += o.met, ++all;
-        sum.passed += o.passed > 0, sum.steps += o.steps, sum.rejected += o.rejected;
+        met += o.met;
+        ++all;
+        sum.passed += o.passed > 0;
+        sum.steps += o.steps;
+        sum.rejected += o.rejected;
         sum.depth = std::max(sum.depth, o.depth);
       }
     printf("  %s, step %g: %d of %d met, %d passed; %d steps, %d rejected, deepest %.3f of the radius\n",

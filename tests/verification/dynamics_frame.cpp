@@ -38,8 +38,14 @@ Frame frame(int per_leg, double h, double rho, double until) {
   along_y.axes = &axes_y;
   std::vector<Vec3> nodes{Vec3::Zero()};
   std::vector<BeamChain::Piece> pieces;
-  for (int i = 1; i <= per_leg; ++i) nodes.push_back({i * L, 0, 0}), pieces.push_back(along_x);
-  for (int i = 1; i <= per_leg; ++i) nodes.push_back({10, i * L, 0}), pieces.push_back(along_y);
+  for (int i = 1; i <= per_leg; ++i) {
+    nodes.push_back({i * L, 0, 0});
+    pieces.push_back(along_x);
+  }
+  for (int i = 1; i <= per_leg; ++i) {
+    nodes.push_back({10, i * L, 0});
+    pieces.push_back(along_y);
+  }
   BeamChain chain(nodes, pieces);
   System& system = chain.system();
   system.add(std::make_unique<TimedLoad>(system.mesh(), per_leg, Vec3::UnitZ(), Vec3::Zero(), [](double t) {
@@ -49,7 +55,8 @@ Frame frame(int per_leg, double h, double rho, double until) {
   root.rotation_mask = 7;
   system.tie({root}, {});
   DynamicsSettings settings;
-  settings.step.fixed = h, settings.rho_infinity = rho;
+  settings.step.fixed = h;
+  settings.rho_infinity = rho;
   Dynamics d(system, settings);
   d.start(chain.state);
   Frame out;
@@ -57,7 +64,8 @@ Frame frame(int per_leg, double h, double rho, double until) {
   integrate(d, until, 1, [&](const StepInfo& i) {
     if (i.time > 2 + 1e-9) {
       const double e = total(system.energy(d.kinematics()));
-      out.low = std::min(out.low, e), out.high = std::max(out.high, e);
+      out.low = std::min(out.low, e);
+      out.high = std::max(out.high, e);
     }
     if (next == std::size(kPath) || std::abs(i.time - kPath[next][0]) > 1e-6) return;
     const double* p = kPath[next++];
@@ -82,7 +90,9 @@ void show(int n, double h, double rho, const Frame& f) {
 TEST(Dynamics, RightAngleFrame) {
   const Frame coarse = frame(10, 0.005, 0.9, 10), fine = frame(20, 0.005, 0.9, 10),
               finest = frame(40, 0.0025, 0.9, 30);
-  show(10, 0.005, 0.9, coarse), show(20, 0.005, 0.9, fine), show(40, 0.0025, 0.9, finest);
+  show(10, 0.005, 0.9, coarse);
+  show(20, 0.005, 0.9, fine);
+  show(40, 0.0025, 0.9, finest);
   for (const Frame& f : {coarse, fine, finest}) {
     EXPECT_LT(f.tip, 0.15);
     EXPECT_LT(f.elbow, 0.15);

@@ -30,7 +30,8 @@ Pendulum pendulum(int elements, double h, double rho) {
   c.lines[0].start = model::Start::points;
   c.lines[0].points = {{0, 0, 0}, {10, 0, 0}};
   c.statics.enabled = false;
-  c.dynamics.duration = 3, c.dynamics.rho_infinity = rho;
+  c.dynamics.duration = 3;
+  c.dynamics.rho_infinity = rho;
   (h > 0 ? c.dynamics.step : c.dynamics.error_tolerance) = std::abs(h);
   Simulation s(PETSC_COMM_SELF, c);
   Dynamics& d = s.dynamics();
@@ -38,8 +39,10 @@ Pendulum pendulum(int elements, double h, double rho) {
   Pendulum out;
   size_t next = 0;
   integrate(d, 3, 0.5, [&](const StepInfo& i) {
-    ++out.steps, out.rejected += i.rejected;
-    out.shortest = std::min(out.shortest, i.h), out.longest = std::max(out.longest, i.h);
+    ++out.steps;
+    out.rejected += i.rejected;
+    out.shortest = std::min(out.shortest, i.h);
+    out.longest = std::max(out.longest, i.h);
     const Energy e = s.system().energy(d.kinematics());
     out.total = std::max(out.total, std::abs(total(e)));  // all of it is zero at the start
     if (next == std::size(kTip) || std::abs(i.time - kTip[next][0]) > 1e-6) return;

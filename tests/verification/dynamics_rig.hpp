@@ -93,7 +93,8 @@ class BeamChain {
       arc += after;
     }
     LineSpan span;
-    span.nodes = static_cast<int>(nodes.size()), span.elements = static_cast<int>(pieces.size()),
+    span.nodes = static_cast<int>(nodes.size());
+    span.elements = static_cast<int>(pieces.size());
     span.length = arc;
     m.lines = {span};
     return m;
@@ -111,7 +112,8 @@ inline Momentum momentum(System& system, const Kinematics& k) {
   const LocalMesh& mesh = system.mesh();
   MatHandle M = system.create_matrix();
   Weights mass;
-  mass.K = 0, mass.M = 1;
+  mass.K = 0;
+  mass.M = 1;
   system.tangent(k, mass, std::vector<double>(3 * static_cast<size_t>(mesh.blocks()), 0), false, M.get());
   VecHandle v = system.create_vector(), p = system.create_vector();
   PetscScalar* a = nullptr;

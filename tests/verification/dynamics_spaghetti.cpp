@@ -29,7 +29,10 @@ TEST(Dynamics, FlyingSpaghetti) {
   c.lines[0].start = model::Start::points;
   c.lines[0].points = {{6, 0, 0}, {0, 8, 0}};
   c.statics.enabled = false;
-  c.dynamics.duration = 15, c.dynamics.step = h, c.dynamics.rho_infinity = 0.9, c.dynamics.tolerance = 1e-12;
+  c.dynamics.duration = 15;
+  c.dynamics.step = h;
+  c.dynamics.rho_infinity = 0.9;
+  c.dynamics.tolerance = 1e-12;
   Simulation s(PETSC_COMM_SELF, c);
   s.system().add(
       std::make_unique<TimedLoad>(s.local(), 0, Vec3(0.1, 0, 0), Vec3(0, -0.5, -1), [](double time) {

@@ -49,7 +49,9 @@ Spin spin_up(int elements, double h, double rho) {
   model::Case c = one_line(t, 10, elements, clamp(Vec3::Zero(), Vec3::UnitX()), {});
   c.lines[0].start = model::Start::straight;
   c.statics.enabled = false;
-  c.dynamics.step = h, c.dynamics.rho_infinity = rho, c.dynamics.duration = 20;
+  c.dynamics.step = h;
+  c.dynamics.rho_infinity = rho;
+  c.dynamics.duration = 20;
   Simulation s(PETSC_COMM_SELF, c);
   std::vector<TiedNode> supports = s.system().tied_nodes().list();
   supports.at(0).body = 0;
@@ -67,7 +69,10 @@ Spin spin_up(int elements, double h, double rho) {
     // Nothing can touch: the steps are those asked for.
     EXPECT_NEAR(i.h, h, 1e-9 * h);
     out.rejected += i.rejected;
-    if (i.time > 15 - 1e-9) out.steady += u.x(), ++count;
+    if (i.time > 15 - 1e-9) {
+      out.steady += u.x();
+      ++count;
+    }
     if (next < std::size(kTip) && std::abs(i.time - kTip[next][0]) < 1e-6) {
       out.u1 = std::max(out.u1, std::abs(u.x() - kTip[next][1]));
       out.u2 = std::max(out.u2, std::abs(u.y() - kTip[next][2]));

@@ -15,7 +15,8 @@ model::Case spinning() {
   c.lines[0].points = {Vec3(0, 0, 0), Vec3(2, 0, 0)};
   c.statics.enabled = false;
   c.dynamics.enabled = true;
-  c.dynamics.step = 0.1, c.dynamics.duration = 1;
+  c.dynamics.step = 0.1;
+  c.dynamics.duration = 1;
   return c;
 }
 
@@ -34,7 +35,8 @@ Spin spin(const model::Case& c, double rate) {
       1, [](double) { return 1.0; },
       [&](const StepInfo& info) {
         out.turn = std::max(out.turn, rate * info.h);
-        ++out.steps, out.rejected += info.rejected;
+        ++out.steps;
+        out.rejected += info.rejected;
         return true;
       });
   EXPECT_NEAR(d.committed().s.w[1].x(), rate, 1e-6 * rate);
@@ -51,7 +53,7 @@ TEST(Turns, OfAStepAreLessThanHalfATurn) {
   EXPECT_GE(fast.steps, 20);
 }
 
-TEST(Turns, TooFastForTheShortestStepAreToldWithTheirPlace) {
+TEST(Turns, TooFastForTheShortestStepAreReportedWithTheirPlace) {
   model::Case c = spinning();
   c.dynamics.min_step = 0.1;
   try {

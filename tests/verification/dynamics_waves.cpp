@@ -20,7 +20,9 @@ String string(int elements, double h, double rho, bool beam) {
   c.lines[0].start = model::Start::points;
   c.lines[0].points = {{0, 0, 0}, {L / 2, 0, height}, {L, 0, 0}};
   c.statics.enabled = false;
-  c.dynamics.duration = 21, c.dynamics.step = h, c.dynamics.rho_infinity = rho;
+  c.dynamics.duration = 21;
+  c.dynamics.step = h;
+  c.dynamics.rho_infinity = rho;
   Simulation s(PETSC_COMM_SELF, c);
   Dynamics& d = s.dynamics();
   d.start(s.state());
@@ -40,7 +42,8 @@ String string(int elements, double h, double rho, bool beam) {
   integrate(d, 21, 1, [&](const StepInfo& i) {
     const double now = mode();
     if (before > 0 && now <= 0) crossings.push_back(t0 + i.h * before / (before - now));
-    before = now, t0 = i.time;
+    before = now;
+    t0 = i.time;
     if (i.time <= 2)
       out.quarter = std::max(
           out.quarter, std::abs(d.committed().s.x[static_cast<size_t>(elements) / 4].z() - quarter(i.time)));
@@ -77,7 +80,9 @@ TEST(Dynamics, StoppedBar) {
   bar.lines[0].start = model::Start::points;
   bar.lines[0].points = {{0, 0, 0}, {L, 0, 0}};
   bar.statics.enabled = false;
-  bar.dynamics.duration = 1.5 * back, bar.dynamics.step = back / 400, bar.dynamics.rho_infinity = 0.8;
+  bar.dynamics.duration = 1.5 * back;
+  bar.dynamics.step = back / 400;
+  bar.dynamics.rho_infinity = 0.8;
   Simulation s(PETSC_COMM_SELF, bar);
   State state = s.state();
   for (size_t i = 1; i < state.v.size(); ++i) state.v[i] = Vec3(-v, 0, 0);
@@ -89,8 +94,11 @@ TEST(Dynamics, StoppedBar) {
   double momentum_back = 0;
   integrate(d, 1.5 * back, back, [&](const StepInfo& i) {
     const double f = s.system().reactions()[root];
-    if (i.time > 0.1 * back && i.time < 0.9 * back)
-      sum += f, ++count, worst = std::max(worst, std::abs(f - F));
+    if (i.time > 0.1 * back && i.time < 0.9 * back) {
+      sum += f;
+      ++count;
+      worst = std::max(worst, std::abs(f - F));
+    }
     if (released == 0 && i.time > 0.5 * back && f < 0.5 * F)
       released = i.time - i.h * (0.5 * F - f) / (before - f);
     before = f;

@@ -66,7 +66,8 @@ Pull pull(const Vec3& x) {
     const Leg& l = kLegs[i];
     const CatenaryShape s =
         catenary(x, l.anchor, {{l.length, Vec3(0, 0, -l.mass * kGravity), l.EA, Vec3::Zero()}});
-    p.at_joint[i] = s.tension_a(), p.at_anchor[i] = -s.tension_b();
+    p.at_joint[i] = s.tension_a();
+    p.at_anchor[i] = -s.tension_b();
     p.sum += p.at_joint[i];
   }
   return p;
@@ -108,7 +109,8 @@ TEST(EndForces, BridleOfThreeLegs) {
     for (size_t i = 0; i < 3; ++i) {
       const size_t joint = i ? 2 * i + 1 : 0, anchor = i ? 2 * i : 1;
       const Vec3 f = at_end(row.name, "force", 0, joint), g = at_end(row.name, "force", 0, anchor);
-      sum += f, size = std::max(size, f.norm());
+      sum += f;
+      size = std::max(size, f.norm());
       const double T = exact.at_joint[i].norm(), U = exact.at_anchor[i].norm();
       worst = std::max({worst, (f - exact.at_joint[i]).norm() / T, (g - exact.at_anchor[i]).norm() / U});
       const size_t a = 41 * i, b = 41 * i + 40;

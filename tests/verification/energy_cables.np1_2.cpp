@@ -23,7 +23,9 @@ Flight fly(double rho, double step, double duration) {
   c.lines[0].points = {Vec3(0, 0, 0), Vec3(20, 15, 0), Vec3(22, 0.5, 3)};
   c.statics.enabled = false;
   c.dynamics.enabled = true;
-  c.dynamics.duration = duration, c.dynamics.step = step, c.dynamics.rho_infinity = rho;
+  c.dynamics.duration = duration;
+  c.dynamics.step = step;
+  c.dynamics.rho_infinity = rho;
   c.dynamics.tolerance = 1e-11;
   c.contact.between_lines.enabled = false;
   Simulation sim(MPI_COMM_WORLD, c);
@@ -58,7 +60,8 @@ Flight fly(double rho, double step, double duration) {
       duration, [&](double) { return duration; },
       [&](const StepInfo&) {
         const double now = energy(sim.dynamics().kinematics()) / f.start;
-        f.most = std::max(f.most, now), f.least = std::min(f.least, now);
+        f.most = std::max(f.most, now);
+        f.least = std::min(f.least, now);
         return true;
       });
   f.end = energy(sim.dynamics().kinematics());

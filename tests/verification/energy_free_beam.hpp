@@ -53,8 +53,10 @@ inline void throw_line(State& s, bool bend) {
 inline Tumble tumble(model::Case c, bool beam, int per_period, double rho, int periods,
                      double tolerance = 1e-13) {
   const double until = periods * first_period();
-  c.dynamics.duration = until, c.dynamics.step = per_period ? first_period() / per_period : 0;
-  c.dynamics.rho_infinity = rho, c.dynamics.tolerance = tolerance;
+  c.dynamics.duration = until;
+  c.dynamics.step = per_period ? first_period() / per_period : 0;
+  c.dynamics.rho_infinity = rho;
+  c.dynamics.tolerance = tolerance;
   Simulation s(PETSC_COMM_SELF, c);
   throw_line(s.state(), beam);
   Dynamics& d = s.dynamics();
@@ -71,12 +73,16 @@ inline Tumble tumble(model::Case c, bool beam, int per_period, double rho, int p
     out.energy = std::max(out.energy, std::abs(total(e) / e0 - 1));
     out.strain = std::max(out.strain, e.strain / e0);
     const bool late = k.time > 0.9 * until;
-    if (late || k.time < 0.1 * until) mean[late] += total(e) / e0, ++samples[late];
+    if (late || k.time < 0.1 * until) {
+      mean[late] += total(e) / e0;
+      ++samples[late];
+    }
     if (beam && (late || k.time < 0.1 * until))
       for (size_t i = 0; i < k.q.size(); ++i) {
-        const Mat3 follows = director_acceleration(k.q[i], k.w[i], k.alpha[i]);
+        const Mat3 exact = director_acceleration(k.q[i], k.w[i], k.alpha[i]);
         double& most = apart[late];
-        most = std::max(most, (k.directors[i] - follows).norm()), size = std::max(size, follows.norm());
+        most = std::max(most, (k.directors[i] - exact).norm());
+        size = std::max(size, exact.norm());
       }
     if (++step % every) return;
     const Momentum p = momentum(s.system(), k);

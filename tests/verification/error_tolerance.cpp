@@ -21,7 +21,8 @@ int steps_of_a_wire(bool beside_a_pipe) {
     model::Line line = c.lines[0];
     line.name = "pipe";
     line.sections[0].type = "pipe";
-    line.end_a = anchor({0, 50, 0}), line.end_b = anchor({2, 50, 0});
+    line.end_a = anchor({0, 50, 0});
+    line.end_b = anchor({2, 50, 0});
     line.points = {line.end_a.at, line.end_b.at};
     c.lines.push_back(line);
   }

@@ -19,7 +19,9 @@ TEST(FramesOfBeams, ArmOnAColumn) {
     c.line_types = {beam_type(1e10, EI, GJ)};
     c.joints = {{"head", {0, 0, a}, true}};
     model::End head;
-    head.kind = model::EndKind::joint, head.body = "head", head.at = {0, 0, a};
+    head.kind = model::EndKind::joint;
+    head.body = "head";
+    head.at = {0, 0, a};
     model::End arm = head;
     arm.direction = Vec3::UnitX();
     for (const bool column : {true, false}) {
@@ -31,7 +33,8 @@ TEST(FramesOfBeams, ArmOnAColumn) {
       l.start = model::Start::straight;
       if (!column) {
         model::PointLoad p;
-        p.at = b, p.force = sideways ? Vec3(0, 10, 0) : Vec3(0, 0, -10);
+        p.at = b;
+        p.force = sideways ? Vec3(0, 10, 0) : Vec3(0, 0, -10);
         l.point_loads.push_back(p);
       }
       c.lines.push_back(l);

@@ -69,14 +69,16 @@ Rest rest(const model::Case& c, int most_iterations = 150) {
   one.solve_statics();
   expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-6, "statics");
   Rest r;
-  r.x = one.state().x, r.iterations = report.iterations;
+  r.x = one.state().x;
+  r.iterations = report.iterations;
   const bool a = c.lines[0].end_a.kind != model::EndKind::free;
   const size_t held = a ? 0 : r.x.size() - 1;
   const Vec3 pull = Eigen::Map<const Vec3>(one.system().reactions().data() + 3 * one.local().block[held]);
   const bool turns = one.local().rotates(static_cast<int>(held));
   r.tension = turns ? std::abs(pull.dot(one.state().q[held] * Vec3::UnitX())) : pull.norm();
   if (!a) std::reverse(r.x.begin(), r.x.end());
-  r.held = r.x.front(), r.end = r.x.back();
+  r.held = r.x.front();
+  r.end = r.x.back();
   return r;
 }
 
@@ -260,7 +262,7 @@ TEST(FreeEnd, GoesItsWay) {
 }
 
 // What lies exactly on itself has no side: it falls apart by rounding alone, to lie in a heap in which
-// nothing is in anything, or is told not to rest. No number that is none, and no end of trying.
+// nothing is in anything, or is reported not to rest. No number that is none, and no end of trying.
 TEST(FreeEnd, AStartOnItselfComesApartOrIsRefused) {
   if (!std::getenv("HAWSER_FULL")) GTEST_SKIP() << "long; set HAWSER_FULL";
   const model::Case c =

@@ -128,7 +128,8 @@ Dragged drag(model::ContactMethod method, const model::Friction& friction, doubl
 TEST(FrictionRuns, EllipseIsTraced) {
   const double mu_a = 0.3, mu_l = 0.8;
   model::Friction springs{mu_a, mu_l, 0, 1e6}, lengths{mu_a, mu_l, 0.002, 0}, paper = lengths;
-  lengths.lateral_mobilisation_length = 0.008, paper.lateral_mobilisation_length = 0.008;
+  lengths.lateral_mobilisation_length = 0.008;
+  paper.lateral_mobilisation_length = 0.008;
   paper.spring = FrictionSpring::michalopoulos;
   model::Friction nearest = springs, nearest_by_length = lengths;
   nearest.back = nearest_by_length.back = FrictionReturn::associated;
@@ -186,9 +187,11 @@ TEST(FrictionRuns, CapstanMobilisation) {
       const double a1 = dT(T, u), b1 = du(T), a2 = dT(T + h / 2 * a1, u + h / 2 * b1),
                    b2 = du(T + h / 2 * a1), a3 = dT(T + h / 2 * a2, u + h / 2 * b2), b3 = du(T + h / 2 * a2),
                    a4 = dT(T + h * a3, u + h * b3), b4 = du(T + h * a3);
-      T += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4), u += h / 6 * (b1 + 2 * b2 + 2 * b3 + b4);
+      T += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+      u += h / 6 * (b1 + 2 * b2 + 2 * b3 + b4);
     }
-    T2 = T, delta = u;
+    T2 = T;
+    delta = u;
   };
   double T2 = 0, delta = 0;
   reference(5e-4, T2, delta);  // a row of an independent solution (DOP853, 1e-12)

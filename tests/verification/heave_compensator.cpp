@@ -18,25 +18,37 @@ model::Case compensator(Spring spring, double period) {
   model::Case c;
   c.environment.gravity = kG;
   model::Body& crane = c.bodies.emplace_back();
-  crane.name = "crane", crane.position = {0, 0, 20};
+  crane.name = "crane";
+  crane.position = {0, 0, 20};
   model::HarmonicMotion heave;
-  heave.amplitude = {0, 0, kAmplitude}, heave.period = period;
-  crane.motion = heave, crane.ramp = period;
+  heave.amplitude = {0, 0, kAmplitude};
+  heave.period = period;
+  crane.motion = heave;
+  crane.ramp = period;
   model::Body& load = c.bodies.emplace_back();
-  load.name = "load", load.position = {0, 0, 5};
+  load.name = "load";
+  load.position = {0, 0, 5};
   model::BodyMass& m = load.mass.emplace();
-  m.mass = kMass, m.inertia = {1e5, 1e5, 1e5}, m.weight = true;
+  m.mass = kMass;
+  m.inertia = {1e5, 1e5, 1e5};
+  m.weight = true;
   model::Link& l = c.links.emplace_back();
-  l.name = "compensator", l.end_a.body = "crane", l.end_b.body = "load", l.end_b.at = {0, 0, 1};
-  l.law.damping = kDamping, l.law.stiffness = kStiffness;
-  l.law.rest_length = 14, l.rest_given = spring == Spring::linear;
+  l.name = "compensator";
+  l.end_a.body = "crane";
+  l.end_b.body = "load";
+  l.end_b.at = {0, 0, 1};
+  l.law.damping = kDamping;
+  l.law.stiffness = kStiffness;
+  l.law.rest_length = 14;
+  l.rest_given = spring == Spring::linear;
   if (spring == Spring::precharged) {
     const double weight = kMass * kG, reach = 4;
     l.law.stiffness = 0;
     l.law.spring = std::make_shared<MonotoneCubic>(std::vector<MonotoneCubic::Row>{
         {-reach, weight - reach * kStiffness}, {reach, weight + reach * kStiffness}});
   }
-  c.dynamics.enabled = true, c.dynamics.rho_infinity = 1;
+  c.dynamics.enabled = true;
+  c.dynamics.rho_infinity = 1;
   return c;
 }
 
@@ -52,7 +64,8 @@ TEST(HeaveCompensator, Transmissibility) {
     for (const Spring spring : {Spring::linear, Spring::precharged}) {
       model::Case c = compensator(spring, period);
       const double settled = std::ceil(80 / period) * period, end = settled + 4 * period;
-      c.dynamics.duration = end, c.dynamics.step = period / 200;
+      c.dynamics.duration = end;
+      c.dynamics.step = period / 200;
       Simulation s(PETSC_COMM_SELF, c);
       s.solve_statics();
       const double rest = height(s, s.state().view(0)), stretch = 20 - (rest + 1) - 14;
@@ -65,7 +78,8 @@ TEST(HeaveCompensator, Transmissibility) {
       integrate(d, end, end, [&](const StepInfo& i) {
         if (i.time < settled + 0.5 * c.dynamics.step) return;
         const double z = height(s, d.kinematics()) - rest;
-        sine += 2 * z * std::sin(w * i.time) / 800, cosine += 2 * z * std::cos(w * i.time) / 800;
+        sine += 2 * z * std::sin(w * i.time) / 800;
+        cosine += 2 * z * std::cos(w * i.time) / 800;
       });
       const double found = std::hypot(sine, cosine) / kAmplitude;
       printf("  w/w_n = %.1f, %s: %.5f, closed form %.5f (%+.3f %%)\n", ratio,

@@ -23,7 +23,8 @@ Found hose(double EI, double EA, double stiffness, int elements, model::Relaxati
   model::LineType t = beam_type(EA, EI, EI, kDensity * M_PI / 4 * kDiameter * kDiameter);
   t.outer_diameter = kDiameter;
   t.contact_diameter = 1e-6;  // the reference stops the centreline
-  t.Cd_normal = 1.2, t.Cd_axial = 0;
+  t.Cd_normal = 1.2;
+  t.Cd_axial = 0;
   model::Case c = one_line(t, kLength, elements, anchor({60, 0, -10}), anchor({60, 200, -10}));
   c.environment.gravity = 9.80665;
   c.environment.water.present = true;
@@ -35,7 +36,9 @@ Found hose(double EI, double EA, double stiffness, int elements, model::Relaxati
     model::Volume wall;
     wall.name = "wall";
     wall.shape = PlaneShape{Vec3::Zero(), Vec3::UnitX()};
-    wall.basis = model::StiffnessBasis::per_length, wall.normal_stiffness = stiffness, wall.smoothing = 0;
+    wall.basis = model::StiffnessBasis::per_length;
+    wall.normal_stiffness = stiffness;
+    wall.smoothing = 0;
     c.volumes.push_back(wall);
     surfaces.push_back(std::make_shared<PlaneSurface>(Vec3::Zero(), Vec3::UnitX()));
   }
@@ -58,8 +61,11 @@ Found hose(double EI, double EA, double stiffness, int elements, model::Relaxati
   f.first = kLength;
   ActiveContacts touches;
   sim.contact()->active_contacts(touches);
-  for (const ActiveContact& touch : touches)
-    f.force += touch.force, f.first = std::min(f.first, touch.from), f.last = std::max(f.last, touch.to);
+  for (const ActiveContact& touch : touches) {
+    f.force += touch.force;
+    f.first = std::min(f.first, touch.from);
+    f.last = std::max(f.last, touch.to);
+  }
   return f;
 }
 

@@ -35,7 +35,10 @@ class CountedSurface final : public Surface {
   Box bounds() const override { return s_->bounds(); }
   // Questions about walls count as well.
   void facet_groups(std::span<const Vec3> axis, double reach, FacetGroups& out) const override {
-    timed([&] { return s_->facet_groups(axis, reach, out), 0; });
+    timed([&] {
+      s_->facet_groups(axis, reach, out);
+      return 0;
+    });
   }
   bool one_facet_group(std::span<const Vec3> axis, double reach) const override {
     return timed([&] { return s_->one_facet_group(axis, reach); });
@@ -70,7 +73,7 @@ struct Drag {
 struct Outcome {
   double deepest = 0;     // m
   int most_touching = 0;  // elements
-  int looked = 0;         // nodes looked at, at any output
+  int nodes = 0;          // nodes looked at, at any output
   int inside = 0;         // of which within the hull, by the reference
 };
 
@@ -116,7 +119,8 @@ Outcome drag(const Drag& d) {
   dynamics.run(
       d.duration, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
-        ++steps, iterations += i.iterations;
+        ++steps;
+        iterations += i.iterations;
         out.most_touching = std::max(out.most_touching, s.contact()->active_count());
         if (std::floor(2 * i.time) > std::floor(2 * (i.time - i.h)) || i.time >= d.duration)
           for (const Vec3& x : dynamics.kinematics().x) places.push_back(x);
@@ -131,7 +135,7 @@ Outcome drag(const Drag& d) {
   const Vec3 up(0.0031, 0.0017, 1);
   for (const Vec3& x : places) {
     if (distance(box, x) > 0) continue;
-    ++out.looked;
+    ++out.nodes;
     out.inside += test::WindingAlong(mesh, x, up.normalized()).at(0, mesh, boundary) > 0.5;
   }
   const double share = 1e-6 * counted->microseconds() * static_cast<double>(asked) / seconds;
@@ -141,7 +145,7 @@ Outcome drag(const Drag& d) {
       "%.0f %% of the time; up to %d elements touch, penetration %.1f mm; %d of %d nodes inside\n",
       d.name, steps, static_cast<double>(iterations) / static_cast<double>(steps), seconds / d.duration,
       asked, counted->microseconds(), 100 * share, out.most_touching, 1e3 * out.deepest, out.inside,
-      out.looked);
+      out.nodes);
   return out;
 }
 
@@ -151,7 +155,7 @@ void expect_outside(const Drag& d, int touching) {
   const Outcome o = drag(d);
   EXPECT_LT(o.deepest, 0.1 * kRadius);
   EXPECT_GE(o.most_touching, touching);
-  EXPECT_GT(o.looked, 500);
+  EXPECT_GT(o.nodes, 500);
   EXPECT_EQ(o.inside, 0);
 }
 

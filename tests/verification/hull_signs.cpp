@@ -8,7 +8,7 @@ TEST(HullSigns, Kvlcc2Flat) { test::expect_signs("kvlcc2.obj", 58, false, 200); 
 TEST(HullSigns, Kvlcc2Curved) { test::expect_signs("kvlcc2.obj", 58, true, 200); }
 TEST(HullSigns, Dtc) { test::expect_signs("dtc.stl", 1, false, 200); }
 
-TEST(HullSigns, Kvlcc2SaysWhatIsWrong) {
+TEST(HullSigns, Kvlcc2IsReportedAsInconsistent) {
   const std::string path = test::unpacked_hull("kvlcc2.obj", ::testing::TempDir() + "hawser_hulls");
   if (path.empty()) GTEST_SKIP() << "the hull meshes are not beside the sources";
   const io::LoadedMesh hull = io::read_mesh(path, 58);

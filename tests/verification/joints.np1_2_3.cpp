@@ -7,7 +7,9 @@ namespace {
 
 model::End at_joint(const model::Case& c) {
   model::End e;
-  e.kind = model::EndKind::joint, e.body = c.joints[0].name, e.at = c.joints[0].start;
+  e.kind = model::EndKind::joint;
+  e.body = c.joints[0].name;
+  e.at = c.joints[0].start;
   return e;
 }
 
@@ -48,24 +50,31 @@ model::Case delta() {
   model::Body b;
   b.name = "platform";
   model::HarmonicMotion m;
-  m.amplitude = Vec3(0.5, 0.3, 1), m.period = 8;
-  b.motion = m, b.ramp = 4;
+  m.amplitude = Vec3(0.5, 0.3, 1);
+  m.period = 8;
+  b.motion = m;
+  b.ramp = 4;
   c.bodies.push_back(b);
   model::Line leg;
   leg.name = "leg";
   leg.sections = {{"leg", 424.4, 60, 1}};
-  leg.end_a = anchor({445, 0, -200}), leg.end_b = at_joint(c);
+  leg.end_a = anchor({445, 0, -200});
+  leg.end_b = at_joint(c);
   c.lines.push_back(leg);
   for (const double y : {-4.5, 4.5}) {
     model::Line l;
     l.name = y < 0 ? "port" : "starboard";
     l.sections = {{"bridle", 30, 20, 1}};
     l.end_a = at_joint(c);
-    l.end_b.kind = model::EndKind::body, l.end_b.body = "platform", l.end_b.at = Vec3(2.6, y, -70);
+    l.end_b.kind = model::EndKind::body;
+    l.end_b.body = "platform";
+    l.end_b.at = Vec3(2.6, y, -70);
     c.lines.push_back(l);
   }
   c.contact.between_lines.enabled = false;
-  c.dynamics.enabled = true, c.dynamics.duration = 4, c.dynamics.step = 0.1;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 4;
+  c.dynamics.step = 0.1;
   return c;
 }
 
@@ -124,13 +133,15 @@ TEST(Joints, APipeInSlings) {
   model::Line pipe;
   pipe.name = "pipe";
   pipe.sections = {{"beam", 20, 20, 1}};
-  pipe.end_a = at_joint(c), pipe.end_b = anchor({18, 0, -10});
+  pipe.end_a = at_joint(c);
+  pipe.end_b = anchor({18, 0, -10});
   c.lines.push_back(pipe);
   for (const double y : {-4.0, 4.0}) {
     model::Line l;
     l.name = y < 0 ? "left" : "right";
     l.sections = {{"cable", 9, 9, 1}};
-    l.end_a = anchor({-2, y, 0}), l.end_b = at_joint(c);
+    l.end_a = anchor({-2, y, 0});
+    l.end_b = at_joint(c);
     c.lines.push_back(l);
   }
   c.contact.between_lines.enabled = false;

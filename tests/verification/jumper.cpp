@@ -11,26 +11,31 @@ constexpr int kElements = 85;
 model::Case jumper() {
   model::LineType t = beam_type(5e8, 120.8e3, 120.8e3, 165);
   t.outer_diameter = t.contact_diameter = 0.396;
-  t.Cd_normal = 1, t.Ca_normal = 1;
+  t.Cd_normal = 1;
+  t.Ca_normal = 1;
   t.rotary_inertia = Vec3(2, 1, 1);
   model::Case c = one_line(t, 170, kElements, anchor({-100, 0, -55}), {});
   c.environment.gravity = 9.807;
-  c.environment.water.present = true, c.environment.water.depth = 100;
+  c.environment.water.present = true;
+  c.environment.water.depth = 100;
   c.environment.water.density = 1000;
   model::Body b;
   b.name = "vessel";
   b.position = Vec3(0, 0, -5);
   c.bodies.push_back(b);
   model::End e;
-  e.kind = model::EndKind::body, e.body = "vessel";
+  e.kind = model::EndKind::body;
+  e.body = "vessel";
   c.lines[0].end_b = e;
   return c;
 }
 
 void move(model::Case& c, int direction, double amplitude, double period) {
   model::HarmonicMotion m;
-  m.amplitude[direction] = amplitude, m.period = period;
-  c.bodies[0].motion = m, c.bodies[0].ramp = period;
+  m.amplitude[direction] = amplitude;
+  m.period = period;
+  c.bodies[0].motion = m;
+  c.bodies[0].ramp = period;
 }
 
 Vec3 reaction(Simulation& sim, const std::vector<double>& all, bool top) {
@@ -44,7 +49,9 @@ struct History {
 
 // Steps of 0.1 s; what is from `from` on counts.
 History run(model::Case c, double from, double until) {
-  c.dynamics.enabled = true, c.dynamics.duration = until, c.dynamics.step = 0.1;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = until;
+  c.dynamics.step = 0.1;
   Simulation sim(PETSC_COMM_SELF, c);
   sim.solve_statics();
   sim.dynamics().start(sim.state());
@@ -55,9 +62,13 @@ History run(model::Case c, double from, double until) {
         if (info.time < from - 1e-6) return true;
         const auto& r = sim.dynamics().reactions();
         const double T = reaction(sim, r, true).norm(), B = reaction(sim, r, false).norm();
-        h.time.push_back(info.time), h.top.push_back(T), h.bottom.push_back(B);
-        h.least = std::min(h.least, T), h.most = std::max(h.most, T);
-        h.bottom_least = std::min(h.bottom_least, B), h.bottom_most = std::max(h.bottom_most, B);
+        h.time.push_back(info.time);
+        h.top.push_back(T);
+        h.bottom.push_back(B);
+        h.least = std::min(h.least, T);
+        h.most = std::max(h.most, T);
+        h.bottom_least = std::min(h.bottom_least, B);
+        h.bottom_most = std::max(h.bottom_most, B);
         return true;
       });
   return h;
@@ -187,7 +198,8 @@ TEST(Jumper, WavesPass) {
   auto& w = c.environment.water.waves;
   w.kind = model::Waves::Kind::regular;
   w.rows = {{10, 10, 0, 230 * M_PI / 180}};
-  w.ramp = 10, w.stretching = Stretching::none;
+  w.ramp = 10;
+  w.stretching = Stretching::none;
   const History h = run(c, 20, 50);
   const double published = from_curve(kPublished4, h, 20);
   printf("  case 4, waves: %.2f ... %.2f kN (%+.2f, %+.2f), off the curve by %.2f kN (rms)\n", 1e-3 * h.least,
@@ -205,7 +217,8 @@ TEST(Jumper, Submerged) {
   for (const Row& row : {Row{2, 12, 36416.842, 57702.208, 47105.18697, 24183.54508, 29070.97051},
                          {3, 10, 23568.791, 70110.702, 47095.73444, 20569.84673, 32981.18303}}) {
     model::Case c = jumper();
-    c.environment.water.surface = 100, c.environment.water.depth = 300;
+    c.environment.water.surface = 100;
+    c.environment.water.depth = 300;
     move(c, 2, row.amplitude, row.period);
     const History h = run(c, 60 - row.period, 60);
     double mean = 0;  // from one end of the period on, without the other

@@ -124,7 +124,8 @@ TEST(LineCapstanVariants, BendingStiffness) {
                                            {0.2, M_PI / 2, 0.1, 1.354779408}}) {
     if ((B == 1e-4 || B == 0.02) && !whole()) continue;  // nearly a string
     Rope r;
-    r.mu = mu, r.wrap = wrap;
+    r.mu = mu;
+    r.wrap = wrap;
     r.EI = B * r.load * kRho * kRho;
     r.leg = 6 * std::sqrt(B) + 1;
     r.beside = r.EI / (2 * exact * r.load * kRho);
@@ -140,7 +141,10 @@ TEST(LineCapstanVariants, HeavyRope) {
                                           {0.3, 500.0, 3.54789177}}) {
     if ((weight == 100) == (mu == 0.3) && !whole()) continue;
     Rope r;
-    r.mu = mu, r.weight = weight, r.way = 0.03, r.speed = 0.01;
+    r.mu = mu;
+    r.weight = weight;
+    r.way = 0.03;
+    r.speed = 0.01;
     expect_ratio("w N/m", weight, draw(r), exact, 0.005);
   }
 }
@@ -150,7 +154,11 @@ TEST(LineCapstanVariants, TwoTurnsSideBySide) {
   if (!whole()) GTEST_SKIP() << "long; set HAWSER_FULL";
   for (const double mu : {0.1, 0.3, 0.5}) {
     Rope r;
-    r.mu = mu, r.wrap = 4 * M_PI, r.pitch = 2.5 * kLine, r.EA = 1e8, r.way = 0.3;
+    r.mu = mu;
+    r.wrap = 4 * M_PI;
+    r.pitch = 2.5 * kLine;
+    r.EA = 1e8;
+    r.way = 0.3;
     // A helix bends a little less than a circle.
     const double exact = std::exp(mu * r.wrap / std::hypot(1, r.pitch / (2 * M_PI * kRho)));
     expect_ratio("two turns, mu", mu, draw(r), exact, 0.005);
@@ -173,9 +181,13 @@ TEST(LineCapstanVariants, TwentyFourFacets) {
       const bool dear = wrap > 4 || (mu != 0.3 && (wrap > 2 || mu == 0.1));
       if (dear && !whole()) continue;
       Rope r;
-      r.mu = mu, r.wrap = wrap;
+      r.mu = mu;
+      r.wrap = wrap;
       if (wrap > 4) r.pitch = 2.5 * kLine;
-      if (wrap > 7) r.EA = 1e8, r.way = 0.3;
+      if (wrap > 7) {
+        r.EA = 1e8;
+        r.way = 0.3;
+      }
       const double exact = std::exp(mu * r.wrap / std::hypot(1, r.pitch / (2 * M_PI * kRho)));
       const Drawn d = draw(r, facets(true));
       std::printf("%g turns, between %+.3f and %+.3f %%, ", wrap / (2 * M_PI),
@@ -207,8 +219,14 @@ TEST(LineCapstanVariants, DrumTurns) {
                                         {4 * M_PI, 0.5, false}}) {
     if (mu != 0.3 && !whole()) continue;
     Rope r;
-    r.mu = mu, r.wrap = wrap, r.drum_turns = true, r.way = 0.4;
-    if (wrap > 7) r.pitch = 2.5 * kLine, r.EA = 1e8;
+    r.mu = mu;
+    r.wrap = wrap;
+    r.drum_turns = true;
+    r.way = 0.4;
+    if (wrap > 7) {
+      r.pitch = 2.5 * kLine;
+      r.EA = 1e8;
+    }
     const double exact = std::exp(mu * r.wrap / std::hypot(1, r.pitch / (2 * M_PI * kRho)));
     std::printf("%g turns, ", wrap / (2 * M_PI));
     expect_ratio(round ? "drum turns, mu" : "drum of 24 facets smoothed turns, mu", mu,
@@ -220,8 +238,14 @@ TEST(LineCapstanVariants, DrumTurns) {
 // mm; here both displacements are a tenth, so that the wrap stays where it was.
 TEST(LineCapstanVariants, Mobilisation) {
   Rope r;
-  r.EA = 1e6, r.EI = 0.1, r.mobilisation = 2e-4, r.stretch = r.load / r.EA;
-  r.way = 3.3e-3, r.speed = 1e-3, r.leg = 0.3, r.stiffness = 5e9;
+  r.EA = 1e6;
+  r.EI = 0.1;
+  r.mobilisation = 2e-4;
+  r.stretch = r.load / r.EA;
+  r.way = 3.3e-3;
+  r.speed = 1e-3;
+  r.leg = 0.3;
+  r.stiffness = 5e9;
   const Drawn d = draw(r);
   for (const auto& [slip, exact] :
        {std::pair(1e-5, 1339.794814), std::pair(5e-5, 1973.279137), std::pair(1e-4, 2303.570176),

@@ -36,7 +36,8 @@ Drawn draw(model::ContactMethod method, int elements, double duration) {
   d.run(
       duration, [](double t) { return t + 1000; },
       [&](const StepInfo& i) {
-        ++out.steps, out.iterations += i.iterations;
+        ++out.steps;
+        out.iterations += i.iterations;
         const Kinematics k = d.kinematics();
         size_t n = k.x.size() - 1;
         while (n > 0 && k.x[n].z() < -6) --n;  // between n and n + 1: 6 m below the axis

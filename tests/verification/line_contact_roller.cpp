@@ -24,13 +24,17 @@ std::vector<double> smooth(const std::vector<double>& y) {
   const auto row = [&](size_t i) {
     const double t = 2 * static_cast<double>(i) / static_cast<double>(y.size() - 1) - 1;
     Row p;
-    p[0] = 1, p[1] = t;
+    p[0] = 1;
+    p[1] = t;
     for (int k = 2; k < 8; ++k) p[k] = ((2 * k - 1) * t * p[k - 1] - (k - 1) * p[k - 2]) / k;
     return p;
   };
   Eigen::Matrix<double, 8, 8> A = Eigen::Matrix<double, 8, 8>::Zero();
   Row b = Row::Zero();
-  for (size_t i = 0; i < y.size(); ++i) A += row(i) * row(i).transpose(), b += y[i] * row(i);
+  for (size_t i = 0; i < y.size(); ++i) {
+    A += row(i) * row(i).transpose();
+    b += y[i] * row(i);
+  }
   const Row c = A.ldlt().solve(b);
   std::vector<double> f;
   for (size_t i = 0; i < y.size(); ++i) f.push_back(c.dot(row(i)));
@@ -59,7 +63,8 @@ Ridden ride(double element, model::ContactMethod method) {
   carriage.motion = motion;
   c.bodies.push_back(carriage);
   model::Volume roller;
-  roller.name = "roller", roller.body = "carriage";
+  roller.name = "roller";
+  roller.body = "carriage";
   roller.basis = method == model::ContactMethod::nodes ? model::StiffnessBasis::per_point
                                                        : model::StiffnessBasis::per_length;
   roller.normal_stiffness = method == model::ContactMethod::nodes ? 2e7 : 2e8;
@@ -90,7 +95,8 @@ Ridden ride(double element, model::ContactMethod method) {
     for (size_t j = 2; j < force.size(); j += 3) z += force[j];
     reaction.push_back(z);
     if (z <= 0) ++out.lost;
-    out.least = std::min(out.least, z), out.most = std::max(out.most, z);
+    out.least = std::min(out.least, z);
+    out.most = std::max(out.most, z);
     if (i == 0) continue;
     out.iterations += iterations / 84.0;
     out.most_iterations = std::max(out.most_iterations, iterations);
@@ -102,7 +108,8 @@ Ridden ride(double element, model::ContactMethod method) {
     square += std::pow(reaction[i] - line[i], 2) / static_cast<double>(reaction.size());
     out.worst = std::max(out.worst, std::abs(reaction[i] - line[i]));
   }
-  out.ripple = std::sqrt(square) / out.mean, out.worst /= out.mean;
+  out.ripple = std::sqrt(square) / out.mean;
+  out.worst /= out.mean;
   return out;
 }
 

@@ -52,7 +52,9 @@ Pushed push(double push, bool rolling) {
       });
   const Energy e = s.system().energy(d.kinematics());
   Pushed out;
-  out.way = d.kinematics().x[2].y(), out.turn = turn, out.friction = e.friction;
+  out.way = d.kinematics().x[2].y();
+  out.turn = turn;
+  out.friction = e.friction;
   out.brought = e.work + d.support_work() - (e.potential - e0.potential);
   out.audit = (e.kinetic + e.strain - e0.kinetic - e0.strain + e.friction + e.damping) / out.brought - 1;
   return out;

@@ -28,7 +28,8 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
   model::Case c = one_line(type, kSpan / (1 + kPull / (steel * area)), elements, anchor({0, 0, 0}),
                            anchor({kSpan, 0, 0}));
   c.environment.gravity = 9.81;
-  c.dynamics.step = step, c.dynamics.max_step = longest;
+  c.dynamics.step = step;
+  c.dynamics.max_step = longest;
   c.dynamics.resolve_impacts = resolve;
   c.dynamics.duration = 1;
   // Where it hangs first, without the support.
@@ -66,7 +67,8 @@ Thrown throw_pipe(double stiffness, double step, double longest = 0, bool resolv
         out.most = std::max(out.most, f);
         out.impulse += 0.5 * (f + last) * i.h;
         out.made = std::max(out.made, (total() - before) / kinetic);
-        ++out.steps, out.iterations += i.iterations;
+        ++out.steps;
+        out.iterations += i.iterations;
         last = f;
         return true;
       });
@@ -85,7 +87,7 @@ void tell(double stiffness, const std::string& what, const Thrown& t) {
       t.steps, t.iterations / t.steps);
 }
 
-// Fixed steps are divided where something strikes and for a while after.
+// Fixed steps are divided at impacts and for a while after.
 TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
   for (const double stiffness : {1e7, 1e8}) {
     const double period = 2 * M_PI * std::sqrt(kMass / stiffness);  // 26.7, 8.4 ms
@@ -95,7 +97,7 @@ TEST(LineThrow, ReactionDoesNotDependOnTheStep) {
       tell(stiffness, name, t);
       EXPECT_NEAR(t.most, fine.most, 0.01 * fine.most) << name;
       EXPECT_LT(t.made, 1e-3) << name;
-      // Twenty periods after the blow steps grow, and damp the bending waves it has left in the pipe.
+      // Twenty periods after the impact steps grow, and damp the bending waves it has left in the pipe.
       EXPECT_LT(std::abs(t.audit), 3e-2) << name;
     };
     for (const double part : {3.0, 4.0, 6.0, 12.0}) {

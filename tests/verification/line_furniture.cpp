@@ -23,7 +23,9 @@ model::Case cantilever(const model::LineType& t, double length, int elements, co
 
 void load(model::Case& c, const Vec3& force, const Vec3& moment = Vec3::Zero()) {
   model::PointLoad p;
-  p.at = model::length_of(c.lines[0]), p.force = force, p.moment = moment;
+  p.at = model::length_of(c.lines[0]);
+  p.force = force;
+  p.moment = moment;
   c.lines[0].point_loads.push_back(p);
 }
 
@@ -54,20 +56,25 @@ TEST(LineFurniture, BendStiffenerThatThinsOut) {
 }
 
 // Elastic beam on a spring, small load: P L³/3EI + P L²/k. Rigid beam, large load: k phi = P L cos phi. The
-// direction is that of a body that stands askew.
+// direction is that of a body that is inclined.
 TEST(LineFurniture, SpringAtAnEnd) {
   const double L = 5, k = 2e4;
   for (const bool on_body : {false, true}) {
     model::Body b;
-    b.name = "vessel", b.position = Vec3(3, 2, 1), b.rotation = Vec3(0.4, -0.3, 0.8);
+    b.name = "vessel";
+    b.position = Vec3(3, 2, 1);
+    b.rotation = Vec3(0.4, -0.3, 0.8);
     const Quat turn = exp_so3(b.rotation);
     model::End a = anchor({0, 0, 0});
     a.rotational_stiffness = k;
     a.direction = Vec3::UnitX();
     Vec3 along = Vec3::UnitX(), across = -Vec3::UnitZ();
     if (on_body) {
-      a.kind = model::EndKind::body, a.body = "vessel", a.at = Vec3(1, 0, 0);
-      along = turn * along, across = turn * across;
+      a.kind = model::EndKind::body;
+      a.body = "vessel";
+      a.at = Vec3(1, 0, 0);
+      along = turn * along;
+      across = turn * across;
     }
     const auto run = [&](double EI, double P) {
       model::Case c = cantilever(beam_type(1e10, EI, EI), L, 10, a);

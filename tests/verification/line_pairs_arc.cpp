@@ -35,7 +35,8 @@ model::Case over_arc(double g0, double stiffness, const Vec3& middle, const Vec3
   model::End a, b;
   a.kind = b.kind = model::EndKind::body;
   a.body = b.body = "jaw";
-  a.at = -half, b.at = half;
+  a.at = -half;
+  b.at = half;
   c.lines.push_back(straight_line("beam", type.name, 2 * half.norm(), elements, a, b));
   touch(c, stiffness, 0.5 * g0);
   return c;

@@ -22,13 +22,19 @@ TEST(CrossedCantilever, TipAs4C) {
   jaw.name = "jaw";
   jaw.position = Vec3(0.4, 0.1 + lift, 0);
   model::TableMotion m;
-  for (int i = 0; i <= 4; ++i) m.time.push_back(0.25 * i), m.offset.push_back({0, -0.155 * 0.25 * i, 0});
+  for (int i = 0; i <= 4; ++i) {
+    m.time.push_back(0.25 * i);
+    m.offset.push_back({0, -0.155 * 0.25 * i, 0});
+  }
   jaw.motion = m;
   c.bodies = {jaw};
   model::Line cantilever = straight_line("cantilever", "beam", 1, 20, clamp({0, 0, 0}, Vec3::UnitX()), {});
   c.lines.push_back(cantilever);
   model::End a = clamp({0, 0, -0.5}, Vec3::UnitZ()), b = clamp({0, 0, 0.5}, Vec3::UnitZ());
-  for (model::End* e : {&a, &b}) e->kind = model::EndKind::body, e->body = "jaw";
+  for (model::End* e : {&a, &b}) {
+    e->kind = model::EndKind::body;
+    e->body = "jaw";
+  }
   c.lines.push_back(straight_line("jaw", "beam", 1, 20, a, b));
   double k = 1.1e-3, force = 0;
   Vec3 tip;

@@ -17,7 +17,8 @@ TEST(CrossingBeams, CompliancesInSeries) {
       model::Case c;
       c.environment.gravity = 0;
       model::LineType first = beam_type(1e4, 1e5, 1e5), second = beam_type(1e4, 2e5, 2e5);
-      first.name = "first", second.name = "second";
+      first.name = "first";
+      second.name = "second";
       first.contact_diameter = second.contact_diameter = reach;
       c.line_types = {first, second};
       const double z = reach + 0.02 - D;

@@ -21,7 +21,8 @@ Draped drape(double stiffness, int nodes, double off, bool touch_at_all = true) 
   model::Case c;
   c.environment.gravity = 9.81;
   model::LineType wire = beam_type(1e7, 1e4, 1e4, 20), rope = beam_type(1e7, 500, 500, 30);
-  wire.name = "wire", rope.name = "rope";
+  wire.name = "wire";
+  rope.name = "rope";
   wire.contact_diameter = rope.contact_diameter = kDiameter;
   c.line_types = {wire, rope};
   c.lines = {
@@ -41,7 +42,10 @@ Draped drape(double stiffness, int nodes, double off, bool touch_at_all = true) 
     const int line = s.mesh().nodes[static_cast<size_t>(s.local().global[i])].line;
     const Vec3 x = s.state().x[i] - Vec3(0, off, 0);
     const double away = std::hypot(x.x(), x.y());
-    if (away < most[line]) most[line] = away, heights[line] = x.z();
+    if (away < most[line]) {
+      most[line] = away;
+      heights[line] = x.z();
+    }
   }
   for (int line = 0; line < 2; ++line) {
     struct {
@@ -53,7 +57,8 @@ Draped drape(double stiffness, int nodes, double off, bool touch_at_all = true) 
     MPI_Bcast(&heights[line], 1, MPI_DOUBLE, best.rank, PETSC_COMM_WORLD);
   }
   MPI_Allreduce(&most[2], &d.force, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  d.wire = heights[0], d.rope = heights[1];
+  d.wire = heights[0];
+  d.rope = heights[1];
   return d;
 }
 
@@ -78,7 +83,7 @@ TEST(Drape, TheRopeComesToLieOnTheWire) {
 }
 
 // Contact so soft that no equilibrium has the rope above the wire: that is said, not hidden.
-TEST(Drape, WhereThereIsNoWayTheSentenceSaysSo) {
+TEST(Drape, WhereThereIsNoPathTheMessageReportsIt) {
   try {
     const Draped d = drape(1, 20, 0);
     ADD_FAILURE() << "rope " << d.rope << " m, wire " << d.wire << " m";

@@ -54,7 +54,8 @@ Impact meet(double h, double friction) {
         out.peak = std::max(out.peak, s.line_pairs()->normal_force());
         out.kept = total() / first;
         out.gain = std::max(out.gain, out.kept);
-        ++out.steps, out.rejected += info.rejected;
+        ++out.steps;
+        out.rejected += info.rejected;
         return true;
       });
   return out;

@@ -45,7 +45,10 @@ std::vector<double> heights(const Simulation& s, const State& at) {
       const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
       AxisEnds ends;
       ends.length = g.length;
-      ends.x1 = at.x[i], ends.x2 = at.x[j], ends.q1 = at.q[i], ends.q2 = at.q[j];
+      ends.x1 = at.x[i];
+      ends.x2 = at.x[j];
+      ends.q1 = at.q[i];
+      ends.q2 = at.q[j];
       const AxisShape shape(ends);
       for (int k = 0; k < 200; ++k) out.push_back(shape.point(k / 199.0));
     }
@@ -85,7 +88,7 @@ Drawn draw(const std::string& stiffness) {
   return out;
 }
 
-TEST(PressedLines, WhatIsTooSoftEndsTheRunAndSaysWhy) {
+TEST(PressedLines, WhatIsTooSoftEndsTheRunWithTheReason) {
   for (const char* k : {"{per_length: 2.0e6}", "{per_length: 5.0e6}"}) {
     const Drawn d = draw(k);
     EXPECT_FALSE(d.through) << k;

@@ -28,14 +28,19 @@ Drawn draw(double theta, double way, int elements) {
   sledge.name = "sledge";
   sledge.position = Vec3(0, 0, z);
   model::TableMotion m;
-  for (int i = 0; i <= 4; ++i) m.time.push_back(0.25 * i), m.offset.push_back(0.25 * i * 0.06 * pull);
+  for (int i = 0; i <= 4; ++i) {
+    m.time.push_back(0.25 * i);
+    m.offset.push_back(0.25 * i * 0.06 * pull);
+  }
   sledge.motion = m;
   c.bodies = {sledge};
   // Clamped at both ends, so that neither turns about its own axis.
   model::End a = clamp({-1, 0, 0}, Vec3::UnitX()), b = clamp({1, 0, 0}, Vec3::UnitX());
   c.lines.push_back(straight_line("first", "beam", 2, elements, a, b));
   for (model::End* e : {&a, &b}) {
-    e->kind = model::EndKind::body, e->body = "sledge", e->direction = along;
+    e->kind = model::EndKind::body;
+    e->body = "sledge";
+    e->direction = along;
     e->at = (e == &a ? -1 : 1) * along;
   }
   c.lines.push_back(straight_line("second", "beam", 2, elements, a, b));
@@ -60,8 +65,10 @@ Drawn draw(double theta, double way, int elements) {
     KspHandle ksp;
     check(KSPCreate(s.system().comm(), ksp.out()));
     configure_linear_solver(ksp.get(), s.system(), "verification_");
-    if (s.system().couple(last.view(0), 0) == Coupled::anew) {
-      du = s.system().create_vector(), res = s.system().create_vector(), J = s.system().create_matrix();
+    if (s.system().couple(last.view(0), 0) == CouplingChange::layout_changed) {
+      du = s.system().create_vector();
+      res = s.system().create_vector();
+      J = s.system().create_matrix();
       configure_linear_solver(ksp.get(), s.system(), "verification_");
     }
     s.system().prepare(last.view(0), 0);
@@ -83,7 +90,8 @@ Drawn draw(double theta, double way, int elements) {
       now = next;
     }
     EXPECT_LT(it, 30);
-    out.iterations += it, ++out.steps;
+    out.iterations += it;
+    ++out.steps;
     s.system().commit(now.view(0));
   }
   const std::vector<double>& f = s.system().reactions();
@@ -91,11 +99,13 @@ Drawn draw(double theta, double way, int elements) {
   for (const TiedNode& held : s.system().tied_nodes().list())
     if (s.mesh().nodes[static_cast<size_t>(held.node)].line == 1)
       sum += Eigen::Map<const Vec3>(f.data() + 3 * s.local().block[static_cast<size_t>(held.node)]);
-  out.friction = sum.dot(pull), out.normal = -sum.z(), out.aside = sum.dot(Vec3::UnitZ().cross(pull));
+  out.friction = sum.dot(pull);
+  out.normal = -sum.z();
+  out.aside = sum.dot(Vec3::UnitZ().cross(pull));
   return out;
 }
 
-TEST(DrawnLines, SupportsFeelFrictionTimesForce) {
+TEST(DrawnLines, SupportsBearFrictionTimesForce) {
   for (const auto& [theta, way] :
        {std::pair(M_PI / 2, M_PI / 2), {M_PI / 2, 0.0}, {M_PI / 2, 0.7}, {0.6, 0.6}, {0.6, 2.0}})
     for (const int elements : {8, 9}) {

@@ -14,7 +14,8 @@ inline model::Line straight_line(const std::string& name, const std::string& typ
   model::Line l;
   l.name = name;
   l.sections.push_back({type, length, elements, 1});
-  l.end_a = a, l.end_b = b;
+  l.end_a = a;
+  l.end_b = b;
   l.start = model::Start::straight;
   return l;
 }
@@ -45,7 +46,7 @@ inline double crossing_force(double k, double reach, double p, double theta) {
 
 // Candidates for what is where it is, then Newton.
 inline int settle(Simulation& s, double tolerance = 1e-10, std::vector<double>* residuals = nullptr) {
-  if (s.system().couple(s.state().view(0), 0) == Coupled::anew) s.system().spread(s.state());
+  if (s.system().couple(s.state().view(0), 0) == CouplingChange::layout_changed) s.system().spread(s.state());
   return newton(s.system(), s.state(), tolerance, residuals);
 }
 

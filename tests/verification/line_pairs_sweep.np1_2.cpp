@@ -34,26 +34,31 @@ Swept sweep(Kind kind, double mu, double step) {
              lengthwise = kind == Kind::lengthwise;
   model::LineType wire = cables ? cable_type(1e8, 20) : beam_type(1e8, 5e3, 5e3, 20),
                   rope = cables ? cable_type(1e6, 8) : beam_type(1e6, 2e2, 2e2, 8);
-  wire.name = "wire", rope.name = "rope";
+  wire.name = "wire";
+  rope.name = "rope";
   wire.outer_diameter = wire.contact_diameter = 0.06;
   rope.outer_diameter = rope.contact_diameter = 0.1;
   if (light) {
     rope = beam_type(2e4, 2e2, 2e2, 2);
     rope.name = "rope";
-    wire.outer_diameter = wire.contact_diameter = 0.1, rope.outer_diameter = rope.contact_diameter = 0.3;
+    wire.outer_diameter = wire.contact_diameter = 0.1;
+    rope.outer_diameter = rope.contact_diameter = 0.3;
   }
   model::Case m;
   m.environment.gravity = 0;
   m.line_types = {wire, rope};
   model::Body frame;
-  frame.name = "frame", frame.ramp = 0.5;
+  frame.name = "frame";
+  frame.ramp = 0.5;
   frame.position = lengthwise ? Vec3(0.2, -0.7, 0) : Vec3(-1.3, 0, 0);
   frame.motion =
       model::ConstantMotion{kSpeed * (lengthwise ? Vec3::UnitY() : Vec3::UnitX()), Vec3::UnitZ(), 0};
   m.bodies = {frame};
   model::End a, b;
-  a.kind = b.kind = model::EndKind::body, a.body = b.body = "frame";
-  a.at = Vec3(0, -3, -0.3), b.at = Vec3(0, 3, -0.3);
+  a.kind = b.kind = model::EndKind::body;
+  a.body = b.body = "frame";
+  a.at = Vec3(0, -3, -0.3);
+  b.at = Vec3(0, 3, -0.3);
   m.lines = {straight_line("wire", "wire", 11.985, 24, anchor({-6, 0, 0}), anchor({6, 0, 0})),
              straight_line("rope", "rope", 6, 12, a, b)};
   m.lines[1].start = model::Start::points;
@@ -63,7 +68,8 @@ Swept sweep(Kind kind, double mu, double step) {
   if (light) touch(m, 3e8, 1e-5);
   m.contact.between_lines.general.friction = mu;
   m.dynamics.enabled = true;
-  m.dynamics.step = step, m.dynamics.duration = kDuration;
+  m.dynamics.step = step;
+  m.dynamics.duration = kDuration;
 
   Simulation s(PETSC_COMM_WORLD, m);
   s.solve_statics();

@@ -99,9 +99,11 @@ inline Throw throw_lines(unsigned seed, double step_diameters, bool cables) {
             out.gain = std::max(out.gain, energy);
             if (touches || touched) out.made = std::max(out.made, energy - apart);
             if (!touches) apart = energy;
-            touched = touches, out.met |= touches;
+            touched = touches;
+            out.met |= touches;
             last = d.committed().s.x;
-            ++out.steps, out.rejected += info.rejected;
+            ++out.steps;
+            out.rejected += info.rejected;
             return true;
           });
     out.finished = true;
@@ -123,10 +125,14 @@ inline void expect_none_passes_through(unsigned count) {
   unsigned gained = 0;      // impacts that made more than a hundredth
   for (unsigned seed = 0; seed < count; ++seed) {
     const Throw t = throw_of(seed);
-    met += t.met, crossed += t.crossed, unfinished += !t.finished;
-    steps += t.steps, rejected += t.rejected;
+    met += t.met;
+    crossed += t.crossed;
+    unfinished += !t.finished;
+    steps += t.steps;
+    rejected += t.rejected;
     gained += t.made > 0.01;
-    depth = std::max(depth, t.depth), made = std::max(made, t.made);
+    depth = std::max(depth, t.depth);
+    made = std::max(made, t.made);
     gain[seed % 2] = std::max(gain[seed % 2], t.gain);
   }
   printf(

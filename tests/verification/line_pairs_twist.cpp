@@ -34,7 +34,9 @@ model::Case strands(int elements) {
   c.bodies = {jaw};
   for (const double side : {1.0, -1.0}) {
     model::End b;
-    b.kind = model::EndKind::body, b.body = "jaw", b.at = Vec3(side * kOffset, 0, 0);
+    b.kind = model::EndKind::body;
+    b.body = "jaw";
+    b.at = Vec3(side * kOffset, 0, 0);
     c.lines.push_back(straight_line(side > 0 ? "first" : "second", "beam", kLength, elements,
                                     anchor({side * kOffset, 0, 0}), b));
   }
@@ -82,7 +84,9 @@ Steps twist(Simulation& s) {
       s.system().prepare(last.view(0), 0);  // Newton from too far may take strands through each other
       if (!s.system().check_step(s.state().view(0)).accepted())
         throw std::runtime_error("through each other");
-      done.its += n, ++done.steps, done.most = std::max(done.most, n);
+      done.its += n;
+      ++done.steps;
+      done.most = std::max(done.most, n);
       step = std::min(2 * step, 0.25);
     } catch (const std::runtime_error&) {
       s.state() = last;
@@ -122,7 +126,8 @@ TEST(TwistedStrands, RadiusAndPressureOfTheHelix) {
       const Vec3& x = s.state().x[static_cast<size_t>(n)];
       worst_radius = std::max(worst_radius, std::abs(std::hypot(x.x(), x.y()) - kOffset));
       const double f = force[static_cast<size_t>(n)] / node.tributary;
-      mean += f, ++interior;
+      mean += f;
+      ++interior;
       worst_force = std::max(worst_force, std::abs(f / 46.845279809533594 - 1));
     }
     mean /= interior;

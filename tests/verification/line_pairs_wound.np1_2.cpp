@@ -44,35 +44,43 @@ Wound wind(double pitch, double duration) {
   const int elements = static_cast<int>(std::ceil(20 * length));
 
   model::LineType rope = beam_type(1e7, 1, 1), post = beam_type(1e11, 1e10, 1e10);
-  rope.name = "rope", post.name = "post";
+  rope.name = "rope";
+  post.name = "post";
   rope.outer_diameter = rope.contact_diameter = 2 * kRope;
   post.outer_diameter = post.contact_diameter = 2 * kPost;
-  rope.mass_per_length = 1, post.mass_per_length = 1000;
+  rope.mass_per_length = 1;
+  post.mass_per_length = 1000;
   rope.stiffness_damping = 1e-3;
   model::Case m;
   m.environment.gravity = 0;
   m.line_types = {rope, post};
   model::Body hook;
-  hook.name = "hook", hook.position = path.back(), hook.ramp = 0.2;
+  hook.name = "hook";
+  hook.position = path.back();
+  hook.ramp = 0.2;
   hook.motion = model::ConstantMotion{0.05 * along(kTurn), Vec3::UnitZ(), 0};
   m.bodies = {hook};
   model::End held;
-  held.kind = model::EndKind::body, held.body = "hook";
+  held.kind = model::EndKind::body;
+  held.body = "hook";
   m.lines = {straight_line("rope", "rope", length, elements, {}, held),
              straight_line("post", "post", high + 4, 8, clamp({0, -2, 0}, Vec3::UnitY()),
                            clamp({0, high + 2, 0}, Vec3::UnitY()))};
-  m.lines[0].start = model::Start::points, m.lines[0].points = path;
+  m.lines[0].start = model::Start::points;
+  m.lines[0].points = path;
   const double h = length / elements;
   m.lines[0].loads.push_back({-kLoad / h * along(0), 0, h, 0, 0});
   touch(m, 4e6, 5e-4, kMu, 2e-3);
   m.contact.between_lines.general.relative_damping = 0.1;
   m.dynamics.enabled = true;
-  m.dynamics.step = 0.01, m.dynamics.duration = duration;
+  m.dynamics.step = 0.01;
+  m.dynamics.duration = duration;
 
   Simulation s(PETSC_COMM_WORLD, m);
   const StaticsReport rest = s.solve_statics();
   Wound out;
-  out.statics = rest.iterations, out.relaxation = rest.relaxation_steps;
+  out.statics = rest.iterations;
+  out.relaxation = rest.relaxation_steps;
   const LocalMesh& l = s.local();
   double turned = 0;
   for (const LocalElement& e : l.elements) {
@@ -93,13 +101,15 @@ Wound wind(double pitch, double duration) {
   d.run(
       duration, [](double t) { return t + 100; },
       [&](const StepInfo& i) {
-        ++steps, iterations += i.iterations;
+        ++steps;
+        iterations += i.iterations;
         if (i.time < 0.6 * duration || !here) return true;
         const double* f = d.reactions().data() + 3 * l.block[static_cast<size_t>(end)];
         ratio.add(Vec3(f[0], f[1], f[2]).norm() / kLoad, i.h);
         return true;
       });
-  out.ratio = over_ranks(here ? ratio.mean() : 0), out.spread = over_ranks(here ? ratio.rms() : 0);
+  out.ratio = over_ranks(here ? ratio.mean() : 0);
+  out.spread = over_ranks(here ? ratio.rms() : 0);
   out.iterations = static_cast<double>(iterations) / steps;
   const Energy after = s.system().energy(d.kinematics());
   const double brought = over_ranks(after.work + d.support_work() - (after.potential - before.potential));

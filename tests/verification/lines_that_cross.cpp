@@ -96,7 +96,7 @@ TEST(LinesThatCross, OrderIsAskedFor) {
     Simulation sim(PETSC_COMM_SELF,
                    io::read_case_text(chains(fmt::format("contact: {{between_lines: {{over: [[{}]]}}}}\n",
                                                          two_over ? "two, one" : "one, two")),
-                                      "told.yaml"));
+                                      "over.yaml"));
     sim.solve_statics();
     const double one = sim.state().x[25].z(), two = sim.state().x[51 + 25].z();
     const double radii = sim.model().line_types.front().contact_diameter;

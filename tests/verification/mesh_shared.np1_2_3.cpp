@@ -1,5 +1,5 @@
 // A mesh that the ranks of a host share: answers to the last bit those of a mesh of one's own, each file read
-// once and kept once a host, and what is wrong with a file is told by all ranks alike.
+// once and kept once a host, and all ranks report alike what is wrong with a file.
 #include <gtest/gtest.h>
 #include <sys/inotify.h>
 #include <unistd.h>
@@ -171,7 +171,9 @@ lines:
   }
   MPI_Barrier(MPI_COMM_WORLD);
   run::RunOptions options;
-  options.case_path = path, options.output = folder + "/case.h5", options.quiet = true;
+  options.case_path = path;
+  options.output = folder + "/case.h5";
+  options.quiet = true;
   for (const char* mesh : {"/post.stl", "/bed.stl"}) {
     const auto run = [&] { EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0); };
     const auto check = [&] { EXPECT_EQ(run::check_case(MPI_COMM_WORLD, path, 0), 0); };
@@ -180,7 +182,7 @@ lines:
   }
 }
 
-// What load_volumes() says, told to all.
+// What load_volumes() says, on all ranks.
 std::string wrong(const model::Case& c) {
   try {
     run::load_volumes(c, MPI_COMM_WORLD);
@@ -217,14 +219,14 @@ TEST(MeshShared, AllRanksTellWhatIsWrong) {
       if (there) std::ofstream(c.volumes[0].mesh) << "solid nothing\nendsolid nothing\n";
     }
     MPI_Barrier(MPI_COMM_WORLD);
-    const std::string told = wrong(c);
-    EXPECT_NE(told.find("hawser_shared_bad.stl"), std::string::npos) << told;
-    std::string first = told;
+    const std::string message = wrong(c);
+    EXPECT_NE(message.find("hawser_shared_bad.stl"), std::string::npos) << message;
+    std::string first = message;
     auto n = static_cast<int>(first.size());
     MPI_Bcast(&n, 1, MPI_INT, 0, MPI_COMM_WORLD);
     first.resize(static_cast<std::size_t>(n));
     MPI_Bcast(first.data(), n, MPI_CHAR, 0, MPI_COMM_WORLD);
-    EXPECT_EQ(told, first);
+    EXPECT_EQ(message, first);
   }
   if (rank == 0) std::filesystem::remove(c.volumes[0].mesh);
 }

@@ -55,7 +55,10 @@ TEST(Modes, TensionedBeam) {
     double error[2];
     for (int i = 0; i < 2; ++i) {
       model::End a = anchor(Vec3::Zero()), b = anchor(Vec3(L, 0, 0));
-      if (r.clamped) a = clamp(a.at, Vec3::UnitX()), b = clamp(b.at, Vec3::UnitX());
+      if (r.clamped) {
+        a = clamp(a.at, Vec3::UnitX());
+        b = clamp(b.at, Vec3::UnitX());
+      }
       model::Case c = one_line(t, unstretched(L, T, 0, EA), 10 << i, a, b);
       run::Simulation s(PETSC_COMM_WORLD, c);
       s.solve_statics();
@@ -137,8 +140,10 @@ TEST(Modes, SaggedCable) {
     Eigen::MatrixXd B = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(a.dof.size()), n - 1);
     for (int i = 1; i < n / 2; ++i) {
       const int x = i - 1, z = n / 2 - 1 + i - 1;
-      B(a.row(i, 0), x) = 1, B(a.row(n - i, 0), x) = -1;
-      B(a.row(i, 2), z) = 1, B(a.row(n - i, 2), z) = 1;
+      B(a.row(i, 0), x) = 1;
+      B(a.row(n - i, 0), x) = -1;
+      B(a.row(i, 2), z) = 1;
+      B(a.row(n - i, 2), z) = 1;
     }
     B(a.row(n / 2, 2), n - 2) = 1;
     std::vector<double> exact;

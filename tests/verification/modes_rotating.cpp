@@ -44,8 +44,11 @@ struct SteadyRotation {
     for (int node = 0; node < mesh.owned; ++node) {
       const int b = mesh.block[static_cast<size_t>(node)];
       const Mat3 position = hat(Omega), rotation = hat(s.state().w[static_cast<size_t>(node)]);
-      put(m, b, position, G1), put(m, b, position * position, G2), put(m, b, 2 * position, G3);
-      put(m, b + 1, rotation, G1), put(m, b + 1, rotation, G3);
+      put(m, b, position, G1);
+      put(m, b, position * position, G2);
+      put(m, b, 2 * position, G3);
+      put(m, b + 1, rotation, G1);
+      put(m, b + 1, rotation, G3);
     }
     m.K += m.C * G1 + m.M * G2;
     m.C += m.M * G3;
@@ -73,7 +76,8 @@ struct SteadyRotation {
       check(VecScale(u.get(), -1));
       s.system().gather(u.get(), local);
       retract(s.local(), s.state(), local.data(), next);
-      s.state().x = next.x, s.state().q = next.q;
+      s.state().x = next.x;
+      s.state().q = next.q;
     }
     throw std::runtime_error("no relative equilibrium");
   }

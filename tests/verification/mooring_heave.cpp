@@ -17,18 +17,22 @@ constexpr Place k50{50, 400, 410}, k200{200, 700, 760}, k600{600, 1500, 1700};
 model::Case chain(const Place& at, int elements) {
   model::LineType t = cable_type(1.674e9, 390);
   t.outer_diameter = 0.252;
-  t.Cd_normal = 1.37, t.Cd_axial = 0.64 / M_PI;
+  t.Cd_normal = 1.37;
+  t.Cd_axial = 0.64 / M_PI;
   model::Case c = one_line(t, at.length, elements, anchor({at.x, 0, -at.depth}), {});
   c.environment.gravity = 9.80665;
-  c.environment.water.present = true, c.environment.water.depth = at.depth;
+  c.environment.water.present = true;
+  c.environment.water.depth = at.depth;
   model::Seabed& bed = c.environment.seabed;
-  bed.present = true, bed.depth = at.depth;
+  bed.present = true;
+  bed.depth = at.depth;
   bed.as_laid = false;
   model::Body b;
   b.name = "vessel";
   c.bodies.push_back(b);
   model::End e;
-  e.kind = model::EndKind::body, e.body = "vessel";
+  e.kind = model::EndKind::body;
+  e.body = "vessel";
   c.lines[0].end_b = e;
   c.dynamics.enabled = false;
   return c;
@@ -39,7 +43,8 @@ model::Case on_axis(const Place& at, int elements) {
   model::Case c = chain(at, elements);
   c.line_types[0].contact_diameter = 1e-9;
   model::Seabed& bed = c.environment.seabed;
-  bed.basis = model::StiffnessBasis::per_length, bed.normal_stiffness = 25200;
+  bed.basis = model::StiffnessBasis::per_length;
+  bed.normal_stiffness = 25200;
   return c;
 }
 
@@ -48,8 +53,11 @@ model::Case on_diameter(const Place& at, int elements, double contact) {
   model::Case c = chain(at, elements);
   c.line_types[0].contact_diameter = contact;
   model::Seabed& bed = c.environment.seabed;
-  bed.basis = model::StiffnessBasis::per_area, bed.normal_stiffness = 1e5, bed.damping = 1e4;
-  bed.friction.axial = bed.friction.lateral = 0.5, bed.friction.shear_stiffness = 1e5;
+  bed.basis = model::StiffnessBasis::per_area;
+  bed.normal_stiffness = 1e5;
+  bed.damping = 1e4;
+  bed.friction.axial = bed.friction.lateral = 0.5;
+  bed.friction.shear_stiffness = 1e5;
   return c;
 }
 // Of studless chain, 3.35 bars (its manual, "Chain").
@@ -121,7 +129,10 @@ TEST(MooringHeave, AtRestAsOrcaFlex) {
 
 struct Range {
   double least = HUGE_VAL, most = -HUGE_VAL;
-  void add(double v) { least = std::min(least, v), most = std::max(most, v); }
+  void add(double v) {
+    least = std::min(least, v);
+    most = std::max(most, v);
+  }
 };
 
 struct Heaved {
@@ -134,10 +145,13 @@ Heaved heave(const Place& at, double amplitude, double element, double step) {
   const int elements = static_cast<int>(std::lround(at.length / element));
   model::Case c = on_diameter(at, elements, kContact);
   model::HarmonicMotion m;
-  m.amplitude = Vec3(0, 0, amplitude), m.period = 10;
-  c.bodies[0].motion = m, c.bodies[0].ramp = 10;
+  m.amplitude = Vec3(0, 0, amplitude);
+  m.period = 10;
+  c.bodies[0].motion = m;
+  c.bodies[0].ramp = 10;
   c.dynamics.enabled = true;
-  c.dynamics.duration = 40, c.dynamics.step = step;
+  c.dynamics.duration = 40;
+  c.dynamics.step = step;
   Simulation sim(PETSC_COMM_SELF, c);
   sim.solve_statics();
   sim.dynamics().start(sim.state());
@@ -149,8 +163,11 @@ Heaved heave(const Place& at, double amplitude, double element, double step) {
       [&](const StepInfo& info) {
         if (info.time < 20 - 1e-9) return true;
         const double T = reaction(sim, static_cast<size_t>(elements)) / 1e3;
-        out.fairlead.add(T), out.anchor.add(reaction(sim, 0) / 1e3);
-        sum += T, squares += T * T, ++count;
+        out.fairlead.add(T);
+        out.anchor.add(reaction(sim, 0) / 1e3);
+        sum += T;
+        squares += T * T;
+        ++count;
         return true;
       });
   out.deviation = std::sqrt(squares / count - sum * sum / count / count);

@@ -11,8 +11,14 @@ model::Case chain() {
   c.environment.water.current.profile = {{0, 1, 0.8}, {200, 0.2, 0.3}};
   model::Waves& waves = c.environment.water.waves;
   waves.kind = model::Waves::Kind::spectrum;
-  waves.height = 4, waves.peak_period = 9, waves.gamma = 3.3, waves.direction = 0.5, waves.spreading = 4;
-  waves.count = 100, waves.seed = 7, waves.ramp = 3;
+  waves.height = 4;
+  waves.peak_period = 9;
+  waves.gamma = 3.3;
+  waves.direction = 0.5;
+  waves.spreading = 4;
+  waves.count = 100;
+  waves.seed = 7;
+  waves.ramp = 3;
   c.dynamics.duration = 6;
   return c;
 }
@@ -20,13 +26,15 @@ model::Case chain() {
 TEST(MooringRanks, TheSameOnAnyNumber) {
   const model::Case c = chain();
   Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
-  all.solve_statics(), one.solve_statics();
+  all.solve_statics();
+  one.solve_statics();
   expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-7, "statics");
   int touching = all.seabed()->active_count();
   MPI_Allreduce(MPI_IN_PLACE, &touching, 1, MPI_INT, MPI_SUM, PETSC_COMM_WORLD);
   EXPECT_EQ(touching, one.seabed()->active_count());
   EXPECT_GT(touching, 20);
-  run(all, 6), run(one, 6);
+  run(all, 6);
+  run(one, 6);
   expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-6, "after 6 s");
 }
 

@@ -35,11 +35,13 @@ TEST(MooringSpeed, Goals) {
     int runs = 0;
     do {
       const Cost cost = measure(r.c, 3);
-      used = std::min(used, cost.used), one = std::min(one, cost.one), ++runs;
+      used = std::min(used, cost.used);
+      one = std::min(one, cost.one);
+      ++runs;
       const auto percent = [&](double a, double b) { return 100 * (a - b) / r.exact.most; };
-      const double off[] = {percent(cost.seen.least, r.exact.least), percent(cost.seen.most, r.exact.most),
-                            percent(cost.seen.anchor_least, r.exact.anchor_least),
-                            percent(cost.seen.anchor_most, r.exact.anchor_most)};
+      const double off[] = {percent(cost.found.least, r.exact.least), percent(cost.found.most, r.exact.most),
+                            percent(cost.found.anchor_least, r.exact.anchor_least),
+                            percent(cost.found.anchor_most, r.exact.anchor_most)};
       if (runs == 1)
         printf("  %s: extremes off by %+.2f, %+.2f %%, at the anchor %+.2f, %+.2f %%\n", r.name, off[0],
                off[1], off[2], off[3]);

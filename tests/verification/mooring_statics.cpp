@@ -19,8 +19,10 @@ model::Case mooring(const std::vector<Part>& parts, double x, double z, double f
   c.environment.water.present = true;
   c.environment.water.depth = 1000;
   model::Seabed& bed = c.environment.seabed;
-  bed.present = true, bed.depth = 1000;
-  bed.basis = model::StiffnessBasis::per_length, bed.normal_stiffness = 1e6;
+  bed.present = true;
+  bed.depth = 1000;
+  bed.basis = model::StiffnessBasis::per_length;
+  bed.normal_stiffness = 1e6;
   bed.friction.axial = bed.friction.lateral = friction;
   bed.friction.mobilisation_length = slip * x;
   model::Line l;
@@ -28,7 +30,8 @@ model::Case mooring(const std::vector<Part>& parts, double x, double z, double f
   for (const Part& p : parts) {
     model::LineType t = cable_type(p.EA, 0);
     t.name += std::to_string(c.line_types.size());
-    t.outer_diameter = 0.1, t.contact_diameter = 1e-3;
+    t.outer_diameter = 0.1;
+    t.contact_diameter = 1e-3;
     t.mass_per_length = p.weight / c.environment.gravity + 1025 * M_PI / 4 * 0.01;
     c.line_types.push_back(t);
     l.sections.push_back({t.name, p.length, p.elements, 1});
@@ -36,7 +39,8 @@ model::Case mooring(const std::vector<Part>& parts, double x, double z, double f
   // The anchor is where the line rests, so that it is not led down to it.
   bed.smoothing = 0.01 * parts[0].weight / bed.normal_stiffness;
   const double level = -1000 + 0.5e-3 - parts[0].weight / bed.normal_stiffness - 0.5 * bed.smoothing;
-  l.end_a = anchor({7, -4, level}), l.end_b = anchor(Vec3(7 + 0.8 * x, -4 - 0.6 * x, z + level));
+  l.end_a = anchor({7, -4, level});
+  l.end_b = anchor(Vec3(7 + 0.8 * x, -4 - 0.6 * x, z + level));
   c.lines.push_back(l);
   c.dynamics.enabled = false;
   return c;
@@ -62,15 +66,18 @@ double grounded_length(Simulation& sim, const Reference& r) {
   for (std::size_t n = 1; n + 1 < nodes.size(); ++n) {
     const double N = sim.seabed()->node_force(static_cast<int>(n)).z();
     if (N <= 0) continue;
-    at = 0.5 * (nodes[n - 1].arc + nodes[n].arc), part = N / w;
+    at = 0.5 * (nodes[n - 1].arc + nodes[n].arc);
+    part = N / w;
   }
   return at + part;
 }
 
 void expect(const Reference& r) {
   model::Case c = mooring(r.parts, r.x, r.z, r.friction, r.slip);
-  if (r.mobilisation > 0)
-    c.environment.seabed.full = true, c.environment.seabed.friction.mobilisation_length = r.mobilisation;
+  if (r.mobilisation > 0) {
+    c.environment.seabed.full = true;
+    c.environment.seabed.friction.mobilisation_length = r.mobilisation;
+  }
   Simulation sim(PETSC_COMM_SELF, c);
   const StaticsReport report = sim.solve_statics();
   const auto& reactions = sim.system().reactions();
@@ -98,13 +105,15 @@ void expect(const Reference& r) {
   }
 }
 
-// A held node carries the half element at it, whose friction is not felt: where that is felt at the anchor,
+// A held node carries the half element at it, whose friction does not act: where it acts at the anchor,
 // elements grow from `first` there by tens.
 std::vector<Part> fine_at_anchor(const Part& line, double first) {
   std::vector<Part> out;
   double length = 0;
-  for (double h = first; 10 * h < line.length / line.elements * 10; h *= 10)
-    out.push_back({line.weight, 10 * h, line.EA, 10}), length += 10 * h;
+  for (double h = first; 10 * h < line.length / line.elements * 10; h *= 10) {
+    out.push_back({line.weight, 10 * h, line.EA, 10});
+    length += 10 * h;
+  }
   out.push_back({line.weight, line.length - length, line.EA, line.elements});
   return out;
 }

@@ -40,14 +40,15 @@ TEST(NaturalModes, HangingChain) {
   }
 }
 
-// Four equal chains have every natural frequency eight times: none is left out, however many are asked for.
+// Four equal chains have every natural frequency eight times: none is excluded, however many are asked for.
 TEST(NaturalModes, OfEqualLinesAreAllThere) {
   const std::vector<double> exact{1.1909350769091904, 2.733692939922684, 4.285561621936849};
   model::Case c = one_line(cable_type(1e8, 1), 10, 60, anchor(Vec3::Zero()), {});
   c.environment.gravity = kG;
   for (const int i : {1, 2, 3}) {
     c.lines.push_back(c.lines[0]);
-    c.lines.back().name += std::to_string(i), c.lines.back().end_a = anchor(Vec3(20 * i, 0, 0));
+    c.lines.back().name += std::to_string(i);
+    c.lines.back().end_a = anchor(Vec3(20 * i, 0, 0));
   }
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
@@ -104,15 +105,21 @@ TEST(NaturalModes, LoadOnASling) {
   c.environment.gravity = kG;
   c.line_types = {cable_type(1e6 * m * kG, 1e-7 * m)};
   model::Body& b = c.bodies.emplace_back();
-  b.name = "load", b.position = {0, 0, -L - a};
+  b.name = "load";
+  b.position = {0, 0, -L - a};
   b.mass.emplace();
-  b.mass->mass = m, b.mass->inertia = inertia, b.mass->weight = true;
+  b.mass->mass = m;
+  b.mass->inertia = inertia;
+  b.mass->weight = true;
   model::End eye;
-  eye.kind = model::EndKind::body, eye.body = "load", eye.at = {0, 0, a};
+  eye.kind = model::EndKind::body;
+  eye.body = "load";
+  eye.at = {0, 0, a};
   model::Line line;
   line.name = "sling";
   line.sections.push_back({"cable", L, 2, 1});
-  line.end_a = anchor(Vec3::Zero()), line.end_b = eye;
+  line.end_a = anchor(Vec3::Zero());
+  line.end_b = eye;
   c.lines.push_back(line);
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();

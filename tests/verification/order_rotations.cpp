@@ -80,7 +80,9 @@ End top_run(double until, double h, double rho) {
   system.add(std::make_unique<TopTerm>());
   system.tie({TiedNode{}}, {});
   DynamicsSettings settings;
-  settings.rho_infinity = rho, settings.tolerance = 1e-13, settings.step.fixed = h;
+  settings.rho_infinity = rho;
+  settings.tolerance = 1e-13;
+  settings.step.fixed = h;
   Dynamics d(system, settings);
   State s(1);
   s.w[0] = Top{}.spin;
@@ -124,8 +126,10 @@ TEST(Order, TumblingBeam) {
     auto run = [&](int steps) {
       model::Case c = free_line(true, 4);
       model::LineType& t = c.line_types[0];  // soft: all its waves are slow beside the step
-      t.EA = 1e4, t.EI2 = t.EI3 = t.GJ = 100;
-      c.dynamics.duration = until, c.dynamics.step = until / steps;
+      t.EA = 1e4;
+      t.EI2 = t.EI3 = t.GJ = 100;
+      c.dynamics.duration = until;
+      c.dynamics.step = until / steps;
       c.dynamics.rho_infinity = rho;
       c.dynamics.tolerance = 1e-14 * steps;  // accelerations are u / h²: their round-off grows as 1 / h
       Simulation s(PETSC_COMM_SELF, c);

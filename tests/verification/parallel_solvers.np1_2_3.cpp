@@ -75,7 +75,7 @@ template <class Configure>
 Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   Simulation s(comm, c);
   System& system = s.system();
-  if (system.couple(s.state().view(0), 0) == Coupled::anew) system.spread(s.state());
+  if (system.couple(s.state().view(0), 0) == CouplingChange::layout_changed) system.spread(s.state());
   EXPECT_TRUE(system.coupled());
   system.prepare(s.state().view(0), 0);
   const LocalMesh& m = system.mesh();
@@ -125,8 +125,10 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
 
 double difference(const Solved& a, const Solved& b) {
   double most = 0, size = 0;
-  for (size_t i = 0; i < a.x.size(); ++i)
-    most = std::max(most, (a.x[i] - b.x[i]).norm()), size = std::max(size, b.x[i].norm());
+  for (size_t i = 0; i < a.x.size(); ++i) {
+    most = std::max(most, (a.x[i] - b.x[i]).norm());
+    size = std::max(size, b.x[i].norm());
+  }
   return most / size;
 }
 
@@ -153,7 +155,8 @@ TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
     model::Line l = c.lines[0];
     l.name = y < 60 ? "short" : "other";
     l.sections[0].length = l.sections[0].elements = 20;
-    l.end_a = anchor({0, y, 0}), l.end_b = anchor({20, y, 0});
+    l.end_a = anchor({0, y, 0});
+    l.end_b = anchor({20, y, 0});
     c.lines.push_back(l);
   }
   const auto shared_out = [&c](int ranks) {
@@ -248,18 +251,25 @@ TEST_F(ParallelSolvers, BlocksComeIntoUseAndGoOutOfIt) {
   for (PetscInt i = 0; i < 5; ++i)
     for (PetscInt j = 0; j < 5; ++j) put(A.get(), i, j, i == j ? 2 : 0);
   for (const double beside : {0.0, 0.3, 0.7}) {
-    for (PetscInt i = 0; i < 4; ++i) put(A.get(), i, i + 1, beside), put(A.get(), i + 1, i, -beside);
+    for (PetscInt i = 0; i < 4; ++i) {
+      put(A.get(), i, i + 1, beside);
+      put(A.get(), i + 1, i, -beside);
+    }
     done(A.get());
     EXPECT_LT(residual_of(ksp.get(), A.get()), 1e-13) << beside;
   }
   for (const double corner : {0.5, 0.0}) {
-    put(A.get(), 0, 4, corner), put(A.get(), 3, 1, corner);
+    put(A.get(), 0, 4, corner);
+    put(A.get(), 3, 1, corner);
     done(A.get());
     EXPECT_LT(residual_of(ksp.get(), A.get()), 1e-13) << corner;
   }
   check(KSPReset(ksp.get()));
   const MatHandle B = matrix(7);
-  for (PetscInt i = 0; i < 7; ++i) put(B.get(), i, i, 2), put(B.get(), i, (3 * i + 1) % 7, 0.4);
+  for (PetscInt i = 0; i < 7; ++i) {
+    put(B.get(), i, i, 2);
+    put(B.get(), i, (3 * i + 1) % 7, 0.4);
+  }
   done(B.get());
   EXPECT_LT(residual_of(ksp.get(), B.get()), 1e-13);
 }

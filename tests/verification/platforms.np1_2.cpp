@@ -144,12 +144,12 @@ std::vector<Eigen::Vector2d> pair_by_trapezoids(const Pair& pair, Eigen::Vector2
     Eigen::Vector2d past = 0.5 * h * K[static_cast<size_t>(n)] * v[0];
     for (int k = 1; k < n; ++k) past += h * K[static_cast<size_t>(n - k)] * v[static_cast<size_t>(k)];
     // M a + h/2 K(0) v + past + C x = 0 with x, v of average acceleration.
-    const Eigen::Vector2d foreseen_v = v.back() + 0.5 * h * a,
-                          foreseen_x = x + h * v.back() + 0.25 * h * h * a;
+    const Eigen::Vector2d predicted_v = v.back() + 0.5 * h * a,
+                          predicted_x = x + h * v.back() + 0.25 * h * h * a;
     const Eigen::Matrix2d left = M + 0.25 * h * h * K[0] + 0.25 * h * h * C;
-    const Eigen::Vector2d next = left.inverse() * (-past - 0.5 * h * K[0] * foreseen_v - C * foreseen_x);
-    x = foreseen_x + 0.25 * h * h * next;
-    v.push_back(foreseen_v + 0.5 * h * next);
+    const Eigen::Vector2d next = left.inverse() * (-past - 0.5 * h * K[0] * predicted_v - C * predicted_x);
+    x = predicted_x + 0.25 * h * h * next;
+    v.push_back(predicted_v + 0.5 * h * next);
     a = next;
     if (std::abs(std::remainder(n * h, every)) < 1e-6) out.push_back(x);
   }

@@ -33,16 +33,24 @@ AtRest at_rest(const model::Case& c) {
     const size_t i = static_cast<size_t>(n);
     const int global = s.local().global[i];
     const Vec3& x = s.state().x[i];
-    if (global == last / 2) sums[0] = x.x(), sums[1] = x.y(), sums[2] = x.z();
+    if (global == last / 2) {
+      sums[0] = x.x();
+      sums[1] = x.y();
+      sums[2] = x.z();
+    }
     if (global == 0)
       sums[3] = Eigen::Map<const Vec3>(s.system().reactions().data() + 3 * s.local().block[i]).norm();
-    if (global > last / 10 && global < last - last / 10)
-      ends[0] = std::max(ends[0], -x.z()), ends[1] = std::max(ends[1], x.z());
+    if (global > last / 10 && global < last - last / 10) {
+      ends[0] = std::max(ends[0], -x.z());
+      ends[1] = std::max(ends[1], x.z());
+    }
   }
   MPI_Allreduce(MPI_IN_PLACE, sums, 4, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
   MPI_Allreduce(MPI_IN_PLACE, ends, 2, MPI_DOUBLE, MPI_MAX, PETSC_COMM_WORLD);
-  out.middle = Vec3(sums[0], sums[1], sums[2]), out.tension = sums[3];
-  out.lowest = -ends[0], out.highest = ends[1];
+  out.middle = Vec3(sums[0], sums[1], sums[2]);
+  out.tension = sums[3];
+  out.lowest = -ends[0];
+  out.highest = ends[1];
   return out;
 }
 
@@ -170,7 +178,7 @@ TEST(Relaxation, WhatNewtonCannotDo) {
   EXPECT_NEAR(r.middle.z(), -100 + 0.5 * kDiameter - weight / (1e5 * kDiameter), 1e-3);
 }
 
-TEST(Relaxation, ItSaysWhereThereIsNoRest) {
+TEST(Relaxation, ItReportsThePlaceWithoutRest) {
   model::Case c = floating(100, kEI, 0.72, 1.5);
   c.lines[0].start = model::Start::catenary;
   c.statics.relaxation = model::Relaxation::always;

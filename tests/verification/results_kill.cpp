@@ -67,7 +67,10 @@ Checkpoint checkpoint(int output) {
 // Of output k; so many that the tables outgrow their room.
 ClashRow clash(int output, int i) {
   ClashRow r;
-  r.line = output, r.volume = i, r.start = output + 0.5, r.impulse = value(output, i);
+  r.line = output;
+  r.volume = i;
+  r.start = output + 0.5;
+  r.impulse = value(output, i);
   return r;
 }
 ClashTables clashes(int output) {
@@ -91,11 +94,11 @@ void write_for_ever(const std::string& path) {
     } catch (const std::exception&) {  // killed before the first one
     }
     next = static_cast<int>(time) + 1;
-    ClashesTold told;
-    for (int k = 0; k < next; ++k) told.ended += static_cast<long long>(clashes(k).ended.size());
-    if (next > 0) told.open = clashes(next - 1).open;
+    ReportedClashes message;
+    for (int k = 0; k < next; ++k) message.ended += static_cast<long long>(clashes(k).ended.size());
+    if (next > 0) message.open = clashes(next - 1).open;
     file = std::make_unique<ResultsFile>(
-        ResultsFile::resume(MPI_COMM_SELF, path, contents(), owned, time, told));
+        ResultsFile::resume(MPI_COMM_SELF, path, contents(), owned, time, message));
     std::printf("resumed %d\n", next);
   } else {
     file = std::make_unique<ResultsFile>(ResultsFile::create(MPI_COMM_SELF, path, contents(), owned));
@@ -107,10 +110,12 @@ void write_for_ever(const std::string& path) {
     for (int i = 0; i < kNodes * kState; ++i) fields[1].push_back(value(k, -i));
     const BodyPose pose{Vec3(k, 0, 0), Quat::Identity()};
     file->write_output(k, fields, {&pose, 1}, clashes(k));
-    std::printf("output %lld\n", file->written() - 1), std::fflush(stdout);
+    std::printf("output %lld\n", file->written() - 1);
+    std::fflush(stdout);
     if (k % 3 != 2) continue;  // of some outputs several wait to be written together
     file->write_checkpoint(checkpoint(k));
-    std::printf("checkpoint %d\n", k), std::fflush(stdout);
+    std::printf("checkpoint %d\n", k);
+    std::fflush(stdout);
   }
   file->finish({{"max", "hose", 1, "N", 0, 0}}, clashes(kOutputs));
   std::printf("end\n");
@@ -123,19 +128,20 @@ TEST(ResultsKill, Child) {
   write_for_ever(path);
 }
 
-struct Said {
+struct Progress {
   int outputs = -1, checkpoint = -1;  // last accepted
   bool end = false, spoke = false;
 };
 
 // Runs the child, kills it `seconds` after its first word, returns what it had said.
-Said run_and_kill(const std::string& path, double seconds) {
+Progress run_and_kill(const std::string& path, double seconds) {
   int pipe_ends[2];
   if (pipe(pipe_ends)) throw std::runtime_error("pipe");
   const pid_t child = fork();
   if (child == 0) {
     dup2(pipe_ends[1], 1);
-    close(pipe_ends[0]), close(pipe_ends[1]);
+    close(pipe_ends[0]);
+    close(pipe_ends[1]);
     // A fresh environment: MPI must not take the child for a part of the parent's job.
     const std::string file = std::string(kFileVariable) + "=" + path;
     std::vector<std::string> env{file};
@@ -167,18 +173,18 @@ Said run_and_kill(const std::string& path, double seconds) {
   close(pipe_ends[0]);
   waitpid(child, nullptr, 0);
 
-  Said said;
-  said.spoke = has_begun();
+  Progress progress;
+  progress.spoke = has_begun();
   for (size_t at = 0, end; (end = text.find('\n', at)) != std::string::npos; at = end + 1) {
     const std::string line = text.substr(at, end - at);
-    std::sscanf(line.c_str(), "output %d", &said.outputs);
-    std::sscanf(line.c_str(), "checkpoint %d", &said.checkpoint);
-    said.end = said.end || line == "end";
+    std::sscanf(line.c_str(), "output %d", &progress.outputs);
+    std::sscanf(line.c_str(), "checkpoint %d", &progress.checkpoint);
+    progress.end = progress.end || line == "end";
   }
-  return said;
+  return progress;
 }
 
-void expect_whole(const std::string& path, const Said& said) {
+void expect_whole(const std::string& path, const Progress& progress) {
   const auto file = h5::open_read(path);
   std::int64_t written[2];
   {
@@ -186,7 +192,7 @@ void expect_whole(const std::string& path, const Said& said) {
     const auto type = h5::own(H5Dget_type(set), H5Tclose, "type");
     ASSERT_GE(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, written), 0);
   }
-  ASSERT_GE(written[0], said.outputs + 1);
+  ASSERT_GE(written[0], progress.outputs + 1);
   ASSERT_EQ(written[1], kSteps * written[0]);
   const auto n = static_cast<size_t>(written[0]);
   const auto time = h5::read_array(file, "outputs/time"), x = h5::read_array(file, "fields/position");
@@ -212,19 +218,19 @@ void expect_whole(const std::string& path, const Said& said) {
   if (last >= 0) {
     const ClashTables tables = read_clashes(path);
     ClashTables right;
-    for (int k = 0; k <= last + said.end; ++k)
+    for (int k = 0; k <= last + progress.end; ++k)
       for (const ClashRow& r : clashes(k).ended) right.ended.push_back(r);
-    right.open = clashes(last + said.end).open;
+    right.open = clashes(last + progress.end).open;
     ASSERT_EQ(tables.ended.size(), right.ended.size());
     EXPECT_TRUE(std::equal(right.ended.begin(), right.ended.end(), tables.ended.begin(), same));
     ASSERT_EQ(tables.open.size(), right.open.size()) << last;
     EXPECT_TRUE(std::equal(right.open.begin(), right.open.end(), tables.open.begin(), same));
   }
 
-  if (said.checkpoint >= 0) {
+  if (progress.checkpoint >= 0) {
     const auto read = read_checkpoint(MPI_COMM_SELF, path, kNodes, all_nodes());
     const int k = static_cast<int>(read.time);
-    EXPECT_GE(k, said.checkpoint);
+    EXPECT_GE(k, progress.checkpoint);
     EXPECT_LT(k, written[0]);
     const auto right = checkpoint(k);
     EXPECT_EQ(read.nodes.at("state").values, right.nodes.at("state").values);
@@ -246,14 +252,14 @@ TEST(ResultsKill, AcceptedOutputsSurvive) {
   std::remove(path.c_str());
   while (kills < 40) {
     const bool fresh = access(path.c_str(), F_OK) != 0;
-    const Said said = run_and_kill(path, moment(random));
-    ASSERT_TRUE(said.spoke) << "the child did not start";
-    expect_whole(path, said);
+    const Progress progress = run_and_kill(path, moment(random));
+    ASSERT_TRUE(progress.spoke) << "the child did not start";
+    expect_whole(path, progress);
     if (::testing::Test::HasFatalFailure() || ::testing::Test::HasNonfatalFailure())
       FAIL() << "after kill " << kills;
     if (fresh) ++files;
-    if (said.end || kills % 8 == 7) std::remove(path.c_str());
-    if (said.end) continue;
+    if (progress.end || kills % 8 == 7) std::remove(path.c_str());
+    if (progress.end) continue;
     ++kills;
     resumed += !fresh;
   }

@@ -90,7 +90,10 @@ void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned,
           fields[f].push_back(value(k, static_cast<int>(f), n, i));
     const BodyPose pose{Vec3(k, 0, 0), Quat(Eigen::AngleAxisd(0.1 * k, Vec3::UnitY()))};
     ClashTables clashes;
-    if (rank_of(comm) == 0) clashes.ended.resize(static_cast<size_t>(17 * k)), clashes.open.resize(2);
+    if (rank_of(comm) == 0) {
+      clashes.ended.resize(static_cast<size_t>(17 * k));
+      clashes.open.resize(2);
+    }
     file.write_output(k, fields, {&pose, 1}, clashes);
   }
 }
@@ -166,7 +169,9 @@ void write_run(MPI_Comm comm, const std::string& path, bool finish) {
 void expect_rows_of_lines(bool single) {
   constexpr int kOutputs = 40, kBodies = 2;
   ResultContents c = contents();
-  c.free_bodies = kBodies, c.clashes = false, c.single_precision = single;
+  c.free_bodies = kBodies;
+  c.clashes = false;
+  c.single_precision = single;
   const int nodes = c.nodes_total();
   const std::string path = temporary("bodies.h5");
   const auto owned = owned_nodes(MPI_COMM_WORLD, nodes + kBodies);
@@ -307,7 +312,7 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
 }
 
 // On one rank: node 1 has the first records of "friction drum", of one value each.
-TEST(ResultsRanks, SpoiltCountersOfACheckpointAreTold) {
+TEST(ResultsRanks, CorruptedCountersOfACheckpointAreReported) {
   const std::vector<int> owned{0, 1, 2};
   const CheckpointRoom room = checkpoint_room(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned);
   std::vector<double> whole(static_cast<size_t>(room.size), -1);

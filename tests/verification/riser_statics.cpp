@@ -24,12 +24,14 @@ model::Case riser(const std::vector<Part>& parts, double D, double EA, double EI
   for (const Part& p : parts) {
     model::LineType t = beam_type(EA, EI, EI);
     t.name = "part" + std::to_string(c.line_types.size());
-    t.outer_diameter = D, t.contact_diameter = 1e-6 * D;
+    t.outer_diameter = D;
+    t.contact_diameter = 1e-6 * D;
     t.mass_per_length = p.weight / c.environment.gravity + 1025 * M_PI / 4 * D * D;
     c.line_types.push_back(t);
     l.sections.push_back({t.name, p.length, static_cast<int>(std::ceil(p.length / element - 1e-9)), 1});
   }
-  l.end_a = a, l.end_b = b;
+  l.end_a = a;
+  l.end_b = b;
   c.lines.push_back(l);
   return c;
 }
@@ -39,7 +41,10 @@ BeamStress stress(Simulation& sim, size_t element) {
   const State& s = sim.state();
   BeamEnds e;
   const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
-  e.x1 = s.x[i], e.x2 = s.x[j], e.q1 = s.q[i], e.q2 = s.q[j];
+  e.x1 = s.x[i];
+  e.x2 = s.x[j];
+  e.q1 = s.q[i];
+  e.q2 = s.q[j];
   return beam_stress(b.section, b.reference, e);
 }
 
@@ -138,7 +143,11 @@ TEST(RiserStatics, LazyWaveFromTheAutomaticStart) {
       const double t1 = cpu_ms();
       again.solve_statics();
       const double t2 = cpu_ms();
-      if (t2 - t0 < least) least = t2 - t0, set_up = t1 - t0, statics = t2 - t1;
+      if (t2 - t0 < least) {
+        least = t2 - t0;
+        set_up = t1 - t0;
+        statics = t2 - t1;
+      }
     }
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
@@ -231,7 +240,10 @@ TEST(RiserStatics, LazyWavesOfAllKinds) {
     if (k.speed > 0)
       c.environment.water.current.profile = {{0, k.speed, k.direction}, {80, 0.3 * k.speed, k.direction}};
     c.lines[0].end_a.at.x() = k.x;
-    if (k.clamp > 0) c.lines[0].end_a.clamped = true, c.lines[0].end_a.direction = Vec3(0, 0, -1);
+    if (k.clamp > 0) {
+      c.lines[0].end_a.clamped = true;
+      c.lines[0].end_a.direction = Vec3(0, 0, -1);
+    }
     try {
       const double t0 = cpu_ms();
       Simulation sim(PETSC_COMM_SELF, c);
@@ -307,12 +319,14 @@ TEST(RiserStatics, CatenaryRiserInACurrent) {
     sea.water.current.profile = {{0, 0.7, M_PI}, {70, 0.63, M_PI}, {100, 0.21, M_PI}};
     model::LineType t = beam_type(7.112e8, 124870, 124870, 184.2262 + 1000 * M_PI / 4 * 0.254 * 0.254);
     t.outer_diameter = t.contact_diameter = 0.3556;
-    t.Cd_normal = 1.2, t.Cd_axial = 0.008;
+    t.Cd_normal = 1.2;
+    t.Cd_axial = 0.008;
     c.line_types.push_back(t);
     model::Line l;
     l.name = "riser";
     l.sections = {{t.name, 90, 30, 1}, {t.name, 20, 40, 1}, {t.name, 20, 7, 1}};
-    l.end_a = anchor({2, 0, -7.5}), l.end_b = anchor({57, 0, -100 + 0.178});
+    l.end_a = anchor({2, 0, -7.5});
+    l.end_b = anchor({57, 0, -100 + 0.178});
     c.lines.push_back(l);
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
@@ -356,10 +370,16 @@ TEST(RiserStatics, ModelCableWithModules) {
                              {s, 0.0111052632},
                              {-1.0255048929, 0.0028947368},
                              {f, 0.0131052632}};
-  for (int i = 0; i < 7; ++i) parts.push_back({w, g}), parts.push_back({f, 0.016});
+  for (int i = 0; i < 7; ++i) {
+    parts.push_back({w, g});
+    parts.push_back({f, 0.016});
+  }
   for (const Part& p : std::vector<Part>{{w, 0.0013157895}, {s, 0.014}, {w, 0.0260526316}, {f, 0.016}})
     parts.push_back(p);
-  for (int i = 0; i < 6; ++i) parts.push_back({w, g}), parts.push_back({f, 0.016});
+  for (int i = 0; i < 6; ++i) {
+    parts.push_back({w, g});
+    parts.push_back({f, 0.016});
+  }
   for (const Part& p : std::vector<Part>{{w, 0.0297368421},
                                          {s, 0.0116315789},
                                          {-1.0255048929, 0.0023684211},
@@ -375,7 +395,7 @@ TEST(RiserStatics, ModelCableWithModules) {
   const double measured[6][3] = {{1.01, 0.987839, -0.740706}, {1.44, 1.42953, -0.692014},
                                  {1.87, 1.819622, -0.522007}, {2.3, 2.170498, -0.297532},
                                  {2.73, 2.610125, -0.29093},  {3.16, 2.950681, -0.529435}};
-  const double reckoned[2][6][2] = {{{0.9641016286, -0.7317197077},
+  const double computed[2][6][2] = {{{0.9641016286, -0.7317197077},
                                      {1.391546276, -0.710082903},
                                      {1.79260787, -0.5593521954},
                                      {2.164781564, -0.3450622502},
@@ -393,7 +413,7 @@ TEST(RiserStatics, ModelCableWithModules) {
                           anchor({3.297429, 0, -0.923092}));
     Simulation sim(PETSC_COMM_SELF, c);
     const StaticsReport report = sim.solve_statics();
-    double to_measured = 0, to_reckoned = 0;
+    double to_measured = 0, to_computed = 0;
     for (int k = 0; k < 6; ++k) {
       const Mesh& m = sim.mesh();
       size_t i = 1;
@@ -401,13 +421,13 @@ TEST(RiserStatics, ModelCableWithModules) {
       const double z = (measured[k][0] - m.nodes[i - 1].arc) / (m.nodes[i].arc - m.nodes[i - 1].arc);
       const Vec3 x = (1 - z) * sim.state().x[i - 1] + z * sim.state().x[i];
       to_measured += std::pow(x.x() - measured[k][1], 2) + std::pow(x.z() - measured[k][2], 2);
-      to_reckoned =
-          std::max(to_reckoned, std::hypot(x.x() - reckoned[clamped][k][0], x.z() - reckoned[clamped][k][1]));
+      to_computed =
+          std::max(to_computed, std::hypot(x.x() - computed[clamped][k][0], x.z() - computed[clamped][k][1]));
     }
     const double rms = std::sqrt(to_measured / 6), T = reaction(sim, false).norm();
     printf("  %s: %d iterations, %.1f mm from what was measured, %.2f mm from shooting, tension %.5f N\n",
-           clamped ? "clamped upright" : "pinned", report.iterations, 1e3 * rms, 1e3 * to_reckoned, T);
-    EXPECT_LT(to_reckoned, 1e-3);
+           clamped ? "clamped upright" : "pinned", report.iterations, 1e3 * rms, 1e3 * to_computed, T);
+    EXPECT_LT(to_computed, 1e-3);
     EXPECT_NEAR(rms, clamped ? 0.06934 : 0.03940, 1e-3);
     EXPECT_LT(rms, 0.070);
     EXPECT_NEAR(T, clamped ? 0.1420269441 : 0.13677678, 5e-3 * 0.14);

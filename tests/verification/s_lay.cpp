@@ -26,7 +26,12 @@ TEST(SLay, OverARigidArc) {
   for (const Rigid& r : kRigid) {
     if (!all && (r.T0 == 250e3 || r.T0 == 400e3)) continue;
     Setting s;
-    s.T0 = r.T0, s.lift_off = r.lift_off, s.x_td = r.x_td, s.arc = 1e10, s.bed = 1e6, s.over = 0.75;
+    s.T0 = r.T0;
+    s.lift_off = r.lift_off;
+    s.x_td = r.x_td;
+    s.arc = 1e10;
+    s.bed = 1e6;
+    s.over = 0.75;
     const Laid l = laid(s);
     const double H = r.T0 + kEI / (2 * kRadius * kRadius) - kWeight * (kTop + kDepth);
     printf(
@@ -55,7 +60,11 @@ constexpr Soft kSoft[] = {{300e3, 1e6, 1e5, 32.3, 309.5, 34.01547647, 0.00743148
 TEST(SLay, OverASoftArc) {
   for (const Soft& r : kSoft) {
     Setting s;
-    s.T0 = r.T0, s.lift_off = r.lift_off, s.x_td = r.x_td, s.arc = r.kc, s.bed = r.kb;
+    s.T0 = r.T0;
+    s.lift_off = r.lift_off;
+    s.x_td = r.x_td;
+    s.arc = r.kc;
+    s.bed = r.kb;
     const Laid l = laid(s);
     printf(
         "  T0 %6.0f kN: H %+.4f %%, total %+.4f %%, depth %+.4f %%, overbend %+.4f %%, sag %+.4f %%, %.3f "
@@ -108,7 +117,11 @@ const Rolled kRolled[] = {
 TEST(SLay, OverRollers) {
   for (const Rolled& r : kRolled) {
     Setting s;
-    s.T0 = r.T0, s.lift_off = r.lift_off, s.x_td = r.x_td, s.bed = 1e6, s.rollers = 9;
+    s.T0 = r.T0;
+    s.lift_off = r.lift_off;
+    s.x_td = r.x_td;
+    s.bed = 1e6;
+    s.rollers = 9;
     s.over = kRadius * 4 * M_PI / 180 / 16;
     const Laid l = laid(s);
     printf("  T0 %6.0f kN: M0 %+.4f %%, H %+.4f %%, sag %+.4f %%\n", r.T0 / 1e3,
@@ -179,7 +192,8 @@ TEST(SLay, TheCase) {
     const double found = std::max({moment[n - 1], moment[n], moment[n + 1]});
     printf("  roller %zu: moment %+.2f %% of an endless row's\n", box, 100 * (found / peak - 1));
     EXPECT_LT(off(found, peak), 2);
-    both += forces[c.supports[box - 1].first].norm(), row += (T / R + w) * s;
+    both += forces[c.supports[box - 1].first].norm();
+    row += (T / R + w) * s;
   }
   printf("  mean %+.2f %%, reactions of both %+.2f %%, %d iterations\n", 100 * (mean * R / EI - 1),
          100 * (both / row - 1), report.iterations);
@@ -191,7 +205,11 @@ TEST(SLay, RollersOfAFinerMesh) {
   std::vector<double> kappa;
   for (const int parts : {2, 4, 8}) {
     Setting s;
-    s.T0 = 300e3, s.lift_off = 32, s.x_td = 315.8620551, s.bed = 1e6, s.rollers = 10,
+    s.T0 = 300e3;
+    s.lift_off = 32;
+    s.x_td = 315.8620551;
+    s.bed = 1e6;
+    s.rollers = 10;
     s.over = kSpacing / parts;
     const Laid l = laid(s);
     kappa.push_back(l.roller_kappa.at(1));
@@ -208,7 +226,11 @@ TEST(SLay, RollersBetweenNodes) {
   double least = 0;
   for (const double parts : {2.5, 3.3, 4.6}) {
     Setting s;
-    s.T0 = 300e3, s.lift_off = 32, s.x_td = 315.8620551, s.bed = 1e6, s.rollers = 10,
+    s.T0 = 300e3;
+    s.lift_off = 32;
+    s.x_td = 315.8620551;
+    s.bed = 1e6;
+    s.rollers = 10;
     s.over = kSpacing / parts;
     const Laid l = laid(s);
     s.peaks = false;

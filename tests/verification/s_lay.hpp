@@ -100,8 +100,10 @@ inline Laid laid(const Setting& s) {
   const auto field = [&](const char* name) { return test::NodeField(sim, name).at(at); };
   std::vector<std::vector<double>> bent;
   std::vector<Field> fields;
-  for (const char* name : {"bending_moment", "bending_moment_2", "bending_moment_3", "curvature"})
-    bent.push_back(field(name)), fields.emplace_back().name = name;
+  for (const char* name : {"bending_moment", "bending_moment_2", "bending_moment_3", "curvature"}) {
+    bent.push_back(field(name));
+    fields.emplace_back().name = name;
+  }
   if (s.peaks) {
     record::ContactPeaks peaks(sim.model(), sim.system());
     peaks.find(fields);
@@ -110,7 +112,9 @@ inline Laid laid(const Setting& s) {
   const std::vector<double>&kappa = bent[3], T = field("effective_tension"),
         pressed = field("contact_normal_force"), shear = field("shear_force");
   const size_t nodes = static_cast<size_t>(sim.local().owned);
-  out.T0 = T.front(), out.H = T.back(), out.M0 = kEI * kappa.front();
+  out.T0 = T.front();
+  out.H = T.back();
+  out.M0 = kEI * kappa.front();
   out.x_td = record::Touchdowns(PETSC_COMM_SELF, met.model, sim.local()).find(at).at(0).from_a->position.x();
   const auto angle = [&](size_t n) {
     return std::atan2(at.x[n].x(), at.x[n].z() - kTop + kRadius) * 180 / M_PI;

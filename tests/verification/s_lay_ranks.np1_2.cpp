@@ -1,5 +1,5 @@
 // Boxes of rollers in whole runs on 1 and 2 ranks: reactions of V and U by closed forms, of a moving body
-// too, and the same whatever the number of ranks; lines off the end of a roller and beneath one.
+// too, and the same whatever the number of ranks; lines off the end of a roller and below one.
 #include "../regression/runs.hpp"
 #include "hawser/base/error.hpp"
 
@@ -85,22 +85,24 @@ TEST(SLayRanks, OffTheEndOfARoller) {
     runs::write_case(path, text);
     runs::run_on_all({path, folder + "/off.h5"});
     if (runs::rank_of(MPI_COMM_WORLD) != 0) continue;
-    const bool told =
+    const bool message =
         messages(folder + "/off.h5").find("line pipe is off the end of the rollers of support ramp 1") !=
         std::string::npos;
-    EXPECT_EQ(told, off) << messages(folder + "/off.h5");
+    EXPECT_EQ(message, off) << messages(folder + "/off.h5");
     const runs::Results r = runs::read(folder + "/off.h5");
     EXPECT_NEAR(runs::named(folder + "/off.h5", r, "ramp_1", "offset").front(), off ? 1.5 : 0.5, 1e-6);
   }
 }
 
-TEST(SLayRanks, BeneathARoller) {
-  const std::string folder = runs::folder("s_lay_beneath"), path = folder + "/beneath.yaml";
+TEST(SLayRanks, BelowARoller) {
+  const std::string folder = runs::folder("s_lay_below"), path = folder + "/below.yaml";
   runs::write_case(
       path, beam(kV, ", start: {points: [[-20, 0, 0.3586], [-10, 0, -1.2], [10, 0, -1.2], [20, 0, 0.3586]]}",
                  0.3586));
   run::RunOptions o;
-  o.case_path = path, o.output = folder + "/beneath.h5", o.quiet = true;
+  o.case_path = path;
+  o.output = folder + "/below.h5";
+  o.quiet = true;
   std::string why;
   try {
     run::run(MPI_COMM_WORLD, o);

@@ -45,7 +45,8 @@ Shown run(const std::string& name, const std::string& text) {
   const std::string base = runs::folder("seabed_laid") + "/" + name;
   runs::write_case(base + ".yaml", text);
   run::RunOptions options;
-  options.case_path = base + ".yaml", options.quiet = true;
+  options.case_path = base + ".yaml";
+  options.quiet = true;
   EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0) << name;
   MPI_Barrier(MPI_COMM_WORLD);
   const io::h5::Id file = io::h5::open_read(base + ".h5");

@@ -34,7 +34,8 @@ std::shared_ptr<const MeshSurface> mesh(const Heights& f, double step) {
   for (int j = 0; j + 1 < static_cast<int>(y.size()); ++j)
     for (int i = 0; i + 1 < n; ++i) {
       const int a = j * n + i;
-      m.triangles.push_back({a, a + 1, a + n + 1}), m.triangles.push_back({a, a + n + 1, a + n});
+      m.triangles.push_back({a, a + 1, a + n + 1});
+      m.triangles.push_back({a, a + n + 1, a + n});
     }
   const size_t top = m.triangles.size();
   m = ground_under(m);
@@ -65,7 +66,8 @@ TEST(SeabedShapes, ASlopeIsASlope) {
     return -200 - std::tan(slope) * (std::cos(towards) * x + std::sin(towards) * y);
   };
   model::Case c = chain({0, 0, -200});
-  c.environment.seabed.slope = slope, c.environment.seabed.direction = towards;
+  c.environment.seabed.slope = slope;
+  c.environment.seabed.direction = towards;
   c.statics.tolerance = 1e-12;
   Simulation formula(PETSC_COMM_SELF, c);
   formula.solve_statics();
@@ -100,7 +102,8 @@ TEST(SeabedShapes, OnARidge) {
   const auto bed = grid(ridge, 5);
   c.environment.seabed.surface = bed;
   Simulation all(PETSC_COMM_WORLD, c), one(PETSC_COMM_SELF, c);
-  all.solve_statics(), one.solve_statics();
+  all.solve_statics();
+  one.solve_statics();
   expect_same_positions(all, all.state().view(0), one.state().view(0), 1e-7, "statics");
   // It lies before the ridge and on it and spans the ground between. The crest carries what the tension turns
   // by, and the chain sinks in there by some diameters on this soil.
@@ -108,7 +111,8 @@ TEST(SeabedShapes, OnARidge) {
   int lies = 0, spans = 0;
   for (size_t n = 1; n < 80; ++n) {
     const double d = bed->query(one.state().x[n], 1e9)->distance - 0.0383;
-    deepest = std::min(deepest, d), highest = std::max(highest, d);
+    deepest = std::min(deepest, d);
+    highest = std::max(highest, d);
     (d < 0 ? lies : spans) += 1;
   }
   printf("  of 80 nodes %d lie and %d span, up to %.2f m high; deepest %.4f m\n", lies, spans, highest,
@@ -116,7 +120,8 @@ TEST(SeabedShapes, OnARidge) {
   EXPECT_GT(lies, 20);
   EXPECT_GT(spans, 5);
   EXPECT_GT(deepest, -0.4);
-  run(all, 8), run(one, 8);
+  run(all, 8);
+  run(one, 8);
   expect_same_positions(all, all.dynamics().kinematics(), one.dynamics().kinematics(), 1e-6, "after 8 s");
   // The bed does what friction and dampers took, and no more.
   const Energy e = one.system().energy(one.dynamics().kinematics());

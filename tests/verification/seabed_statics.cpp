@@ -13,8 +13,10 @@ model::Case on_bed(const model::LineType& type, double length, int elements, con
   model::Case c = one_line(t, length, elements, a, b);
   c.environment.gravity = 10;
   model::Seabed& bed = c.environment.seabed;
-  bed.present = true, bed.depth = 50;
-  bed.basis = model::StiffnessBasis::per_length, bed.normal_stiffness = stiffness;
+  bed.present = true;
+  bed.depth = 50;
+  bed.basis = model::StiffnessBasis::per_length;
+  bed.normal_stiffness = stiffness;
   bed.smoothing = 0.01 * type.mass_per_length * 10 / stiffness;
   c.dynamics.enabled = false;
   return c;
@@ -41,7 +43,8 @@ TEST(SeabedStatics, InfiniteBeamUnderAPointLoad) {
         on_bed(beam_type(1e9, EI, EI, 1000), 40, elements, {}, clamp({40, 0, depth - 0.1}, {1, 0, 0}), k);
     c.lines[0].start = model::Start::straight;
     model::PointLoad load;
-    load.at = 20, load.force = Vec3(0, 0, -P);
+    load.at = 20;
+    load.force = Vec3(0, 0, -P);
     c.lines[0].point_loads.push_back(load);
     Simulation sim(PETSC_COMM_SELF, c);
     sim.solve_statics();
@@ -73,7 +76,8 @@ TEST(SeabedStatics, HalfABeamUnderAPointLoadAtItsEnd) {
   c.environment.seabed.friction.axial = c.environment.seabed.friction.lateral = 0;
   c.lines[0].start = model::Start::straight;
   model::PointLoad load;
-  load.at = 0, load.force = Vec3(0, 0, -P);
+  load.at = 0;
+  load.force = Vec3(0, 0, -P);
   c.lines[0].point_loads.push_back(load);
   Simulation sim(PETSC_COMM_SELF, c);
   sim.solve_statics();
@@ -171,7 +175,8 @@ TEST(SeabedStatics, PullOut) {
     c.lines[0].start = model::Start::points;
     c.lines[0].points = {Vec3(0, 0, -50.001), Vec3(1200, 0, -50.001)};
     model::PointLoad load;
-    load.at = 1200, load.force = Vec3(r.F, 0, 0);
+    load.at = 1200;
+    load.force = Vec3(r.F, 0, 0);
     c.lines[0].point_loads.push_back(load);
     Simulation sim(PETSC_COMM_SELF, c);
     sim.solve_statics();
@@ -208,7 +213,8 @@ TEST(SeabedStatics, Heating) {
     t.thermal_expansion = 1.17e-5;
     model::Case c = on_bed(t, half, elements, clamp({0, 0, -50.001}, {1, 0, 0}), {}, 1e6);
     model::Friction& f = c.environment.seabed.friction;
-    f.axial = f.lateral = 0.5, f.mobilisation_length = 0.005;
+    f.axial = f.lateral = 0.5;
+    f.mobilisation_length = 0.005;
     c.lines[0].start = model::Start::points;
     c.lines[0].points = {Vec3(0, 0, -50.001), Vec3(half, 0, -50.001)};
     c.lines[0].temperature_change = {{0, 60}};
@@ -233,23 +239,32 @@ TEST(SeabedStatics, Heating) {
 
 // Pulled by 0.08 m, let go, pushed back by as much, slowly: F²/(2 tau EA) going out, F1 less the root of
 // 4 tau EA (u1 - u) coming back (Masing's rule), half of the way left when the force is gone. Rigid-plastic
-// closed form; the mobilisation length is 0.02 mm here, which at a turn of the way is felt at first.
+// closed form; the mobilisation length is 0.02 mm here, which matters first at a turn of the way.
 TEST(SeabedStatics, PullingUnloadingPushing) {
   const double EA = 5e8, tau = 500, far = 0.08, length = 500;
   constexpr size_t kElements = 1000;
   model::End b;
-  b.kind = model::EndKind::body, b.body = "hand", b.clamped = true, b.direction = Vec3::UnitX();
+  b.kind = model::EndKind::body;
+  b.body = "hand";
+  b.clamped = true;
+  b.direction = Vec3::UnitX();
   model::Case c = on_bed(beam_type(EA, 1e7, 1e7, 100), length, static_cast<int>(kElements), {}, b, 1e6);
   model::Body hand;
-  hand.name = "hand", hand.position = Vec3(length, 0, -50.001);
+  hand.name = "hand";
+  hand.position = Vec3(length, 0, -50.001);
   model::HarmonicMotion m;
-  m.amplitude = Vec3(far, 0, 0), m.period = 80;
-  hand.motion = m, hand.ramp = 8;
+  m.amplitude = Vec3(far, 0, 0);
+  m.period = 80;
+  hand.motion = m;
+  hand.ramp = 8;
   c.bodies.push_back(hand);
   model::Friction& f = c.environment.seabed.friction;
-  f.axial = f.lateral = tau / 1000, f.mobilisation_length = 2e-5;
+  f.axial = f.lateral = tau / 1000;
+  f.mobilisation_length = 2e-5;
   c.lines[0].start = model::Start::straight;
-  c.dynamics.enabled = true, c.dynamics.duration = 60, c.dynamics.step = 0.1;
+  c.dynamics.enabled = true;
+  c.dynamics.duration = 60;
+  c.dynamics.step = 0.1;
   Simulation sim(PETSC_COMM_SELF, c);
   sim.solve_statics();
   sim.dynamics().start(sim.state());
@@ -266,7 +281,8 @@ TEST(SeabedStatics, PullingUnloadingPushing) {
         } else if (u > 0.01) {
           off = std::max(off, std::abs(F - std::sqrt(2 * tau * EA * u)));
         }
-        last_u = u, last_F = F;
+        last_u = u;
+        last_F = F;
         return true;
       });
   printf("  force within %.3f %% of %g N, %.5f of %.5f m left at no force\n", 100 * off / most, most, left,

@@ -50,10 +50,10 @@ TEST(SharedPlaces, EndsOfASlingOnOneHook) {
     const double half = 0.5 * 30 * 50 * 9.80665 - 0.5 * 50 * 9.80665;
     EXPECT_NEAR(r.tension.front(), half, 0.01 * half) << apart;
     EXPECT_NEAR(r.tension.back(), half, 0.01 * half) << apart;
-    const bool said = std::any_of(r.notes.begin(), r.notes.end(), [](const std::string& n) {
+    const bool reported = std::any_of(r.notes.begin(), r.notes.end(), [](const std::string& n) {
       return n.find("both ends of line m go from one place") == 0;
     });
-    EXPECT_TRUE(said) << apart;
+    EXPECT_TRUE(reported) << apart;
   }
 }
 

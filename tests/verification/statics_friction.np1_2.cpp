@@ -87,7 +87,8 @@ statics: {{contact_friction: true, relaxation_steps: 600}}
   const std::string base = runs::folder("statics_friction") + "/slides";
   runs::write_case(base + ".yaml", slope(0.174));
   run::RunOptions o;
-  o.case_path = base + ".yaml", o.quiet = true;
+  o.case_path = base + ".yaml";
+  o.quiet = true;
   EXPECT_THROW(
       {
         try {

@@ -30,7 +30,8 @@ TEST(StaticsPointLoads, AForceThatLastsKeepsTheEnergyOfDynamicsInBalance) {
   c.lines[0].start = model::Start::straight;
   c.lines[0].point_loads.push_back({1.0, Vec3(0, 0, 2), Vec3::Zero(), 0});
   c.statics.enabled = false;
-  c.dynamics.step = 1e-3, c.dynamics.rho_infinity = 1;
+  c.dynamics.step = 1e-3;
+  c.dynamics.rho_infinity = 1;
   Simulation s(PETSC_COMM_WORLD, c);
   Dynamics& d = s.dynamics();
   d.start(s.state());

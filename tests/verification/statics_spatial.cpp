@@ -40,7 +40,10 @@ struct Bend {
     for (StructureTerm::Beam& b : s->structure().beams()) {
       const size_t i = static_cast<size_t>(b.at.first), j = static_cast<size_t>(b.at.second);
       BeamEnds e;
-      e.x1 = s->state().x[i], e.x2 = s->state().x[j], e.q1 = s->state().q[i], e.q2 = s->state().q[j];
+      e.x1 = s->state().x[i];
+      e.x2 = s->state().x[j];
+      e.q1 = s->state().q[i];
+      e.q2 = s->state().q[j];
       b.reference = beam_reference(b.section, e);
     }
   }
@@ -250,9 +253,14 @@ TEST(Statics, PrincetonBeam) {
   };
   const double L = 0.508;
   model::LineType t = beam_type(2841908.71416, 0, 3.1033382708544615), other = t;
-  t.EI2 = 2.428734443353508, t.EI3 = 36.27936354403289, t.GA = 903914.9854198474;
-  other.EA = 2842069.442616, other.GJ = 2.9257440677494264, other.GA = 1084759.329242748;
-  other.EI2 = 2.4288718041122013, other.EI3 = 36.285519395400414;
+  t.EI2 = 2.428734443353508;
+  t.EI3 = 36.27936354403289;
+  t.GA = 903914.9854198474;
+  other.EA = 2842069.442616;
+  other.GJ = 2.9257440677494264;
+  other.GA = 1084759.329242748;
+  other.EI2 = 2.4288718041122013;
+  other.EI3 = 36.285519395400414;
   double worst = 0, worst_twist = 0;
   const auto check_step = [&](const model::LineType& type, const Row& r) {
     const double a = r.theta * M_PI / 180;
@@ -288,7 +296,9 @@ namespace {
 // L = 10 along x, EI2 about y, EI3 about z, shear flexible.
 model::LineType unequal_type() {
   model::LineType t = beam_type(1e6, 0, 500);
-  t.EI2 = 1000, t.EI3 = 4000, t.GA = 5e5;
+  t.EI2 = 1000;
+  t.EI3 = 4000;
+  t.GA = 5e5;
   return t;
 }
 

@@ -54,10 +54,10 @@ CatenaryShape closed(double length) {
 // Where a monotone function of the length is `wanted`.
 template <class F>
 double solved(double low, double high, double wanted, F&& f) {
-  const bool grows = f(high) > f(low);
+  const bool increasing = f(high) > f(low);
   for (int i = 0; i < 200; ++i) {
     const double x = 0.5 * (low + high);
-    ((f(x) < wanted) == grows ? low : high) = x;
+    ((f(x) < wanted) == increasing ? low : high) = x;
   }
   return 0.5 * (low + high);
 }
@@ -188,9 +188,9 @@ std::string refusal(const std::function<void()>& what) {
 }
 
 void expect_refused(const std::function<void()>& what, const std::string& why) {
-  const std::string told = refusal(what);
-  EXPECT_NE(told.find(why), std::string::npos) << told;
-  EXPECT_EQ(told.find('\n'), std::string::npos) << told;
+  const std::string message = refusal(what);
+  EXPECT_NE(message.find(why), std::string::npos) << message;
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 TEST(Targets, ThatCannotBeMet) {

@@ -19,7 +19,9 @@ model::Case line_on_bed(double length, int elements, double stiffness, double aw
   c.contact.between_lines.enabled = false;  // so that ranks cut it
   c.environment.gravity = 9.81;
   model::Seabed& bed = c.environment.seabed;
-  bed.present = true, bed.depth = kHeight, bed.normal_stiffness = stiffness;
+  bed.present = true;
+  bed.depth = kHeight;
+  bed.normal_stiffness = stiffness;
   bed.basis = model::StiffnessBasis::per_length;
   c.dynamics.enabled = false;
   return c;
@@ -111,7 +113,8 @@ TEST(Touchdown, OfABeam) {
   for (const int i : {0, 1}) {
     model::Case c = line_on_bed(392, i == 0 ? 98 : 392, 1e5, 360);
     c.line_types[0].kind = model::LineKind::beam;
-    c.line_types[0].EI2 = c.line_types[0].EI3 = 2e7, c.line_types[0].GJ = 1.5e7;
+    c.line_types[0].EI2 = c.line_types[0].EI3 = 2e7;
+    c.line_types[0].GJ = 1.5e7;
     const Rest rest = at_rest(c);
     ASSERT_TRUE(rest.touchdown.from_a);
     found[i] = rest.touchdown.from_a->arc;

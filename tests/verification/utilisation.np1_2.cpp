@@ -40,10 +40,10 @@ TEST(Utilisation, OfAKnownCurvature) {
   EXPECT_NE(messages(file).find("line l is bent more sharply than its minimum bend radius allows"),
             std::string::npos);
   EXPECT_NE(messages(file).find("its bend radius utilisation is 1.2"), std::string::npos) << messages(file);
-  const io::h5::Id at_ease = io::h5::open_read(mild), untold = io::h5::open_read(none);
+  const io::h5::Id at_ease = io::h5::open_read(mild), no_limits = io::h5::open_read(none);
   EXPECT_NEAR(io::h5::read_row(at_ease, "fields/bend_utilisation", 0).values[3], 4. / 5, 1e-6);
   EXPECT_EQ(messages(at_ease).find("sharply"), std::string::npos);
-  EXPECT_FALSE(io::h5::exists(untold, "fields/bend_utilisation"));
+  EXPECT_FALSE(io::h5::exists(no_limits, "fields/bend_utilisation"));
 }
 
 }  // namespace

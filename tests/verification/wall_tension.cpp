@@ -31,7 +31,9 @@ Shown shown(const std::string& text) {
   const std::string base = ::testing::TempDir() + "wall-tension";
   std::ofstream(base + ".yaml") << text;
   run::RunOptions options;
-  options.case_path = base + ".yaml", options.output = base + ".h5", options.quiet = true;
+  options.case_path = base + ".yaml";
+  options.output = base + ".h5";
+  options.quiet = true;
   EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0);
   Shown s;
   {

@@ -75,7 +75,7 @@ TEST(WarmLines, BetweenFixedPoints) {
 
 // Let go from rest at its cold length, one end free, a beam swings about its new length: the energy is that
 // of the strain it lacks, EA (alpha dT)² L/2, and stays.
-TEST(WarmLines, LetGoTheySwing) {
+TEST(WarmLines, ReleasedTheySwing) {
   for (const char* bending : {kBeam, "bending: false"}) {
     const bool beam = bending == kBeam;
     const runs::Results s =

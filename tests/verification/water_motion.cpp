@@ -75,15 +75,20 @@ TEST(WaterMotion, QuadraticDragDampsAnOscillation) {
   t.outer_diameter = t.contact_diameter = 1e-4;
   t.Cd_normal = t.Ca_normal = 0;
   model::Case c = one_line(t, 1904.7619047619, 2, anchor({0, 0, -500}), anchor({2000, 0, -500}));
-  c.environment.water.present = true, c.environment.water.depth = 1000;
+  c.environment.water.present = true;
+  c.environment.water.depth = 1000;
   model::PointMass ball;
-  ball.at = 952.38095, ball.mass = 1000, ball.drag_area = 0.0975609756;
+  ball.at = 952.38095;
+  ball.mass = 1000;
+  ball.drag_area = 0.0975609756;
   c.lines[0].masses = {ball};
   c.lines[0].start = model::Start::points;
   c.lines[0].points = {Vec3(0, 0, -500), Vec3(1000, 2, -500), Vec3(2000, 0, -500)};
   c.statics.enabled = false;
   c.dynamics.enabled = true;
-  c.dynamics.step = 0.01, c.dynamics.duration = 20, c.dynamics.rho_infinity = 1;
+  c.dynamics.step = 0.01;
+  c.dynamics.duration = 20;
+  c.dynamics.rho_infinity = 1;
   Simulation sim(PETSC_COMM_SELF, c);
   sim.dynamics().start(sim.state());
   std::vector<double> peaks{2};
@@ -93,7 +98,8 @@ TEST(WaterMotion, QuadraticDragDampsAnOscillation) {
       [&](const StepInfo&) {
         const double y = std::abs(sim.dynamics().kinematics().x[1].y());
         if (last > before && last >= y) peaks.push_back(last);
-        before = last, last = y;
+        before = last;
+        last = y;
         return true;
       });
   const double exact[] = {2, 1.764379972, 1.578480641, 1.42805304, 1.303821813, 1.199488061, 1.110623482};

@@ -18,10 +18,13 @@ model::Case pile(double depth, double top, const model::Waves& waves, bool beam 
   model::LineType t = beam ? beam_type(1e9, 1e9, 1e9, 100) : cable_type(1e9, 100);
   const double d = beam ? 1 : 0.02;
   t.outer_diameter = t.contact_diameter = d;
-  t.drag_diameter = 1, t.Cd_normal = 1.2, t.Ca_normal = 2 / (d * d) - 1;
+  t.drag_diameter = 1;
+  t.Cd_normal = 1.2;
+  t.Ca_normal = 2 / (d * d) - 1;
   model::Case c = one_line(t, depth + top, elements, anchor({0, 0, -depth}), anchor({0, 0, top}));
   c.environment.gravity = 9.80665;
-  c.environment.water.present = true, c.environment.water.depth = depth;
+  c.environment.water.present = true;
+  c.environment.water.depth = depth;
   c.environment.water.waves = waves;
   c.lines[0].start = model::Start::straight;
   return c;
@@ -41,7 +44,8 @@ Load load(Simulation& sim, double t) {
   Load sum;
   for (size_t n = 0; n < s.x.size(); ++n) {
     const double* r0 = sim.system().reactions().data() + 3 * mesh.block[n];
-    sum.force -= r0[0], sum.moment -= r0[0] * (s.x[n].z() - s.x[0].z());
+    sum.force -= r0[0];
+    sum.moment -= r0[0] * (s.x[n].z() - s.x[0].z());
     if (mesh.rotates(static_cast<int>(n))) sum.moment -= (s.q[n] * Eigen::Map<const Vec3>(r0 + 3)).y();
   }
   return sum;
@@ -65,7 +69,8 @@ TEST(WaveLoads, Pile) {
       Load most;
       for (int i = 0; i <= 90; ++i) {
         const Load l = load(sim, -0.25 * r.period * i / 90);
-        most.force = std::max(most.force, l.force), most.moment = std::max(most.moment, l.moment);
+        most.force = std::max(most.force, l.force);
+        most.moment = std::max(most.moment, l.moment);
       }
       const double inertia = load(sim, -0.25 * r.period).moment, drag_only = load(sim, 0).moment;
       w.stretching = Stretching::wheeler;
@@ -107,7 +112,8 @@ TEST(WaveLoads, PileInStokesWave) {
       const double u = m.velocity.x(), f = (0.5 * rho * Cd * D * std::abs(u) * u +
                                             rho * Cm * M_PI / 4 * D * D * m.acceleration.x()) *
                                            (depth + top) / n;
-      expected.force += f, expected.moment += f * y;
+      expected.force += f;
+      expected.moment += f * y;
     }
     const Load l = load(sim, t);
     printf("  t %g s: surface at %.2f m, force %.0f N, off by %+.3f %%, moment %+.3f %%\n", t, top,
@@ -153,17 +159,21 @@ TEST(WaveLoads, NeutralRodMovesWithTheWater) {
     const double mass = 1025 * M_PI / 4 * 0.01;
     model::LineType t = beam ? beam_type(1e7, 1e5, 1e5, mass) : cable_type(1e7, mass);
     t.outer_diameter = t.contact_diameter = 0.1;
-    t.Cd_normal = 0, t.Ca_axial = 1;
+    t.Cd_normal = 0;
+    t.Ca_axial = 1;
     model::Case c = one_line(t, 1, 2, {}, {});
     c.environment.gravity = 9.80665;
-    c.environment.water.present = true, c.environment.water.depth = 40;
+    c.environment.water.present = true;
+    c.environment.water.depth = 40;
     c.environment.water.waves = one_wave(0.02, 6);
     c.environment.water.waves.ramp = 6;
     c.lines[0].start = model::Start::points;
     c.lines[0].points = {Vec3(0, 0, -3), Vec3(0, 1, -3)};
     c.statics.enabled = false;
     c.dynamics.enabled = true;
-    c.dynamics.duration = 20, c.dynamics.step = 0.02, c.dynamics.rho_infinity = 1;
+    c.dynamics.duration = 20;
+    c.dynamics.step = 0.02;
+    c.dynamics.rho_infinity = 1;
     Simulation sim(PETSC_COMM_SELF, c);
     sim.dynamics().start(sim.state());
     const double omega = 2 * M_PI / 6, k = wave_number(omega, 40, 9.80665);

@@ -14,10 +14,17 @@ TEST(WavesRanks, SeedsAreTheSameSea) {
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   for (const auto kind : {model::Waves::Kind::spectrum, model::Waves::Kind::table}) {
     model::Environment e;
-    e.water.present = true, e.water.depth = 80;
+    e.water.present = true;
+    e.water.depth = 80;
     model::Waves& w = e.water.waves;
-    w.kind = kind, w.height = 5, w.peak_period = 11, w.gamma = 2.7, w.direction = 0.4, w.spreading = 6;
-    w.count = 300, w.seed = 41;
+    w.kind = kind;
+    w.height = 5;
+    w.peak_period = 11;
+    w.gamma = 2.7;
+    w.direction = 0.4;
+    w.spreading = 6;
+    w.count = 300;
+    w.seed = 41;
     w.spectrum = {{0.2, 0}, {0.5, 9}, {0.7, 4}, {2, 0}};
     const WaveField field = model::wave_field(e);
     std::vector<double> mine;

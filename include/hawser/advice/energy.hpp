@@ -13,8 +13,9 @@ struct EnergyMade {
   ContactWith with = ContactWith::nothing;  // what acted there
   bool fixed = false;                       // the user chose the step
 };
-// where: in the mesh. striking: the key of a motion that begins with a velocity and explains it, or "".
-std::string energy_made(const EnergyMade& made, const std::string& where, const std::string& striking);
+// where: in the mesh. initial_velocity_key: of a motion that begins with a velocity and explains it, or "".
+std::string energy_made(const EnergyMade& made, const std::string& where,
+                        const std::string& initial_velocity_key);
 // J, lost by a time [s] of the work done; in steps of so many s.
 std::string energy_lost(double energy, double by, double work, double step, bool fixed);
 std::string energy_is_no_number();

@@ -11,21 +11,21 @@ namespace hawser::advice {
 
 // How much of the results what was found can change: all of them, as a wrong unit does; those of a part or of
 // the start of a run; or how well they are resolved.
-enum class Effect { whole, part, resolution };
+enum class Effect { all, part, resolution };
 
 struct InputWarning {
   std::string key;   // dotted, as in the file
   std::string text;  // what was found there, and what is usual
   int kind = 0;      // of the same kind only the first few are reported
-  Effect effect = Effect::whole;
+  Effect effect = Effect::all;
 };
 
-// Everything doubtful of a case that model::check passes, in the order of the functions below. Empty for an
+// Everything unusual of a case that model::check passes, in the order of the functions below. Empty for an
 // ordinary case.
 std::vector<InputWarning> input_warnings(const model::Case& c);
 // "file:line: key: text" each, those with the largest effect first; of many of one kind the first three, and
 // how many more there are. Only those with an effect from the first to the second.
-std::vector<std::string> input_notes(const model::Case& c, Effect from = Effect::whole,
+std::vector<std::string> input_notes(const model::Case& c, Effect from = Effect::all,
                                      Effect to = Effect::resolution);
 
 // Its parts. Numbers outside of the range of what they can be, and angles that are written in radians.
@@ -59,7 +59,7 @@ void warn_of_sea(const model::Case& c, std::vector<InputWarning>& out);
 void warn_of_times(const model::Case& c, std::vector<InputWarning>& out);
 
 // m/s with which the prescribed motion and the drift of a body begin at t = 0, where its lines are at rest;
-// 0: nothing that strikes them.
+// 0: no impact on them.
 struct StartSpeeds {
   double motion = 0, drift = 0;
 };

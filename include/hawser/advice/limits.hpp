@@ -17,14 +17,14 @@ struct Extreme {
 };
 // An empty text where the extreme is none too many. A utilisation of more than 1: what the line then is, and
 // the name of it.
-std::string overused(const model::Case& c, const Extreme& at, const std::string& exceeded,
-                     const std::string& label);
+std::string utilisation_warning(const model::Case& c, const Extreme& at, const std::string& exceeded,
+                                const std::string& label);
 // Compression, a tension below 0, under which it buckles.
-std::string buckles(const model::Case& c, const Extreme& at);
+std::string compression_warning(const model::Case& c, const Extreme& at);
 // A curvature with which the steel of a line that is laid over supports yields.
-std::string overbent(const model::Case& c, const Extreme& at);
+std::string curvature_warning(const model::Case& c, const Extreme& at);
 // A penetration of a volume.
-std::string too_deep(const model::Case& c, const Extreme& at);
+std::string penetration_warning(const model::Case& c, const Extreme& at);
 // Of the design tension of a pipe, of that at yield.
 std::string beyond_pipe_formulas(double pulled);
 

@@ -20,7 +20,7 @@ std::string starts_inside(const model::Line& line, const std::string& volume, co
 std::string stays_inside(const model::Line& line, const std::string& volume, const InsideVolume& s,
                          bool statics);
 // At end A or B, `depth` [m] inside or at the surface, and so without contact over a length [m].
-std::string left_out_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
+std::string excluded_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
                             double without);
 
 // A line that passes a volume, while its ends are on the other side.

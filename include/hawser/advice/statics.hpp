@@ -15,7 +15,7 @@ std::string no_waterplane(const std::string& body);
 // with force to spare.
 std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double held);
 // Equilibria that statics left on its way; eigenvalues below 0 of the one it found.
-std::string unstable_on_the_way(int equilibria);
+std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
 // So many steps of dynamic relaxation without rest.
 std::string long_relaxation(int steps);

@@ -22,7 +22,7 @@ struct InputError : Sentence {
   using Sentence::Sentence;
 };
 
-// The solver gave up; what() names line, arc length and cause. Exit code 3.
+// The solver failed; what() names line, arc length and cause. Exit code 3.
 struct SolveError : Sentence {
   using Sentence::Sentence;
 };

@@ -1,4 +1,4 @@
-// What every rank has, brought to every rank: the lengths are told once, values as often as wanted.
+// What every rank has, brought to every rank: the lengths are exchanged once, values as often as needed.
 #pragma once
 
 #include <mpi.h>
@@ -76,8 +76,8 @@ inline void on_root(MPI_Comm comm, const std::function<void()>& work) {
   if (!text.empty()) throw InputError(text);
 }
 
-// Of the rank with the largest value (the first of equal ones), told to all if that is above `least`; whether
-// it is. T: plain data. Collective.
+// Of the rank with the largest value (the first of equal ones), broadcast to all if that is above `least`;
+// whether it is. T: plain data. Collective.
 template <class T>
 bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
   struct {
@@ -114,7 +114,8 @@ class GatherPlan {
  public:
   // mine: how many values this rank brings. Collective.
   GatherPlan(MPI_Comm comm, int mine) : comm_(comm), mine_(mine) {
-    count_.resize(ranks_of(comm)), start_.resize(count_.size() + 1, 0);
+    count_.resize(ranks_of(comm));
+    start_.resize(count_.size() + 1, 0);
     MPI_Allgather(&mine, 1, MPI_INT, count_.data(), 1, MPI_INT, comm);
     std::inclusive_scan(count_.begin(), count_.end(), start_.begin() + 1);
   }

@@ -14,7 +14,8 @@ class ShareOfTime {
   void spend(const What& what) {
     const Clock::time_point start = Clock::now();
     what();
-    cost_ = seconds_since(start), end_ = Clock::now();
+    cost_ = seconds_since(start);
+    end_ = Clock::now();
   }
 
  private:

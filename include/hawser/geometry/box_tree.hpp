@@ -36,7 +36,7 @@ class BoxTree {
   }
 
   // Calls visit(item) for all items that may be within the distance sqrt(squared) [m²] of p, and for some
-  // that are not, nearer halves first; visit may lessen `squared`. None just at it is left out.
+  // that are not, nearer halves first; visit may lessen `squared`. None just at it is excluded.
   template <class Visit>
   void nearest(const Vec3& p, double& squared, Visit&& visit) const {
     if (empty()) return;
@@ -81,7 +81,8 @@ class BoxTree {
   template <class Self, class P>
   static void pack(Self& self, P& p) {
     p.value(self.size_);
-    p.array(self.nodes_), p.array(self.items_);
+    p.array(self.nodes_);
+    p.array(self.items_);
   }
 
  private:

@@ -16,8 +16,8 @@
 namespace hawser {
 
 struct DuplicateResult {
-  int copies = 0;        // triangles left out of which another copy stays
-  int back_to_back = 0;  // triangles left out with all their copies
+  int copies = 0;        // triangles excluded from which another copy stays
+  int back_to_back = 0;  // triangles excluded with all their copies
   std::string sentence;  // what was done; empty: nothing
 };
 // The order of those that stay is kept; of copies the first of those that face the way most of them do.

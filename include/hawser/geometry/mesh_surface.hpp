@@ -13,7 +13,7 @@
 //
 // Of an open mesh the inside is where the winding number is above 1/2. It is asked near holes, and near
 // facets about which it does not pass 1/2; elsewhere the pseudonormal gives the same sign at once. Facets
-// with the inside on both sides (facet groups within the body, pieces that overlap) are left out.
+// with the inside on both sides (facet groups within the body, pieces that overlap) are excluded.
 //
 // Only `active` triangles are met. The sign is that of the whole mesh, so the inactive rest closes the
 // body. A point inside whose nearest active point is on the border of the active part, and which does
@@ -64,7 +64,7 @@ class MeshSurface final : public Surface {
   int curved() const;                     // number of curved facets
   int sharp_edges() const;                // 0 without `smooth`
   double bulge() const;                   // m, the farthest the surface lies from the facets, at most
-  int internal_facets() const;            // left out, as the body is on both sides of them
+  int internal_facets() const;            // excluded, as the body is on both sides of them
 
   // All it knows in one block of memory, for others to read (packing.hpp): its size in bytes, and writing
   // it to `to`, which is on a cache line.

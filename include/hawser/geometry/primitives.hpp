@@ -23,7 +23,7 @@ std::shared_ptr<const Surface> make_surface(const Primitive& shape);
 
 // The shape as triangles, corners on the surface; closed and outward, except the plane: that is a square
 // patch centred at the foot of `seen.centre()` and large enough for the foot of every point of `seen`.
-TriangleMesh facets(const Primitive& shape, const Box& seen);
+TriangleMesh facets(const Primitive& shape, const Box& extent);
 
 // Patches: (i + 1) + 3 (j + 1) + 9 (k + 1), with i, j, k in {-1, 0, 1} the side of the box on which the
 // nearest point lies, in the box's axes; features face, edge0 and vertex0.

@@ -3,7 +3,7 @@
 // Size below is the largest of |a1 - a0|, |b1 - b0| and |a0 - b0|.
 // - The distance is right to 1e-14 of the size for any input: parallel, nearly parallel (where solving the
 //   normal equations fails), crossing, collinear, shrunk to points.
-// - s and t are as good as the question: when the lines meet at the angle theta they move by rounding /
+// - s and t are equivalent to the question: when the lines meet at the angle theta they move by rounding /
 // theta.
 //   Parallel to rounding: the middle of the stretch over which the distance is the same.
 // - Exchanging the segments exchanges the answer, to the last bit.

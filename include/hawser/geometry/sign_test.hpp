@@ -1,4 +1,4 @@
-// How it is told whether a point is inside a mesh.
+// The test whether a point is inside a mesh.
 #pragma once
 
 namespace hawser {

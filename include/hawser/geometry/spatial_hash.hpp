@@ -37,10 +37,10 @@ class SpatialHash {
   void nearest(const Vec3& p, double& squared, Visit&& visit) const {
     if (empty()) return;
     const Cell at = cell_of(p);
-    double looked = 0;
-    for (int ring = 0; way_to(ring, at, p) <= std::sqrt(squared) * kMore; ++ring) {
-      looked += 24.0 * ring * ring + 2;
-      if (looked > static_cast<double>(items_.size())) {  // more cubes than items
+    double cubes = 0;
+    for (int ring = 0; distance_to(ring, at, p) <= std::sqrt(squared) * kMore; ++ring) {
+      cubes += 24.0 * ring * ring + 2;
+      if (cubes > static_cast<double>(items_.size())) {  // more cubes than items
         for (const int i : items_) visit(i);
         return;
       }
@@ -54,8 +54,12 @@ class SpatialHash {
 
   template <class Self, class P>
   static void pack(Self& self, P& p) {
-    p.value(self.origin_), p.value(self.side_), p.value(self.last_), p.value(self.places_);
-    p.array(self.first_), p.array(self.items_);
+    p.value(self.origin_);
+    p.value(self.side_);
+    p.value(self.last_);
+    p.value(self.places_);
+    p.array(self.first_);
+    p.array(self.items_);
   }
 
  private:
@@ -77,7 +81,7 @@ class SpatialHash {
     return static_cast<std::size_t>(h ^ h >> 20) & (places_ - 1);
   }
   // m, no cube of the ring, nor of one farther out, is nearer to p; infinite: there are none.
-  double way_to(int ring, const Cell& at, const Vec3& p) const {
+  double distance_to(int ring, const Cell& at, const Vec3& p) const {
     if (ring == 0) return 0;
     double way = std::numeric_limits<double>::infinity();
     for (int a = 0; a < 3; ++a) {

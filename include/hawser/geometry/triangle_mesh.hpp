@@ -77,7 +77,7 @@ Topology topology(const TriangleMesh& mesh);
 
 struct MeshReport {
   int triangles = 0, vertices = 0;
-  int welded = 0;      // vertices merged by weld(), if it was told
+  int welded = 0;      // vertices merged by weld(), if that is known
   int removed = 0;     // triangles removed by weld() as two of their corners were one vertex
   int degenerate = 0;  // triangles of no area: triangle_normal() is zero
   int open_edges = 0, non_manifold_edges = 0, flipped_edges = 0;

@@ -19,13 +19,13 @@ class WindingTree {
 
   // Clusters farther than `accuracy` times their radius are dipoles: 1.5 errs by up to 0.13,
   // 3 by 0.03, 10 by 1e-3 (found on a hull and a sphere).
-  // Triangle `without` is left out.
+  // Triangle `without` is excluded.
   double winding_number(const MeshView& mesh, const Vec3& p, double accuracy = 3, int without = -1) const;
 
   // Whether the winding number is above 1/2: the nearer it is, the more accurately it is found.
   bool inside(const MeshView& mesh, const Vec3& p) const;
 
-  // How many triangles the ray from p along u meets, `without` left out.
+  // How many triangles the ray from p along u meets, `without` excluded.
   int crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, int without) const;
 
   bool empty() const { return tree_.empty(); }

@@ -12,8 +12,8 @@
 
 namespace hawser::io {
 
-// What is told while a case is read, before what may take long; members may be empty.
-struct ReadingNews {
+// Reports while a case is read, before what may take long; members may be empty.
+struct ReadProgress {
   std::function<void(const std::string& title)> title;  // or the path, where it has none
   std::function<void(const std::string& what, double seconds)>
       busy;  // what begins, and about how long it takes
@@ -31,12 +31,13 @@ using CaseChanges = std::vector<std::string>;
 // a seabed, for all of them.
 // Throws InputError; what() is one sentence "file:line: dotted.key: what is wrong", of a changed case with
 // its changes.
-model::Case read_case(const std::string& path, const ReadingNews& news = {}, MPI_Comm comm = MPI_COMM_SELF,
-                      const CaseChanges& changes = {});
+model::Case read_case(const std::string& path, const ReadProgress& read_progress = {},
+                      MPI_Comm comm = MPI_COMM_SELF, const CaseChanges& changes = {});
 
 // The same for text already read; `path` names the file and gives the directory of relative paths.
-model::Case read_case_text(const std::string& text, const std::string& path, const ReadingNews& news = {},
-                           MPI_Comm comm = MPI_COMM_SELF, const CaseChanges& changes = {});
+model::Case read_case_text(const std::string& text, const std::string& path,
+                           const ReadProgress& read_progress = {}, MPI_Comm comm = MPI_COMM_SELF,
+                           const CaseChanges& changes = {});
 
 // Unstretched lengths of sections by their dotted keys, "lines.hose.sections[0]", m.
 using SectionLengths = std::map<std::string, double>;

@@ -42,13 +42,13 @@ std::vector<std::vector<double>> read_rows(const std::string& path, const model:
                                            std::vector<int>* lines = nullptr);
 
 // Rows of a map that has them written there (`rows`) or in a text file (`file`), and where that is.
-struct GivenRows {
+struct InputRows {
   const model::Value& at;
   std::vector<std::vector<double>> rows;
 };
-GivenRows read_given_rows(const model::Value& v, const CaseSource& source);
+InputRows read_input_rows(const model::Value& v, const CaseSource& source);
 // Refuses row i when its first number, a time, is not above that of the row before.
-void check_time(const GivenRows& given, size_t i);
+void check_time(const InputRows& given, size_t i);
 
 // `rao: {...}`: the motion of a body in the waves of the case as a dense table over `duration` [s].
 model::TableMotion read_rao(const model::Value& rao, const model::Environment& sea, const model::Body& body,
@@ -59,7 +59,7 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
 void read_motion_table(const model::Value& table, const CaseSource& source, model::TableMotion& m,
                        std::vector<std::string>& notes);
 
-// `environment`. notes: what is doubtful about it, a sentence each.
+// `environment`. notes: what is unusual about it, a sentence each.
 void finish_environment(const model::Value& v, const CaseSource& source, model::Environment& e,
                         std::vector<std::string>& notes);
 
@@ -75,13 +75,13 @@ void finish_in_water(const model::Value& v, const model::Water& water, model::Li
 model::LineType read_line_type(const std::string& name, const model::Value& v, const model::Environment& sea);
 
 // What is more than copying of an entry of `bodies`, of `volumes`, and of `contact`. Of the case the
-// environment is read already; its notes get what is doubtful.
+// environment is read already; its notes get what is unusual.
 void finish_body(const model::Value& v, const CaseSource& source, model::Body& b, model::Case& c);
 void finish_volume(const model::Value& v, const CaseSource& source, model::Volume& o);
 void finish_contact(const model::Value& v, model::Contact& to);
 
 // An entry of `lines`. whole: `start` of the case, or null; lengths: of sections, in place of those given. Of
-// the case line types and joints are read already; its notes get what is doubtful.
+// the case line types and joints are read already; its notes get what is unusual.
 class OtherRuns;
 void finish_line(const model::Value& v, const model::Value* whole, const SectionLengths& lengths,
                  OtherRuns& others, model::Case& c, model::Line& l);
@@ -109,8 +109,8 @@ class OtherRuns {
   explicit OtherRuns(const CaseSource& source) : source_(source) {}
   // start: a map with `from` and maybe `time`. Without such a line: refused if it must be there, else null.
   // A line that is cut there is whole for as long as its parts hang together, else its first part.
-  std::shared_ptr<const model::LeftShape> shape(const model::Value& start, const std::string& line,
-                                                bool must);
+  std::shared_ptr<const model::PreviousShape> shape(const model::Value& start, const std::string& line,
+                                                    bool must);
   // Whether the parts of the line that was last asked for have come apart.
   bool parted() const { return parted_; }
 
@@ -123,14 +123,14 @@ class OtherRuns {
     std::vector<std::vector<double>> axes;  // 1 and 2 of the section, where there are beams
   };
   const Run& run(const model::Value& from, const model::Value* time);
-  static void add_shape(const Run& r, size_t line, model::LeftShape& to);
+  static void add_shape(const Run& r, size_t line, model::PreviousShape& to);
   const CaseSource& source_;
   bool parted_ = false;
   std::map<std::pair<std::string, double>, Run> runs_;  // by path and time; -1: the last
 };
 // Whether it is long enough for the line.
-void check_left_shape(const model::Line& line, const model::Value& at, const std::string& key, bool parted,
-                      std::vector<std::string>& notes);
+void check_previous_shape(const model::Line& line, const model::Value& at, const std::string& key,
+                          bool parted, std::vector<std::string>& notes);
 
 // Heights that are far from all others of a grid, whose places are `spacing` m apart at least.
 struct OddHeights {

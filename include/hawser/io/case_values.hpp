@@ -7,9 +7,9 @@
 
 namespace hawser::io {
 
-inline double number(const model::Value& v, const char* key, double otherwise = 0) {
+inline double number(const model::Value& v, const char* key, double fallback = 0) {
   const model::Value* x = v.find(key);
-  return x ? x->number : otherwise;
+  return x ? x->number : fallback;
 }
 // Zero without.
 inline Vec3 vec(const model::Value& v, const char* key) {
@@ -24,8 +24,8 @@ inline double length_of(const model::Case& c, const std::string& line) {
   return model::length_of(c.line(line));
 }
 // An arc length of a line of this length, m: a number or one of its ends.
-inline double arc(const model::Value* v, double otherwise, double length) {
-  if (!v) return otherwise;
+inline double arc(const model::Value* v, double fallback, double length) {
+  if (!v) return fallback;
   if (v->is("end_a")) return 0;
   if (v->is("end_b")) return length;
   return v->number;

@@ -60,7 +60,7 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& checkpoint, int 
                                const std::vector<int>& owned);
 
 // Hands the array over piece by piece, as many on every rank: this rank's share of it, ascending, and the
-// numbers there. What is handed over of the checkpoint is forgotten, so that it is not in memory twice.
+// numbers there. What is passed on of the checkpoint is forgotten, so that it is not in memory twice.
 // Returns the checksum of the whole array, the same on all ranks. Collective.
 using PutNumbers = std::function<void(const std::vector<RowRun>& runs, const std::vector<double>& values)>;
 unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint checkpoint, int nodes_total,

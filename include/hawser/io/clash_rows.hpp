@@ -30,7 +30,7 @@ struct ClashTables {
 
 // What outputs so far have put into a file: how many that ended, and those that went on at the last one. That
 // of rank 0 counts.
-struct ClashesTold {
+struct ReportedClashes {
   long long ended = 0;
   std::vector<ClashRow> open;
 };

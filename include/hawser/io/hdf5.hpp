@@ -16,7 +16,11 @@ class Id {
   Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
   Id(Id&& o) noexcept : id_(std::exchange(o.id_, -1)), close_(o.close_) {}
   Id& operator=(Id&& o) noexcept {
-    if (this != &o) reset(), id_ = std::exchange(o.id_, -1), close_ = o.close_;
+    if (this != &o) {
+      reset();
+      id_ = std::exchange(o.id_, -1);
+      close_ = o.close_;
+    }
     return *this;
   }
   ~Id() { reset(); }

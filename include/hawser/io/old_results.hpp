@@ -13,10 +13,10 @@ bool is_results(const std::string& path);
 bool is_xdmf(const std::string& path);
 
 // The name under which an older file is kept.
-inline std::string kept_name(const std::string& path) { return path + "~"; }
+inline std::string backup_name(const std::string& path) { return path + "~"; }
 
 // Gives results at `path`, and the XDMF file beside them, that name; what had it is gone. Serial. Throws
 // WriteError.
-void keep_results(const std::string& path);
+void back_up_results(const std::string& path);
 
 }  // namespace hawser::io

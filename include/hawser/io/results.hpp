@@ -116,16 +116,16 @@ struct SummaryRow {
 // std::runtime_error on all ranks; what was accepted before stays readable.
 class ResultsFile {
  public:
-  // New file; an old one at `path` is kept (keep_results). `owned`: this rank's nodes, ascending, in file
+  // New file; an old one at `path` is kept (back_up_results). `owned`: this rank's nodes, ascending, in file
   // order. Throws WriteError when the place cannot be written.
   static ResultsFile create(MPI_Comm comm, const std::string& path, ResultContents contents,
                             std::vector<int> owned);
 
   // Go on with the file of an earlier run of the same contents: outputs and series rows later than
-  // `time` [s] are dropped. `told`: the clashes of the last output that stays; those of a dropped one may
+  // `time` [s] are dropped. `reported`: the clashes of the last output that stays; those of a dropped one may
   // have taken their place in the file. Throws InputError when lines, fields or series differ.
   static ResultsFile resume(MPI_Comm comm, const std::string& path, ResultContents contents,
-                            std::vector<int> owned, double time, const ClashesTold& told = {});
+                            std::vector<int> owned, double time, const ReportedClashes& reported = {});
 
   ResultsFile(ResultsFile&&) noexcept;
   ResultsFile& operator=(ResultsFile&&) noexcept;
@@ -135,7 +135,7 @@ class ResultsFile {
   // them (one rank must), else empty. Kept in memory until the next output; no communication.
   void append_series(double time, const std::vector<std::vector<double>>& values);
 
-  // Node fields at `time` [s], owned nodes x components (those of bodies are left out), in the order of
+  // Node fields at `time` [s], owned nodes x components (those of bodies are excluded), in the order of
   // contents.fields (position
   // first), with one pose a body (same on all ranks). ends: likewise, contents.end_fields of the ends whose
   // nodes this rank owns, ascending. The output and the series rows so far go to the file, from where they

@@ -52,9 +52,9 @@ std::vector<std::string> volume_places(const ResultContents& contents);
 std::vector<std::string> series_places(const ResultContents& contents);
 
 // Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes` and newest checkpoint
-// are taken over, or empty; one at `path` is then kept (keep_results). Serial. Throws InputError when `from`
-// does not hold the same things, std::runtime_error when the disk fails; the file at `path` is then as it
-// was.
+// are taken over, or empty; one at `path` is then kept (back_up_results). Serial. Throws InputError when
+// `from` does not hold the same things, std::runtime_error when the disk fails; the file at `path` is then as
+// it was.
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
                    const std::string& from, const ResultCount& kept, long long clashes,
                    const ResultLast* last);

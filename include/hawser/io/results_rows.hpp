@@ -40,7 +40,7 @@ class SharedFile {
     try {
       f();
     } catch (const std::exception& e) {
-      if (trouble_.empty()) note(e);
+      if (error_.empty()) note(e);
     }
   }
 
@@ -69,8 +69,8 @@ class SharedFile {
   std::string path_;
   h5::Id file_, transfer_;
   std::map<std::string, h5::Id> open_;  // closed before the file
-  std::string trouble_;                 // first error on this rank since the ranks last agreed
-  bool ours_ = false;                   // not the file's fault
+  std::string error_;                   // first error on this rank since the ranks last agreed
+  bool internal_ = false;               // not the file's fault
 };
 
 }  // namespace hawser::io

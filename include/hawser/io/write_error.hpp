@@ -11,7 +11,7 @@ struct WriteError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// That sentence for `path`, when the system or a library says `why`. They don't always hand on that the disk
+// That sentence for `path`, when the system or a library says `why`. They don't always pass on that the disk
 // is full; it is asked.
 std::string cannot_write(const std::string& path, const std::string& why);
 

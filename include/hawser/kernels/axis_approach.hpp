@@ -1,8 +1,8 @@
 // Whether two axes keep their sides in a step: how near they come to each other on the way.
 //
 // Every point of an axis is taken to move straight from the start of the step to its end. The axes are halved
-// until the chords of the pieces tell what is asked of the curves; most pieces are told from afar. Between
-// accepted states that keep this no axis has gone through the other, whatever the curves.
+// until the chords of the pieces decide what is asked of the curves; most pieces are decided from afar.
+// Between accepted states that keep this no axis has gone through the other, whatever the curves.
 #pragma once
 
 #include "hawser/kernels/axis_shape.hpp"

@@ -14,7 +14,7 @@ struct AxisApproach {
 };
 
 // The nearest points of two axes, when these are nearer than `within` [m]; else nothing. Pieces whose bounds
-// exclude it are left out until the rest is straight to `resolution` [m]; the best of them is the start of a
+// exclude it are excluded until the rest is straight to `resolution` [m]; the best of them is the start of a
 // Newton iteration, so that the answer is right to rounding unless two places differ by less than the
 // resolution.
 std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b, double within,

@@ -29,13 +29,13 @@ struct BeamSection {
   // Tension over strain, times EA over its slope at zero; null: linear. Damping stays that of EA.
   const ResponseCurve* tension = nullptr;
   // Bending moment over curvature, in the direction of the curvature, and on top of it what EI2 = EI3 is
-  // above its slope at zero, linear; null: linear. GA is not heeded then, and damping stays that of EI.
+  // above its slope at zero, linear; null: linear. GA is ignored then, and damping stays that of EI.
   const ResponseCurve* moment = nullptr;
   // Bending that yields and remembers, instead; null: elastic. The same of EI2, EI3, GA and damping.
   const PlasticBending* plastic = nullptr;
   // Of an element whose length follows the force that a feeder feels of it (beam_feed): the derivative of the
   // length by that force, m/N.
-  double gives = 0;
+  double length_by_force = 0;
 
   bool bends_by_law() const { return moment || plastic; }
 };

@@ -23,12 +23,12 @@ struct BezierAxis {
   }
 
   Vec3 point(double z) const;
-  Vec3 slope(double z) const;                    // db/dz, m
-  Vec3 bend(double z) const;                     // d²b/dz², m
-  double slope_bound() const;                    // a bound of |db/dz|, m
-  double sagitta() const;                        // a bound of how far it is from its chord, m
-  double way_to(const BezierAxis& other) const;  // the farthest of its points from the other's, m
-  Box box() const;                               // holds it
+  Vec3 slope(double z) const;                               // db/dz, m
+  Vec3 bend(double z) const;                                // d²b/dz², m
+  double slope_bound() const;                               // a bound of |db/dz|, m
+  double sagitta() const;                                   // a bound of how far it is from its chord, m
+  double farthest_distance(const BezierAxis& other) const;  // the farthest of its points from the other's, m
+  Box box() const;                                          // holds it
   std::array<BezierAxis, 2> halves() const;
   BezierAxis part(double from, double to) const;
 };

@@ -26,14 +26,18 @@ inline BuriedForce buried_force(const BuriedSoil& soil, const Vec3& slip, const 
   const auto add = [&r](double resistance, double length, const Vec3& part, const Mat3& plane) {
     const double k = resistance / length, s = part.norm();
     if (s <= length) {
-      r.force -= k * part, r.slip += part;
-      r.stored += 0.5 * k * s * s, r.potential += 0.5 * k * s * s;
+      r.force -= k * part;
+      r.slip += part;
+      r.stored += 0.5 * k * s * s;
+      r.potential += 0.5 * k * s * s;
       r.stiffness += k * plane;
       return;
     }
     const Vec3 way = part / s;
-    r.force -= resistance * way, r.slip += length * way;
-    r.stored += 0.5 * resistance * length, r.potential += resistance * (s - 0.5 * length);
+    r.force -= resistance * way;
+    r.slip += length * way;
+    r.stored += 0.5 * resistance * length;
+    r.potential += resistance * (s - 0.5 * length);
     r.stiffness += resistance / s * (plane - way * way.transpose());
   };
   add(soil.axial, soil.axial_length, tangent * tangent.dot(slip), along);

@@ -15,8 +15,8 @@ struct CableSection {
   const ResponseCurve* tension = nullptr;
   double free_strain = 0;  // at which there is no tension: thermal expansion
   // Derivative of `length` by that of the chord: of what a winch that keeps to a tension pays out.
-  double follows = 0;
-  double grows = 0;  // m/s, rate of `length`: what is paid out does not stretch the material
+  double length_by_chord = 0;
+  double length_rate = 0;  // m/s, rate of `length`: what is paid out does not stretch the material
 
   // Tension [N] of a strain, its slope and its energy a unit of length.
   ResponseCurve::Value axial(double strain) const {

@@ -72,9 +72,9 @@ inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
   return r;
 }
 
-// Largest tangent stiffness [N/m] that a contact at the depth p [m], which the mass m [kg] strikes at the
-// speed u [m/s], reaches: k + 3 c max(p, q)², where q is the depth at which the spring has taken up the
-// kinetic energy, k q²/2 + c q⁴/4 = m u²/2.
+// Largest tangent stiffness [N/m] that a contact at the depth p [m], into which an impact of the mass m [kg]
+// at the speed u [m/s], reaches: k + 3 c max(p, q)², where q is the depth at which the spring has taken up
+// the kinetic energy, k q²/2 + c q⁴/4 = m u²/2.
 inline double stiffness_of_impact(const NormalLaw& law, double p, double m, double u) {
   const double k = law.stiffness, c = law.cubic;
   if (!(c > 0)) return k;

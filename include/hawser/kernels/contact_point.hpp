@@ -21,8 +21,10 @@ struct ContactPoint {
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each, const char* force, const char* energy) {
     each("normal", "", self.normal);
-    each("force", force, self.force), each("friction force", force, self.friction);
-    each("normal force", force, self.normal_force), each("damping force", force, self.damping_force);
+    each("force", force, self.force);
+    each("friction force", force, self.friction);
+    each("normal force", force, self.normal_force);
+    each("damping force", force, self.damping_force);
     each("potential", energy, self.potential);
   }
 };

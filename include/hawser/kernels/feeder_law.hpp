@@ -25,8 +25,8 @@ struct FedPull {
 };
 
 struct FedElement {
-  double length = 0;  // m, unstretched, at the end of the step
-  double gives = 0;   // m/N, derivative by a force on top of `pull`
+  double length = 0;           // m, unstretched, at the end of the step
+  double length_by_force = 0;  // m/N, derivative by a force on top of `pull`
 };
 
 // Solves L = from + h v(pull(L)) for the unstretched length L > 0 of the element at the winch, with the

@@ -113,7 +113,8 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
     e.axis[0] = holds_a ? S(N * M(mu.axial / k)) : S(1);
     e.axis[1] = holds_l ? S(N * M(mu.lateral / k)) : S(1);
   } else {
-    e.axis[0] = S(law.axial_length), e.axis[1] = S(law.lateral_length);
+    e.axis[0] = S(law.axial_length);
+    e.axis[1] = S(law.lateral_length);
     if (law.spring == FrictionSpring::elliptic && law.back == FrictionReturn::associated) {
       if (holds_a) e.stiffness[0] = S(mu.axial / law.axial_length);
       if (holds_l) e.stiffness[1] = S(mu.lateral / law.lateral_length);
@@ -128,7 +129,7 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
     r.force = a * S(-(ka * e.slip[0])) + l * S(-(kl * e.slip[1]));
   } else {
     const S s2 = e.slip[0] * e.slip[0] + e.slip[1] * e.slip[1];
-    // R/|s| has no limit at zero slip: that of an axial one is as good as any.
+    // R/|s| has no limit at zero slip: that of an axial one is equivalent to any.
     const S spring = s2 > 0.0 ? S(N * sqrt(S(e.square() / s2))) : S(N * (1 / law.axial_length));
     r.force = a * S(-(spring * mu.axial * e.slip[0])) + l * S(-(spring * mu.lateral * e.slip[1]));
   }

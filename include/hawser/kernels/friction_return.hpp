@@ -30,7 +30,8 @@ struct SlipEllipse {
     if (!(outside > 1.0)) return false;
     if (how == FrictionReturn::radial) {
       const S shrink = S(1) / sqrt(outside);
-      slip[0] *= shrink, slip[1] *= shrink;
+      slip[0] *= shrink;
+      slip[1] *= shrink;
       return true;
     }
     // s_i = trial_i/(1 + x c_i), c_i = 1/(k_i axis_i²), x >= 0 the root of the ellipse's equation.

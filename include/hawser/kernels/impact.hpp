@@ -13,77 +13,81 @@
 
 namespace hawser {
 
-// Of a step from here.
+// The limit of the next step.
 struct StepLimit {
   double longest = std::numeric_limits<double>::infinity();  // s
-  // s, shortest period of the contacts that strike now: what they set in motion is followed for some time.
+  // s, shortest period of the contacts with an impact now: steps resolve what it sets in motion for some
+  // time.
   double period = std::numeric_limits<double>::infinity();
 };
 
-// What meets something: how far it is from where forces begin (m, negative: beyond), how fast it closes (m/s)
-// and its acceleration along the normal (m/s², positive: away).
+// A point that approaches a surface: its gap to where forces begin (m, negative: beyond), its closing speed
+// (m/s) and its acceleration along the normal (m/s², positive: away).
 struct Approach {
   double gap = 0, closing = 0, acceleration = 0;
   bool last = true;  // in touch: no other place of the same contact is deeper, so that it ends with this one
 };
 
-// A mass on the spring of a contact that strikes, or may before the step ends.
+// The impact of a mass on the spring of a contact: at present, or possible before the step ends.
 class ImpactEvent {
  public:
-  int line = 0, other = -1;  // that strikes; that is struck, if it is one
+  int line = 0, other = -1;  // the line with the impact; the other line, if there is one
 
-  // J: of the mass along the normal, and of the spring out of its balance. No step makes or loses more by it
-  // where the impact is followed.
+  // J: kinetic energy of the mass along the normal plus that of the spring away from its balance. Steps that
+  // resolve the impact make or lose no more than this.
   double energy() const { return energy_; }
-  // J, at stake in a step of h [s]: energy() where the step is too long to follow the impact, else 0.
+  // J, at stake in a step of h [s]: energy() where the step is too long to resolve the impact, else 0.
   double unresolved(double h) const { return h > resolved_ ? energy_ : 0; }
-  // J, that the trapezoidal rule loses in a step of h across the touch or makes in one across the end.
+  // J: the trapezoidal rule loses this in a step of h across the first touch, or makes it in one across the
+  // end of the contact.
   double crossed(double h) const;
   // s, of what is in touch; infinite: of what is not.
   double period() const;
 
  private:
-  friend std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass,
-                                                 const Approach& at);
-  double slowness_ = 0, energy_ = 0;  // s, J
-  double resolved_ = 0;               // s
-  double crossing_ = 0;               // s, until the touch or the end; infinite: none
-  double half_ = 0;                   // N/m, half the stiffness
+  friend std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth,
+                                                 double mass, const Approach& at);
+  double inverse_frequency_ = 0, energy_ = 0;  // s, J
+  double resolved_ = 0;                        // s
+  double crossing_ = 0;                        // s, until the touch or the end; infinite: none
+  double half_ = 0;                            // N/m, half the stiffness
   Approach at_;
 };
 
-// slowness: s, sqrt(m/k) of the contact, its period over 2 pi. seen: m; what inertia takes deeper than that,
-// by speed or by acceleration, strikes. mass: kg.
-std::optional<ImpactEvent> impact_event(double slowness, double seen, double mass, const Approach& at);
-// Whether it can at all, at a speed [m/s] and an acceleration [m/s²] of no more than that in any direction.
-bool may_impact(double slowness, double seen, double speed, double acceleration);
+// inverse_frequency: s, sqrt(m/k) of the contact, its period over 2 pi. significant_depth: m; there is an
+// impact where inertia takes the mass deeper than this, by speed or by acceleration. mass: kg.
+std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
+                                        const Approach& at);
+// Whether an impact is possible at no more than this speed [m/s] and acceleration [m/s²] in any direction.
+bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
-// Whether a step of h [s] is so short, for a contact of that slowness [s], that what it gains or loses where
-// a contact begins or ends in it is accepted unseen: at most half of the steps that follow an impact.
-bool follows(double slowness, double h);
+// Whether a step of h [s] is short enough for a contact of this inverse frequency [s] that its energy error
+// is accepted where the contact begins or ends in it: at most half of the steps that resolve an impact.
+bool resolves_contact(double inverse_frequency, double h);
 
 // A contact that began or ended within a step that is too long for it, so that the step gained or lost
 // energy. The start of the step did not show it: a wave along the line brought it there or took it off.
 struct UnresolvedImpact {
-  int line = 0, other = -1;  // that strikes or leaves; what is struck or left, if it is a line
+  int line = 0, other = -1;  // that meets or leaves the other, if that is a line
   double energy = 0;         // J, made or lost
 };
-// What a converged step shows of impacts that its start did not.
+// Impacts that the end of a converged step shows and its start did not.
 struct UnresolvedImpacts {
   std::vector<UnresolvedImpact> list;
   bool too_deep = false;  // something went deeper in it than a step is trusted with
 };
 // J, the error of the trapezoidal rule in the work of a contact that began or ended within a step: the rule
 // takes the force for one that rises or falls over the whole path. path: m, along the normal; force: N, and
-// potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times slowness
-// presses in by less than `seen` [m].
-double crossing_error(double slowness, double seen, double force, double potential, double path,
-                      double speed);
+// potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times inverse
+// frequency presses in by less than significant_depth [m].
+double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
+                      double path, double speed);
 
-// What terms find: strikes of what this rank counts, and a length [s] that steps keep to in any case.
+// What terms find: impacts of what this rank counts, and a length [s] that steps keep to in any case.
 struct ImpactEvents {
   double longest = std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();  // s, no step is longer: need not be told of
+  double most =
+      std::numeric_limits<double>::infinity();  // s, no step is longer: longer limits need not be added
   std::vector<ImpactEvent> list;
 
   void limit(double h) {
@@ -92,24 +96,27 @@ struct ImpactEvents {
   void add(const std::optional<ImpactEvent>& s, int line, int other = -1) {
     if (!s) return;
     list.push_back(*s);
-    list.back().line = line, list.back().other = other;
+    list.back().line = line;
+    list.back().other = other;
   }
 };
 
-// Of the masses of a line: kg, kg m/s, J. What moves as a whole has no energy() [J] that could be made, but
-// what strikes with it.
+// The motion of the masses of a line: kg, kg m/s, J. energy() [J] is the kinetic energy about the mean
+// velocity plus that of the line's impacts.
 struct LineMotion {
   double mass = 0;
   Vec3 momentum = Vec3::Zero();
-  double kinetic = 0, striking = 0;
+  double kinetic = 0, impact_energy = 0;
 
   void add(double m, const Vec3& velocity) {
-    mass += m, momentum += m * velocity, kinetic += 0.5 * m * velocity.squaredNorm();
+    mass += m;
+    momentum += m * velocity;
+    kinetic += 0.5 * m * velocity.squaredNorm();
   }
   double energy() const;
 };
 
-// Adds the numbers of all ranks, in place.
+// Sums the numbers over all ranks, in place.
 using Sum = std::function<void(std::span<double>)>;
 
 // What generalized-alpha carries from step to step beside the motion: algorithmic accelerations A, m/s², in
@@ -119,24 +126,25 @@ struct StoredMotion {
   double share = 0;
 };
 
-// J by line: what impacts may make, lose or leave unresolved of it in a step: kErrorOfStep of its energy, as
-// many times as there are lines whose impacts come to more. `lines` are those of all ranks.
+// J by line: the energy error that impacts may have in a step: kErrorOfStep of the line's energy, times the
+// number of lines whose impacts have more. `lines` are those of all ranks.
 constexpr double kErrorOfStep = 2e-5;
-std::vector<double> bearable(std::span<const LineMotion> lines);
+std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 
 // The longest step [s] after one of `last` [s] that lets the energy held in A, which grows with the square of
-// the step, grow by no more than is bearable: it would come out as motion. Twice the last one in any case, as
-// each step damps what the next would make. stored: as LineMotion, of accelerations; by line, of all ranks.
-double growing_step(std::span<const LineMotion> stored, std::span<const double> bearable, double share,
-                    double last);
+// the step, grow by no more than its tolerance: it would come out as motion. Twice the last one in any case,
+// as each step damps what the next would make. stored: as LineMotion, of accelerations; by line, of all
+// ranks.
+double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
+                           double share, double last);
 
-// Whether the errors of all ranks together are within that. Collective.
-bool bearable_impacts(std::span<const UnresolvedImpact> impacts, std::span<const double> bearable,
+// Whether the sum of the errors of all ranks is within the tolerance. Collective.
+bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
                       const Sum& sum);
 
-// The longest step of at most `most` [s] in which strikes, of all ranks, together stay within what is
-// bearable, and the period of those that matter. Collective.
-StepLimit bounded_step(std::span<const ImpactEvent> strikes, std::span<const double> bearable, double most,
-                       const Sum& sum);
+// The longest step of at most `most` [s] in which impacts, of all ranks, together stay within the
+// energy tolerance, and the period of those that matter. Collective.
+StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
+                              double most, const Sum& sum);
 
 }  // namespace hawser

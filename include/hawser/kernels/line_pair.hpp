@@ -41,9 +41,14 @@ struct LinePairHistory : ContactPoint {
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("place", "", self.xi), each("from", "", self.from), each("to", "", self.to);
-    each("opens", "", self.opens), each("closes", "", self.closes);
-    each("weight", "m", self.weight), each("place on the other", "", self.eta), each("slip", "m", self.slip);
+    each("place", "", self.xi);
+    each("from", "", self.from);
+    each("to", "", self.to);
+    each("opens", "", self.opens);
+    each("closes", "", self.closes);
+    each("weight", "m", self.weight);
+    each("place on the other", "", self.eta);
+    each("slip", "m", self.slip);
     each("gap", "m", self.gap);
     ContactPoint::quantities(self, each, "N/m", "J/m");
   }
@@ -60,7 +65,7 @@ class LinePairPass {
     double share = 0.5;                // of the pressure: slave_share of the radii
     double slave_radius = 0;           // m
     bool moves = true;                 // in dynamics; without damping it makes no difference
-    bool convex = false;               // leave out negative stiffness
+    bool convex = false;               // exclude negative stiffness
     std::array<double, 2> part{0, 1};  // of the slave, in xi: the rest has no contact with the master
     bool swapped = false;              // the slave is the second of the two in what add() adds to
   };

@@ -15,7 +15,7 @@ inline constexpr double kHalfRound = 3e-3;
 
 // Of two material points, x of one line and y of the other, which touch at the end of a step.
 template <class S>
-struct LinePairWay {
+struct LinePairMotion {
   Vector3<S> away, away_before;    // m, x - y at the end of the step and at its start
   Vector3<S> slope, slope_before;  // dx/dxi of the line of x, m: at the end and at the start
   Vector3<S> along, along_before;  // dy/deta of the line of y, m
@@ -23,14 +23,14 @@ struct LinePairWay {
 
 // m: of the way that x has come nearer to y along the normal, what neither line makes by sliding along
 // itself. A crossing that sweeps along a line has none, however far from it the material was that it meets; a
-// line that is laid down, wound up or strikes has all of it. < 0: they parted.
+// line that is laid down, wound up or meets the other in an impact has all of it. < 0: they parted.
 //
 // w = x - y less what it was is alpha a + beta b and what is normal to both, a and b the unit tangents at the
 // end; with s = (w.a + w.b)/2, d = (w.a - w.b)/2 and c = a.b it is alpha, beta = s/(1 + c) +- d/(1 - c). A
 // line that slides along itself by alpha brings x nearer by -alpha n.t/(a.t), t the mean of its tangents at
 // the start and at the end: on a circle this is the direction in which it went.
 template <class S>
-S line_pair_closing(const LinePairWay<S>& way) {
+S line_pair_closing(const LinePairMotion<S>& way) {
   using std::sqrt;
   // Lines at less than about a tenth of a radian count as along each other: which of them slides makes no
   // difference then, and each has half of it.

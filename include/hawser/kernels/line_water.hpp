@@ -45,7 +45,7 @@ struct CableInWater {
 
 // Residual (minus the water's force on the line) f[6] or f[12] = (x1, theta1, x2, theta2), moments in
 // material axes; row-major tangents by configuration, velocity and acceleration (directors as in
-// beam_mass_tangent). convex: leave out what is not positive of the configuration's part.
+// beam_mass_tangent). convex: exclude what is not positive of the configuration's part.
 void cable_water_force(const WaterSection& s, const CableInWater& e, double* f);
 void cable_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, double* f, double* K,
                          double* C, double* M);

@@ -50,7 +50,7 @@ RigidBodyResidual rigid_body(const RigidBodyData& body, const RigidBodyState& s,
 struct RigidBodyLoad {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
   Vec3 arm = Vec3::Zero();
-  bool follows = false;
+  bool body_fixed = false;
 };
 // Adds what they have in `applied` and K: with F, N in body axes f = -R F, t = -(arm x F + N).
 void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResidual& to);

@@ -2,7 +2,7 @@
 // from them to the nodes' blocks.
 //
 //   X = x + R a,   X' = v + R (w x a)
-// of a node's position x and rotation R, either of which may be left out: a node of a cable is x, the tangent
+// of a node's position x and rotation R, either of which may be excluded: a node of a cable is x, the tangent
 // at the end of a beam times its length is R a (axis_shape.hpp), a point of a body is both. With material
 // increments theta, dX = dx - R hat(a) dtheta.
 #pragma once

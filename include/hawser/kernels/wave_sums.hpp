@@ -22,11 +22,11 @@ class WaveSums {
   // With their wave numbers. depth <= 0: infinite, m.
   WaveSums(std::vector<WaveComponent> components, double depth);
 
-  // The first components, by wave number, that are felt at the height z [m] from the still water: what all
-  // others would add is less than kLeftOut times the sum of the sizes that velocities, or accelerations, of
-  // the components have in the mean water level.
-  static constexpr double kLeftOut = 1e-4;
-  std::size_t felt(double z) const;
+  // Number of the first components, by wave number, that are significant at the height z [m] from the still
+  // water: what all others would add is less than kNegligible times the sum of the sizes that velocities, or
+  // accelerations, of the components have in the mean water level.
+  static constexpr double kNegligible = 1e-4;
+  std::size_t significant_components(double z) const;
   std::size_t size() const { return number_.size(); }
   // Sum of the amplitudes of all components but the first n, m.
   double height_beyond(std::size_t n) const { return height_beyond_[n]; }
@@ -38,7 +38,7 @@ class WaveSums {
   };
   void phases(double x, double y, double t, std::size_t components, Phases& out) const;
   // Adds velocity [m/s] and its derivative in time [m/s²] at the height z [m] from the still water, of what
-  // is felt there and has phases.
+  // is significant there and has phases.
   void add_motion(const Phases& at, double z, Vec3& velocity, Vec3& acceleration) const;
 
  private:

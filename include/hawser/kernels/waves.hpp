@@ -67,7 +67,7 @@ struct SpectrumRow {
 std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, int count, std::uint64_t seed,
                                      double spreading = 0);
 // The same from rows: bins that grow geometrically from the first row to the last, or from 1/50 of the last
-// where the first is lower; those without energy are left out.
+// where the first is lower; those without energy are excluded.
 std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, double direction, int count,
                                      std::uint64_t seed, double spreading = 0);
 

@@ -26,11 +26,11 @@ class RootSearch {
   // How far the two sides of a bracket are apart.
   double width() const;
   // All values that were added: place, value; in the order of places.
-  const std::vector<std::pair<double, double>>& seen() const { return seen_; }
+  const std::vector<std::pair<double, double>>& values() const { return values_; }
 
  private:
   void begin(double value);
-  void look_farther();
+  void extend_range();
   void outward();
   void between();
   struct Way {  // in one direction from the start
@@ -40,13 +40,13 @@ class RootSearch {
     bool ended = false;
   };
   Way way_[2];
-  int going_ = 0, values_ = 0, looked_ = 0;  // looked_: failures before the first value
+  int going_ = 0, count_ = 0, failures_at_start_ = 0;  // of the start: failures before the first value
   bool bracketed_ = false, exhausted_ = false;
   double next_ = 0;
   double x_[3] = {}, f_[3] = {};  // of the bracket: the newest, the other side, the one before
   double share_ = 0.5;            // of the way from x_[0] to x_[1]
   int failures_ = 0;
-  std::vector<std::pair<double, double>> seen_;
+  std::vector<std::pair<double, double>> values_;
 };
 
 }  // namespace hawser

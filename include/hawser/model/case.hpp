@@ -234,7 +234,7 @@ struct Buried {
 enum class Start { automatic, catenary, hanging, straight, points, other_run };
 
 // Nodes of a line in another run.
-struct LeftShape {
+struct PreviousShape {
   std::string file;
   std::vector<double> arc;     // m from end A, growing
   std::vector<Vec3> position;  // m
@@ -267,8 +267,8 @@ struct Line {
   Start start = Start::automatic;
   // Its start shape follows from its ends and its length.
   bool starts_by_itself() const { return start == Start::automatic || start == Start::catenary; }
-  std::vector<Vec3> points;               // for Start::points: polyline the line is laid along
-  std::shared_ptr<const LeftShape> left;  // for Start::other_run
+  std::vector<Vec3> points;                             // for Start::points: polyline the line is laid along
+  std::shared_ptr<const PreviousShape> previous_shape;  // for Start::other_run
   std::optional<LengthTarget> target;
   // Of a part of a line that events cut (cut_lines.hpp): the line as given, whose start shape it begins with,
   // and where this part begins [m from its end A].
@@ -337,7 +337,7 @@ struct Dynamics {
   double duration = 0;                // s
   double step = 0;                    // s; 0: automatic
   double max_step = 0, min_step = 0;  // s; 0: defaults
-  bool resolve_impacts = true;        // fixed steps are divided where something strikes
+  bool resolve_impacts = true;        // fixed steps are divided at impacts
   double rho_infinity = 0.8;
   double tolerance = 1e-8;     // of the residual, as in statics
   double error_tolerance = 0;  // m, local error a step in automatic stepping; 0: default
@@ -400,7 +400,7 @@ struct Case {
   Dynamics dynamics;
   std::vector<Event> events;
   Output output;
-  std::vector<std::string> notes;         // what the reader repaired or doubts, a sentence each
+  std::vector<std::string> notes;         // repairs and warnings of the reader, a sentence each
   std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
   std::vector<std::string> change_notes;  // what each of them has changed, a sentence each
 

@@ -37,7 +37,7 @@ struct BodyHydrodynamics {
 struct BodyLoad {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
   Vec3 at = Vec3::Zero();                            // m, body frame
-  bool follows = false;                              // axes of the body; else of space
+  bool body_fixed = false;                           // axes of the body; else of space
 };
 
 // Hydrostatics of the pressure alone, about the body's origin, with level 0: weight acts by itself. Files
@@ -51,8 +51,8 @@ Vec3 restoring(const BodyMass& body, const PlatformHydrostatics& still, double g
 // Shares of a sea's energy that a table does not cover: at directions (seen from the bow) that it has no rows
 // near, and at periods shorter and longer than its own. heading: rad, of the body.
 struct Coverage {
-  double astray = 0, shorter = 0, longer = 0;
-  double direction = 0;  // rad, the first of those astray
+  double uncovered = 0, shorter = 0, longer = 0;
+  double direction = 0;  // rad, the first of those not covered
 };
 Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading);
 

@@ -70,7 +70,7 @@ struct Key {
     list,       // keys[0] describes its items
     map,        // with the keys `keys`
     names,      // map from names of the user's choice to keys[0]
-    one_of      // alternatives `keys`, told apart by their form: number, word, list, map
+    one_of      // alternatives `keys`, distinguished by their form: number, word, list, map
   };
 
   std::string name;

@@ -48,8 +48,10 @@ struct Audit {
   // %, of the error against size().
   double percent() const;
   // What a user must not overlook; empty: nothing. fixed: the user chose the step; where: words for
-  // worst.node; striking: the key of the motion that begins with a velocity ("bodies.vessel.motion"), or "".
-  std::string warning(bool fixed, const std::string& where, const std::string& striking = "") const;
+  // worst.node; initial_velocity_key: of the motion that begins with a velocity ("bodies.vessel.motion"), or
+  // "".
+  std::string warning(bool fixed, const std::string& where,
+                      const std::string& initial_velocity_key = "") const;
   // More was made or lost than any result can bear, or it is no number: the run has failed.
   bool wrong() const;
   // What a user may want to know of what the steps did not resolve; empty: it is little.

@@ -36,8 +36,8 @@ class ClashLog {
   // For an output: those that ended since the last call, and open().
   io::ClashTables take();
   // What all calls have given the file that is being written. Another one begins with nothing.
-  const io::ClashesTold& told() const { return told_; }
-  void begin_file() { told_ = {}; }
+  const io::ReportedClashes& reported() const { return reported_; }
+  void begin_file() { reported_ = {}; }
   // Of all so far, the ended ones first: how many, and those with the largest peak forces.
   long long count() const { return ended_count_ + static_cast<long long>(open_.size()); }
   std::vector<io::ClashRow> largest(size_t most) const;
@@ -70,7 +70,7 @@ class ClashLog {
   double time_ = std::numeric_limits<double>::quiet_NaN();  // of the last step
   std::vector<Open> open_;
   std::vector<io::ClashRow> ended_, largest_;  // since take(); of all ended, at most kKept
-  io::ClashesTold told_;
+  io::ReportedClashes reported_;
   long long ended_count_ = 0;
 };
 

@@ -30,7 +30,7 @@ class ClashReport : public Recording, public HasClashes {
   // Before the next step is prepared. Communicates only now and then.
   void step(const Snapshot& s) override;
   io::ClashTables take() override;
-  const io::ClashesTold& reported() const override { return log_.told(); }
+  const io::ReportedClashes& reported() const override { return log_.reported(); }
   void begin_file() override { log_.begin_file(); }
   // The clashes with the largest forces.
   std::string table() const override;

@@ -49,7 +49,7 @@ class Clearances : public Recording {
   };
   // Cache of an element against a volume: no nearer than `least` [m] to it while its axis is where it was in
   // the body's frame. It changes the time, never the answer.
-  struct Seen {
+  struct Cache {
     BezierAxis axis;
     double least = 0;
     bool known = false;
@@ -59,14 +59,14 @@ class Clearances : public Recording {
   Tree of_all_ranks(const Tree& own) const;
   Best to_line(const Tree& a, const Tree& b) const;
   Best to_volume(const std::vector<Shaped>& elements, const Surface& surface, const io::BodyPose& pose,
-                 std::vector<Seen>& seen) const;
+                 std::vector<Cache>& cache) const;
   double arc(int element, double xi) const;
 
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
   const std::vector<std::shared_ptr<const Surface>>& surfaces_;
-  std::vector<std::vector<Seen>> seen_;  // by clearance, of own()
+  std::vector<std::vector<Cache>> cache_;  // by clearance, of own()
 };
 
 }  // namespace hawser::record

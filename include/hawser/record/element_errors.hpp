@@ -31,7 +31,7 @@ class ElementErrors : public Recording {
     std::vector<bool> carried;        // something touches the line there
   };
   // Collective.
-  void look(const Kinematics& at, const Values& values);
+  void update(const Kinematics& at, const Values& values);
 
   void declare(Declarations& to) override;
   void output(const Snapshot& s) override;
@@ -52,13 +52,13 @@ class ElementErrors : public Recording {
     bool carried = false;
   };
   std::vector<At> gathered(const Kinematics& at, const Values& values) const;
-  void look_at_edges(const LineSpan& line, std::span<const At> nodes, double time, Worst& worst) const;
-  void look_at_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
-                   Worst& worst) const;
-  void look_at_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
-                     Worst& worst) const;
-  void look_at_bends(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
-                     Worst& worst) const;
+  void update_edges(const LineSpan& line, std::span<const At> nodes, double time, Worst& worst) const;
+  void update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
+                  Worst& worst) const;
+  void update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
+                    Worst& worst) const;
+  void update_bends(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
+                    Worst& worst) const;
   const model::LineType& type(const Element& e) const;
 
   const model::Case& case_;

@@ -38,7 +38,7 @@ class EndForces {
     double sign() const { return after >= 0 ? 1 : -1; }
   };
 
-  // An end that is fed has the force at the feeder's mouth; null: none is.
+  // An end that is fed has the force at the feeder's feed point; null: none is.
   explicit EndForces(const System& system, const Feeders* feeders = nullptr);
 
   // From an accepted state. carried: what bed, soil, volumes and other lines exert on the local nodes, N:
@@ -46,20 +46,20 @@ class EndForces {
   void evaluate(const Kinematics& at, std::span<const Vec3> carried);
 
   const std::vector<Place>& places() const { return places_; }  // in the order of nodes
-  // N, what each feeder feels: the tension at its mouth and, of a line that resists bending, M²/2EI.
-  const std::vector<double>& at_feeders() const { return felt_; }
+  // N, what each feeder feels: the tension at its feed point and, of a line that resists bending, M²/2EI.
+  const std::vector<double>& at_feeders() const { return feeder_forces_; }
   // Which of the owned ends is at a local node, counted in that order; -1: none.
   int end_at(int node) const;
 
  private:
   SectionForce section(const Kinematics& at, int element, bool second, std::span<const Vec3> carried) const;
 
-  void evaluate_mouths(const Kinematics& at, std::span<const Vec3> carried);
+  void evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried);
 
   const System& system_;
   const Feeders* feeders_;
-  std::vector<SectionForce> mouths_;  // at the mouth of each feeder, in their order, on all ranks
-  std::vector<double> felt_;
+  std::vector<SectionForce> feed_points_;  // at the feed point of each feeder, in their order, on all ranks
+  std::vector<double> feeder_forces_;
   std::vector<Place> places_;
 };
 

@@ -23,7 +23,7 @@ class Folds {
   // feeders: null where no line is fed. Fed lines do not count: what is inside is folded up.
   Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders);
   // By owned node: effective tension on the side of end A and of end B, N. After every step.
-  void look(const Kinematics& at, std::span<const double> before, std::span<const double> after);
+  void update(const Kinematics& at, std::span<const double> before, std::span<const double> after);
   // That the largest tension [N] of a line is of such an element, in words; empty: it is not. Collective,
   // with the same line on all ranks.
   std::string warning(MPI_Comm comm, int line, const std::string& name, double largest_tension) const;

@@ -41,7 +41,7 @@ class Histories : public Recording {
   std::vector<double> volume_row(const std::string& volume, const Kinematics& at) const;
 
   // What a section force has of a field, on the side of a node that faces the point; `otherwise` of others.
-  double facing(int field, const SectionForce& s, const Quat& q, double otherwise) const;
+  double facing(int field, const SectionForce& s, const Quat& q, double fallback) const;
 
   const Subject& subject_;
   const EndForces& ends_;

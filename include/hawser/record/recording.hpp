@@ -69,7 +69,10 @@ class Recording {
 
   // Adds fields of nodes that are made from those before them; fill() computes their values.
   virtual void add_fields(std::vector<Field>& fields) { (void)fields; }
-  virtual void fill(const Snapshot& s, Values& values) { (void)s, (void)values; }
+  virtual void fill(const Snapshot& s, Values& values) {
+    (void)s;
+    (void)values;
+  }
   // Once, when all fields are known. Collective.
   virtual void declare(Declarations& to) { (void)to; }
 
@@ -80,7 +83,10 @@ class Recording {
   virtual void step(const Snapshot& s) { (void)s; }
   virtual void output(const Snapshot& s) { (void)s; }
   // Adds a row for each series that it declared; after step(), of steps that histories keep.
-  virtual void rows(const Snapshot& s, Rows& to) { (void)s, (void)to; }
+  virtual void rows(const Snapshot& s, Rows& to) {
+    (void)s;
+    (void)to;
+  }
   // Brings what the file has once, up to date.
   virtual void write(io::ResultsFile& file) { (void)file; }
 
@@ -91,7 +97,9 @@ class Recording {
   // on all ranks alike.
   virtual std::vector<io::SummaryRow> summary() { return {}; }
   virtual std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
-    return (void)summary, (void)audit, std::vector<Finding>();
+    (void)summary;
+    (void)audit;
+    return std::vector<Finding>();
   }
 };
 
@@ -102,7 +110,7 @@ class HasClashes {
   // Of rank 0: what the next output is to hold. Collective.
   virtual io::ClashTables take() = 0;
   // Of rank 0: what outputs have given the file so far. Another one begins with nothing.
-  virtual const io::ClashesTold& reported() const = 0;
+  virtual const io::ReportedClashes& reported() const = 0;
   virtual void begin_file() = 0;
   // In words, on rank 0, after take(); empty: nothing touched.
   virtual std::string table() const = 0;

@@ -1,4 +1,4 @@
-// Where the largest tension of a line is that of a blow which steps or elements do not resolve.
+// Where the largest tension of a line is that of an impact which steps or elements do not resolve.
 #pragma once
 
 #include <mpi.h>
@@ -23,7 +23,7 @@ class Snaps {
   Snaps(const model::Case& c, const LocalMesh& mesh);
   // By owned node: effective tension on the side of end A and of end B, N. After every step of h [s]; 0: at
   // the start.
-  void look(double time, double h, std::span<const double> before, std::span<const double> after);
+  void update(double time, double h, std::span<const double> before, std::span<const double> after);
   // That the largest tension [N] of a line is such a peak, in words; empty: it is not. damped: the run has
   // taken much out of axial vibration; fixed: the user chose the step. Collective, with the same line on all
   // ranks.

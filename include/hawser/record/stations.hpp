@@ -25,7 +25,7 @@ class Stations {
   const std::vector<io::ResultField>& fields() const { return fields_; }
   // values: of the constructor's fields, by field and owned node. Of fields(), by field and owned node, in
   // the place of node i what the line has at station i: linear between its free nodes, in the element at the
-  // mouth that of its free node; NaN where the line is not, and of lines that are not fed. Collective.
+  // feed point that of its free node; NaN where the line is not, and of lines that are not fed. Collective.
   const std::vector<std::vector<double>>& at(const std::vector<std::vector<double>>& values);
 
  private:

@@ -24,15 +24,15 @@ class WaterErrors : public Recording {
   WaterErrors(const model::Case& c, const System& system);
 
   // At a state of the run; most steps are passed over, since waves are expensive. Collective.
-  void look_at_some(const Kinematics& at);
+  void update_sampled(const Kinematics& at);
   // At every one. Collective.
-  void look(const Kinematics& at);
+  void update(const Kinematics& at);
 
   // What may be wrong by more than results bear, a sentence each. Collective.
   std::vector<std::string> warnings() const;
 
-  void stage(const Snapshot& s) override { look(s.at); }
-  void step(const Snapshot& s) override { look_at_some(s.at); }
+  void stage(const Snapshot& s) override { update(s.at); }
+  void step(const Snapshot& s) override { update_sampled(s.at); }
   std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
  private:
@@ -48,8 +48,8 @@ class WaterErrors : public Recording {
     std::vector<Where> where;
   };
   Sums sums(const Kinematics& at, int parts, const std::vector<bool>& groups) const;
-  std::vector<int> good_parts(const Kinematics& at, std::vector<bool> groups) const;
-  void look_at_tension(const Kinematics& at);
+  std::vector<int> sufficient_parts(const Kinematics& at, std::vector<bool> groups) const;
+  void update_tension(const Kinematics& at);
 
   struct Group {                                // lines that joints hold together, which bear a load together
     double force = 0, weight = 0, tension = 0;  // N, the largest

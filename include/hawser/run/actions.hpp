@@ -31,7 +31,7 @@ class Actions {
   // In the accepted state `at`. SolveError where it cannot be done. Collective.
   Found act(const model::Action& action, const Kinematics& at);
   // In a run that goes on from a checkpoint: what it did at this time [s].
-  void again(const model::Action& action, const Found& found, double time);
+  void repeat(const model::Action& action, const Found& found, double time);
   // Of the local nodes; to be given to the system.
   const std::vector<TiedNode>& tied() const { return tied_; }
 

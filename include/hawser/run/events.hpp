@@ -20,12 +20,12 @@ class Events {
   Events(MPI_Comm comm, Simulation& simulation);
 
   // Statics of the case: its stages one after another, or all at once where it has none. `solve` finds a
-  // rest, from the one before, told whether something was let go that has to fall first; `say` is told what
-  // begins each stage, a sentence each; `rested` which stage, by its place, has come to rest. SolveError
+  // rest, from the one before, given whether something was released that has to fall first; `report` gets
+  // what begins each stage, a sentence each; `rested` which stage, by its place, has come to rest. SolveError
   // where a stage cannot begin. Collective.
   void come_to_rest(
       const std::function<void(bool falls)>& solve,
-      const std::function<void(const std::string&)>& say = [](const std::string&) {},
+      const std::function<void(const std::string&)>& report = [](const std::string&) {},
       const std::function<void(size_t)>& rested = [](size_t) {});
 
   // Before a run starts from the simulation's state: what happens at t = 0 has happened in it, and steps will
@@ -76,7 +76,7 @@ class Events {
   void happen(size_t event, const Kinematics& at, const std::string& stage,
               std::vector<std::string>& messages);
   std::vector<std::string> at_rest(const std::string& stage);
-  bool lets_go(const std::string& stage) const;
+  bool releases_end(const std::string& stage) const;
   void pay_out(const std::string& stage, const std::function<void(bool)>& solve);
 
   MPI_Comm comm_;

@@ -22,7 +22,7 @@ class FeederNodes {
   void shift(Feeder& f, double by);
   // After it was shown: nodes that leave or are caught. SolveError where a stock has run out, or all of a
   // line is hauled in. Collective.
-  void hand_over();
+  void transfer_node();
 
   void save(io::Checkpoint& to) const;
   // InputError where the checkpoint has no such feeders, or others.
@@ -30,14 +30,14 @@ class FeederNodes {
 
  private:
   Dynamics::Moved leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const;
-  // The node that is caught, where it is known, and the length [m] of the element at the mouth then.
+  // The node that is caught, where it is known, and the length [m] of the element at the feed point then.
   std::optional<Dynamics::Moved> caught(const Feeder& f, const Kinematics& k, double& length) const;
   void refuse_all_out(const Feeder& f, double time) const;
   void refuse_all_in(const Feeder& f, double time) const;
-  void let_out(Feeder& f);
-  void haul_in(Feeder& f);
-  double felt(const Feeder& f);
-  void hand_over(Feeder& f, int mouth, double length, const std::optional<Dynamics::Moved>& moved);
+  void release_node(Feeder& f);
+  void catch_node(Feeder& f);
+  double feeder_force(const Feeder& f);
+  void transfer_node(Feeder& f, int feed_point, double length, const std::optional<Dynamics::Moved>& moved);
 
   Simulation& sim_;
 };

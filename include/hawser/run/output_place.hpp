@@ -22,7 +22,7 @@ class OutputPlace {
 
   const std::string& path() const { return path_; }  // where links lead
   bool appends() const { return appends_; }          // goes on in the file itself
-  // What is to be told of the place, on rank 0.
+  // Notes on the place, on rank 0.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:

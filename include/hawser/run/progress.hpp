@@ -10,7 +10,7 @@ namespace hawser::run {
 class Progress {
  public:
   // Only rank 0 speaks.
-  explicit Progress(bool speak);
+  explicit Progress(bool print_lines);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
@@ -23,7 +23,7 @@ class Progress {
   void begin(double time, double end);
   void step(double time, double step, int iterations);
   // A line of its own, not lost in the rewritten one.
-  void say(const std::string& text);
+  void print(const std::string& text);
   // What has been said of notes and warnings.
   const std::vector<std::string>& messages() const { return messages_; }
   void end();
@@ -31,7 +31,7 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  bool speak_;
+  bool prints_;
   int columns_;  // of the terminal; 0: none
   double start_ = 0, duration_ = 0;
   Clock::time_point began_ = Clock::now(), last_ = Clock::now();

@@ -1,4 +1,4 @@
-// Whether the file that a run is told to go on from will do, before anything is computed.
+// Whether a run can go on from the given file, before anything is computed.
 #pragma once
 
 #include <mpi.h>

@@ -19,21 +19,21 @@ namespace hawser::run {
 class Events;
 
 io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks);
-// What was mended and chosen, the like of several volumes at once.
+// What was repaired and chosen, the like of several volumes at once.
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
                                    const std::vector<std::string>& chosen);
-// The case with the lengths that meet the targets of its lines (run/targets.hpp), and what they are told as
-// notes; the case itself where there are none. restart: results that a run goes on from, and its lengths with
+// The case with the lengths that meet the targets of its lines (run/targets.hpp), and notes on
+// them; the case itself where there are none. restart: results that a run goes on from, and its lengths with
 // it. looked: called at every iteration of the search, which ends with what that throws. Collective.
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
                              Progress& progress, const std::string& restart = "",
-                             const std::function<void()>& looked = {});
-// Statics of the case with its stages, its progress and what is to be told of the equilibrium; what the
-// search of the last one was. rested: told which stage has come to rest. Collective; throws as
+                             const std::function<void()>& on_iteration = {});
+// Statics of the case with its stages, its progress and notes on the equilibrium; what the
+// search of the last one was. rested: called with the stage that has come to rest. Collective; throws as
 // Simulation::solve_statics does.
 StaticsReport solve_statics(
     Simulation& sim, Events& events, Progress& progress,
     const std::function<void(size_t)>& rested = [](size_t) {});
-io::ReadingNews news(Progress& progress);  // which must live as long
+io::ReadProgress read_progress(Progress& progress);  // which must live as long
 
 }  // namespace hawser::run

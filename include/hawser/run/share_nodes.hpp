@@ -17,7 +17,7 @@ std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh&
 // Lines that may touch themselves, in order. Cut in two, such a line, once it is wound on itself, would share
 // about every node that lies on another turn, and the tangent would cost several times what it costs on one
 // rank.
-std::vector<int> whole_lines(const model::Case& c);
+std::vector<int> uncut_lines(const model::Case& c);
 
 // Owner of every node, as partition() says: elements that may touch at the start rather land on one rank,
 // whole_lines() are not cut.

@@ -75,7 +75,7 @@ class Simulation {
   std::vector<std::string> raised_stiffness(const std::string& when);
   int cut_elements() const { return cut_; }
   // Stretches at ends of lines that have no contact with a volume in which they start.
-  const std::vector<LeftOut>& left_out() const { return start_contact_.left_out; }
+  const std::vector<ExcludedEnds>& excluded_ends() const { return start_contact_.excluded_ends; }
 
   // What of a line is inside a volume that an action switches on, in words; empty: nothing. Collective.
   std::string inside(const model::Action& action, const Kinematics& at) const;

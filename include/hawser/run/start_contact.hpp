@@ -1,5 +1,5 @@
-// How lines start beside the volumes they may touch: what lies inside one, what of it is left out of contact,
-// and what the user is told.
+// How lines start beside the volumes they may touch: what lies inside one, what of it is excluded from
+// contact, and the warnings for the user.
 #pragma once
 
 #include <mpi.h>
@@ -13,10 +13,10 @@
 namespace hawser::run {
 
 struct StartContact {
-  std::vector<LeftOut> left_out;   // by the case, and by default what is inside next to a held end
+  std::vector<ExcludedEnds> excluded_ends;  // by the case, and by default what is inside next to a held end
   std::vector<Inside> inside;      // the rest that is inside: a run can begin only if statics brings it out
-  std::vector<std::string> notes;  // what is left out by default, one sentence each
-  std::vector<std::string> warnings;  // what lies inside, and what hangs past a volume
+  std::vector<std::string> notes;  // what is excluded by default, one sentence each
+  std::vector<std::string> warnings;  // what lies inside, and what is on the wrong side of a volume
 };
 
 // The volumes that lines may touch, without stiffness. surfaces: one for each volume of the case.
@@ -29,10 +29,10 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
                            const std::vector<ContactVolume>& volumes);
 
 // Of a volume that lines are about to touch, what of a line is inside it at `at`, in words; empty: nothing.
-// left_out: stretches that have no contact with it, of volume 0. The same on all ranks. Collective.
+// excluded_ends: stretches that have no contact with it, of volume 0. The same on all ranks. Collective.
 std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
                         const Bodies& bodies, const Feeders* feeders, const ContactVolume& volume,
-                        const std::vector<LeftOut>& left_out);
+                        const std::vector<ExcludedEnds>& excluded_ends);
 
 // Of what was inside at the start what still is at `at`, in one sentence; empty: nothing. The same on all
 // ranks. Collective.

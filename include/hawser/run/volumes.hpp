@@ -22,7 +22,7 @@ struct LoadedVolume {
   std::shared_ptr<const MeshView> facets;  // the mesh itself; of a shape only for pictures
   std::vector<bool> active;                // one a facet
   std::string report;                      // what the mesh is, or that the shape is exact
-  std::vector<std::string> notes;          // what was mended and chosen, a sentence each
+  std::vector<std::string> notes;          // what was repaired and chosen, a sentence each
 };
 
 // In the order of the case. Throws InputError, on all ranks alike: what is no closed volume, has the wrong
@@ -30,7 +30,7 @@ struct LoadedVolume {
 // one reads and checks each mesh, and all use what it made of it, in memory they share. Ranks let go of the
 // volumes in the same order, before MPI_Finalize.
 std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI_COMM_SELF,
-                                       const io::ReadingNews& news = {});
+                                       const io::ReadProgress& read_progress = {});
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
 // What stands out of the volumes that touch other bodies with it, and where they are watched.

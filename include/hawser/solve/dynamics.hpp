@@ -62,16 +62,16 @@ class Dynamics {
     Vec3 w = Vec3::Zero(), alpha = Vec3::Zero();
     bool free = false;  // it settles where the forces on it are in balance with its acceleration
   };
-  // A feeder lets go of a node or takes hold of one: `change` is what it changes and returns how that node
-  // goes on, on ranks that know. Mean forces and reactions change by as much as the forces of the state do;
-  // all else goes on as it did. Collective.
-  void hand_over(const std::function<std::optional<Moved>()>& change,
-                 const std::function<std::vector<TiedNode>()>& nodes);
+  // A feeder releases a node or catches one: `change` makes the change and returns the motion of that node,
+  // on the ranks that have it. Mean forces and reactions change by as much as the forces of the state do; all
+  // else goes on as it did. Collective.
+  void transfer_node(const std::function<std::optional<Moved>()>& change,
+                     const std::function<std::vector<TiedNode>()>& nodes);
   // What a checkpoint carries beside the state.
   struct Carried {
     double step_proposal = 0;
     int step_wait = 0;
-    double step_ringing = 0, step_calm = 0;
+    double step_impact_period = 0, step_resolved_until = 0;
     double last_step = 0;
     double support_work = 0;  // J, this rank's share
     MeanForces mean;
@@ -89,7 +89,7 @@ class Dynamics {
   double last_step() const { return last_step_; }
   const std::vector<double>& reactions() const { return reactions_; }  // of the committed state
   // Where the last accepted step changed accelerations most, and by how much [m/s²]. Collective.
-  NodeValue roughest() const;
+  NodeValue largest_acceleration_change() const;
   const MeanForces& mean_forces() const { return mean_; }
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
 
@@ -128,7 +128,7 @@ class Dynamics {
   void solve_once();
   void put(const std::vector<double>& u);
   std::vector<double> solve_masses();
-  void catch_up(const TiedNodes& before, State& s);
+  void match_tied_velocities(const TiedNodes& before, State& s);
   void settle(int node, double h);
 
   System& system_;
@@ -140,17 +140,17 @@ class Dynamics {
   // The step that is being tried.
   struct Tries {
     StepInfo info;
-    bool solved = false;         // Newton's iteration of the last try converged
-    double allowed = HUGE_VAL;   // s, by the terms
-    double event = HUGE_VAL;     // s, within it, where an event is looked for
-    bool prepared_anew = false;  // in the middle of it
+    bool solved = false;          // Newton's iteration of the last try converged
+    double allowed = HUGE_VAL;    // s, by the terms
+    double event = HUGE_VAL;      // s, within it, where an event is looked for
+    bool prepared_again = false;  // in the middle of it
     EventSearch search;
     std::vector<double> at_start;  // what the events are looked for by, before the first try
   } tries_;
   std::vector<double> local_u_, reactions_;
   MeanForces mean_;              // of the committed state
   std::vector<double> carried_;  // what they add to the residuals of the step
-  double expected_ = -1;         // s, the step that the system was last told to expect
+  double expected_ = -1;         // s, the step of the last System::expect()
   bool copied_ = false;          // trial_ has all that a step leaves alone
   bool loaded_ = false;          // trial_ belongs to local_u_
   bool old_tangent_ = false;     // of an iteration before

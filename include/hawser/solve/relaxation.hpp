@@ -34,7 +34,7 @@ struct RelaxationSettings {
 // Moves `state` (positions and rotations) near an equilibrium at state.time, from where Newton's iteration
 // ends it. Terms are asked as in statics; nothing is committed but with `friction`. Collective. Throws
 // SolveError naming line, arc length and what is out of balance when it does not come to rest, and
-// StiffenedOnTheWay (static_trial.hpp) where contact was too soft on the way.
+// StiffnessRaised (static_trial.hpp) where contact was too soft on the way.
 RelaxationReport relax(System& system, const RelaxationSettings& settings, State& state);
 
 }  // namespace hawser

@@ -17,12 +17,12 @@
 
 namespace hawser {
 
-// No step leads on past a line or a volume: the sentence says which.
-struct InTheWay : SolveError {
+// A line or a volume blocks every step: the message names it.
+struct PathBlocked : SolveError {
   using SolveError::SolveError;
 };
-// Thrown, the same on all ranks, where contact is stiffer than the search began with: it begins again.
-struct StiffenedOnTheWay {};
+// Thrown on all ranks where contact stiffness was raised during the search: the search begins again.
+struct StiffnessRaised {};
 
 class StaticTrial {
  public:
@@ -54,14 +54,17 @@ class StaticTrial {
   // Whether, on the straight way from the state to the trial, no line goes through another or through a
   // volume, nor deeper into a volume than its contact law is for. Where the candidates were not chosen for
   // that way they are chosen anew.
-  bool clear();
-  // Throws what statics ends with where no step leads on: if something was in the way, InTheWay, or
-  // StiffenedOnTheWay where automatic contact can be made stiffer; else SolveError with that sentence.
-  [[noreturn]] void give_up(const std::string& why);
+  bool path_is_clear();
+  // Throws the end of a search that has no further step: PathBlocked where something blocks the path,
+  // StiffnessRaised where automatic contact can be made stiffer, else SolveError with that sentence.
+  [[noreturn]] void throw_no_equilibrium(const std::string& why);
   // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
   // (1, 2, ...); less of it where lines would pass through each other.
-  void leave(int attempt);
-  void take() { std::swap(state_.x, trial_.x), std::swap(state_.q, trial_.q); }
+  void perturb(int attempt);
+  void accept_trial() {
+    std::swap(state_.x, trial_.x);
+    std::swap(state_.q, trial_.q);
+  }
 
   double sum(double x) const;
   // Strain energy and potential over all ranks, J.
@@ -82,8 +85,8 @@ class StaticTrial {
   KspHandle ksp_;
   std::vector<double> local_, zero_;  // 3 * local blocks: an increment; nothing
   double length_ = 0;                 // m, of the longest element
-  // What was in the way of the last trial that was not clear, in words, and that trial; empty: nothing.
-  std::string in_the_way_;
+  // What blocks the path to the last trial that was not clear, in words, and that trial; empty: nothing.
+  std::string blocked_by_;
   State blocked_;
 };
 

@@ -36,7 +36,7 @@ struct StaticsSettings {
   int relaxation_steps = 5000;                                  // at most
   // Friction of contact acts on the way: by relaxation alone, which commits the terms step by step.
   bool friction = false;
-  // Told how far the search is, before every iteration or step of relaxation; on all ranks.
+  // Called with the state of the search before every iteration or step of relaxation; on all ranks.
   std::function<void(const StaticsReport&)> progress;
 };
 

@@ -29,9 +29,9 @@ class StepControl {
   bool shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
   double shortest() const { return s_.shortest; }  // s
   // Accelerations have jumped: the next step is as short as the first one was.
-  void begin_anew();
-  // At t something struck on a contact of this period [s]: for twenty of them steps stay below a third of it,
-  // since what rings then decides the next blow, and double at most from then on.
+  void reset_to_first_step();
+  // After an impact at t on a contact of this period [s], steps stay below a third of the period for twenty
+  // periods, since the ringing decides the next impact; from then on a step at most doubles.
   void follow_impact(double t, double period);
   // Whether a converged step is accurate enough; a step at the shortest length always is.
   bool accurate(double h, double error) const;
@@ -41,11 +41,14 @@ class StepControl {
   bool rejected(double h, bool diverged, double error);
 
   double proposal() const { return proposal_; }
-  int wait() const { return wait_; }
-  double ringing() const { return ringing_; }
-  double calm() const { return calm_; }
-  void restore(double proposal, int wait, double ringing, double calm) {
-    proposal_ = proposal, wait_ = wait, ringing_ = ringing, calm_ = calm;
+  int wait() const { return growth_wait_; }
+  double impact_period() const { return impact_period_; }
+  double resolved_until() const { return resolved_until_; }
+  void restore(double proposal, int wait, double impact_period, double resolved_until) {
+    proposal_ = proposal;
+    growth_wait_ = wait;
+    impact_period_ = impact_period;
+    resolved_until_ = resolved_until;
   }
 
  private:
@@ -53,8 +56,9 @@ class StepControl {
 
   StepSettings s_;
   double proposal_ = 0;
-  int wait_ = 0;                   // accepted steps before the step may grow again after a failure
-  double ringing_ = 0, calm_ = 0;  // s: period of the contact that struck, and until when it is followed
+  int growth_wait_ = 0;  // accepted steps before the step may grow again after a failure
+  double impact_period_ = 0,
+         resolved_until_ = 0;  // s: period of the contact of the last impact, and until when steps resolve it
 };
 
 }  // namespace hawser

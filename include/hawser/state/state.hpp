@@ -33,6 +33,6 @@ struct State {
 void retract(const LocalMesh& mesh, const State& from, const double* u, State& to);
 
 // `from` with the constant rates that lead to `to` in a time h [s]: x + h v, R exp(h w).
-State straight_way(const LocalMesh& mesh, const State& from, const State& to, double h);
+State straight_path(const LocalMesh& mesh, const State& from, const State& to, double h);
 
 }  // namespace hawser

@@ -27,9 +27,9 @@ class Assembler {
  public:
   static constexpr int kMaxBlocks = 8;
 
-  bool wants_force() const { return force_ != nullptr; }
-  bool wants_tangent() const { return matrix_ != nullptr; }
-  // True far from a static solution: leave out negative geometric stiffness.
+  bool needs_force() const { return force_ != nullptr; }
+  bool needs_tangent() const { return matrix_ != nullptr; }
+  // True far from a static solution: exclude negative geometric stiffness.
   bool convex() const { return convex_; }
 
   // blocks: n local 3-blocks; f: 3n; K, C, M: (3n)x(3n) row-major or null. Configuration derivatives are

@@ -25,7 +25,8 @@ struct Couplings {
       std::sort(v.begin(), v.end());
       v.erase(std::unique(v.begin(), v.end()), v.end());
     };
-    tidy(nodes), tidy(pairs);
+    tidy(nodes);
+    tidy(pairs);
   }
   // Both sorted.
   bool within(const Couplings& o) const {

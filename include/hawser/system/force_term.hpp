@@ -23,8 +23,13 @@ struct Energy {
   double by_water = 0;    // the part of `work` that moving water and drag have done
 
   Energy& operator+=(const Energy& o) {
-    kinetic += o.kinetic, strain += o.strain, potential += o.potential;
-    friction += o.friction, damping += o.damping, work += o.work, unresolved += o.unresolved;
+    kinetic += o.kinetic;
+    strain += o.strain;
+    potential += o.potential;
+    friction += o.friction;
+    damping += o.damping;
+    work += o.work;
+    unresolved += o.unresolved;
     by_water += o.by_water;
     return *this;
   }
@@ -36,7 +41,10 @@ class ForceTerm {
   virtual std::string_view name() const = 0;
 
   // Once before a step of length h [s] is tried, from the last accepted state. May communicate.
-  virtual void prepare(const Kinematics& committed, double h) { (void)committed, (void)h; }
+  virtual void prepare(const Kinematics& committed, double h) {
+    (void)committed;
+    (void)h;
+  }
 
   // Adds force and tangent at the trial state. Local, repeatable: reads committed history only.
   virtual void evaluate(const Kinematics& trial, Assembler& assembler) = 0;
@@ -44,7 +52,10 @@ class ForceTerm {
   // The state is accepted: history that belongs to it becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
-  virtual Energy energy(const Kinematics& at) const { return (void)at, Energy{}; }
+  virtual Energy energy(const Kinematics& at) const {
+    (void)at;
+    return Energy{};
+  }
   virtual void fields(FieldRegistry& registry) const { (void)registry; }
 
   // Committed history of the owned nodes, and back (records may arrive in any order); the kinds of record

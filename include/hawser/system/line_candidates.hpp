@@ -2,7 +2,7 @@
 //
 // An element is the convex hull of the Bézier points of its axis, now and where its rates take it within a
 // few steps. A pair is in the list when the hulls, swept along that path, come nearer than both radii and
-// both skins. The list holds as long as every axis is within its skin of where it was foreseen to be at that
+// both skins. The list holds as long as every axis is within its skin of where it was predicted to be at that
 // time, whatever the elements' shape. See docs/theory/line-candidates.md.
 //
 // How a term uses it:
@@ -46,10 +46,10 @@ struct CandidateSettings {
   // Of one line, what is nearer along it than this many diameters (mean of the two) is no contact, nor are
   // elements that share a node.
   double exclusion_diameters = 2;
-  // How far an axis may be from its place foreseen before the list is made again: the larger of this many of
+  // How far an axis may be from its place predicted before the list is made again: the larger of this many of
   // its diameters and this part of its length.
   double skin_diameters = 0.1, skin_lengths = 0.05;
-  // How many steps the path is foreseen for, at the most: fewer where it would bend out of a skin.
+  // How many steps the path is predicted for, at the most: fewer where it would bend out of a skin.
   double steps = 4;
   // Pairs of lines (indices, any order; a line with itself too) that do not see each other.
   std::vector<std::pair<int, int>> excluded;
@@ -58,8 +58,8 @@ struct CandidateSettings {
   const SharedPlaces* shared = nullptr;
 };
 
-// An element's axis as four Bézier points, now and at the end of the path foreseen, together with all that is
-// asked of an element when it may be half of a pair: one place in memory, in whole lines of the cache.
+// An element's axis as four Bézier points, now and at the end of the path predicted, together with all that
+// is asked of an element when it may be half of a pair: one place in memory, in whole lines of the cache.
 struct alignas(64) SweptAxis {
   int element = 0;              // index into Mesh::elements
   int line = 0;                 // what follows is that element's
@@ -80,11 +80,11 @@ class LineCandidates {
   // How many elements of each line are inside feeders at its ends A and B: they take no part, and what is
   // near along lines that share a place counts from the feeders. True when this is news: the pairs change
   // with update().
-  bool leave_out(std::vector<std::array<int, 2>> inside);
+  bool set_elements_in_feeders(std::vector<std::array<int, 2>> inside);
   // Whether an element is inside a feeder.
-  bool left_out(int element) const;
+  bool is_in_feeder(int element) const;
 
-  // Collective. From the committed motion and a coming step h [s] (0: no motion foreseen): makes the list
+  // Collective. From the committed motion and a coming step h [s] (0: no motion predicted): makes the list
   // anew where it does not hold for that step. True when the pairs of this rank changed: locate() is due.
   bool update(const Kinematics& committed, double h);
   void couple(Couplings& to) const;
@@ -113,7 +113,7 @@ class LineCandidates {
   std::array<Vec3, 4> axis(const LocalElement& e, const Kinematics& at, double h) const;
   bool holds(const Kinematics& at, double h, double tau) const;
   double part(double time) const;
-  void foresee(const Kinematics& committed, double h);
+  void predict(const Kinematics& committed, double h);
   double skin(int element) const;
   SweptAxis at_rest(int element) const;
   bool never(const SweptAxis& p, const SweptAxis& q) const;
@@ -127,13 +127,14 @@ class LineCandidates {
   const LocalMesh& mesh_;
   std::vector<double> radius_;
   CandidateSettings settings_;
-  std::vector<std::array<int, 2>> inside_;  // of each line, as in leave_out(); empty: nothing is fed
-  std::vector<LocalElement> local_;         // elements of this rank with a radius that are outside
-  std::vector<std::uint8_t> unseen_;        // of local_: how many that follow it are excluded, at the least
-  std::vector<SweptAxis> built_;            // of local_, when the list was made
+  std::vector<std::array<int, 2>>
+      inside_;                       // of each line, as in set_elements_in_feeders(); empty: nothing is fed
+  std::vector<LocalElement> local_;  // elements of this rank with a radius that are outside
+  std::vector<std::uint8_t> excluded_after_;  // of local_: how many that follow it are excluded, at the least
+  std::vector<SweptAxis> built_;              // of local_, when the list was made
   // Of local_: what half way in time is off the middle of the straight way.
   std::vector<std::array<Vec3, 4>> bend_;
-  std::vector<double> within_;             // m, of the shared places, what the list leaves out
+  std::vector<double> within_;             // m, of the shared places, what the list excludes
   double made_ = 0, span_ = 0;             // s, when that was and the time to the end of the paths
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
   std::vector<ContactSegment> segments_;

@@ -13,7 +13,7 @@
 
 namespace hawser {
 
-// Lets nodes see each other which no element joins (contact of lines with lines and with bodies).
+// Couples nodes that no element joins (contact of lines with lines and with bodies).
 class CouplesNodes {
  public:
   virtual ~CouplesNodes() = default;
@@ -21,7 +21,7 @@ class CouplesNodes {
   // before count. True: couple() or what was kept by local node is no longer what it was; update_ghosts()
   // follows.
   virtual bool recouple(const Kinematics& committed, double h) = 0;
-  // Adds which nodes see each other, of those groups of which this rank owns a node.
+  // Adds the coupled nodes of those groups of which this rank owns a node.
   virtual void couple(Couplings& to) const = 0;
   // Those nodes are local ones now; local nodes from LocalMesh::chain on are no longer what they were.
   virtual void update_ghosts() {}
@@ -31,7 +31,7 @@ class CouplesNodes {
 class LimitsSteps {
  public:
   virtual ~LimitsSteps() = default;
-  // Longest step from here, and what strikes, each once over all ranks; asked after prepare(). Steps that the
+  // Longest step from here, and the impacts, each once over all ranks; asked after prepare(). Steps that the
   // user fixed are divided by it where impacts are to be resolved.
   virtual void limit_step(const Kinematics& committed, ImpactEvents& to) const = 0;
   // Of a converged step or a trial of statics, on this rank: tunnelling, penetration beyond what a law is
@@ -39,7 +39,10 @@ class LimitsSteps {
   virtual Verdict check_step(const Kinematics& trial) const = 0;
   // Adds the impacts that a converged step did not resolve, each once over all ranks; local. Asked before it
   // is accepted.
-  virtual void unresolved(const Kinematics& trial, UnresolvedImpacts& to) { (void)trial, (void)to; }
+  virtual void unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
+    (void)trial;
+    (void)to;
+  }
 };
 
 // A penalty stiffness that follows what the run meets. evaluate() never changes it.
@@ -47,15 +50,16 @@ class RaisesStiffness {
  public:
   virtual ~RaisesStiffness() = default;
   // From an equilibrium, raises it where that asks for it and says so (solve again). Collective.
-  virtual bool stiffen(const Kinematics& equilibrium) = 0;
-  // In statics, raises it where it is too low to keep a line from being drawn in on its way to that trial.
+  virtual bool raise_stiffness(const Kinematics& equilibrium) = 0;
+  // In statics, raises the stiffness where it is too low to keep a line out of a volume on the path to that
+  // trial.
   // Collective.
-  virtual bool stiffen_in_the_way(const Kinematics& trial) = 0;
-  // Takes back what was raised since the last commit, before a step is tried (again).
-  virtual void forget_stiffening() = 0;
+  virtual bool raise_stiffness_where_blocked(const Kinematics& trial) = 0;
+  // Reverts the stiffness to that of the last commit, before a step is tried (again).
+  virtual void revert_stiffness() = 0;
 };
 
-// Acts on the elements of lines, so that forces at their ends can be told.
+// Acts on the elements of lines, so that forces at their ends can be computed.
 class ActsOnElements {
  public:
   virtual ~ActsOnElements() = default;
@@ -89,10 +93,10 @@ struct LineTension {
 class CarriesTension {
  public:
   virtual ~CarriesTension() = default;
-  // Axial stiffness is at most this, N, and nothing yields, until told otherwise (HUGE_VAL: as it truly is):
-  // statics starts soft, where a very stiff line would have to creep along a narrow valley of its energy, and
-  // elastic, where the bends of a shape far from rest would leave sections that yield hardly any stiffness.
-  // Whether that changes anything on this rank.
+  // Axial stiffness is at most this, N, and nothing yields, until it is called again (HUGE_VAL: as it truly
+  // is): statics starts soft, where a very stiff line would have to creep along a narrow valley of its
+  // energy, and elastic, where the bends of a shape far from rest would leave sections that yield hardly any
+  // stiffness. Whether that changes anything on this rank.
   virtual bool soften(double most) = 0;
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const = 0;
@@ -102,13 +106,17 @@ class CarriesTension {
   virtual void tensions(const Kinematics& at, std::span<LineTension> lines) const = 0;
 };
 
-// Knows how large forces are: what a residual is judged against.
+// Provides the size of forces, which a residual is compared with.
 class ScalesResiduals {
  public:
   virtual ~ScalesResiduals() = default;
   // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics):
   // no residual can be smaller.
-  virtual double round_off(const Kinematics& at, double h) const { return (void)at, (void)h, 0.0; }
+  virtual double round_off(const Kinematics& at, double h) const {
+    (void)at;
+    (void)h;
+    return 0.0;
+  }
   // Sum of the sizes of the dead loads on this rank, N.
   virtual double dead_load() const { return 0; }
 };

@@ -35,7 +35,7 @@ class SharedPlaces {
                std::vector<SharedPlace> places, std::vector<int> whole);
 
   // How many elements of each line are inside feeders at its ends A and B: stretches begin at the feeder.
-  void leave_out(std::vector<std::array<int, 2>> inside) { inside_ = std::move(inside); }
+  void set_elements_in_feeders(std::vector<std::array<int, 2>> inside) { inside_ = std::move(inside); }
 
   // Collective, of a committed state: how far from each place there is no contact. The first call finds it
   // from the state alone. `settles`: in statics it may grow as well as shrink, in motion it only shrinks.
@@ -52,7 +52,8 @@ class SharedPlaces {
     int place = 0, steps = 0;
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("place", "", self.place), each("steps", "", self.steps);
+      each("place", "", self.place);
+      each("steps", "", self.steps);
     }
   };
   Kept kept(int k) const { return {k, places_[k].within}; }
@@ -122,7 +123,8 @@ bool SharedPlaces::any_between(int element, int second, const What& what) const 
       auto one = along(place(k).one, swapped ? second : element),
            other = along(place(k).other, swapped ? element : second);
       if (!one || !other) continue;
-      std::sort(one->begin(), one->end()), std::sort(other->begin(), other->end());
+      std::sort(one->begin(), one->end());
+      std::sort(other->begin(), other->end());
       if (what(Found{k, *one, *other})) return true;
     }
   return false;

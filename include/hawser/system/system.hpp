@@ -35,8 +35,9 @@ struct ResidualNorms {
   double relative() const;
 };
 
-// What System::couple() found: nothing new; other couplings, for which there is room; another layout.
-enum class Coupled { as_before, otherwise, anew };
+// The result of System::couple(). pattern_changed: other couplings, which the matrix has room for;
+// layout_changed: vectors and matrices need another layout.
+enum class CouplingChange { unchanged, pattern_changed, layout_changed };
 
 class System {
  public:
@@ -69,10 +70,10 @@ class System {
   void add(std::unique_ptr<ForceTerm> term);
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
-  // Asks the terms who sees whom in a coming step of h [s]; where ghosts or matrix do not hold it, makes
-  // room: then vectors, matrices and solvers are to be made anew, and states spread. Before prepare().
+  // Asks the terms which nodes they couple in a coming step of h [s]. Where ghosts or matrix lack room, it
+  // makes room: the caller then rebuilds vectors, matrices and solvers, and spreads states. Before prepare().
   // Collective.
-  Coupled couple(const Kinematics& committed, double h);
+  CouplingChange couple(const Kinematics& committed, double h);
   // Resizes to the local nodes and fills the ghosts from their owners. Collective.
   void spread(State& state) const;
   void spread(std::vector<Vec3>& values) const { exchange_.spread(values); }
@@ -117,9 +118,10 @@ class System {
   // Whether a converged step resolved the impacts in it, also those that its start, when longest_step() was
   // asked, did not show.
   bool resolves_impacts(const Kinematics& trial);
-  bool stiffen(const Kinematics& equilibrium);       // true on all ranks: solve again
-  bool stiffen_in_the_way(const Kinematics& trial);  // in statics; true on all ranks: there is a way now
-  void forget_stiffening();
+  bool raise_stiffness(const Kinematics& equilibrium);  // true on all ranks: solve again
+  bool raise_stiffness_where_blocked(
+      const Kinematics& trial);  // in statics; true on all ranks: the path is free now
+  void revert_stiffness();
 
   void prepare(const Kinematics& committed, double h);
   // Says that the coming try is shorter than what was prepared for: what is noise in the residual depends on
@@ -139,7 +141,7 @@ class System {
   void size_arrays();
   void sum(std::span<double> values) const;  // over the ranks, in place
   std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored,
-                                  const std::vector<ImpactEvent>& strikes) const;
+                                  const std::vector<ImpactEvent>& impacts) const;
   void reghost_ties();
   void with_frames(Couplings& c) const;
   // The blocks of the tangent in this rank's rows, sorted: row and column as local blocks (a node with
@@ -170,11 +172,11 @@ class System {
   PetscLogEvent limit_event_ = -1;
   std::vector<int> turn_of_;  // by local block: place in retraction_; -1: a position
   std::vector<double> force_, mean_;
-  std::vector<Mat3> retraction_;      // of rotations
-  std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
-  std::vector<double> squares_;       // of what made up the last residual(), by block
-  size_t sums_ = 0;                   // that they are summed to
-  std::vector<double> bearable_;      // J by line, what impacts may make of it in the step to come
+  std::vector<Mat3> retraction_;          // of rotations
+  std::vector<int> square_of_block_;      // 2 * line, + 1 for rotations
+  std::vector<double> squares_;           // of what made up the last residual(), by block
+  size_t sums_ = 0;                       // that they are summed to
+  std::vector<double> energy_tolerance_;  // J by line, what impacts may make of it in the step to come
   double round_off_ = 0, longest_element_ = 0;
 };
 

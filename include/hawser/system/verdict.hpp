@@ -1,6 +1,6 @@
-// The result of every check of a converged step, or of a trial of statics: accept, try a shorter one, make
-// the list of candidates anew and try again, or stop. Contact, candidates, impacts, local error and Newton's
-// iteration all give it.
+// The result of every check of a converged step, or of a trial of statics: accept, try a shorter one, rebuild
+// the list of candidates and try again, or stop. Contact, candidates, impacts, local error and Newton's
+// iteration all return it.
 #pragma once
 
 #include <string>
@@ -11,9 +11,9 @@ struct Verdict {
   // Each outweighs those before it.
   enum class Kind {
     accept,
-    shorter,       // retry with a shorter step
-    prepare_anew,  // what was prepared for the step is out of date: prepare again and retry
-    stop           // no step, however short, can help
+    shorter,        // retry with a shorter step
+    prepare_again,  // the preparation of the step is out of date: prepare again and retry
+    stop            // no step, however short, can help
   };
   Kind kind = Kind::accept;
   std::string because;  // a clause for the user

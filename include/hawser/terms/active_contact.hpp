@@ -6,10 +6,10 @@
 namespace hawser {
 
 // A stretch of a line that touches another line (or itself) or a volume; or two volumes of bodies that touch.
-// Each is told by one rank only, the one that counts it.
+// Each is reported by one rank only, the one that counts it.
 struct ActiveContact {
-  // What touches: lines of the mesh; volumes of the term that tells it. -1: none. Of two lines `line` is not
-  // the larger, nor is `volume` of two volumes.
+  // What touches: lines of the mesh; volumes of the term that reports it. -1: none. Of two lines `line` is
+  // not the larger, nor is `volume` of two volumes.
   int line = -1, other_line = -1, volume = -1, other_volume = -1;
   double from = 0, to = 0;              // m, arc length on `line`
   double other_from = 0, other_to = 0;  // m, arc length on `other_line`

@@ -41,7 +41,7 @@ std::string too_soft_for_line(const std::string& place, const model::Volume& v, 
 
 // For the user: that a line at this place would be drawn through a volume on its way to an equilibrium, and
 // what helps; too_soft: a stiffness that the case gives.
-std::string volume_in_the_way(const std::string& place, const model::Volume& v, bool too_soft);
+std::string volume_blocks_path(const std::string& place, const model::Volume& v, bool too_soft);
 
 // Automatic stiffness between lines: a force F = k s + c s³ a metre at the penetration s. k [N/m²] is chosen
 // so that the line's own weight, by standard gravity, penetrates by 0.5 % of its radius [m]; c [N/m⁴] so that

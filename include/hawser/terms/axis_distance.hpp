@@ -26,7 +26,8 @@ inline DistanceField distance_to(const Surface& surface) {
   return [&surface, hint = -1](const Vec3& x, double within, Vec3& normal) mutable -> std::optional<double> {
     const auto p = surface.query(x, within, hint);
     if (!p) return std::nullopt;
-    hint = p->triangle, normal = p->normal;
+    hint = p->triangle;
+    normal = p->normal;
     return p->distance;
   };
 }

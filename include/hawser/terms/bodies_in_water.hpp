@@ -54,8 +54,8 @@ class BodiesInWater final : public ForceTerm,
     bool rests = false;
     // Waves are looked at once a step: at its end, where the centres get with their speed at its start.
     Places start, speed;              // m, m/s, at the start of the step
-    Places looked;                    // m, for the state at start_time_
-    bool has_looked = false;          // a state to go on from says so
+    Places wave_place;                // m, for the state at start_time_
+    bool has_wave_place = false;      // a state to go on from says so
     mutable WaveMotion centre, drag;  // what they are at `time`
     mutable double time = 0;
     mutable bool known = false;

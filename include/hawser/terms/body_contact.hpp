@@ -117,8 +117,10 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("damping", "J", self.damping), each("work", "J", self.work);
-      each("largest penetration", "m", self.depth), each("since clear", "m", self.met);
+      each("damping", "J", self.damping);
+      each("work", "J", self.work);
+      each("largest penetration", "m", self.depth);
+      each("since clear", "m", self.met);
     }
   };
   // What a pair does in a state: the residual of the twelve unknowns (x_A, theta_A, x_B, theta_B), positions
@@ -168,7 +170,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   std::vector<PairBody> bodies_of_volumes_;  // likewise
   std::vector<Pair> pairs_;
   std::vector<std::string> names_;  // of volumes, with their bodies
-  bool told_ = false;
+  bool coupled_ = false;
 };
 
 }  // namespace hawser

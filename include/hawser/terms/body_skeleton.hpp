@@ -21,7 +21,7 @@ struct SkeletonPart {
   }
 };
 
-// Parts in a tree of their boxes: most of a body is left out many parts at a time.
+// Parts in a tree of their boxes: most of a body is excluded many parts at a time.
 class SkeletonParts {
  public:
   SkeletonParts() = default;

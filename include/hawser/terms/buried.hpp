@@ -43,9 +43,9 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   // The springs have the directions of the line at the start of a step. A search of statics keeps those it
   // begins with, for its forces to have a potential, and goes on with those of the equilibrium that it finds,
   // until they are the same.
-  bool stiffen(const Kinematics& equilibrium) override;
-  bool stiffen_in_the_way(const Kinematics&) override { return false; }
-  void forget_stiffening() override {}
+  bool raise_stiffness(const Kinematics& equilibrium) override;
+  bool raise_stiffness_where_blocked(const Kinematics&) override { return false; }
+  void revert_stiffness() override {}
 
  private:
   struct Point {
@@ -58,8 +58,11 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("position", "m", self.at), each("slip", "m", self.slip), each("force", "N", self.force);
-      each("stored", "J", self.stored), each("friction work", "J", self.friction_work);
+      each("position", "m", self.at);
+      each("slip", "m", self.slip);
+      each("force", "N", self.force);
+      each("stored", "J", self.stored);
+      each("friction work", "J", self.friction_work);
     }
   };
   BuriedForce pull(const Point& p, const Kinematics& at) const {

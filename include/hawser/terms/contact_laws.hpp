@@ -20,8 +20,9 @@ ContactLaw contact_law(const model::Volume& v, double share, double diameter, do
 
 // What the functions of kernels/impact.hpp ask of a place of a line on the spring of a volume.
 struct ContactSpring {
-  double slowness = 0;  // s, the period over 2 pi
-  double seen = 0;      // m; what inertia takes deeper strikes: the ramp of the law, or 0.2 % of the radius
+  double inverse_frequency = 0;  // s, the period over 2 pi
+  double significant_depth =
+      0;  // m; an impact goes deeper by inertia: the ramp of the law, or 0.2 % of the radius
 };
 // mass: kg in the sense of the law; radius of the line, m.
 inline ContactSpring contact_spring(const NormalLaw& law, double mass, double radius) {

@@ -29,7 +29,7 @@ struct ContactVolume {
 };
 
 // The ends of a line that have no contact with a volume: material, whatever moves.
-struct LeftOut {
+struct ExcludedEnds {
   int line = 0, volume = 0;     // volume: index into those of the contact
   double end_a = 0, end_b = 0;  // m of line from end A and from end B on
 };
@@ -48,7 +48,7 @@ struct ContactShare {
 // relative to the volume.
 struct PressedPoint {
   double depth = 0, radius = 0;  // m
-  double still = 1;
+  double static_share = 1;
   double speed = 0, mass = 0;  // m/s; kg in the sense of the law
   bool held = false;           // by an end of the line: no stiffness moves it
 };
@@ -85,7 +85,7 @@ class ContactVolumes {
   // Between steps, and the same on all ranks: whether lines touch it from then on.
   void enable(int volume, bool on) { volumes_[volume].off = !on; }
   // Before the first step, and the same on all ranks.
-  void leave_out(std::vector<LeftOut> ends);
+  void exclude_ends(std::vector<ExcludedEnds> ends);
   // Of the interval [from, to] of a line's arc [m].
   ContactShare takes_part(int line, int volume, double from, double to) const;
 
@@ -96,13 +96,13 @@ class ContactVolumes {
   bool automatic(int volume) const { return at(volume).automatic; }
   // Of each volume what it has in the trial, to be asked for more.
   std::vector<double> stiffnesses() const;
-  void ask(int volume, const NormalLaw& law, const PressedPoint& p, double step,
-           std::vector<double>& wanted) const;
+  void require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
+               std::vector<double>& wanted) const;
   // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
   // where a volume is automatic.
   bool raise(std::vector<double>& wanted);
   // Trial stiffness is that of the last accepted state, or becomes it; whether that changed anything.
-  bool forget_raise();
+  bool revert_raise();
   void commit_raise() { committed_ = stiffnesses(); }
   bool raised(int volume) const { return settings(volume).normal_stiffness != stiffness(volume); }
   // Whether the volume has a far side on which a line could come out; a plane has none.
@@ -120,7 +120,7 @@ class ContactVolumes {
   std::vector<ContactVolume> volumes_;  // with the stiffness of the trial
   std::vector<double> committed_;       // stiffness
   std::vector<Box> boxes_;
-  std::vector<LeftOut> left_out_;  // sorted by line and volume
+  std::vector<ExcludedEnds> excluded_ends_;  // sorted by line and volume
   std::vector<RigidPose> poses_, start_poses_;
   MPI_Comm comm_;
   std::vector<std::array<int, 3>> near_;  // nodes of an element and of a body that may meet, of all ranks

@@ -31,15 +31,23 @@ struct ContactWork {
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("friction", "J", self.friction), each("damping", "J", self.damping);
+    each("friction", "J", self.friction);
+    each("damping", "J", self.damping);
     each("work", "J", self.work);
-    each("largest penetration", "m", self.depth), each("time of it", "s", self.time);
-    each("volume", "", self.volume), each("end", "", self.end);
+    each("largest penetration", "m", self.depth);
+    each("time of it", "s", self.time);
+    each("volume", "", self.volume);
+    each("end", "", self.end);
   }
 
   bool empty() const { return !(depth > 0 || friction != 0 || damping != 0 || work != 0); }
   void reaches(double deep, double at, int into, int near) {
-    if (deep > depth) depth = deep, time = at, volume = into, end = near;
+    if (deep > depth) {
+      depth = deep;
+      time = at;
+      volume = into;
+      end = near;
+    }
   }
   // Half of the work of the point's forces on the way y0 -> y1. touching: part of the way along the normal on
   // which it touches; normal forces act there alone, friction by the trapezoidal rule on all of the way.

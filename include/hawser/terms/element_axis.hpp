@@ -14,9 +14,15 @@ inline AxisEnds element_axis(const Kinematics& at, const Element& e, int first, 
   AxisEnds a;
   a.beam = e.beam;
   a.length = e.length;
-  a.x1 = at.x[i], a.x2 = at.x[j], a.v1 = at.v[i], a.v2 = at.v[j];
+  a.x1 = at.x[i];
+  a.x2 = at.x[j];
+  a.v1 = at.v[i];
+  a.v2 = at.v[j];
   if (!a.beam) return a;
-  a.q1 = at.q[i], a.q2 = at.q[j], a.w1 = at.w[i], a.w2 = at.w[j];
+  a.q1 = at.q[i];
+  a.q2 = at.q[j];
+  a.w1 = at.w[i];
+  a.w2 = at.w[j];
   return a;
 }
 

@@ -84,7 +84,7 @@ class Hydrodynamics final : public ForceTerm,
     WaterSections4 sections;
   };
   void group();
-  void see_feeders(const Kinematics& at, bool now);
+  void update_from_feeders(const Kinematics& at, bool now);
   double fed_buoyancy(const Kinematics& at) const;
   CablesInWater4 motion(const Four& q, const Kinematics& k) const;
   void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
@@ -93,7 +93,7 @@ class Hydrodynamics final : public ForceTerm,
   Water water(const Kinematics& at, size_t node) const;
   Vec3 wave_place(const Kinematics& at, size_t node) const;
   const std::vector<WaveMotion>& waves(const Kinematics& at) const;
-  void look_at_water(const Kinematics& at) const;
+  void update_water(const Kinematics& at) const;
   const Water& water_at(size_t node) const { return water_[moving() ? node : 0]; }
   WaterEnds ends(const Piece& p, const Kinematics& k, const Water& first, const Water& second) const;
   WaterEnds ends(const Piece& p, const Kinematics& k) const {

@@ -49,7 +49,7 @@ class LineMassTerm final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
-  void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations left out
+  void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations excluded
   double round_off(const Kinematics& at, double h) const override;
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;
@@ -63,7 +63,7 @@ class LineMassTerm final : public ForceTerm,
   static Built build(const LocalMesh& mesh, const model::Case& c);
   LineMassTerm(const LocalMesh& mesh, Built built);
 
-  void see_feeders(const Kinematics& at, bool now);
+  void update_from_feeders(const Kinematics& at, bool now);
   Vec3 ramped_load(const Piece& p, double t) const;
   Vec3 load(const Piece& p, double t) const { return p.ramped ? Vec3(p.load + ramped_load(p, t)) : p.load; }
 

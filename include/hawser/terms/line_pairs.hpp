@@ -89,8 +89,10 @@ class LinePairs final : public ForceTerm,
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("penetration", "m", self.depth), each("time", "s", self.time);
-      each("element", "", self.first), each("other element", "", self.second);
+      each("penetration", "m", self.depth);
+      each("time", "s", self.time);
+      each("element", "", self.first);
+      each("other element", "", self.second);
     }
   };
   Deepest deepest() const { return deepest_; }
@@ -141,7 +143,8 @@ class LinePairs final : public ForceTerm,
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("friction", "J", self.friction), each("damping", "J", self.damping);
+      each("friction", "J", self.friction);
+      each("damping", "J", self.damping);
     }
   };
 
@@ -185,7 +188,7 @@ class LinePairs final : public ForceTerm,
   Nearest nearest_at_start(const Pair& p) const { return nearest(p, p.chords, start(p.a), start(p.b)); }
   double acceleration(const Pair& pair, const Kinematics& at) const;
   double mass_per_length(const Pair& pair) const;
-  double slowness(const Pair& pair, double speed) const;
+  double inverse_frequency(const Pair& pair, double speed) const;
   double mass(const Pair& pair) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
   std::string where(const Pair& pair) const;
@@ -205,7 +208,7 @@ class LinePairs final : public ForceTerm,
   std::map<Key, std::unique_ptr<History>> kept_;  // of pairs, while the list is made anew
   bool listed_ = false;
   std::vector<AxisEnds> start_;    // of the segments
-  std::vector<int> fed_end_;       // likewise: the end at a feeder, of one at a mouth; -1: another
+  std::vector<int> fed_end_;       // likewise: the end at a feeder, of one at a feed point; -1: another
   std::vector<Rod> rods_;          // likewise
   std::vector<Account> accounts_;  // by owned node
   Deepest deepest_;

@@ -44,9 +44,9 @@ class LineVolumeContact final : public ForceTerm,
   Verdict check_step(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
-  bool stiffen(const Kinematics& equilibrium) override;
-  bool stiffen_in_the_way(const Kinematics& trial) override;
-  void forget_stiffening() override;
+  bool raise_stiffness(const Kinematics& equilibrium) override;
+  bool raise_stiffness_where_blocked(const Kinematics& trial) override;
+  void revert_stiffness() override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   // contact_force, contact_normal_force, friction_force as the element's shape functions share them out.
@@ -59,7 +59,7 @@ class LineVolumeContact final : public ForceTerm,
   // Between steps, and the same on all ranks: whether lines touch a volume from then on.
   void enable(int volume, bool on) { volumes_.enable(volume, on); }
   // Before the first step, and the same on all ranks.
-  void leave_out(std::vector<LeftOut> ends) { volumes_.leave_out(std::move(ends)); }
+  void exclude_ends(std::vector<ExcludedEnds> ends) { volumes_.exclude_ends(std::move(ends)); }
   int volumes() const { return volumes_.size(); }
   const std::string& volume_name(int volume) const { return volumes_.settings(volume).name; }
   // In the volume's basis; of an automatic one as far as it has been raised in accepted states, and so far it
@@ -124,9 +124,9 @@ class LineVolumeContact final : public ForceTerm,
   AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;
   void account(const Pair& pair, const AxisShape& shape, const std::vector<AxisContactPoint>& next);
 
-  // What strikes at xi, `share` m of the line with it; what it may come to, which touches elsewhere already.
-  void strike_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
-                 const Vec3& normal, bool last, ImpactEvents& to) const;
+  // The impact at xi, of `share` m of the line; what it may come to, which touches elsewhere already.
+  void add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
+                     const Vec3& normal, bool last, ImpactEvents& to) const;
   void predict_impacts(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
                        ImpactEvents& to) const;
   // The same at each of the facet groups it may come to in the step, if there are several.
@@ -138,8 +138,8 @@ class LineVolumeContact final : public ForceTerm,
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
-  double still_part(const Pair& pair, const Kinematics& at, double force, double depth,
-                    const Vec3& normal) const;
+  double static_share(const Pair& pair, const Kinematics& at, double force, double depth,
+                      const Vec3& normal) const;
 
   const LocalMesh& mesh_;
   const Feeders* feeders_ = nullptr;

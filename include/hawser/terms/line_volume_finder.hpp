@@ -63,7 +63,7 @@ class LineVolumeFinder {
   void update_clearance(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
                         std::vector<ClearancePoint>& places) const;
   void find_facet_groups(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  void assign_past(LineVolumePair& pair) const;
+  void assign_previous_points(LineVolumePair& pair) const;
   const Surface& surface(const LineVolumePair& pair) const { return volumes_.surface(pair.volume); }
 
   const ContactVolumes& volumes_;

@@ -21,7 +21,8 @@ struct GapSpring {
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("paired", "", self.paired), each("anchor", "m", self.anchor);
+    each("paired", "", self.paired);
+    each("anchor", "m", self.anchor);
     each("direction", "", self.direction);
   }
 };
@@ -31,7 +32,7 @@ struct GapSpring {
 // are.
 struct NearGroups {
   FacetGroups facet_groups;
-  std::vector<std::vector<AxisContactPoint>> past;
+  std::vector<std::vector<AxisContactPoint>> previous;
 };
 
 struct LineVolumePair {
@@ -77,7 +78,9 @@ struct LineVolumePair {
   const FacetGroup* group(int w) const {
     return near.facet_groups.several() ? &near.facet_groups.of[w] : nullptr;
   }
-  const std::vector<AxisContactPoint>& past(int w) const { return near.past.empty() ? points : near.past[w]; }
+  const std::vector<AxisContactPoint>& previous(int w) const {
+    return near.previous.empty() ? points : near.previous[w];
+  }
 };
 
 }  // namespace hawser

@@ -53,7 +53,8 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("damping", "J", self.damping), each("work", "J", self.work);
+      each("damping", "J", self.damping);
+      each("work", "J", self.work);
     }
   };
   // Its ends and its force in a state.
@@ -68,7 +69,7 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<Link> list_;
-  bool told_ = false;
+  bool coupled_ = false;
 };
 
 }  // namespace hawser

@@ -22,7 +22,7 @@ std::vector<NodeLoad> point_loads(const model::Case& c, const LocalMesh& mesh);
 // Residual: -s(t) F on the position, -s(t) R'M on the rotation block; K of the moment is exact.
 class PointLoads final : public ForceTerm, public ScalesResiduals {
  public:
-  // Loads on nodes that aren't owned are left out. Throws std::invalid_argument for a moment on a cable node.
+  // Loads on nodes that aren't owned are excluded. Throws std::invalid_argument for a moment on a cable node.
   PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads);
 
   std::string_view name() const override { return "point loads"; }

@@ -54,7 +54,8 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("damping", "J", self.damping), each("work", "J", self.work);
+      each("damping", "J", self.damping);
+      each("work", "J", self.work);
     }
   };
   RigidPose rest(const Floating& f, double time) const;

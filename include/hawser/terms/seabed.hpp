@@ -96,7 +96,8 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     static void quantities(Self& self, Each&& each) {
       SurfaceContactPoint::quantities(self, each, "N", "J");
       each("touches", "", self.active);
-      each("deepest", "m", self.deepest), each("held by suction", "", self.held);
+      each("deepest", "m", self.deepest);
+      each("held by suction", "", self.held);
     }
   };
   // J, taken out so far at the points that this rank counts; suction's is damping's.
@@ -105,7 +106,8 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
-      each("friction work", "J", self.friction), each("damping work", "J", self.damping);
+      each("friction work", "J", self.friction);
+      each("damping work", "J", self.damping);
     }
   };
   // Of a point at the start of the step: where it was, how far off the bed, and which way the line ran.
@@ -114,7 +116,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     double gap = 0;
   };
   enum class Friction { none, pressed, contact };
-  // What friction in statics is reckoned from: a place, the slip there, and the bed's normal and the normal
+  // What friction in statics is counted from: a place, the slip there, and the bed's normal and the normal
   // force at the last iteration.
   struct Laid {
     Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();
@@ -123,7 +125,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   };
   // Of a bed that is a surface, changes the time and never the answer: no force nearer than `clear` to
   // `centre` (the signed distance is 1-Lipschitz); nearest triangle of the last query.
-  struct Seen {
+  struct Cache {
     Vec3 centre = Vec3::Zero();
     double clear = -1;
     int hint = -1;
@@ -187,9 +189,9 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   std::vector<History> histories_;
   std::vector<int> vacant_;  // places in histories_ of points that have left the bed
   Account account_;
-  mutable std::vector<Seen> seen_;  // empty: a plane
-  bool suction_ = false;            // of some point
-  std::vector<double> element_;     // m, longest at a local node
+  mutable std::vector<Cache> cache_;  // empty: a plane
+  bool suction_ = false;              // of some point
+  std::vector<double> element_;       // m, longest at a local node
   LineNeighbours line_;
   Friction friction_ = Friction::contact;
 };

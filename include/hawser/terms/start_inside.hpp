@@ -1,4 +1,4 @@
-// What of the lines lies inside volumes where a run starts, and what of them is left out of contact.
+// What of the lines lies inside volumes where a run starts, and what of them is excluded from contact.
 #pragma once
 
 #include <functional>
@@ -25,8 +25,8 @@ struct Inside {
 };
 
 // Of the elements this rank counts, those with a radius [m, one for each of mesh.elements], outside of
-// feeders (null: there are none): the stock is at the mouth, and inside with it. Sorted by line, volume and
-// arc length, intervals that meet put together.
+// feeders (null: there are none): the stock is at the feed point, and inside with it. Sorted by line, volume
+// and arc length, intervals that meet put together.
 std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
                                    const std::vector<double>& radius, const Feeders* feeders);
@@ -35,16 +35,17 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
 void join(std::vector<Inside>& intervals, const Mesh& mesh);
 
 // A node that a volume parts from the place where it is looked for.
-struct Past {
+struct OnWrongSide {
   int line = 0, volume = 0;
   double at = 0, distance = 0;  // m: arc length from end A, how far it is to the volume that way
   Vec3 place = Vec3::Zero();    // m
 };
 
 // Where a node of a line at x, m in space, is looked for beside a volume; nullopt: nowhere.
-using LookedFor = std::function<std::optional<Vec3>(const Node& node, size_t volume, const Vec3& x)>;
+using ExpectedPlace = std::function<std::optional<Vec3>(const Node& node, size_t volume, const Vec3& x)>;
 // Of the nodes this rank owns. Goes the way there in steps of the distance, a thousandth of it at least.
-std::vector<Past> past_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
-                               const std::vector<ContactVolume>& volumes, const LookedFor& looked_for);
+std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinematics& at,
+                                             const Bodies& bodies, const std::vector<ContactVolume>& volumes,
+                                             const ExpectedPlace& expected_place);
 
 }  // namespace hawser

@@ -68,19 +68,20 @@ class StructureTerm final : public ForceTerm,
 
   std::vector<Beam>& beams() { return beams_; }
   void fed_by(Feeders* feeders) override;
-  // Before the mouth of a feeder goes over to a neighbour of its element: what is remembered goes with the
-  // material. Collective.
-  void hand_over(MPI_Comm comm, const Feeder& f, int mouth);
+  // Before the feed point of a feeder goes over to a neighbour of its element: what is remembered goes with
+  // the material. Collective.
+  void transfer_node(MPI_Comm comm, const Feeder& f, int feed_point);
 
  private:
-  // What is remembered on either side of a mouth (structure_feed.cpp), by label from the free node on.
+  // What is remembered on either side of a feed point (structure_feed.cpp), by label from the free node on.
   struct FedBends {
     std::vector<double>
-        inside;  // of what has not left the feeder: of the element at its mouth, and of the next
-    std::vector<double> trial;  // of the element at the mouth, in the element's order, at its trial length
+        inside;  // of what has not left the feeder: of the element at its feed point, and of the next
+    std::vector<double>
+        trial;  // of the element at the feed point, in the element's order, at its trial length
   };
   // accepted: the lengths are those at the end of the step.
-  void see_feeders(const Kinematics& at, bool accepted = false);
+  void update_from_feeders(const Kinematics& at, bool accepted = false);
   static CableSection shown(const Cable& c, const Kinematics& at);  // what results are made of
   void carry_bends(Beam& b, int feeder, double from, double to);
   void keep_hauled_in(const Beam& b, int feeder, double from, double to);

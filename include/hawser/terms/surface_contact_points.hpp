@@ -19,8 +19,11 @@ struct SurfaceContactPoint : ContactPoint {
 
   SurfaceContactPoint() = default;
   SurfaceContactPoint(const PointContact& c, const Vec3& n) : slip(c.slip) {
-    normal = n, force = c.force, friction = c.friction;
-    normal_force = c.normal.force, damping_force = c.normal.force - c.normal.elastic;
+    normal = n;
+    force = c.force;
+    friction = c.friction;
+    normal_force = c.normal.force;
+    damping_force = c.normal.force - c.normal.elastic;
     potential = c.normal.potential;
   }
 
@@ -39,8 +42,12 @@ struct AxisContactPoint : SurfaceContactPoint {
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("place", "", self.xi), each("from", "", self.from), each("to", "", self.to);
-    each("wall", "", self.group), each("weight", "m", self.weight), each("gap", "m", self.gap);
+    each("place", "", self.xi);
+    each("from", "", self.from);
+    each("to", "", self.to);
+    each("facet group", "", self.group);
+    each("weight", "m", self.weight);
+    each("gap", "m", self.gap);
     SurfaceContactPoint::quantities(self, each, "N/m", "J/m");
   }
 };
@@ -90,7 +97,12 @@ struct ContactQuadrature {
   std::vector<InactiveInterval> filled;  // parts of panels that do not touch
   std::vector<QuadraturePoint> quadrature;
 
-  void clear() { of.known = false, panels.clear(), filled.clear(), quadrature.clear(); }
+  void clear() {
+    of.known = false;
+    panels.clear();
+    filled.clear();
+    quadrature.clear();
+  }
   // Adds panels, and their Gauss points, to an axis of that length [m]. query(xi): the surface there, or
   // nothing where it is out of touch.
   template <class Query>

@@ -54,7 +54,7 @@ class Shown:
     """Thread-safe: one request at a time reads files."""
 
     def __init__(self, given, changes=()):
-        self.lock, self.model, self.words, self.looked, self.seen = threading.Lock(), None, "", 0.0, None
+        self.lock, self.model, self.words, self.checked_at, self.read_state = threading.Lock(), None, "", 0.0, None
         self.changes, self.folder = changes, None
         path = Path(given)
         self.case = path if path.suffix in (".yaml", ".yml") else None
@@ -84,26 +84,26 @@ class Shown:
 
     def look(self):
         """Opens what there is to be shown, anew if it has changed."""
-        if time.monotonic() - self.looked < OFTEN and self.model:
+        if time.monotonic() - self.checked_at < OFTEN and self.model:
             return
         current = self.run_is_current() or not self.case
         now = self.stamp_of(self.path) if current else ("start", *(self.stamp_of(file) for file in self.inputs))
-        if now == self.seen and self.model:
-            self.looked = time.monotonic()
+        if now == self.read_state and self.model:
+            self.checked_at = time.monotonic()
             return
         if self.model is not None:  # HDF5 would hand out what it knows of the file as it was
             self.model.results.file.close()
         try:
             self.show(ServedModel(Results(self.path)) if current else self.start(), "run" if current else "start")
-            self.seen = now
+            self.read_state = now
         except (Refusal, OSError, KeyError, ValueError, RuntimeError) as error:
             # Before the first output of a run there is the start shape; otherwise the next look may find a file that can be read.
             if current and self.case and (self.model is None or self.kind == "start"):
                 self.show(self.start(), "start")
             elif self.model is None:
                 raise
-            self.words, self.seen = str(error).splitlines()[0], None
-        self.looked = time.monotonic()
+            self.words, self.read_state = str(error).splitlines()[0], None
+        self.checked_at = time.monotonic()
 
     def show(self, model, kind):
         self.model, self.kind, self.words = model, kind, ""
@@ -115,13 +115,13 @@ class Shown:
         self.stamp = hashlib.sha256(key.encode()).hexdigest()[:16]
 
     def start(self):
-        said = start_shape.notes_of(self.case, self.changes)
+        messages = start_shape.notes_of(self.case, self.changes)
         if self.folder is None:
             self.folder = tempfile.TemporaryDirectory(prefix="hawser-view-")
         folder = tempfile.mkdtemp(dir=self.folder.name)
         results = start_shape.start_of(self.case, self.changes, folder)
         model = ServedModel(results, fields=())  # before statics no force is one
-        model.check_notes = said
+        model.check_notes = messages
         return model
 
     # What is asked.
@@ -130,9 +130,9 @@ class Shown:
         with self.lock:
             self.look()
             found = self.model.header()
-            said = getattr(self.model, "check_notes", None)
-            if said is not None:
-                found["notes"] = notes.placed(self.model.results, said)
+            messages = getattr(self.model, "check_notes", None)
+            if messages is not None:
+                found["notes"] = notes.placed(self.model.results, messages)
                 found["missing"].append("This is the start shape, before statics; the results are shown when the case is run.")
             return {**found, "served": True, "stamp": self.stamp, "storedHistories": self.kind == "run"}
 

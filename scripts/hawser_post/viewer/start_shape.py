@@ -25,11 +25,11 @@ def notes_of(path, changes=()):
     """Notes and warnings of the check; where the case is refused, its sentence is the Refusal."""
     done = program("check", path, changes, "--quick")
     if done.returncode != 0:
-        raise Refusal(said(done))
+        raise Refusal(error_text(done))
     return [line.strip() for line in done.stdout.splitlines() if re.match(r"\s*(note|warning): ", line)]
 
 
-def said(done):
+def error_text(done):
     """The sentence of a program that has failed."""
     lines = [line for line in done.stderr.splitlines() if line.strip()]
     return lines[-1].removeprefix("hawser: ") if lines else f"the program has ended with code {done.returncode}"
@@ -46,6 +46,6 @@ def start_of(path, changes, folder):
                 return Results(target, 0)
             except Refusal as refusal:
                 why = str(refusal)
-        why = why or said(done)
+        why = why or error_text(done)
         target.unlink(missing_ok=True)
     raise Refusal(f"{path}: its start shape cannot be shown: {why}")

@@ -35,7 +35,10 @@ int MoorDyn_Close(void* system);
 }
 
 int main(int argc, char** argv) {
-  if (argc < 6 || (argc - 6) % 4 != 0) return std::fprintf(stderr, "see the head of this source\n"), 2;
+  if (argc < 6 || (argc - 6) % 4 != 0) {
+    std::fprintf(stderr, "see the head of this source\n");
+    return 2;
+  }
   const double seconds = std::atof(argv[2]), ramp = std::atof(argv[4]);
   double step = std::atof(argv[3]);
   std::vector<double> motion;
@@ -69,7 +72,10 @@ int main(int argc, char** argv) {
     double t = static_cast<double>(i) * step;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double from = offset(t, axis), speed = (offset(t + step, axis) - from) / step;
-      for (std::size_t k = axis; k < n; k += 3) x[k] = rest[k] + from, v[k] = speed;
+      for (std::size_t k = axis; k < n; k += 3) {
+        x[k] = rest[k] + from;
+        v[k] = speed;
+      }
     }
     if (MoorDyn_Step(system, x.data(), v.data(), f.data(), &t, &step) != 0 || !std::isfinite(f[0])) return 3;
     if ((i + 1) % every != 0) continue;

@@ -59,12 +59,12 @@ hawser.Camera = class {
     controls.target.copy(middle);
     camera.lookAt(middle);
     camera.updateMatrixWorld(true);
-    const seen = new THREE.Matrix4().getInverse(camera.matrixWorld);
+    const to_view = new THREE.Matrix4().getInverse(camera.matrixWorld);
     const slope = Math.tan(FIELD_OF_VIEW * Math.PI / 360);
     this.half = {wide: 1e-6, high: 1e-6};
     let depth = 1e-3;
     for (let k = 0; k < 8; k++) {
-      const p = new THREE.Vector3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z).applyMatrix4(seen);
+      const p = new THREE.Vector3(k & 1 ? high.x : low.x, k & 2 ? high.y : low.y, k & 4 ? high.z : low.z).applyMatrix4(to_view);
       const [x, y] = [Math.abs(p.x) * MARGIN_WIDE, Math.abs(p.y) * MARGIN_HIGH];
       this.half = {wide: Math.max(this.half.wide, x), high: Math.max(this.half.high, y)};
       depth = Math.max(depth, Math.max(x / this.aspect(), y) / slope + p.z + away);

@@ -54,7 +54,7 @@ hawser.Overlay = class {
     return picture;
   }
 
-  // Names at their places, [{words, x, y}]; one that would stand on another is left out.
+  // Names at their places, [{words, x, y}]; one that would stand on another is excluded.
   names(names) {
     const taken = [];
     for (const {words, x, y} of names) {

@@ -23,12 +23,12 @@ struct AtRest {
 // Collective.
 AtRest at_rest(MPI_Comm comm, Simulation& sim);
 
-class SoughtLength {
+class LengthSearch {
  public:
   // Of the section of a line with a `target`.
-  SoughtLength(const model::Case& c, size_t line);
+  LengthSearch(const model::Case& c, size_t line);
   // Of the stock of a feeder that keeps a tension, the one of that number in the case.
-  SoughtLength(const model::Case& c, size_t line, bool at_b, int feeder);
+  LengthSearch(const model::Case& c, size_t line, bool at_b, int feeder);
 
   const std::string& key() const { return key_; }
   double length() const { return length_; }
@@ -37,22 +37,22 @@ class SoughtLength {
   // The next trial; a line that is met stays as it is.
   void choose() { length_ = search_.next(); }
   // What the trial has brought. Whether it has parted from a target that was met.
-  bool see(const AtRest& now);
+  bool update(const AtRest& now);
   // How far the value is from the target: of the tension, rad, or of the line's length.
   double error() const;
   // The length and the value that it has, in a sentence.
   std::string now(const model::Case& c) const;
   void go_on() { search_.add(value_ - t_.value); }
   void fail(const std::string& why) {
-    if (why_.empty() || !search_.seen().empty()) why_ = why;  // where none is known, of what is given
+    if (why_.empty() || !search_.values().empty()) why_ = why;  // where none is known, of what is given
     search_.fail();
   }
-  // From what was last reached on.
-  void again();
-  // No way on: nothing found, or a jump over it.
+  // Restarts from the last length with an equilibrium.
+  void restart();
+  // Whether the search has failed: no root found, or a jump across it.
   bool stuck() const { return search_.exhausted() || (narrow() && !near_); }
   // There is no such length. InputError that says why; a feeder begins with its stock as it is given.
-  void give_up(const model::Case& c);
+  void throw_not_found(const model::Case& c);
 
   // What was found, in so many statics.
   std::string found(const model::Case& c, int trials) const;
@@ -69,8 +69,8 @@ class SoughtLength {
   std::string key_;
   double given_, rest_;  // m, as given; of the sections that stay
   RootSearch search_{1, 1, 0, 2};
-  double length_ = 0, value_ = 0, good_ = 0;  // m; its value; m, with which statics was found last
-  bool met_ = false, near_ = false, given_up_ = false;
+  double length_ = 0, value_ = 0, last_found_ = 0;  // m; its value; m, with which statics was found last
+  bool met_ = false, near_ = false, failed_ = false;
   std::string why_;
 };
 

@@ -35,10 +35,10 @@ def divisor(results, line, options, curve):
                           + ("" if chain or not by_load else " and no breaking_load"))
         return known, []
     value = strength.breaking_load(text) if by_load else strength.area(text)
-    told = []
+    notes = []
     if by_load and chain:
-        told = orq_words(value, known, curve)
-    return np.full(len(line.arc), value), told
+        notes = orq_words(value, known, curve)
+    return np.full(len(line.arc), value), notes
 
 
 def orq_words(given, known, curve):

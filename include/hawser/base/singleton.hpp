@@ -16,7 +16,7 @@ inline bool launched() {
 // - without its daemon, a program that takes 0.1 s to come up, and without the folder of a session: without
 //   the daemon, processes that start at the same time would take each other's folder in /tmp away,
 // - and without a list of the machine's devices.
-inline void start_alone() {
+inline void start_singleton() {
   if (launched()) return;
   setenv("OMPI_MCA_pml", "ob1", 0);
   setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);

@@ -40,13 +40,13 @@ def samples_of(options, records, mean, what):
     blocks = extremes.blocks(records, length)
     if len(blocks.values) >= extremes.LEAST_BLOCKS:
         return [own, blocks], ""
-    told = f"there are {len(blocks.values)} blocks of {time_words(blocks.length)}, and a fit needs {extremes.LEAST_BLOCKS}"
+    shortage = f"there are {len(blocks.values)} blocks of {time_words(blocks.length)}, and a fit needs {extremes.LEAST_BLOCKS}"
     if options.block:
-        raise Refusal(f"{what}: {told}; give shorter ones, or results of more runs")
-    return [own], f"no fit to blocks: {told}"
+        raise Refusal(f"{what}: {shortage}; give shorter ones, or results of more runs")
+    return [own], f"no fit to blocks: {shortage}"
 
 
-def told(options, sign, names, records, mean, deviation, found, duration):
+def report_values(options, sign, names, records, mean, deviation, found, duration):
     """What is written to a file, in SI units."""
     top = max(records, key=lambda r: r.values.max())
     return {
@@ -99,7 +99,7 @@ def make(options):
     if duration < max(sample.length for sample in samples):
         raise Refusal(f"--duration {options.duration}: shorter than what one value of the sample stands for "
                       f"({max(sample.length for sample in samples):.4g} s)")
-    values = told(options, -1.0 if options.minima else 1.0, names, records, mean, deviation, found, duration)
+    values = report_values(options, -1.0 if options.minima else 1.0, names, records, mean, deviation, found, duration)
     show(values, note)
     if path:
         if path.suffix == ".json":

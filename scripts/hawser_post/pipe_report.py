@@ -33,7 +33,7 @@ def make(options):
     checked = pipe_checks.of_case(results, line)
     if checked is None:
         raise Refusal(f"{results.path}: the case does not say of which steel '{line.name}' is: give its pipe a 'grade', and run it")
-    pipe, judged = checked.told()
+    pipe, judged = checked.description()
     print(f"{line.name}: {pipe} {np.count_nonzero(results.since(since))} outputs to t = {results.time[-1]:g} s.\n  {judged} "
           "A check is met up to 1.")
     if not checked.results.has("dnv_local_buckling"):
@@ -45,8 +45,8 @@ def make(options):
     at_stations = stations.table(results, line, checked.outer)
     if at_stations:
         print_table(*at_stations)
-    for doubt in pipe_checks.doubts(checked):
-        print(f"warning: {doubt}")
+    for warning in pipe_checks.warnings(checked):
+        print(f"warning: {warning}")
     keep = np.flatnonzero(results.since(since))
     columns = [np.nanmax(np.where(np.isnan(v[keep]), -np.inf, v[keep]), axis=0) for v in checked.values.values()]
     export.write(path, ["arc_length [m]", *checked.values], [row for row in zip(line.arc, *columns) if np.isfinite(row[1])])

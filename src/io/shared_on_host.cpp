@@ -1,6 +1,6 @@
 // How the mesh surface that one rank of a host has made gets into memory shared with the other ranks, and how
 // an error on any rank is thrown on all.
-#include "hawser/io/once_a_host.hpp"
+#include "hawser/io/shared_on_host.hpp"
 
 #include <stdexcept>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace hawser::io {
 
-void agreed(MPI_Comm comm, const std::function<void()>& work) {
+void rethrow_on_all_ranks(MPI_Comm comm, const std::function<void()>& work) {
   std::string input, program;
   try {
     work();
@@ -25,11 +25,11 @@ void agreed(MPI_Comm comm, const std::function<void()>& work) {
   if (!input.empty()) throw InputError(input);
 }
 
-std::shared_ptr<const MeshSurface> once_a_host(
+std::shared_ptr<const MeshSurface> shared_on_host(
     MPI_Comm comm, const Host& host, const std::function<std::shared_ptr<const MeshSurface>()>& make) {
   std::shared_ptr<const MeshSurface> made;
   const auto make_on = [&](bool here) {
-    agreed(comm, [&] {
+    rethrow_on_all_ranks(comm, [&] {
       if (here) made = make();
     });
   };

@@ -1,4 +1,6 @@
-// What is possible but unusual in a case is told, and nothing of an ordinary one.
+// What is possible but unusual in a case gives a warning, and nothing of an ordinary one.
+#include "hawser/advice/input_warnings.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,11 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "hawser/advice/input_warnings.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/longest_step.hpp"
 
-namespace hawser::doubts_test {
+namespace hawser::input_warnings_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,16 +51,16 @@ std::vector<std::string> notes(const Changes& changes, const std::vector<std::st
   return advice::input_notes(c);
 }
 
-// One doubt, which holds this.
-void expect_doubt(const Changes& changes, const std::string& part) {
+// One warning, which holds this.
+void expect_warning(const Changes& changes, const std::string& part) {
   const std::vector<std::string> found = notes(changes);
   ASSERT_EQ(found.size(), 1U) << part << "\n" << testing::PrintToString(found);
   EXPECT_NE(found.front().find(part), std::string::npos) << part << "\n" << found.front();
 }
 
-TEST(Doubts, NoneOfAnOrdinaryCase) { EXPECT_EQ(notes({}), std::vector<std::string>{}); }
+TEST(InputWarnings, NoneOfAnOrdinaryCase) { EXPECT_EQ(notes({}), std::vector<std::string>{}); }
 
-TEST(Doubts, NoneOfAnyShippedCase) {
+TEST(InputWarnings, NoneOfAnyShippedCase) {
   int cases = 0;
   for (const auto& entry : fs::recursive_directory_iterator(HAWSER_SOURCE_DIR "/cases")) {
     if (entry.path().extension() != ".yaml") continue;
@@ -72,17 +73,17 @@ TEST(Doubts, NoneOfAnyShippedCase) {
 
 // In deep water the waves of 11 s have a speed of g 11/2 pi = 17.2 m/s; a current across them does nothing to
 // them.
-TEST(Doubts, LinearWavesOnACurrent) {
+TEST(InputWarnings, LinearWavesOnACurrent) {
   const auto current = [](const std::string& with) {
     return Changes{{"{speed: 0.2, direction_deg: 90}", with}};
   };
   EXPECT_TRUE(notes(current("{speed: 1.7, ramp: 5}")).empty());
   EXPECT_TRUE(notes(current("{speed: 3, direction_deg: 90, ramp: 5}")).empty());
-  expect_doubt(
+  expect_warning(
       current("{speed: 1.75, ramp: 5}"),
       "environment.waves: the current of 1.75 m/s along the waves of 11 s is 10 % of their speed, and linear "
       "waves are as long and as steep here as without a current, though it makes them longer and flatter;");
-  expect_doubt(
+  expect_warning(
       current("{speed: 2, direction_deg: 150, ramp: 5}"),
       "of 1.73 m/s against the waves of 11 s is 10 % of their speed, and linear waves are as long and as "
       "steep here as without a current, though it makes them shorter and steeper;");
@@ -91,7 +92,7 @@ TEST(Doubts, LinearWavesOnACurrent) {
   EXPECT_TRUE(notes(stokes).empty());
   stokes.back().second =
       "components: [{height: 1, period: 4}, {height: 5, period: 11}, {height: 1, period: 20}]";
-  expect_doubt(stokes, "of 2 m/s against the waves of 11 s is 12 %");
+  expect_warning(stokes, "of 2 m/s against the waves of 11 s is 12 %");
 }
 
 // Without weight and water nothing follows from the line type for the line.
@@ -103,23 +104,23 @@ Changes weightless(const std::string& from, const std::string& to) {
           {"  current: {speed: 0.2, direction_deg: 90}\n", ""}};
 }
 
-TEST(Doubts, MassDiameterAndStiffness) {
-  expect_doubt(
+TEST(InputWarnings, MassDiameterAndStiffness) {
+  expect_warning(
       {{"outer_diameter: 0.25", "outer_diameter: 0.14"}},
       "slips.yaml:8: line_types.chain: 390 kg/m in a diameter of 0.14 m are 25.3 t/m³, more than steel "
       "(7.85); a chain has here the diameter of a round bar of its volume");
   EXPECT_TRUE(notes(weightless("outer_diameter: 0.25", "outer_diameter: 0.14")).empty());
-  expect_doubt(weightless("mass_per_length: 390", "mass_per_length: 390000"),
-               "is it in kg/km? ('390000 kg/km')");
-  expect_doubt(weightless("outer_diameter: 0.25, mass_per_length: 390, EA: 1.6e9",
-                          "outer_diameter: 250, mass_per_length: 390, EA: 1.6e14"),
-               "is it in mm? ('250 mm')");
-  expect_doubt({{"EA: 1.6e9", "EA: 1.6e11"}},
-               "is a modulus of 3.26e+03 GPa; that of a solid steel bar is 206");
-  expect_doubt(weightless("EA: 1.6e9", "EA: 1.6e3"), "less than that of rubber (1 to 10)");
+  expect_warning(weightless("mass_per_length: 390", "mass_per_length: 390000"),
+                 "is it in kg/km? ('390000 kg/km')");
+  expect_warning(weightless("outer_diameter: 0.25, mass_per_length: 390, EA: 1.6e9",
+                            "outer_diameter: 250, mass_per_length: 390, EA: 1.6e14"),
+                 "is it in mm? ('250 mm')");
+  expect_warning({{"EA: 1.6e9", "EA: 1.6e11"}},
+                 "is a modulus of 3.26e+03 GPa; that of a solid steel bar is 206");
+  expect_warning(weightless("EA: 1.6e9", "EA: 1.6e3"), "less than that of rubber (1 to 10)");
 }
 
-TEST(Doubts, ContentsAndCoatings) {
+TEST(InputWarnings, ContentsAndCoatings) {
   const auto pipe = [](const std::string& more) {
     return weightless(
         "chain: {outer_diameter: 0.25, mass_per_length: 390, EA: 1.6e9, bending: false, breaking_load: "
@@ -131,24 +132,24 @@ TEST(Doubts, ContentsAndCoatings) {
   };
   EXPECT_EQ(notes(contents("800")), std::vector<std::string>{});
   EXPECT_EQ(notes(contents("0")), std::vector<std::string>{});  // empty
-  expect_doubt(
+  expect_warning(
       contents("0.8"),
       "slips.yaml:6: line_types.chain.contents.density: 0.8 kg/m³ is lighter than what pipes carry (10 "
       "to 5000); is it in t/m³ or g/cm³? ('800 kg/m3')");
-  expect_doubt(contents("8000"), "8000 kg/m³ is heavier than what pipes carry (10 to 5000); is it meant?");
+  expect_warning(contents("8000"), "8000 kg/m³ is heavier than what pipes carry (10 to 5000); is it meant?");
   const auto coating = [&](const std::string& thickness) {
     return pipe(", coatings: [{thickness: 3 mm, density: 900}, {thickness: " + thickness +
                 ", density: 700}]}");
   };
   EXPECT_EQ(notes(coating("40 mm")), std::vector<std::string>{});
-  expect_doubt(
+  expect_warning(
       coating("4"),
       "line_types.chain.pipe.coatings[1].thickness: a coating of 4 m is thicker than half of the pipe "
       "of 0.3 m; is it in mm? ('4 mm')");
 }
 
 // Of pipes that are judged by codes: DNV-ST-F101 5.4.6 from 15 to 45, API RP 1111 4.3.2.2 up to 50.
-TEST(Doubts, SlendernessOfPipesByCodes) {
+TEST(InputWarnings, SlendernessOfPipesByCodes) {
   const auto pipe = [](const std::string& wall, const std::string& grade = ", grade: X65") {
     return weightless(
         "chain: {outer_diameter: 0.25, mass_per_length: 390, EA: 1.6e9, bending: false, breaking_load: "
@@ -157,11 +158,12 @@ TEST(Doubts, SlendernessOfPipesByCodes) {
   };
   for (const char* wall : {"0.02", "0.00666667", "0.0199"})  // 15, 45, 15.1
     EXPECT_EQ(notes(pipe(wall)), std::vector<std::string>{}) << wall;
-  expect_doubt(pipe("0.021"),
-               "slips.yaml:6: line_types.chain.pipe.wall_thickness: D/t is 14.3, and DNV-ST-F101's formulas "
-               "for combined loads are for 15 to 45: 'dnv_local_buckling' is no check of this pipe; give it "
-               "another wall, or judge it by other means");
-  expect_doubt(pipe("0.00625"), "D/t is 48, and DNV-ST-F101's formulas");
+  expect_warning(
+      pipe("0.021"),
+      "slips.yaml:6: line_types.chain.pipe.wall_thickness: D/t is 14.3, and DNV-ST-F101's formulas "
+      "for combined loads are for 15 to 45: 'dnv_local_buckling' is no check of this pipe; give it "
+      "another wall, or judge it by other means");
+  expect_warning(pipe("0.00625"), "D/t is 48, and DNV-ST-F101's formulas");
   const std::vector<std::string> both = notes(pipe("0.005"));
   ASSERT_EQ(both.size(), 2U);
   EXPECT_NE(both[1].find("D/t is 60, and API RP 1111's formula for bending with pressure is for 50 at most: "
@@ -171,65 +173,65 @@ TEST(Doubts, SlendernessOfPipesByCodes) {
   EXPECT_EQ(notes(pipe("0.005", "")), std::vector<std::string>{});  // judged by none
 }
 
-TEST(Doubts, StiffnessOfTheBed) {
+TEST(InputWarnings, StiffnessOfTheBed) {
   const auto bed = [](const std::string& stiffness) {
     return Changes{{"friction: 0.6", "friction: 0.6, normal_stiffness: " + stiffness}};
   };
   for (const char* soil :
        {"{per_area: 100 kN/m3}", "{per_area: 5000}", "{per_length: 2 kN/m2}", "{per_length: 4200 kN/m2}"})
     EXPECT_EQ(notes(bed(soil)), std::vector<std::string>{}) << soil;
-  expect_doubt(
+  expect_warning(
       bed("{per_area: 200}"),
       "slips.yaml:4: environment.seabed.normal_stiffness: 200 N/m³ is softer than any soil, of which 50 "
       "to 10000 kN/m³ are usual; is it in kN? ('200 kN/m3')");
-  expect_doubt(bed("{per_length: 100}"),
-               "100 N/m² is softer than any soil, of which 50 to 5000 kN/m² are usual; "
-               "is it in kN? ('100 kN/m2')");
-  expect_doubt(bed("{per_area: 1e11}"),
-               "1e+11 N/m³ is stiffer than any soil, of which 50 to 10000 kN/m³ are usual");
+  expect_warning(bed("{per_length: 100}"),
+                 "100 N/m² is softer than any soil, of which 50 to 5000 kN/m² are usual; "
+                 "is it in kN? ('100 kN/m2')");
+  expect_warning(bed("{per_area: 1e11}"),
+                 "1e+11 N/m³ is stiffer than any soil, of which 50 to 10000 kN/m³ are usual");
 }
 
-TEST(Doubts, TensionsOfLinesAndLengths) {
-  expect_doubt(
+TEST(InputWarnings, TensionsOfLinesAndLengths) {
+  expect_warning(
       {{"length: 760", "length: 715"}},
       "slips.yaml:13: lines.mooring.sections: a length of 715 m over a distance of 728.011 m between its "
       "ends means a tension of 2.912e+04 kN at least, and 'chain' breaks at 1.3e+04 kN");
-  expect_doubt({{"length: 760", "length: 715"}, {", breaking_load: 1.3e7", ""}},
-               "by 1.82 %; usual is less than 1 %");
-  expect_doubt({{"EA: 1.6e9", "EA: 6.0e6"}, {", breaking_load: 1.3e7", ""}},
-               "its own weight over 200 m of height means");
-  expect_doubt({{"end_b: {body: vessel, at: [0, 0, 0]}",
-                 "end_b: free\n    loads: [{at: end_b, force: [2.0e7, 0, 0]}]"}},
-               "lines.mooring.loads[0]: its force means a tension of 2e+04 kN");
-  expect_doubt({{"length: 760", "length: 8000"}, {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
-               "the line is 8000 m long, 11 times the distance of its ends (728.011 m)");
-  expect_doubt(
+  expect_warning({{"length: 760", "length: 715"}, {", breaking_load: 1.3e7", ""}},
+                 "by 1.82 %; usual is less than 1 %");
+  expect_warning({{"EA: 1.6e9", "EA: 6.0e6"}, {", breaking_load: 1.3e7", ""}},
+                 "its own weight over 200 m of height means");
+  expect_warning({{"end_b: {body: vessel, at: [0, 0, 0]}",
+                   "end_b: free\n    loads: [{at: end_b, force: [2.0e7, 0, 0]}]"}},
+                 "lines.mooring.loads[0]: its force means a tension of 2e+04 kN");
+  expect_warning({{"length: 760", "length: 8000"}, {"  current: {speed: 0.2, direction_deg: 90}\n", ""}},
+                 "the line is 8000 m long, 11 times the distance of its ends (728.011 m)");
+  expect_warning(
       {{"elements: 76", "elements: 2"}},
       "lines.mooring.sections: 2 elements for a line that is 4.4 % longer than the distance of its ends: it "
       "hangs or lies in a curve, which takes twenty or more to follow");
   // What is inside a feeder does not reach from end to end.
-  expect_doubt({{"length: 760", "length: 755"},
-                {"end_b: {body: vessel, at: [0, 0, 0]}",
-                 "end_b: {body: vessel, at: [0, 0, 0], feed: {stock: 40, speed: 0}}"}},
-               "lines.mooring.sections: a length of 715 m over a distance of 728.011 m");
+  expect_warning({{"length: 760", "length: 755"},
+                  {"end_b: {body: vessel, at: [0, 0, 0]}",
+                   "end_b: {body: vessel, at: [0, 0, 0], feed: {stock: 40, speed: 0}}"}},
+                 "lines.mooring.sections: a length of 715 m over a distance of 728.011 m");
 }
 
-TEST(Doubts, Depths) {
-  expect_doubt({{"water: {depth: 200}", "water: {depth: 20}"}},
-               "slips.yaml:4: environment.seabed.depth: the bed is 200 m below the still water, but the "
-               "water is 20 m");
-  expect_doubt(
+TEST(InputWarnings, Depths) {
+  expect_warning({{"water: {depth: 200}", "water: {depth: 20}"}},
+                 "slips.yaml:4: environment.seabed.depth: the bed is 200 m below the still water, but the "
+                 "water is 20 m");
+  expect_warning(
       {{"  seabed: {depth: 200, friction: 0.6}\n", ""}, {"anchor: [700, 0, -200]", "anchor: [700, 0, 200]"}},
       "is 200 m above the water, and that is 200 m deep: z points up; is -200 meant?");
-  expect_doubt({{"anchor: [700, 0, -200]", "anchor: [700, 0, -160]"}},
-               "is 40 m above the bed, which is at z = -200 m");
-  expect_doubt(
+  expect_warning({{"anchor: [700, 0, -200]", "anchor: [700, 0, -160]"}},
+                 "is 40 m above the bed, which is at z = -200 m");
+  expect_warning(
       {{"water: {depth: 200}", "water: {}"}, {"depth: 200, friction", "depth: 2000, friction"}},
       "no line gets near the bed at z = -2000 m: hanging straight down the deepest reaches z = -480 m");
 }
 
-TEST(Doubts, SlackOnTheBedInACurrent) {
-  expect_doubt({{"length: 760", "length: 880"}}, "bows them about 17 m sideways");  // a run: 17.1 m
+TEST(InputWarnings, SlackOnTheBedInACurrent) {
+  expect_warning({{"length: 760", "length: 880"}}, "bows them about 17 m sideways");  // a run: 17.1 m
   EXPECT_TRUE(
       notes({{"length: 760", "length: 880"}, {"direction_deg: 90", "direction_deg: 90, ramp: 20"}}).empty());
   EXPECT_TRUE(notes({{"length: 760", "length: 880"}, {"direction_deg: 90", "direction_deg: 0"}}).empty());
@@ -238,28 +240,28 @@ TEST(Doubts, SlackOnTheBedInACurrent) {
                   .empty());
 }
 
-TEST(Doubts, Times) {
-  expect_doubt({{"step: 0.1", "step: 1"}},
-               "dynamics.step: 1 s is 10 steps in a period of the motion of body vessel (10 s)");
-  expect_doubt(
+TEST(InputWarnings, Times) {
+  expect_warning({{"step: 0.1", "step: 1"}},
+                 "dynamics.step: 1 s is 10 steps in a period of the motion of body vessel (10 s)");
+  expect_warning(
       {{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}", "{velocity: [0.01, 0, 0], ramp: 10}"},
        {"  waves: {jonswap: {hs: 5, tp: 11}}\n", ""},
        {"step: 0.1", "step: 12"}},
       "steps in the slowest natural period of line mooring");
-  expect_doubt({{"every: 1", "every: 100"}}, "output.every: 100 s is longer than the run (60 s)");
-  expect_doubt({{"every: 1", "every: 8"}},
-               "8 s is 1.2 outputs in a period of the motion of body vessel (10 s)");
-  expect_doubt({{"period: 10}, ramp: 10}", "period: 10}}"}},
-               "bodies.vessel.motion: starts at t = 0 with 1.26 m/s, while the lines are at rest");
-  expect_doubt({{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}",
-                 "{table: {rows: [[0, 0, 0, 0], [30, 9, 0, 0], [60, 18, 0, 0]]}}"}},
-               "starts at t = 0 with 0.3 m/s");
+  expect_warning({{"every: 1", "every: 100"}}, "output.every: 100 s is longer than the run (60 s)");
+  expect_warning({{"every: 1", "every: 8"}},
+                 "8 s is 1.2 outputs in a period of the motion of body vessel (10 s)");
+  expect_warning({{"period: 10}, ramp: 10}", "period: 10}}"}},
+                 "bodies.vessel.motion: starts at t = 0 with 1.26 m/s, while the lines are at rest");
+  expect_warning({{"{harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}",
+                   "{table: {rows: [[0, 0, 0, 0], [30, 9, 0, 0], [60, 18, 0, 0]]}}"}},
+                 "starts at t = 0 with 0.3 m/s");
   const auto drift = [](const std::string& of) {
     return Changes{{"period: 10}, ramp: 10}", "period: 10}, ramp: 10, drift: {" + of + "}}"}};
   };
-  expect_doubt(drift("harmonic: {amplitude: [9, 0, 0], period: 90}"),
-               "slips.yaml:10: bodies.vessel.motion.drift: starts at t = 0 with 0.628 m/s, while the lines "
-               "are at rest");
+  expect_warning(drift("harmonic: {amplitude: [9, 0, 0], period: 90}"),
+                 "slips.yaml:10: bodies.vessel.motion.drift: starts at t = 0 with 0.628 m/s, while the lines "
+                 "are at rest");
   for (const char* smooth : {"harmonic: {amplitude: [9, 0, 0], period: 90}, ramp: 30", "offset: [9, 0, 0]",
                              "harmonic: {amplitude: [9, 0, 0], period: 90, phase_deg: [90, 0, 0]}"})
     EXPECT_EQ(notes(drift(smooth)), std::vector<std::string>{}) << smooth;
@@ -269,23 +271,23 @@ TEST(Doubts, Times) {
                   .empty());
 }
 
-TEST(Doubts, Releases) {
+TEST(InputWarnings, Releases) {
   const Changes parts = {
       {"output: {every: 1}", "events: [{release: {line: mooring, end: end_b}, time: 30}]"}};
-  expect_doubt(parts, "events[0]: line type chain has no 'stiffness_damping'");
+  expect_warning(parts, "events[0]: line type chain has no 'stiffness_damping'");
   Changes damped = parts;
   damped.push_back({"bending: false,", "bending: false, stiffness_damping: 0.001,"});
   EXPECT_TRUE(notes(damped).empty());
 }
 
 // Of the line's end B in the case, and of its stiffness-proportional damping.
-TEST(Doubts, FeedersThatStartAtOnce) {
+TEST(InputWarnings, FeedersThatStartAtOnce) {
   const auto fed = [](const std::string& feed, const std::string& damping) {
     return Changes{{"end_b: {", "end_b: {feed: {stock: 31, " + feed + "}, "},
                    {"bending: false,", "bending: false," + damping}};
   };
   const std::string damped = " stiffness_damping: 0.01,";
-  expect_doubt(fed("speed: 0.5", damped), "lines.mooring.end_b.feed: the speed jumps by 0.5 m/s");
+  expect_warning(fed("speed: 0.5", damped), "lines.mooring.end_b.feed: the speed jumps by 0.5 m/s");
   EXPECT_TRUE(notes(fed("speed: 0.5", "")).empty());
   EXPECT_TRUE(notes(fed("speed_table: [[0, 0], [2, 0.5]]", damped)).empty());
   EXPECT_TRUE(notes(fed("tension: 4e5", damped)).empty());
@@ -295,12 +297,12 @@ TEST(Doubts, FeedersThatStartAtOnce) {
                    "events: [{feed: {line: mooring, end: end_b, speed: -0.5" + more + "}, time: 30}]"});
     return out;
   };
-  expect_doubt(event(""), "events[0]: the speed jumps by 0.5 m/s");
+  expect_warning(event(""), "events[0]: the speed jumps by 0.5 m/s");
   EXPECT_TRUE(notes(event(", ramp: 2")).empty());
 }
 
 // What nodes have elsewhere: elements of 10 m, from an anchor to a vessel.
-TEST(Doubts, PlacesBetweenNodes) {
+TEST(InputWarnings, PlacesBetweenNodes) {
   const auto line = [](const std::string& more) {
     return Changes{{"elements: 76}]", "elements: 76}]\n    " + more}};
   };
@@ -310,7 +312,7 @@ TEST(Doubts, PlacesBetweenNodes) {
               std::vector<std::string>{})
         << at;
   // Two in the last element have one node.
-  expect_doubt(
+  expect_warning(
       line("masses: [{at: 752, " + mass + "}, {at: 755, " + mass + "}]"),
       "lines.mooring.masses: what is to be at 755 m of line mooring is fixed to the nearest node, at "
       "752 m; shorter elements, or a section that ends at 755 m, put a node there");
@@ -318,14 +320,15 @@ TEST(Doubts, PlacesBetweenNodes) {
     return Changes{{"length: 760, elements: 76}]",
                     "length: 380, elements: 38}, {type: chain, length: 380, elements: 1}]" + more}};
   };
-  expect_doubt(few("\n    loads: [{at: 500, force: [0, 0, 1.0e4]}]"),
-               "lines.mooring.loads[0]: what is to be at 500 m of line mooring is fixed to the nearest node");
+  expect_warning(
+      few("\n    loads: [{at: 500, force: [0, 0, 1.0e4]}]"),
+      "lines.mooring.loads[0]: what is to be at 500 m of line mooring is fixed to the nearest node");
   Changes linked = few("");
   linked.push_back(
       {"dynamics:",
        "links: {k: {end_a: {line: mooring, at: 500}, end_b: {anchor: [0, 0, 0]}, stiffness: 1}}\n"
        "dynamics:"});
-  expect_doubt(linked, "links.k: what is to be at 500 m of line mooring is fixed to the nearest node");
+  expect_warning(linked, "links.k: what is to be at 500 m of line mooring is fixed to the nearest node");
   // At the end of a section there is one.
   EXPECT_EQ(
       notes({{"[{type: chain, length: 760, elements: 76}]",
@@ -334,12 +337,12 @@ TEST(Doubts, PlacesBetweenNodes) {
       std::vector<std::string>{});
 }
 
-TEST(Doubts, BuoysWithoutDragAndAddedMass) {
+TEST(InputWarnings, BuoysWithoutDragAndAddedMass) {
   const auto buoy = [](const std::string& more) {
     return Changes{
         {"elements: 76}]", "elements: 76}]\n    masses: [{at: 300, mass: 1000, volume: 8" + more + "}]"}};
   };
-  expect_doubt(
+  expect_warning(
       buoy(""),
       "lines.mooring.masses: 8 m³ at 300 m of line mooring have neither 'drag_area' nor 'Ca': no drag and "
       "no added mass; a ball of that volume has about 2.4 m² and 0.5");
@@ -347,7 +350,7 @@ TEST(Doubts, BuoysWithoutDragAndAddedMass) {
     EXPECT_EQ(notes(buoy(more)), std::vector<std::string>{}) << more;
 }
 
-TEST(Doubts, RotationsOfATurnedBody) {
+TEST(InputWarnings, RotationsOfATurnedBody) {
   const auto turned = [](const std::string& heading, const std::string& motion) {
     return Changes{{"vessel: {motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",
                     "vessel: {rotation_deg: [0, 0, " + heading + "], motion: {" + motion + ", ramp: 10}}"}};
@@ -355,17 +358,17 @@ TEST(Doubts, RotationsOfATurnedBody) {
   const std::string roll = "harmonic: {rotation_amplitude_deg: [5, 0, 0], period: 10}",
                     yaw = "harmonic: {rotation_amplitude_deg: [0, 0, 5], period: 10}",
                     table = "table: {rows: [[0, 0, 0, 0, 0, 0, 0], [60, 0, 0, 0, 5, 0, 0]]}";
-  expect_doubt(
+  expect_warning(
       turned("90", roll),
       "slips.yaml:10: bodies.vessel.motion.harmonic: turns the body about (1, 0, 0) in space, and that is "
       "(0, -1, 0) of its own axes by its 'rotation_deg'; is it meant?");
-  expect_doubt(turned("30", table), "bodies.vessel.motion.table: turns the body about (1, 0, 0) in space");
+  expect_warning(turned("30", table), "bodies.vessel.motion.table: turns the body about (1, 0, 0) in space");
   EXPECT_EQ(notes(turned("0", roll)), std::vector<std::string>{});
   EXPECT_EQ(notes(turned("90", yaw)), std::vector<std::string>{});
 }
 
 // A body that moves by its own equations gives way to a line that is too short.
-TEST(Doubts, NoTensionOfALineToABodyThatGivesWay) {
+TEST(InputWarnings, NoTensionOfALineToABodyThatGivesWay) {
   const Changes shorter = {{"length: 760", "length: 715"},
                            {"{motion: {harmonic: {amplitude: [0, 0, 2], period: 10}, ramp: 10}}",
                             "{floating: {mass: 1e6, inertia: [1e8, 1e8, 1e8]}}"}};
@@ -375,7 +378,7 @@ TEST(Doubts, NoTensionOfALineToABodyThatGivesWay) {
 
 // Notes of a hemisphere of 5 m by its coefficients, with wave forces of 5 and 6 s.
 std::vector<std::string> notes_of_platform(const std::string& environment, const std::string& inertia) {
-  const fs::path folder = fs::path(testing::TempDir()) / "hawser_doubts_platform";
+  const fs::path folder = fs::path(testing::TempDir()) / "hawser_warnings_platform";
   fs::create_directories(folder);
   for (const char* ending : {"1", "hst"})
     fs::copy_file(std::string(HAWSER_SOURCE_DIR "/tests/data/hemisphere.") + ending,
@@ -389,7 +392,7 @@ std::vector<std::string> notes_of_platform(const std::string& environment, const
   return advice::input_notes(io::read_case_text(text, "float.yaml", {}, MPI_COMM_SELF));
 }
 
-TEST(Doubts, Platforms) {
+TEST(InputWarnings, Platforms) {
   const std::string sphere = "[2.6e6, 2.6e6, 2.6e6]";
   EXPECT_EQ(notes_of_platform("", sphere), std::vector<std::string>{});
   const auto expect = [](const std::vector<std::string>& found, const std::string& part) {
@@ -408,13 +411,13 @@ TEST(Doubts, Platforms) {
 
 // 1154 kN and three elements of chain of 33 kN press on 100 kN/m³ times 0.25 m over 2 sqrt(H/k) = 15 m, with
 // the H of 1.4 MN that the chain has there without the mass: 3.3 m. Runs of a chain of 310 m to a point 240 m
-// away and 100 m up with 50 t at 100 m, elements of 5 m: 3.9 m (told 4.3), 20 t: 1.87 m (1.9).
-TEST(Doubts, MassesThatSinkIntoTheBed) {
+// away and 100 m up with 50 t at 100 m, elements of 5 m: 3.9 m (reported 4.3), 20 t: 1.87 m (1.9).
+TEST(InputWarnings, MassesThatSinkIntoTheBed) {
   const auto clump = [](const std::string& volume) {
     return Changes{{"elements: 76}]",
                     "elements: 76}]\n    masses: [{at: 300, mass: 1.3e5, volume: " + volume + ", Ca: 0.5}]"}};
   };
-  expect_doubt(
+  expect_warning(
       clump("12"),
       "lines.mooring.masses: where it lies on the bed, 1.3e+05 kg at 300 m of line mooring sinks in by "
       "about 3.3 m: it rests there on an element of 'chain', 0.25 m thick");
@@ -428,19 +431,19 @@ TEST(Doubts, MassesThatSinkIntoTheBed) {
   EXPECT_NE(found.front().find("no line gets near the bed"), std::string::npos) << found.front();
 }
 
-TEST(Doubts, StiffenersOfTooFewElements) {
+TEST(InputWarnings, StiffenersOfTooFewElements) {
   const auto stiffener = [](const std::string& rows) {
     return Changes{
         {"bending: false,", "EI: 1e5, GJ: 1e5,"},
         {"elements: 76}]", "elements: 76}]\n    bend_stiffeners: [{at: end_b, EI: " + rows + "}]"}};
   };
-  expect_doubt(stiffener("[[0, 1e6], [12, 0]]"),
-               "lines.mooring.bend_stiffeners[0]: its 12 m are 1.2 elements, each of which has one bending "
-               "stiffness: curvature and moment along it show with 6 or more");
+  expect_warning(stiffener("[[0, 1e6], [12, 0]]"),
+                 "lines.mooring.bend_stiffeners[0]: its 12 m are 1.2 elements, each of which has one bending "
+                 "stiffness: curvature and moment along it show with 6 or more");
   EXPECT_EQ(notes(stiffener("[[0, 1e6], [30, 0]]")), std::vector<std::string>{});
 }
 
-TEST(Doubts, ManyOfAKindAreCutShort) {
+TEST(InputWarnings, ManyOfAKindAreCutShort) {
   std::string lines;
   for (int i = 0; i < 5; ++i)
     lines += "\n  chain" + std::to_string(i) +
@@ -450,14 +453,14 @@ TEST(Doubts, ManyOfAKindAreCutShort) {
   EXPECT_TRUE(found.back().ends_with("(and 2 more like it)")) << found.back();
 }
 
-TEST(Doubts, OfWhatIsSet) {
+TEST(InputWarnings, OfWhatIsSet) {
   const std::vector<std::string> found = notes({}, {"dynamics.step=1"});
   ASSERT_EQ(found.size(), 1U);
   EXPECT_TRUE(found.front().starts_with("slips.yaml with --set: dynamics.step: 1 s is 10 steps"))
       << found.front();
 }
 
-TEST(Doubts, SlowestPeriodOfATautString) {
+TEST(InputWarnings, SlowestPeriodOfATautString) {
   // T = 1e6 N, m = 100 kg/m, L = 100 m: 2 L sqrt(m/T) = 2 s, without gravity.
   const model::Case c = io::read_case_text(
       "hawser: 1\nenvironment: {gravity: 0}\nline_types: {wire: {outer_diameter: 0.1, mass_per_length: 100, "
@@ -469,7 +472,7 @@ TEST(Doubts, SlowestPeriodOfATautString) {
   EXPECT_NEAR(slowest_period(c, c.lines.front()), 2, 1e-3);
 }
 
-TEST(Doubts, SlowestPeriodOfACantilever) {
+TEST(InputWarnings, SlowestPeriodOfACantilever) {
   // EI = 1e5 N m², m = 10 kg/m, L = 10 m: 2 pi L² sqrt(m/EI) / 1.8751² = 1.787 s, without gravity.
   const model::Case c = io::read_case_text(
       "hawser: 1\nenvironment: {gravity: 0}\nline_types: {beam: {outer_diameter: 0.1, mass_per_length: 10, "
@@ -481,4 +484,4 @@ TEST(Doubts, SlowestPeriodOfACantilever) {
 }
 
 }  // namespace
-}  // namespace hawser::doubts_test
+}  // namespace hawser::input_warnings_test

@@ -1,6 +1,6 @@
-// The class SoughtLength: what a line has at rest of what is asked for, where the search for its length
+// The class LengthSearch: what a line has at rest of what is asked for, where the search for its length
 // begins and ends, and the sentences about it.
-#include "hawser/run/sought_length.hpp"
+#include "hawser/run/length_search.hpp"
 
 #include <fmt/format.h>
 
@@ -80,7 +80,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   return out;
 }
 
-SoughtLength::SoughtLength(const model::Case& c, size_t line)
+LengthSearch::LengthSearch(const model::Case& c, size_t line)
     : line_(line),
       t_(*c.lines[line].target),
       key_(fmt::format("lines.{}.sections[{}]", c.lines[line].name, t_.section)),
@@ -89,17 +89,19 @@ SoughtLength::SoughtLength(const model::Case& c, size_t line)
   begin(given_, kFirstStep * given_);
 }
 
-SoughtLength::SoughtLength(const model::Case& c, size_t line, bool at_b, int feeder)
+LengthSearch::LengthSearch(const model::Case& c, size_t line, bool at_b, int feeder)
     : line_(line), feeder_(feeder), rest_(0) {
   const model::Line& l = c.lines[line];
   const model::Feed& feed = *l.end(at_b).feed;
   key_ = fmt::format("lines.{}.end_{}.feed.stock", l.whole ? l.whole->name : l.name, at_b ? 'b' : 'a');
-  t_.value = feed.tension, t_.at_a = !at_b, t_.most = model::length_of(l);
+  t_.value = feed.tension;
+  t_.at_a = !at_b;
+  t_.most = model::length_of(l);
   given_ = feed.stock;
   begin(given_, kNextStep * (t_.most - given_));
 }
 
-void SoughtLength::begin(double from, double step) {
+void LengthSearch::begin(double from, double step) {
   // A longer line is expected to have less tension, to hang more steeply and to lie more; a longer stock
   // leaves less of it outside.
   const bool falls = feeder_ < 0 && (t_.kind == Kind::tension || (t_.kind == Kind::declination && !t_.at_a) ||
@@ -108,11 +110,11 @@ void SoughtLength::begin(double from, double step) {
   search_ = RootSearch(from, falls ? -step : step, t_.least, t_.most);
 }
 
-void SoughtLength::again() { begin(good_, kNextStep * good_); }
+void LengthSearch::restart() { begin(last_found_, kNextStep * last_found_); }
 
-bool SoughtLength::narrow() const { return search_.bracketed() && search_.width() < kNarrow * length_; }
+bool LengthSearch::narrow() const { return search_.bracketed() && search_.width() < kNarrow * length_; }
 
-double SoughtLength::reached(const AtRest& now) const {
+double LengthSearch::reached(const AtRest& now) const {
   if (feeder_ >= 0) return now.feeders[feeder_];
   if (t_.kind == Kind::tension || t_.kind == Kind::declination)
     return now.ends[4 * line_ + (t_.at_a ? 0 : 2) + (t_.kind == Kind::tension ? 0 : 1)];
@@ -124,33 +126,34 @@ double SoughtLength::reached(const AtRest& now) const {
   return point->arc;
 }
 
-double SoughtLength::error() const {
+double LengthSearch::error() const {
   const double scale = t_.kind == Kind::tension       ? t_.value
                        : t_.kind == Kind::declination ? 1
                                                       : rest_ + length_;
-  return given_up_ ? 0 : std::abs(value_ - t_.value) / scale;
+  return failed_ ? 0 : std::abs(value_ - t_.value) / scale;
 }
 
-bool SoughtLength::see(const AtRest& now) {
-  if (given_up_) return false;
+bool LengthSearch::update(const AtRest& now) {
+  if (failed_) return false;
   const bool was = met_;
-  value_ = reached(now), good_ = length_;
+  value_ = reached(now);
+  last_found_ = length_;
   near_ = error() <= kCoarse;
   met_ = error() <= kTolerance || (narrow() && near_);
   return was && !met_;
 }
 
-std::string SoughtLength::now(const model::Case& c) const {
+std::string LengthSearch::now(const model::Case& c) const {
   const std::string where = feeder_ >= 0 ? fmt::format("inside the feeder at {}", t_.at_a ? "end A" : "end B")
                                          : fmt::format("of section {}", t_.section + 1);
   return fmt::format("line {}: with {:.6g} m {} the {} is {}, wanted {}", c.lines[line_].name, length_, where,
                      name_of(t_), value_text(t_, value_), value_text(t_, t_.value));
 }
 
-std::string SoughtLength::found(const model::Case& c, int trials) const {
+std::string LengthSearch::found(const model::Case& c, int trials) const {
   const std::string& name = c.lines[line_].name;
   const char* end = t_.at_a ? "end A" : "end B";
-  if (given_up_)
+  if (failed_)
     return fmt::format(
         "line {}: the feeder at {} does not begin with its tension of {}, but with {:g} m inside as given: "
         "no length was found that has it at rest{}",
@@ -166,30 +169,31 @@ std::string SoughtLength::found(const model::Case& c, int trials) const {
 }
 
 // The range of values that were found.
-std::string SoughtLength::tried() const {
-  const auto& seen = search_.seen();
+std::string LengthSearch::tried() const {
+  const auto& values = search_.values();
   std::string text;
-  if (!seen.empty()) {
+  if (!values.empty()) {
     const auto at = [&](const std::pair<double, double>& s) {
       return fmt::format("{} at {:.6g} m", value_text(t_, s.second + t_.value), s.first);
     };
     const auto [low, high] = std::minmax_element(
-        seen.begin(), seen.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+        values.begin(), values.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
     text += narrow() ? fmt::format("; it jumps over that at {:.9g} m", length_)
                      : fmt::format("; of the lengths tried, {:.6g} to {:.6g} m, it was between {} and {}",
-                                   seen.front().first, seen.back().first, at(*low), at(*high));
+                                   values.front().first, values.back().first, at(*low), at(*high));
   }
-  if (!why_.empty()) text += (seen.empty() ? "; as it is given: " : "; beyond these: ") + why_;
+  if (!why_.empty()) text += (values.empty() ? "; as it is given: " : "; beyond these: ") + why_;
   return text;
 }
 
-void SoughtLength::give_up(const model::Case& c) {
+void LengthSearch::throw_not_found(const model::Case& c) {
   if (feeder_ < 0)
     c.refuse(fmt::format("lines.{}.target", c.lines[line_].name),
              fmt::format("no length of section {} between {:g} and {:g} m was found that gives {} as the {}",
                          t_.section + 1, t_.least, t_.most, value_text(t_, t_.value), name_of(t_)) +
                  tried());
-  given_up_ = met_ = true, length_ = given_;
+  failed_ = met_ = true;
+  length_ = given_;
 }
 
 }  // namespace hawser::run

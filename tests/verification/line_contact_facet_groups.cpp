@@ -1,12 +1,12 @@
-// A pipe laid into a groove of two walls, each a volume of its own; walls of one mesh are the subject of
-// contact_corner.
+// A pipe laid into a groove of two walls, each a volume of its own; facet groups of one mesh are the subject
+// of contact_corner.
 #include "verification/contact_rig.hpp"
 
-namespace hawser::test::line_contact_walls_test {
+namespace hawser::test::line_contact_facet_groups_test {
 namespace {
 
 // Let go a little aside of the bottom it settles there: each wall bears w L / (2 cos a).
-TEST(LineContactWalls, BothBear) {
+TEST(LineContactFacetGroups, BothBear) {
   constexpr double kLength = 10, kMass = 100, kRadius = 0.15;
   for (const double angle : {0.3, 0.8, 1.3}) {  // of the walls' normals to the vertical
     model::LineType type = beam_type(1e8, 1e6, 1e6, kMass);
@@ -50,4 +50,4 @@ TEST(LineContactWalls, BothBear) {
 }
 
 }  // namespace
-}  // namespace hawser::test::line_contact_walls_test
+}  // namespace hawser::test::line_contact_facet_groups_test
