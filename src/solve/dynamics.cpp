@@ -19,6 +19,8 @@ namespace {
 // chosen by the iterations to this residual, far above rounding, and one that follows.
 constexpr double kCounted = 1e-5;
 constexpr int kMostRaises = 40;  // of one try of a step
+// Of SNESSetLagJacobian: no new tangent; one at the next iteration and none after it.
+constexpr PetscInt kKeepTangent = -1, kNextTangent = -2;
 // Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
 constexpr double kHopeless = 1e10;
 // With the old tangent the residual must fall by this factor in an iteration, and two must bring it down to
@@ -52,9 +54,8 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
   check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
   build();
   lie_alpha_options(ts_.get());
-  // The tangent is made by judge_iteration(), which knows whether it is wanted: SNES would look for two dozen
-  // options at each. The solver sees by the matrix whether it is another.
-  check(SNESSetLagJacobian(snes_, -1));
+  // judge_iteration() requests each tangent. The linear solver sees by the matrix's state whether it is new.
+  check(SNESSetLagJacobian(snes_, kKeepTangent));
 }
 
 // What depends on ghosts and on the matrix's pattern.
@@ -70,8 +71,7 @@ void Dynamics::build() {
   check(TSSetSolution(ts_.get(), u_.get()));
   check(SNESReset(snes_));
   check(SNESSetFunction(snes_, r_.get(), residual, this));
-  check(SNESSetJacobian(
-      snes_, J_.get(), J_.get(), [](SNES, Vec, Mat, Mat, void*) -> PetscErrorCode { return 0; }, nullptr));
+  check(SNESSetJacobian(snes_, J_.get(), J_.get(), tangent, this));
   KspHandle ksp;
   check(KSPCreate(system_.comm(), ksp.out()));
   check(SNESSetKSP(snes_, ksp.get()));
@@ -120,6 +120,13 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   });
 }
 
+// At u the residual was evaluated last: the trial is there.
+PetscErrorCode Dynamics::tangent(SNES, Vec, Mat J, Mat, void* self) {
+  auto& d = *static_cast<Dynamics*>(self);
+  return d.error_.capture(
+      [&] { d.system_.tangent(d.trial_.s.view(d.h_), alpha_weights(d.alpha_, d.h_), d.local_u_, false, J); });
+}
+
 PetscErrorCode Dynamics::converged(SNES snes, PetscInt it, PetscReal, PetscReal, PetscReal fnorm,
                                    SNESConvergedReason* reason, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
@@ -141,7 +148,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   if (fnorm == 0) return SNES_CONVERGED_FNORM_ABS;
   if (it > 0 && norms_.small(tolerance)) return SNES_CONVERGED_FNORM_RELATIVE;
   old_tangent_ = it > 0 && old_tangent_will_do(before, norms_.relative(), old_tangent_, tolerance);
-  if (!old_tangent_) system_.tangent(trial_.s.view(h_), alpha_weights(alpha_, h_), local_u_, false, J_.get());
+  if (!old_tangent_) check(SNESSetLagJacobian(snes, kNextTangent));
   return SNES_CONVERGED_ITERATING;
 }
 

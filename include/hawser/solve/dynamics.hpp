@@ -121,6 +121,7 @@ class Dynamics {
   void commit();
   void build();
   static PetscErrorCode residual(SNES, Vec u, Vec r, void* self);
+  static PetscErrorCode tangent(SNES, Vec u, Mat J, Mat, void* self);
   static PetscErrorCode converged(SNES, PetscInt it, PetscReal, PetscReal, PetscReal, SNESConvergedReason*,
                                   void*);
   SNESConvergedReason judge_iteration(SNES snes, int it, double fnorm);
