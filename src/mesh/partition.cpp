@@ -57,7 +57,7 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> n
 }
 
 // The part of each vertex, by METIS. `all`: sorted by vertex, both ways.
-std::vector<idx_t> bisect(std::vector<idx_t> weight, const std::vector<Edge>& all, idx_t parts) {
+std::vector<idx_t> cut_into_parts(std::vector<idx_t> weight, const std::vector<Edge>& all, idx_t parts) {
   std::vector<idx_t> start(weight.size() + 1, 0), next, edge, part(weight.size(), 0);
   if (weight.empty() || parts == 1) return part;
   for (const Edge& e : all) {
@@ -130,7 +130,7 @@ std::vector<int> cut_graph(const Mesh& mesh, int ranks, std::span<const int> who
     const int a = s.vertex[e.from], b = s.vertex[e.to];
     if (a >= 0 && b >= 0 && a != b) between.push_back({a, b, e.weight});
   }
-  const std::vector<idx_t> part = bisect(s.weight, merged(std::move(between)), ranks - s.first);
+  const std::vector<idx_t> part = cut_into_parts(s.weight, merged(std::move(between)), ranks - s.first);
   std::vector<int> owner = s.owner;
   for (size_t n = 0; n < owner.size(); ++n)
     if (owner[n] < 0) owner[n] = s.first + static_cast<int>(part[s.vertex[n]]);

@@ -139,7 +139,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
                   [](const auto& l) { return l.end_a.feed || l.end_b.feed; }))
     feeders = std::make_unique<Feeders>(local(), case_);
   feeders_ = feeders.get();
-  add_lines();
+  add_line_terms();
   StartShape start = start_shape(case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
   const Kinematics at = start.state.view(0);
@@ -177,7 +177,7 @@ void Simulation::distribute(MPI_Comm comm) {
 }
 
 // What acts on lines alone: their stiffness and mass, loads and masses at nodes, springs at ends, the water.
-void Simulation::add_lines() {
+void Simulation::add_line_terms() {
   add<StructureTerm>(local(), case_);
   add<LineMassTerm>(local(), case_);
   bool loads = false, masses = false, springs = false;

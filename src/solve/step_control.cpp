@@ -23,7 +23,7 @@ StepControl::StepControl(const StepSettings& settings) : s_(settings) {
 
 double StepControl::next(double t, double stop, double allowed) const {
   double proposal = proposal_;
-  if (limited()) {
+  if (respects_term_limits()) {
     if (impact_period_ > 0) allowed = std::min(allowed, followed(t));
     proposal = std::max(std::min(proposal_, allowed), s_.shortest);
   }
@@ -45,12 +45,12 @@ void StepControl::follow_impact(double t, double period) {
 }
 
 void StepControl::reset_to_first_step() {
-  if (limited()) proposal_ = std::max(std::min(proposal_, s_.first), s_.shortest);
+  if (respects_term_limits()) proposal_ = std::max(std::min(proposal_, s_.first), s_.shortest);
   growth_wait_ = 0;
 }
 
 bool StepControl::accurate(double h, double error) const {
-  if (s_.fixed > 0 || s_.error_tolerance <= 0 || shortest(h)) return true;
+  if (s_.fixed > 0 || s_.error_tolerance <= 0 || is_shortest(h)) return true;
   return error <= 2 * s_.error_tolerance;
 }
 
@@ -75,7 +75,7 @@ void StepControl::accepted(double h, int iterations, double error) {
 }
 
 bool StepControl::rejected(double h, bool diverged, double error) {
-  if (shortest(h)) return false;
+  if (is_shortest(h)) return false;
   double factor = 0.5;
   if (!diverged && s_.error_tolerance > 0)
     factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, 0.8);

@@ -72,7 +72,7 @@ double Dynamics::begin_step() {
   prepare(control_.proposal());  // tries can only be shorter
   tries_ = {};
   if (events_) tries_.at_start = events_(kinematics());  // before terms know of trials
-  if (control_.limited()) {
+  if (control_.respects_term_limits()) {
     const StepLimit limit = system_.longest_step(committed_.s.view(last_step_),
                                                  {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
     control_.follow_impact(committed_.s.time, limit.period);
@@ -91,9 +91,9 @@ Dynamics::Decision Dynamics::decide() {
     verdict = {Verdict::Kind::shorter, fmt::format("its local error of {:.3g} m is too large", error)};
   switch (verdict.kind) {
     case Verdict::Kind::accept:
-      if (events_ && !control_.shortest(h_)) {
+      if (events_ && !control_.is_shortest(h_)) {
         tries_.event =
-            tries_.search.next(h_, control_.shortest(), events_(trial_.s.view(h_)), tries_.at_start);
+            tries_.search.next(h_, control_.shortest_length(), events_(trial_.s.view(h_)), tries_.at_start);
         if (tries_.event != h_) {  // nothing is wrong with steps of this length
           ++tries_.info.rejected;
           return {false, next_try()};

@@ -10,7 +10,7 @@
 
 namespace hawser {
 
-Vec3 SeabedTerm::tangent(const Point& p, const Kinematics& at) const {
+Vec3 SeabedTerm::line_direction(const Point& p, const Kinematics& at) const {
   if (p.second < 0) return line_.tangent(at, p.node);
   const Vec3 chord = at.x[p.second] - at.x[p.node];
   const double length = chord.norm();
@@ -79,9 +79,9 @@ ContactStart SeabedTerm::start(const Point& p) const {
   const Start& s = starts_[place(p)];
   if (laid()) {
     const Laid& from = laid_[place(p)];
-    return {from.place, 0, s.tangent, from.slip, from.normal};  // all of the way from there counts
+    return {from.place, 0, s.direction, from.slip, from.normal};  // all of the way from there counts
   }
-  return {s.point, s.gap, s.tangent, history(p).slip, history(p).normal};
+  return {s.point, s.gap, s.direction, history(p).slip, history(p).normal};
 }
 
 // Statics comes here before every iteration: a laid line keeps where its friction is counted from.
@@ -92,7 +92,7 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
   }
   for (const Point& p : points_) {
     Start& start = starts_[place(p)];
-    if (law(p).law.friction.active()) start.tangent = tangent(p, committed);
+    if (law(p).law.friction.active()) start.direction = line_direction(p, committed);
     ContactTrial at;
     if (laid()) {
       Laid& laid = laid_[place(p)];
@@ -131,21 +131,21 @@ void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const 
 }
 
 void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
+  const bool needs_tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
     Mat3 stiffer = Mat3::Zero();  // N/m, by what friction's tangent is stiffer than its derivative
     if (friction_ != Friction::none && laid() && laid_[place(p)].pressed > 0) {
       const PressedFriction f = pressed(p, of_nodes(p, trial.x));
-      if (tangent) stiffer = assembler.weights().stiffer * (f.by_slip - f.secant);
+      if (needs_tangent) stiffer = assembler.weights().stiffer * (f.by_slip - f.secant);
       const Mat3 K = stiffer - f.by_slip;
-      if (friction_ == Friction::pressed) add(p, -f.force, tangent ? &K : nullptr, nullptr, assembler);
+      if (friction_ == Friction::pressed) add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
-    const PointContact c = contact(p, trial, tangent, at, convex);
+    const PointContact c = contact(p, trial, needs_tangent, at, convex);
     const Pull pulled = pull(p, at, trial.step);
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
-    if (!tangent) {
+    if (!needs_tangent) {
       add(p, residual, nullptr, nullptr, assembler);
       continue;
     }

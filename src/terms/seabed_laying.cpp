@@ -11,7 +11,7 @@ PressedFriction SeabedTerm::pressed(const Point& p, const Vec3& x) const {
   FrictionLaw law = this->law(p).law.friction;
   if (firm_ && friction_ == Friction::pressed) law.stiffness = this->law(p).axial_stiffness;
   return pressed_friction(law, from.pressed, from.slip + (x - from.place), from.normal,
-                          starts_[place(p)].tangent, least_slip_);
+                          starts_[place(p)].direction, least_slip_);
 }
 
 void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm) {
@@ -48,7 +48,7 @@ void SeabedTerm::follow_contact(const Kinematics& at) {
     const Vec3 moved = x - laid.place;
     laid.slip = moved - laid.normal * laid.normal.dot(moved) +
                 slip_of_force(law(p).law.friction, laid.pressed, pressed(p, x).force, laid.normal,
-                              starts_[place(p)].tangent);
+                              starts_[place(p)].direction);
     laid.place = x;
   }
   friction_ = Friction::contact;
@@ -66,7 +66,7 @@ std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {
     const FrictionLaw& f = law(p).law.friction;
     if (!f.active() || !(laid() && laid_[place(p)].known())) continue;
     line.laid += law(p).length;
-    const Vec3 t = tangent(p, at);
+    const Vec3 t = line_direction(p, at);
     const double along = h.friction.dot(t);
     const double across = (h.friction - along * t).norm();
     const double a = f.axial > 0 ? along / (f.axial * h.normal_force) : 0;

@@ -397,14 +397,14 @@ TEST(StepControl, FixedStepsAreDividedAtImpactsByDefault) {
   StepSettings s;
   s.fixed = 0.1;
   StepControl c(s);
-  EXPECT_TRUE(c.limited());
+  EXPECT_TRUE(c.respects_term_limits());
   EXPECT_DOUBLE_EQ(c.next(0, 1, kNever), 0.1);
   EXPECT_DOUBLE_EQ(c.next(0, 1, 0.04), 0.04);
   c.accepted(0.04, 2, 0);
   EXPECT_DOUBLE_EQ(c.next(0.04, 1.04, kNever), 0.1);  // it comes back to what was asked
   s.resolve_impacts = false;
   StepControl strict(s);
-  EXPECT_FALSE(strict.limited());
+  EXPECT_FALSE(strict.respects_term_limits());
   strict.follow_impact(0, 0.03);
   EXPECT_DOUBLE_EQ(strict.next(0, 1, 0.04), 0.1);
 }

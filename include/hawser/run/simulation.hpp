@@ -104,7 +104,7 @@ class Simulation {
   Term* add(From&&... from);
   void distribute(MPI_Comm comm);
   // The force terms, by what they are about; `start`: the start shape, `held`: local nodes.
-  void add_lines();
+  void add_line_terms();
   void add_seabed(const Kinematics& start, const std::vector<int>& held);
   void add_contact(const Kinematics& start, const std::vector<int>& held,
                    const std::vector<std::shared_ptr<const Surface>>& surfaces);

@@ -22,12 +22,12 @@ class StepControl {
   // Step from t towards `stop` (an output time or the end), which is hit exactly: the way there is divided
   // into equal steps not longer than the proposal nor, where terms limit steps, than what they allow.
   double next(double t, double stop, double allowed) const;
-  // Whether the terms limit steps.
-  bool limited() const { return s_.fixed <= 0 || s_.resolve_impacts; }
+  // Whether steps keep to what the terms allow.
+  bool respects_term_limits() const { return s_.fixed <= 0 || s_.resolve_impacts; }
   // Whether a step of h may be taken again, shorter, for what only its end tells.
-  bool divides(double h) const { return limited() && !shortest(h); }
-  bool shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
-  double shortest() const { return s_.shortest; }  // s
+  bool divides(double h) const { return respects_term_limits() && !is_shortest(h); }
+  bool is_shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
+  double shortest_length() const { return s_.shortest; }  // s
   // Accelerations have jumped: the next step is as short as the first one was.
   void reset_to_first_step();
   // After an impact at t on a contact of this period [s], steps stay below a third of the period for twenty

@@ -112,7 +112,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   };
   // Of a point at the start of the step: where it was, how far off the bed, and which way the line ran.
   struct Start {
-    Vec3 point = Vec3::Zero(), tangent = Vec3::UnitX();
+    Vec3 point = Vec3::Zero(), direction = Vec3::UnitX();
     double gap = 0;
   };
   enum class Friction { none, pressed, contact };
@@ -157,7 +157,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   }
   void remember(Point& p, const History& h);
   bool laid() const { return !laid_.empty(); }
-  Vec3 tangent(const Point& p, const Kinematics& at) const;
+  Vec3 line_direction(const Point& p, const Kinematics& at) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
   // Of the first stage of statics, and what stands for the law's in the line search of the second.
   PressedFriction pressed(const Point& p, const Vec3& x) const;
