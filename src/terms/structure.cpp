@@ -285,7 +285,7 @@ double StructureTerm::bend(const Kinematics& at) {
   for (Beam& b : beams_) {
     if (!b.section.plastic || b.idle) continue;
     double* set = set_.data() + b.memory;
-    // the reference pointed to the history at a trial length
+    // The reference pointed to the history at a trial length.
     if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);
     b.reference.set = set;
     const double lost = beam_bend(b.section, b.reference, ends(b, at), set);

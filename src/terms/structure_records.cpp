@@ -13,7 +13,7 @@ size_t StructureTerm::Beam::remembered() const {
 }
 
 namespace {
-// keys of the kinds: none; element of the mesh; element of the mesh; feeder
+// Keys of the kinds: none; element of the mesh; element of the mesh; feeder.
 enum Kind { kSums, kStretched, kBent, kInside };
 
 struct Sums {
