@@ -74,6 +74,7 @@ Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
 
 // Force and remaining slip for a trial slip in the tangent plane of `normal`. N [N] >= 0; `tangent` is the
 // direction of the line (unit vector, need not lie in the plane); mu holds the coefficients that apply.
+//
 // With a stiffness k the force is f = -k s, limited by the slip surface (f_a/mu_a)² + (f_l/mu_l)² <= N². With
 // mobilisation lengths it is that of FrictionSpring, limited by (s_a/d_a)² + (s_l/d_l)² <= 1, which is the
 // same surface. A slip beyond it returns to it by FrictionReturn. A direction with mu = 0 has neither slip
