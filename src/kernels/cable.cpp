@@ -43,7 +43,7 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   return o;
 }
 
-// The mean tension of a step and what it is made of.
+// The mean tension of a step and its parts.
 struct Mean {
   Vec3 n;                         // mean chord over the mean length; shorter than 1 if the element turned
   Vec3 t;                         // unit chord at the end

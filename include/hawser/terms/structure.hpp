@@ -77,9 +77,9 @@ class StructureTerm final : public ForceTerm,
   // Plastic history on either side of a feed point (structure_feed.cpp), by label from the free node on.
   struct FedBends {
     std::vector<double>
-        inside;  // of what has not left the feeder: of the element at its feed point, and of the next
+        inside;  // of material inside the feeder: of the element at the feed point, and of the next one
     std::vector<double>
-        trial;  // of the element at the feed point, in the element's order, at its trial length
+        trial;  // of the element at the feed point at its trial length, in the element's order
   };
   // accepted: the lengths are those at the end of the step.
   void update_from_feeders(const Kinematics& at, bool accepted = false);
