@@ -17,8 +17,9 @@ struct Local {
   Vec3 t, dv;  // unit chord, v2 - v1
   double l, strain, rate, tension;
   ResponseCurve::Value axial;  // response at the strain
-  bool damped;                 // taut, and the damper is not at its limit, the spring's tension
-  // tension in units of the spring's for its derivative: 2 where the damper is at its upper limit
+  bool damped;  // the element is taut, and the damper is within its limit, the spring's tension
+  // The derivative of the tension is this many times that of the spring: 2 if the damper is at its upper
+  // limit.
   double springs;
 };
 

@@ -20,8 +20,8 @@ struct PressedFriction {
 //   q = k_a s_a² + k_l s_l²,  rho = (s_a/d_a)² + (s_l/d_l)²,
 //   potential = q/2 for rho <= 1,  q (rho^(-1/2) - rho^(-1)/2) beyond;  force = -d potential / d s.
 // The force is continuous; its derivative jumps at rho = 1. For equal coefficients and lengths it is that of
-// friction_law.hpp. tangent:
-// direction of the line, unit vector, need not lie in the plane. Coefficients are those at rest.
+// friction_law.hpp. tangent: direction of the line, unit vector, need not lie in the plane. Coefficients are
+// those at rest.
 PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& slip, const Vec3& normal,
                                  const Vec3& tangent, double least = 0);
 

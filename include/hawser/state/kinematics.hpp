@@ -8,10 +8,10 @@
 namespace hawser {
 
 // How forces enter that are given as their mean over a step (docs/theory/time-integration.md#cables).
-// `weight` is their factor in the residual at the end of a trial step; it is more than 1 there, because the
-// scheme carries a part from earlier steps. `weight` = 1 means that the state is not the end of a trial step
-// (statics, start of the motion); then forces are those at the state itself and enter unchanged. `filter` is
-// the part of EA with which a cable resists changes of its elongation from step to step.
+// `weight` is their factor in the residual at the end of a trial step; it is more than 1 there (4/3 to 2),
+// because the scheme carries a part from earlier steps. `weight` = 1 means that there is no step (statics,
+// start of the motion); then forces are those at the state itself and enter unchanged. `filter` is the part
+// of EA with which a cable resists changes of its elongation from step to step.
 struct StepMean {
   double weight = 1, filter = 0;
 };
