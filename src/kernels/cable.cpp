@@ -1,7 +1,6 @@
-// The cable element: tension at one instant with its tangent, and the energy-conserving mean tension over a
-// step with damping, numerical damping of axial vibrations that are too fast for the step, and changes
-// between taut and slack. `cable_pull` is the force at a state (statics, output), `cable_mean` that over a
-// time step.
+// The cable element: tension and tangent at one instant (`cable_pull`: statics, output), and the
+// energy-conserving mean tension over a time step (`cable_mean`) with damping, with numerical damping of
+// axial vibrations that are too fast for the step, and with changes between taut and slack.
 #include "hawser/kernels/cable.hpp"
 
 #include <algorithm>
@@ -10,16 +9,18 @@
 namespace hawser {
 namespace {
 
-// Of a step, longest damping that acts in it: with more, less than a hundredth of the strain may go in the
-// step before the damper has the spring's tension, and it would be rigid.
+// Upper limit of beta/h. With a larger beta the damper would reach the spring's tension when the strain
+// changes by less than 1 % of its value in a step, and the element would be effectively rigid.
 constexpr double kRigid = 100;
 
 struct Local {
   Vec3 t, dv;  // unit chord, v2 - v1
   double l, strain, rate, tension;
-  ResponseCurve::Value axial;  // of the strain
-  bool damped;                 // the damper follows the rate: taut, and less than the spring either way
-  double springs;  // how often the tension has the spring's: twice where the damper is at its limit
+  ResponseCurve::Value axial;  // response at the strain
+  bool damped;  // the element is taut, and the damper is within its limit, the spring's tension
+  // The derivative of the tension is this many times that of the spring: 2 if the damper is at its upper
+  // limit.
+  double springs;
 };
 
 inline Local local(const CableSection& s, const CableEnds& e) {
@@ -43,26 +44,26 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   return o;
 }
 
-// The mean tension of a step and what it is made of.
+// The mean tension of a step and its parts.
 struct Mean {
-  Vec3 n;                         // mean chord over the mean length: shorter than 1 where the element turned
+  Vec3 n;                         // mean chord over the mean length; shorter than 1 if the element turned
   Vec3 t;                         // unit chord at the end
   double l = 0;                   // m, chord at the end
-  double tension = 0, slope = 0;  // N, never negative; derivative by the strain at the end
-  double elastic = 0, damper = 0, filter = 0;  // N, parts of the tension; the last two while it pulls
-  double grown = 0;                            // of the taut part of the strain
+  double tension = 0, slope = 0;  // N, never negative; its derivative by the strain at the end
+  double elastic = 0, damper = 0, filter = 0;  // N, parts of the tension; the last two are 0 if it is 0
+  double grown = 0;                            // change of the taut part of the strain in the step
 };
 
 // Mean of the elastic tension between two strains, and its derivative by the second.
 struct Elastic {
-  double mean, slope, share;  // share of the strain's way on which the element is taut
+  double mean, slope, share;  // share of the strain's change over which the element is taut
 };
 
 Elastic elastic_mean(const CableSection& s, double e0, double e1) {
   const double p0 = std::max(e0, 0.0), p1 = std::max(e1, 0.0), grown = p1 - p0, way = e1 - e0;
   if (p0 == 0 && p1 == 0) return {0, 0, 0};
   const double share = e0 > 0 && e1 > 0 ? 1 : grown / way;
-  double taut, end;  // mean over the taut way; tension at the end
+  double taut, end;  // mean over the taut part; tension at the end
   if (!s.tension) {
     taut = 0.5 * s.EA * (p0 + p1);
     end = s.EA * p1;
@@ -71,7 +72,7 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
     const ResponseCurve::Value b = s.axial(p1);
     end = b.force;
     constexpr double kNear =
-        1e-4;  // nearer, the difference of energies has lost digits; Simpson's rule has not
+        1e-4;  // below it the difference of energies loses digits; Simpson's rule does not
     if (std::abs(grown) <= kNear * std::max(p0, p1)) {
       const ResponseCurve::Value a = s.axial(p0), m = s.axial(0.5 * (p0 + p1));
       return {(a.force + 4 * m.force + b.force) / 6, (2 * m.slope + b.slope) / 6, share};
@@ -102,7 +103,7 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   const double way = strain - from.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
-  // The share changes with the end where only part of the way is taut.
+  // Where only a part of the change is taut, the share depends on the strain at the end.
   if (e.share < 1 && way != 0)
     o.slope -= step.filter * s.EA * from.stretch * ((strain > 0 ? 1 : 0) - e.share) / way;
   return o;
@@ -147,9 +148,9 @@ void cable_mean(const CableSection& s, const CableStart& from, const CableStep& 
 CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                      const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
-  // Of a changed unstretched length the ends' way is the mean length times the growth of the strain, which
-  // the forces of the material work on, and the mean stretch times what was let out
-  // (docs/theory/feeders.md#energy).
+  // If the unstretched length changes, the change of the chord has two parts: the mean length times the
+  // change of strain, on which the material's forces do work, and the mean stretch times the length let out
+  // (docs/theory/feeders.md#energy). `way` is the first part.
   const double fed_length = s.length - from.rest,
                stretch =
                    1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
@@ -159,7 +160,8 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
                             : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
                                      s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
   const double fed = (energy - m.tension * stretch) * fed_length;
-  // Where it would push, the spring has worked against what holds it back alone.
+  // The element would push, so its tension is set to 0. The work of the spring is then counted as loss of the
+  // damper, or of the filter where there is no damper.
   if (m.tension == 0) {
     const double spent = -m.elastic * way;
     return from.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
@@ -179,7 +181,7 @@ void cable_pull(const CableSection& s, const CableEnds& e, double slack, CablePu
   const double ea = s.EA / s.length, across = taut ? o.tension / o.l : 0;
   const double stiff = taut ? o.springs * o.axial.slope / s.length : slack * ea;
   Vec3 along = (stiff - across) * o.t;
-  // rate = (t.dv - L' l/L)/L turns with the chord: its gradient is (dv - t (t.dv))/(l L) - L' t/L²
+  // rate = (t.dv - L' l/L)/L. t turns with the chord, so the gradient is (dv - t (t.dv))/(l L) - L' t/L².
   if (o.damped)
     along +=
         (ea * s.beta / o.l) * (o.dv - o.t * o.t.dot(o.dv)) - (ea * s.beta * s.length_rate / s.length) * o.t;

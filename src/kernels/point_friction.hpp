@@ -1,18 +1,19 @@
-// Trial slip and friction of a point of a line against a volume or the seabed for any scalars, so that the
-// derivatives by the point and those along the line come from the same source. The law: friction_law.hpp.
+// Trial slip and friction of a point of a line against a volume or the seabed. Both are templates of the
+// scalar, so that the same source has the derivatives by the point and those along the line. The law is in
+// friction_law.hpp.
 #pragma once
 
 #include "hawser/kernels/surface_contact_law.hpp"
 
 namespace hawser {
 
-// What a ContactTrial has of the scalar S, and the normal force there [N].
+// The quantities of a ContactTrial in the scalar S, and the normal force `force` [N].
 template <class S>
 struct PointState {
   S gap, force;
   S roll = S(0);
   double lever = 0;
-  Vector3<S> point, normal, velocity;  // velocity: only where friction depends on it
+  Vector3<S> point, normal, velocity;  // velocity: used only if friction depends on it
 };
 
 template <class S, class U>

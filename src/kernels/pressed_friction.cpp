@@ -11,7 +11,7 @@ namespace {
 // Unit directions along and across the line in the plane of `normal`.
 std::array<Vec3, 2> directions(const Vec3& normal, const Vec3& tangent) {
   Vec3 along = tangent - normal * normal.dot(tangent);
-  if (!(along.squaredNorm() > 1e-12)) {  // the line stands on the surface
+  if (!(along.squaredNorm() > 1e-12)) {  // the line is normal to the surface
     along = Vec3::Unit(std::abs(normal.x()) < 0.9 ? 0 : 1);
     along -= normal * normal.dot(along);
   }
@@ -19,7 +19,7 @@ std::array<Vec3, 2> directions(const Vec3& normal, const Vec3& tangent) {
   return {along, normal.cross(along)};
 }
 
-// m, at which friction is fully mobilised along (0) or across (1).
+// Slip [m] at which friction is fully mobilised along (0) or across (1) the line.
 double mobilisation(const FrictionLaw& law, double N, int i) {
   const double mu = i == 0 ? law.axial : law.lateral;
   if (law.stiffness > 0) return mu * N / law.stiffness;

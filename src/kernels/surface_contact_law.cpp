@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-// Derivatives by point, velocity and roll.
+// Derivatives are by point, velocity and roll.
 constexpr int kInputs = 7, kVelocity = 3, kRoll = 6;
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kInputs, 1>>;
 

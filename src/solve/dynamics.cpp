@@ -1,5 +1,6 @@
-// The class Dynamics: Newton's iteration of one time step and when it keeps its tangent, accelerations at the
-// start, and what an accepted step commits; the decision is in step_decision.cpp.
+// The class Dynamics: Newton's iteration of one time step, the rule by which it keeps an old tangent, the
+// accelerations at the start, and what an accepted step commits. Whether a step is accepted is decided in
+// step_decision.cpp.
 #include "hawser/solve/dynamics.hpp"
 
 #include <fmt/format.h>
@@ -15,22 +16,26 @@ namespace hawser {
 
 namespace {
 
-// Rounding, other on every number of ranks, may decide whether Newton needs an iteration more. Steps are
-// chosen by the iterations to this residual, far above rounding, and one that follows.
+// Relative residual at which iterations are counted. Step control uses the number of iterations to this
+// coarse residual plus one. The number to the final tolerance may differ by one between numbers of ranks
+// because of rounding.
 constexpr double kCounted = 1e-5;
-constexpr int kMostRaises = 40;  // of one try of a step
-// Of SNESSetLagJacobian: no new tangent; one at the next iteration and none after it.
+constexpr int kMostRaises = 40;  // Most raises of penalty stiffness within one try of a step.
+// Arguments of SNESSetLagJacobian: compute no new tangent; compute one at the next iteration and none after
+// it.
 constexpr PetscInt kKeepTangent = -1, kNextTangent = -2;
-// Growth of the residual from which Newton does not come back: contact alone may make it 1e4.
+// Growth of the residual beyond which Newton's iteration has diverged. Contact alone may raise the residual
+// by a factor of 1e4.
 constexpr double kHopeless = 1e10;
-// With the old tangent the residual must fall by this factor in an iteration, and two must bring it down to
-// the tolerance, else a new tangent is cheaper.
+// The old tangent is kept only if the residual falls by this factor in one iteration and two iterations are
+// expected to reach the tolerance. Otherwise a new tangent is cheaper.
 constexpr double kChordRate = 0.1;
 
-// Whether iterations with the old tangent, each for a fourth of the price, are expected to end it. Newton's
-// error falls as e1 = C e0², with the old tangent then as e2 = 2 C e0 e1 (chord method: Kelley 1995,
-// Iterative Methods for Linear and Nonlinear Equations, section 5.4). was_old: so was the iteration from
-// `before` to `now`.
+// Whether iterations with the old tangent, which cost a fourth of those with a new one, are expected to reach
+// the tolerance. Newton's error falls as e1 = C e0²; with the old tangent it then falls as e2 = 2 C e0 e1
+// (chord method: Kelley 1995, Iterative Methods for Linear and Nonlinear Equations, section 5.4). `before`
+// and `now` are relative residuals. `was_old`: the iteration from `before` to `now` used the old tangent,
+// too.
 bool old_tangent_will_do(double before, double now, bool was_old, double tolerance) {
   const double rate = (was_old ? 1 : 2) * now / before;
   return rate < kChordRate && now * rate * rate < tolerance;
@@ -54,17 +59,18 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
   check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
   build();
   lie_alpha_options(ts_.get());
-  // judge_iteration() requests each tangent. The linear solver sees by the matrix's state whether it is new.
+  // judge_iteration() requests each new tangent. The linear solver detects a new tangent by the state of the
+  // matrix.
   check(SNESSetLagJacobian(snes_, kKeepTangent));
 }
 
-// What depends on ghosts and on the matrix's pattern.
+// Creates everything that depends on the ghosts and on the pattern of the matrix.
 void Dynamics::build() {
   copied_ = false;
   u_ = system_.create_vector();
   check(VecDuplicate(u_.get(), r_.out()));
   J_ = system_.create_matrix();
-  // PETSc makes its work vectors like the solution of the TS, and keeps them.
+  // PETSc duplicates its work vectors from the solution of the TS and keeps them, so they are cleared here.
   DM dm = nullptr;
   check(TSGetDM(ts_.get(), &dm));
   check(DMClearGlobalVectors(dm));
@@ -120,7 +126,7 @@ PetscErrorCode Dynamics::residual(SNES, Vec u, Vec r, void* self) {
   });
 }
 
-// At u the residual was evaluated last: the trial is there.
+// SNES evaluates the residual at u before it asks for the tangent, so trial_ already belongs to u.
 PetscErrorCode Dynamics::tangent(SNES, Vec, Mat J, Mat, void* self) {
   auto& d = *static_cast<Dynamics*>(self);
   return d.error_.capture(
@@ -139,7 +145,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   check(SNESGetFunction(snes, &r, nullptr, nullptr));
   const double before = norms_.relative();  // one iteration ago
   norms_ = system_.norms(r);
-  // What they are the squares' root of overflows before the residual.
+  // The norms are square roots of sums of squares; the sums overflow before the residual does.
   if (!norms_.finite()) return SNES_DIVERGED_FNORM_NAN;
   if (it == 0) first_ = std::max({fnorm, norms_.force_scale, norms_.moment_scale});
   if (fnorm > kHopeless * first_ && first_ > 0) return SNES_DIVERGED_DTOL;
@@ -152,7 +158,8 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   return SNES_CONVERGED_ITERATING;
 }
 
-// Newton from where u_ is. Iterations of all rounds of a try are counted by the worst of them.
+// Runs Newton's method from u_. The iteration count of a try is the largest over its rounds of penalty
+// raising.
 void Dynamics::solve_once() {
   old_tangent_ = false;
   counted_ = -1;
@@ -170,7 +177,8 @@ int Dynamics::try_step(double h) {
   h_ = h;
   if (h != expected_) system_.expect(committed_.s.view(last_step_), h);
   expected_ = h;
-  // What does not change in a step (rotations of cables) is in the trial of the step before.
+  // trial_ takes over what a step does not change (rotations of cable nodes). After the first copy it has
+  // that from the step before.
   if (!copied_) trial_ = committed_;
   copied_ = true;
   alpha_mean_carried(alpha_, mean_, carried_);
@@ -190,7 +198,8 @@ int Dynamics::try_step(double h) {
 }
 
 void Dynamics::commit() {
-  // Work of whatever holds the ends, by the trapezoidal rule; that of mean forces by the mean.
+  // Adds the work of prescribed ends: reactions by the trapezoidal rule, mean forces by their mean over the
+  // step.
   const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
   const LocalMesh& m = system_.mesh();
   const auto of = [](const std::vector<double>& rows, size_t i) { return rows.empty() ? 0 : rows[i]; };
@@ -222,7 +231,7 @@ bool Dynamics::end_step() {
 }
 
 NodeValue Dynamics::largest_acceleration_change() const {
-  NodeValue most;  // trial_ is what was committed before
+  NodeValue most;  // After commit() trial_ holds the state that was committed before.
   for (size_t n = 0; n < static_cast<size_t>(system_.mesh().owned); ++n) {
     const double change = (committed_.ax[n] - trial_.ax[n]).norm();
     if (change > most.value) most = {change, system_.mesh().global[n]};
@@ -231,8 +240,8 @@ NodeValue Dynamics::largest_acceleration_change() const {
   return most;
 }
 
-// Of the masses in J_ under the forces -r_: minus the accelerations, with ghosts. Throws SolveError when the
-// masses cannot be solved with.
+// Solves the mass matrix J_ for the residual r_. Returns minus the accelerations, ghosts included. Throws
+// SolveError when the mass matrix is singular.
 std::vector<double> Dynamics::solve_masses() {
   KSP ksp = nullptr;
   check(SNESGetKSP(snes_, &ksp));
@@ -264,7 +273,8 @@ void Dynamics::start(const State& state) {
   system_.tied_nodes().rates(s.time, s);
   system_.tied_nodes().follow(s);
   last_step_ = 0;
-  const double h = control_.proposal();  // that it moves: dampers act from the start
+  // Residuals are evaluated as in a step of this length (h > 0), so that dampers act from the start.
+  const double h = control_.proposal();
   prepare(h);
   if (const std::string why = system_.lost_in_rounding(s.view(0)); !why.empty())
     throw SolveError(fmt::format("at t = {:.6g} s {}", s.time, why));

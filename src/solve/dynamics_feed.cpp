@@ -1,4 +1,4 @@
-// The part of the class Dynamics that goes on after a feeder has let go of a node or taken hold of one.
+// The class Dynamics: how the motion continues after a feeder has released or caught a node.
 #include <Eigen/LU>
 #include <cmath>
 
@@ -10,22 +10,23 @@
 namespace hawser {
 namespace {
 
-constexpr int kMostSettling = 8;   // iterations
-constexpr double kFarthest = 0.1;  // m and rad that a node may settle by; where a line is slack it stays
+constexpr int kMostSettling = 8;  // Most Newton iterations in settle().
+// m and rad: a larger correction of the node in settle() is not applied; it occurs where the line is slack.
+constexpr double kFarthest = 0.1;
 
 }  // namespace
 
 void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change,
                              const std::function<std::vector<TiedNode>()>& nodes) {
-  // Where an event has just happened no step went before, and the forces are those that the next one begins
-  // with (see start), not those of statics.
+  // Directly after an event there is no last step. Then the forces are those that the next step begins with
+  // (see start), not those of statics.
   const double h = last_step_ > 0 ? last_step_ : control_.proposal();
   const auto forces = [this, h] {
     State s = committed_.s;
     s.mean = {};
     system_.residual(s.view(h), r_.get());
   };
-  prepare(control_.proposal());  // nothing has moved since
+  prepare(control_.proposal());  // for the committed state, which has not changed
   forces();
   std::vector<double> mean = system_.mean_forces(), all = system_.reactions();
   const std::optional<Moved> moved = change();
@@ -53,7 +54,7 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
     system_.spread(committed_.ad);
   }
   system_.tie(nodes(), BodyMotion(system_.tied_nodes().motion()));
-  prepare(control_.proposal());  // another element can touch others
+  prepare(control_.proposal());  // The feed point is at another element, which can touch other bodies.
   mean.resize(mean_.q.size(), 0);
   all.resize(reactions_.size(), 0);
   if (settles >= 0) settle(settles, h);
@@ -69,8 +70,9 @@ void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change
   expected_ = -1;
 }
 
-// Newton's method for its place alone: the sag of the element that it divides, and the part of the tension
-// that is its own weight's.
+// Finds the position (and rotation) at which the forces on this node alone are in balance, by Newton's
+// method. This accounts for the sag of the element that the node divides and for the part of the tension that
+// the element's own weight causes.
 void Dynamics::settle(int node, double h) {
   const LocalMesh& m = system_.mesh();
   const int n = m.find(node);

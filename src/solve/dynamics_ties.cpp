@@ -1,5 +1,5 @@
-// The part of the class Dynamics that goes on with other nodes tied: ends that are let go of, and ends that
-// are caught (docs/theory/events.md).
+// The class Dynamics: how the motion continues when other nodes are tied, because ends were released or
+// caught (docs/theory/events.md).
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,8 @@
 namespace hawser {
 namespace {
 
-constexpr double kJustBefore = 1e-9;  // of the time, or s
+// Time before the event at which velocities are taken: this share of the time, at least of 1 s.
+constexpr double kJustBefore = 1e-9;
 
 bool holds(const TiedNodes& tied, int node) {
   return std::any_of(tied.list().begin(), tied.list().end(),
@@ -21,7 +22,8 @@ bool holds(const TiedNodes& tied, int node) {
 void Dynamics::release(std::vector<TiedNode> nodes) {
   State s = committed_.s;
   const TiedNodes before = system_.tied_nodes();
-  // Of a body whose velocity jumps here the end leaves with the one before.
+  // If the velocity of a body jumps at this time, an end that it releases keeps the velocity from before the
+  // jump.
   before.rates(s.time - kJustBefore * std::max(1.0, s.time), s);
   system_.tie(std::move(nodes), BodyMotion(before.motion()));
   control_.reset_to_first_step();
@@ -29,9 +31,9 @@ void Dynamics::release(std::vector<TiedNode> nodes) {
   start(s);
 }
 
-// Velocities after a plastic impact of what is held anew: with the mass matrix M of the free nodes and of
-// what is caught, no impulse acts on the free ones, M dv = 0 there, and what is caught has the velocity of
-// what catches it.
+// Velocities after a plastic impact, in which nodes are newly tied (caught). With the mass matrix M of the
+// free and the caught nodes, no impulse acts on the free nodes, so M dv = 0 in their rows; the caught nodes
+// take the velocity of what catches them.
 void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   const LocalMesh& m = system_.mesh();
   State held = s;
@@ -48,7 +50,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   committed_.s = s;
   last_step_ = 0;
   prepare(h);
-  s = committed_.s;  // with the ghosts there are now
+  s = committed_.s;  // The copy has the ghosts that prepare() has made.
   VecHandle rest;
   check(VecDuplicate(r_.get(), rest.out()));
   system_.residual(s.view(h), rest.get());
@@ -59,7 +61,8 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
     if (m.rotates(n)) impacted.alpha[i] += held.w[i] - s.w[i];
   }
   system_.spread(impacted);
-  system_.residual(impacted.view(h), r_.get());  // forces are linear in accelerations: more by M dv
+  // Forces are linear in accelerations: this residual is larger by M dv.
+  system_.residual(impacted.view(h), r_.get());
   check(VecAXPY(r_.get(), -1, rest.get()));
   const std::vector<double> zero(3 * static_cast<size_t>(m.blocks()), 0);
   system_.tangent(s.view(h), {0, 0, 1}, zero, false, J_.get());

@@ -6,10 +6,11 @@
 namespace hawser {
 namespace {
 
-constexpr double kAim = 0.5;  // tolerances: the middle of where a step may end
+// In tolerances: the search aims at the middle of the interval in which a step may end.
+constexpr double kAim = 0.5;
 
-// An end that stays while the other is replaced a second time in a row counts for less: as much as the value
-// there fell from `before` to `now`.
+// When the same end of the interval is replaced twice in a row, the function values at the other end are
+// multiplied by 1 - now/before (Anderson & Björck); `before` and `now` are the values at the replaced end.
 void weigh(std::vector<double>& stays, const std::vector<double>& before, const std::vector<double>& now) {
   for (size_t i = 0; i < stays.size(); ++i) {
     const double rest = 1 - now[i] / before[i];
@@ -41,7 +42,8 @@ double EventSearch::next(double h, double shortest, const std::vector<double>& e
     before_ = h;
     moved_ = -1;
   }
-  double share = 1;  // of the way between the two, to the first event; what has risen from the start is none
+  // Share of the interval at the first event. Functions above zero at the left end are not events.
+  double share = 1;
   for (size_t i = 0; i < left_.size(); ++i)
     if (left_[i] < 0 && right_[i] > 0) share = std::min(share, left_[i] / (left_[i] - right_[i]));
   if (share == 1) return h;

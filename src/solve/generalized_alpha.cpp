@@ -53,7 +53,8 @@ void alpha_trial(const LocalMesh& mesh, const TiedNodes& tied, const AlphaCoeffi
     if (mesh.rotates(static_cast<int>(n)))
       advance(p + 3, from.s.w[n], from.aw[n], from.s.alpha[n], s.w[n], trial.aw[n], s.alpha[n]);
   }
-  // What is prescribed moves exactly, not as the scheme would have it (no ringing at rho = 1).
+  // Prescribed components take the velocities and accelerations of their motion law instead of the scheme's,
+  // which would ring at rho = 1.
   tied.rates(s.time, s);
   s.director_weight = m1 / k2;
   for (size_t n = 0; n < s.x.size(); ++n) {
@@ -97,8 +98,8 @@ void alpha_predict(const LocalMesh& mesh, const TiedNodes& tied, double h, const
 }
 
 namespace {
-// Q1 = s S - q Q0 and F1 = a Q1 + b Q0 - c F0: (1 - gamma) Q0 + gamma Q1 = S, and the scheme's own balance of
-// algorithmic and true accelerations.
+// Q1 = s S - q Q0 and F1 = a Q1 + b Q0 - c F0. The first solves (1 - gamma) Q0 + gamma Q1 = S; the second is
+// the scheme's relation between algorithmic and true accelerations.
 struct MeanWeights {
   double s, q, a, b, c;
 };
@@ -110,8 +111,8 @@ MeanWeights mean_weights(const AlphaCoefficients& k) {
 
 StepMean alpha_mean(const AlphaCoefficients& c) {
   const MeanWeights w = mean_weights(c);
-  // What the strain of an element that is far too stiff for the step is multiplied with in each: the spectral
-  // radius; 1/3 is the least that the filter can do.
+  // In each step the scheme multiplies the strain of an element that is far too stiff for the step by `root`.
+  // It is the spectral radius; the filter cannot make it less than 1/3.
   const double rho = c.af / (1 - c.af), root = std::max(rho, 1.0 / 3);
   return {w.a * w.s, 0.5 * root * (1 - root) / ((1 + root) * (1 + root))};
 }

@@ -1,4 +1,5 @@
-// Laid places by dead reckoning from the ends of lines, and which end a line was laid from.
+// Computes where the nodes of lines were laid on the bed, from the ends of lines onwards, and which end a
+// line was laid from.
 #include "hawser/solve/laid_places.hpp"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ namespace hawser {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-constexpr double kAway = 1e-3;  // decides between equally low ends only
+// Weight of the distance along the lines: it decides between equally low ends only.
+constexpr double kAway = 1e-3;
 
 // An end of a line.
 struct Side {
@@ -25,12 +27,13 @@ struct Side {
   bool b = false;
 };
 
-// The end that holds a line on one side, through joints: the lowest there, and of ends that are equally low
-// the nearest.
+// The held end on one side of a line, found through joints: the lowest one there, and of equally low ends the
+// nearest.
 struct Holder {
-  double height = kNowhere;  // m above the bed, and kAway of its distance; infinite: nothing holds it
+  // m above the bed, plus kAway times its distance; infinite: no end holds the line
+  double height = kNowhere;
   bool joint = false;
-  Side next;  // with a joint: the side of the other line there
+  Side next;  // with a joint: the side of the next line there
 };
 
 class Laying {
@@ -49,9 +52,9 @@ class Laying {
     const double a = holder({l, false}).height;
     const double b = holder({l, true}).height;
     if (!std::isfinite(a) || !std::isfinite(b)) return beside_free_end(start, std::min(a, b));
-    // Between two ends it was laid from the lower one, from both where they are equally high:
-    // x = (h_b⁴ x_a + h_a⁴ x_b)/(h_a⁴ + h_b⁴), continuous in the heights, and of a leg with a padeye that of
-    // its anchor alone.
+    // Between two held ends a line was laid from the lower one, or from both if they are equally high: x =
+    // (h_b⁴ x_a + h_a⁴ x_b)/(h_a⁴ + h_b⁴). This is continuous in the heights h, and for a leg with a padeye
+    // it is practically the place laid from its anchor.
     const double tiny = 1e-40 * std::pow(mesh_.lines[l].length, 4);
     const double share = (std::pow(a, 4) + tiny) / (std::pow(a, 4) + std::pow(b, 4) + 2 * tiny);
     std::vector<Vec3> out = places({l, false});
@@ -64,8 +67,8 @@ class Laying {
   const model::End& end(const Side& s) const { return c_.lines[s.line].end(s.b); }
   const Vec3& start_of(const Side& s) const { return s.b ? starts_[s.line].back() : starts_[s.line].front(); }
 
-  // A line with a free end was laid as it starts, if its other end is near the bed; of one that hangs down
-  // onto the bed nothing says how it got there.
+  // A line with a free end is assumed to have been laid in its start shape if its other end is near the bed.
+  // If it hangs down onto the bed, the place where it was laid is unknown (NaN).
   std::vector<Vec3> beside_free_end(const std::vector<Vec3>& start, double height) const {
     constexpr double kNear = 0.1;  // of the length of the start shape
     double length = 0;
@@ -74,7 +77,7 @@ class Laying {
     return std::vector<Vec3>(start.size(), Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
   }
 
-  // Whether the case gives the start shape and it lies from end to end.
+  // Whether the case prescribes the start shape and the line lies on the bed from end to end in it.
   bool given(size_t l) const {
     const model::Line& line = c_.lines[l];
     if (line.start != model::Start::straight && line.start != model::Start::points &&
@@ -85,16 +88,16 @@ class Laying {
                        [&](const Vec3& x) { return model::height_above_bed(bed_, x) < most; });
   }
 
-  // In a frame of many lines there are more ways through its joints than can be counted: the shortest are
+  // A frame of many lines has too many paths through its joints to follow them all, so the shortest are
   // followed first (Dijkstra 1959).
   Holder holder(const Side& s) const {
     if (end(s).kind == model::EndKind::free) return {};
     if (end(s).kind != model::EndKind::joint) return {height_of(s), false, {}};
     struct Way {
-      Side first;  // of the line at the joint of s
-      Side to;     // where the way has come to
+      Side first;  // side of the line at the joint of s with which the path begins
+      Side to;     // end that the path has reached
     };
-    std::multimap<double, Way> open;  // by length
+    std::multimap<double, Way> open;  // by path length
     std::set<std::string> reached;
     const auto go_on = [&](const std::string& joint, double length, const Side* first) {
       if (!reached.insert(joint).second) return;
@@ -115,17 +118,17 @@ class Laying {
     return {};
   }
 
-  // Of a held end above the bed [m].
+  // Height of a held end above the bed [m].
   double height_of(const Side& s) const { return std::max(0.0, model::height_above_bed(bed_, start_of(s))); }
 
-  // Of the bed at its point nearest to x.
+  // Normal of the bed at its point nearest to x.
   Vec3 nearest_normal(const Vec3& x) const {
     if (!bed_.surface) return model::bed_normal(bed_);
     const auto nearest = bed_.surface->query(x, kNowhere);
     return nearest ? nearest->normal : Vec3::Zero();
   }
 
-  // Unit vector along the bed in the direction of a chord; zero where the chord stands upright.
+  // Unit vector along the bed in the direction of a chord; zero if the chord is vertical.
   Vec3 along_bed(const Vec3& from, const Vec3& to) const {
     constexpr double kUpright = 1e-3;
     Vec3 way(to.x() - from.x(), to.y() - from.y(), 0);
@@ -135,9 +138,9 @@ class Laying {
     return way.normalized();
   }
 
-  // The place on the bed that a line of this radius from x is laid from, and how far it hangs down to lie
-  // there [m]. From above it hangs straight down; from below it rises by the shortest way. Beyond a mesh
-  // there is no bed.
+  // The place on the bed from which a line of this radius is laid if its end is at x, and how far the line
+  // hangs down to this place [m]. An end above the bed hangs straight down; one below it is moved to the bed
+  // by the shortest way. Beyond the edge of a mesh there is no bed.
   struct Foot {
     Vec3 at = Vec3::Zero();
     double drop = 0;
@@ -153,12 +156,12 @@ class Laying {
     return {axis - radius * n, std::max(0.0, x.z() - axis.z())};
   }
 
-  // How a line that was laid from a held end comes to lie: along the bed that gives way to the end, and from
-  // an end above the bed down to it, both at a constant slope over a length from the end.
+  // Slopes of a line that was laid from a held end: along the bed, which is lowered or raised to the end, and
+  // from an end above the bed down to it. Each has a constant slope over a length from the end.
   struct Descent {
     double sine[2] = {0, 0};    // of the angle to the bed
     double length[2] = {0, 0};  // m
-    // How far along the bed a piece of line reaches that begins so far from the end [m].
+    // Distance along the bed that a piece of line covers if it begins at `from_end` from the end [m].
     double reach(double from_end, double piece) const {
       double out = piece;
       for (int i = 0; i < 2; ++i) {
@@ -178,8 +181,8 @@ class Laying {
     if (bed.length > 0) out.sine[0] = bed.depth / bed.length;
     const double height = foot(start_of(s), 0.5 * type.contact_diameter).drop;
     if (height <= 0) return out;
-    // Without tension a cable hangs straight down. A beam of the weight w whose end is lifted by h from the
-    // bed is lifted over (72 EI h/w)^(1/4).
+    // A cable without tension hangs straight down. A beam of the weight w whose end is lifted by h from the
+    // bed is lifted over the length (72 EI h/w)^(1/4).
     out.length[1] = height;
     const double weight = model::submerged_weight(c_, type);
     if (type.kind == model::LineKind::beam && weight > 0)
@@ -188,7 +191,7 @@ class Laying {
     return out;
   }
 
-  // All nodes of a line, laid from this side on, in the order of the line.
+  // Laid places of all nodes of a line, laid from this side on, in the order of the line.
   std::vector<Vec3> places(const Side& s) const {
     const LineSpan& span = mesh_.lines[s.line];
     const model::Line& line = c_.lines[s.line];
@@ -203,7 +206,8 @@ class Laying {
       return buried_length(line, from, from + e.length) > 0;
     };
     const Descent down = descent(s, element(0).length);
-    // Where a joint starts is a guess: the line was laid straight.
+    // The start position of a joint is only an estimate, so a line at a joint is assumed to have been laid
+    // straight.
     const bool straight = line.starts_by_itself() && (line.end_a.kind == model::EndKind::joint ||
                                                       line.end_b.kind == model::EndKind::joint);
     Vec3 way = along_bed(start[node(0)], start[node(last)]);

@@ -1,8 +1,8 @@
-// The TS type "liealpha" and the TSAdapt type "verdict": the only file that looks into PETSc's private TS
-// structures. A step solves by SNES and asks TSAdaptChoose whether the trial is accepted and how long the
-// next try, or step, is; what is accepted is committed after the step. The steps are those of Dynamics,
-// because configuration and unknown differ (rotations) and TSALPHA2 of PETSc 3.18 is first order. Events are
-// part of the verdict: docs/decisions/027-events-in-the-verdict.md.
+// The TS type "liealpha" and the TSAdapt type "verdict". This is the only file that uses PETSc's private TS
+// structures. A step is solved by SNES; TSAdaptChoose then decides whether the trial is accepted and how long
+// the next try, or step, is. An accepted step is committed afterwards. Dynamics computes the steps, because
+// the configuration differs from the unknown (rotations) and TSALPHA2 of PETSc 3.18 is of first order. Events
+// are part of the verdict: docs/decisions/027-events-in-the-verdict.md.
 #include <fmt/format.h>
 #include <petsc/private/tsimpl.h>
 
@@ -16,7 +16,7 @@ constexpr char kType[] = "liealpha", kVerdict[] = "verdict";
 
 Dynamics& dynamics(TS ts) { return *static_cast<Dynamics*>(ts->data); }
 
-// Where it throws the TS comes to its end, and Dynamics::run() throws the same.
+// Runs `body`. If it throws, the TS ends, and Dynamics::run() throws the same exception.
 template <class Body>
 void guarded(TS ts, const Body& body) {
   if (dynamics(ts).error().capture(body)) ts->reason = TS_DIVERGED_STEP_REJECTED;
@@ -85,7 +85,7 @@ void lie_alpha_attach(TS ts, Dynamics* dynamics) {
   check(TSSetType(ts, kType));
   ts->data = dynamics;
   check(TSSetPostStep(ts, after_step));
-  // Steps end at the times that Dynamics::run() gets, the end among them, without PETSc's help.
+  // Dynamics::next_try() makes steps end at stops and at the end of the run, so PETSc need not.
   check(TSSetExactFinalTime(ts, TS_EXACTFINALTIME_STEPOVER));
   check(TSSetErrorIfStepFails(ts, PETSC_FALSE));
 }

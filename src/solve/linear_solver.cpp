@@ -8,7 +8,7 @@
 namespace hawser {
 namespace {
 
-// Unknowns that some rank sees as ghosts, once for each rank that does.
+// Number of unknowns that are ghosts on some rank, counted once for each such rank.
 long shared_unknowns(const System& system) {
   long shared = 3L * (system.mesh().blocks() - system.mesh().owned_blocks);
   MPI_Allreduce(MPI_IN_PLACE, &shared, 1, MPI_LONG, MPI_SUM, system.comm());

@@ -1,5 +1,5 @@
-// LU on one rank: for chains that of PETSc; where lines may touch, that of PETSc for the blocks that are not
-// zero, as a preconditioner around it.
+// LU on one rank: for chains PETSc's LU; where lines may touch, a preconditioner around PETSc's LU of the
+// nonzero blocks.
 #include "hawser/solve/lu.hpp"
 
 #include <petscksp.h>
@@ -14,25 +14,25 @@ namespace {
 
 constexpr int kRows = 3, kSize = kRows * kRows;  // of a block
 
-// Fill, and with it the cost of LU, grows steeply with the pairs of nodes in the pattern: of two layers on a
-// drum LU of all candidates costs five times as much as of those that touch.
+// Fill, and with it the cost of LU, grows steeply with the pairs of nodes in the pattern: for two layers on a
+// drum, LU with all candidates costs five times as much as with those that touch.
 struct NonzeroBlocks {
-  Mat of = nullptr;  // what the pattern is from, and its number there
+  Mat of = nullptr;  // matrix from which the pattern was taken, and the state of its pattern then
   PetscObjectState pattern = 0;
-  std::vector<char> used;          // of its blocks: whether it was not zero at some time
-  Handle<Mat, MatDestroy> matrix;  // of these blocks alone
+  std::vector<char> used;          // for each of its blocks: whether it has ever been nonzero
+  Handle<Mat, MatDestroy> matrix;  // of the used blocks alone
   Handle<PC, PCDestroy> lu;
 };
 
-// A matrix in blocks as PETSc stores it: rows, where they start, columns.
+// A matrix in blocks as PETSc stores it: number of rows, starts of rows, columns.
 struct Stored {
   PetscInt rows = 0;
   const PetscInt *starts = nullptr, *columns = nullptr;
   PetscScalar* values = nullptr;
 };
 
-// Whether blocks are in use that were not before. What was once in use remains so, for contact that comes and
-// goes would else ask for a new order each time.
+// Marks blocks that are nonzero. Returns whether any of them was unused before. A used block remains used,
+// because otherwise contact that comes and goes would need a new elimination order each time.
 bool find_used(const Stored& m, std::vector<char>& used) {
   bool more = false;
   for (PetscInt row = 0; row < m.rows; ++row)
@@ -86,7 +86,8 @@ PetscErrorCode take_over(Mat A, NonzeroBlocks& s) {
   for (size_t k = 0; k < s.used.size(); ++k)
     if (s.used[k]) to = std::copy_n(m.values + kSize * k, kSize, to);
   PetscCall(MatSeqBAIJRestoreArray(s.matrix.get(), &first));
-  PetscCall(MatAssemblyBegin(s.matrix.get(), MAT_FINAL_ASSEMBLY));  // says that values are others
+  // Reports to PETSc that the values have changed.
+  PetscCall(MatAssemblyBegin(s.matrix.get(), MAT_FINAL_ASSEMBLY));
   PetscCall(MatAssemblyEnd(s.matrix.get(), MAT_FINAL_ASSEMBLY));
   PetscCall(MatSeqBAIJRestoreArray(A, &m.values));
   PetscCall(MatRestoreRowIJ(A, 0, PETSC_FALSE, PETSC_TRUE, &m.rows, &m.starts, &m.columns, &known));

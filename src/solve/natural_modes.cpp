@@ -1,5 +1,5 @@
-// Stiffness and mass as matrices of free components, and their lowest eigenpairs by shift and invert; mass
-// and damping of the frequency of each mode.
+// Stiffness and mass as matrices of the free components, and their lowest eigenpairs by shift and invert.
+// Mass and damping are those at the frequency of each mode.
 #include "hawser/solve/natural_modes.hpp"
 
 #include <fmt/format.h>
@@ -19,20 +19,20 @@
 namespace hawser {
 namespace {
 
-// Eigenvalues are looked for about this one, omega² of a period of 1000 s below zero: there K - target M is
-// regular also where the system can move freely.
+// Eigenvalues are searched for around this one, minus omega² of a period of 1000 s. K - target M is regular
+// there even if the system can move freely.
 constexpr double kTarget = -4e-5;  // rad²/s²
 constexpr double kTolerance = 1e-10;
 constexpr int kMostEigenIterations = 2000;
-constexpr int kMore = 4;       // modes that are looked for beyond those that are wanted
-constexpr long kMost = 8;      // times as many at the most
-constexpr double kGap = 1e-6;  // of an eigenvalue: those that are nearer to each other are repeated
-// Translations, over rotations times the size of the system, below which they are rounding.
+constexpr int kMore = 4;       // modes searched for beyond the requested number
+constexpr long kMost = 8;      // largest multiple of that number
+constexpr double kGap = 1e-6;  // relative difference of eigenvalues below which they count as repeated
+// Ratio of translations to rotations times the size of the system, below which the translations are rounding.
 constexpr double kInPlace = 1e-7;
 
 class Slepc {
  public:
-  Slepc() { check(SlepcInitializeNoArguments()); }  // PETSc is up already, and stays
+  Slepc() { check(SlepcInitializeNoArguments()); }  // PETSc has been initialised before and remains so
   ~Slepc() { SlepcFinalize(); }
   Slepc(const Slepc&) = delete;
   Slepc& operator=(const Slepc&) = delete;
@@ -40,7 +40,7 @@ class Slepc {
 
 using Solver = Handle<EPS, EPSDestroy>;
 
-// The symmetric part of a tangent, with `held` on the diagonal of held components, where the tangent has 1.
+// The symmetric part of a tangent, with `held` instead of 1 on the diagonal of held components.
 MatHandle symmetric(System& system, const Kinematics& at, const Weights& weights, double held) {
   const MatHandle J = system.create_matrix();
   const std::vector<double> zero(3 * static_cast<size_t>(system.mesh().blocks()), 0);
@@ -67,7 +67,7 @@ long free_components(const System& system) {
   return free;
 }
 
-// m, of the box about all nodes.
+// Diagonal of the bounding box of all nodes, m.
 double size_of(const System& system, const Kinematics& at) {
   Vec3 low = Vec3::Constant(HUGE_VAL), high = -low;
   for (size_t n = 0; n < static_cast<size_t>(system.mesh().owned); ++n) {
@@ -79,7 +79,7 @@ double size_of(const System& system, const Kinematics& at) {
   return (high - low).norm();
 }
 
-// Of the nodes, by the unknowns: a node that is tied goes with its frame, dx = dX - R hat(y) theta.
+// Motion of the nodes from the unknowns u. A tied node moves with its frame, dx = dX - R hat(y) theta.
 void move_nodes(const System& system, const Kinematics& at, const std::vector<double>& u, NaturalMode& mode) {
   const LocalMesh& mesh = system.mesh();
   const auto block = [&](int b) { return Vec3(u.data() + 3 * b); };
@@ -119,7 +119,7 @@ void sort(std::vector<Eigenpair>& pairs) {
                    [](const Eigenpair& a, const Eigenpair& b) { return a.squared < b.squared; });
 }
 
-// By the factors of MUMPS.
+// Sets up a direct solution with MUMPS.
 void solve_directly(KSP ksp) {
   check(KSPSetType(ksp, KSPPREONLY));
   PC pc = nullptr;
@@ -128,7 +128,7 @@ void solve_directly(KSP ksp) {
   check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
 }
 
-// Those that converge, of the `count` nearest to the target, lowest first.
+// The converged modes among the `count` ones nearest to the target, lowest first.
 std::vector<Eigenpair> nearest_modes(const System& system, Mat K, Mat M, int count) {
   Solver solver;
   check(EPSCreate(system.comm(), solver.out()));
@@ -177,12 +177,13 @@ double form(Mat A, Vec u, Vec work) {
   return out;
 }
 
-// Inverse iteration (Wilkinson 1965, section 9.47) with the mass of the frequency found so far: from the mode
-// of another mass to that of its own, omega = sqrt(u . K u/u . M(omega) u).
+// Changes a mode from that with another mass to that with the mass at its own frequency, omega = sqrt(u . K
+// u/u . M(omega) u), by inverse iteration (Wilkinson 1965, section 9.47) with the mass at the last frequency.
 void settle(System& system, const Kinematics& at, Mat K, const std::vector<DependsOnFrequency*>& terms,
             Eigenpair& pair) {
-  constexpr double kSettled = 1e-9;  // of omega²
-  constexpr double kBeside = 1e-4;   // of omega², from which K - shift M is regular
+  constexpr double kSettled = 1e-9;  // relative, of omega²
+  // relative distance of the shift from omega², at which K - shift M is regular
+  constexpr double kBeside = 1e-4;
   constexpr int kPlain = 10, kMostOften = 60;
   const auto oscillate = [&](double omega) {
     for (DependsOnFrequency* t : terms) t->oscillate(omega);
@@ -205,7 +206,7 @@ void settle(System& system, const Kinematics& at, Mat K, const std::vector<Depen
     const double before = pair.squared;
     pair.squared = form(K, u, work.get()) / form(M.get(), u, work.get());
     if (std::abs(pair.squared - before) < kSettled * pair.squared) break;
-    // Where the mass changes so fast that omega goes to and fro.
+    // The mass changes so fast with frequency that omega alternates; the mean damps this.
     if (i > kPlain) pair.squared = 0.5 * (pair.squared + before);
   }
   if (M) {
@@ -226,11 +227,11 @@ NaturalMode mode_of(const System& system, const Kinematics& at, const Eigenpair&
   return mode;
 }
 
-// How many eigenvalues of K - lambda M lie below `squared`, by Sylvester's law of inertia (Parlett 1980,
-// section 3-3); -1: not known.
+// Number of eigenvalues of K - lambda M below `squared`, by Sylvester's law of inertia (Parlett 1980, section
+// 3-3); -1: not known.
 int eigenvalues_below(Mat K, Mat M, double squared) { return negative_pivots(shifted(K, M, squared).get()); }
 
-// Whether between the target and the first gap behind the `count` lowest of these modes there are no others.
+// Whether these modes are all those between the target and the first gap above the `count` lowest ones.
 bool complete(Mat K, Mat M, const std::vector<Eigenpair>& modes, size_t count) {
   size_t last = count - 1;
   const auto gap = [&](size_t i) { return modes[i + 1].squared - modes[i].squared; };
@@ -250,11 +251,11 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
   const long free = free_components(system);
   count = static_cast<int>(std::min<long>(count, free));
   if (count == 0) return {};
-  // Held components get stiffness 1 and no mass: their eigenvalues are infinite and do not appear among the
-  // lowest.
+  // Held components get the stiffness 1 and no mass, so that their eigenvalues are infinite and do not appear
+  // among the lowest.
   const MatHandle K = symmetric(system, at, {1, 0, 0}, 1), M = symmetric(system, at, {0, 0, 1}, 0);
-  // A Krylov space meets each direction of a repeated eigenvalue, of equal lines, by rounding only: some may
-  // be missing at first.
+  // A Krylov space contains the directions of a repeated eigenvalue (of equal lines) only by rounding, so
+  // some may be missing at first.
   for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
     std::vector<Eigenpair> modes = nearest_modes(system, K.get(), M.get(), static_cast<int>(ask));
     const size_t wanted = count;

@@ -1,4 +1,4 @@
-// Wraps an object of ours as a PETSc preconditioner of type PCSHELL.
+// Makes an object of the program a PETSc preconditioner of type PCSHELL.
 #pragma once
 
 #include <petscksp.h>
@@ -9,7 +9,7 @@
 
 namespace hawser {
 
-// `setup` is called for each new matrix, `apply` to solve; both get what is kept by PCShellGetContext(). It
+// `setup` is called for each new matrix, `apply` to solve. Both get the object from PCShellGetContext(). It
 // is deleted with pc.
 template <class Kept>
 void use_shell(PC pc, const char* name, std::unique_ptr<Kept> kept, PetscErrorCode (*setup)(PC),

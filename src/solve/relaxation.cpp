@@ -1,4 +1,4 @@
-// The loop of dynamic relaxation: fictitious mass and its changes, implicit pseudo-time steps, kinetic
+// The loop of dynamic relaxation: the fictitious mass and its changes, implicit steps in pseudo-time, kinetic
 // damping at peaks of the kinetic energy, and the test for motion that only creeps.
 #include "hawser/solve/relaxation.hpp"
 
@@ -15,22 +15,23 @@
 namespace hawser {
 namespace {
 
-constexpr int kMostIterations = 12, kEasyIterations = 4;  // of Newton, a step
-constexpr double kReduction = 1e-4;                       // of the imbalance, before a step counts as solved
-constexpr double kHopeless = 1e6;                         // growth of it from which Newton does not come back
+// Newton iterations of a step: limit; at most so many let the mass shrink
+constexpr int kMostIterations = 12, kEasyIterations = 4;
+constexpr double kReduction = 1e-4;  // of the imbalance, for a step to count as solved
+constexpr double kHopeless = 1e6;    // growth of the imbalance beyond which Newton's iteration has diverged
 constexpr double kHeavier = 4, kLighter = 0.5;
-// Accepted steps in a row after which an earlier rejection no longer explains a failure: the mass is then
-// lower than before that rejection.
+// After this number of accepted steps in a row an earlier rejection no longer explains a failure, because the
+// mass is then lower than before that rejection.
 constexpr int kFree = 4;
-constexpr double kFirst = 0.002;    // of the longest line, that the first step may bring
-constexpr double kHeaviest = 1e12;  // mass over that of the start at which nothing moves any more
-// So many steps, tried again or not, that bring no node by this share of the longest line and do not take
-// half of the imbalance: what lies in a heap creeps on for ever.
+constexpr double kFirst = 0.002;    // share of the longest line by which the first step may move nodes
+constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at which nothing moves any more
+// The motion only creeps if kWatched steps, tried again or not, move no node by kCreep times the longest line
+// and do not halve the imbalance. A heap of line would creep on for ever.
 constexpr int kWatched = 50;
 constexpr double kCreep = 1e-4;
 
-// The pseudo-time's step is 1, so velocities are increments and the mass is a stiffness: N/m at positions,
-// N m at rotations.
+// The step of pseudo-time is 1, so velocities are increments and the mass is a stiffness: N/m at positions, N
+// m at rotations.
 class Relaxation : StaticTrial {
  public:
   Relaxation(System& system, const RelaxationSettings& settings, State& state)
@@ -46,7 +47,7 @@ class Relaxation : StaticTrial {
   RelaxationReport run() {
     RelaxationReport report;
     double least = 0, kinetic = 0;
-    int free = 0;  // steps since one was rejected
+    int free = 0;  // steps since the last rejection
     if (settings_.pushed > 0) perturb(settings_.pushed);
     while (true) {
       prepare();
@@ -96,8 +97,9 @@ class Relaxation : StaticTrial {
     const double force = std::max(n.force, n.moment / std::max(length_, 1e-300));
     return force / std::sqrt(nodes) / (kFirst * longest_);
   }
-  // Looks back every so many steps. What does not come nearer to rest with its momentum goes on without it,
-  // and the other way round: drag has no potential and can feed a motion that kinetic damping does not end.
+  // Compares the state with that kWatched steps before. If the imbalance has not halved, relaxation continues
+  // without momentum if it had it, and vice versa: drag has no potential and can feed a motion that kinetic
+  // damping does not end. Returns whether the motion creeps.
   bool creeps(const RelaxationReport& report) {
     const int tried = report.steps + report.rejected;
     if (tried % kWatched != 0) return false;
@@ -112,7 +114,7 @@ class Relaxation : StaticTrial {
     left_ = report.norms.relative();
     return stuck;
   }
-  // Another mass stands for another step in time: what moves goes on at its speed.
+  // Changes the mass. This is equivalent to another step of time, so increments are scaled to keep the speed.
   void weigh(double factor) {
     mass_ *= factor;
     for (double& p : momentum_) p /= std::sqrt(factor);
@@ -129,7 +131,8 @@ class Relaxation : StaticTrial {
               momentum_.begin());
   }
 
-  // Of the trial, with the force of inertia. What is far too far, or not a number, has none.
+  // Residual of the trial with inertia forces. An increment that is far too large, or is not a number, is a
+  // domain error.
   void residual() override {
     if (!(limit() > 0.1)) {
       check(SNESSetFunctionDomainError(snes_.get()));
@@ -160,7 +163,7 @@ class Relaxation : StaticTrial {
     return norms.relative() > goal_ ? SNES_CONVERGED_ITERATING : SNES_CONVERGED_FNORM_RELATIVE;
   }
 
-  // One step: Newton's iterations, or minus them where it failed.
+  // Tries one step. Returns the number of Newton iterations, or minus that number if the step failed.
   int attempt(const ResidualNorms& at_rest) {
     const double before = potential(state_) + kinetic_energy();
     goal_ = std::max(1e-3 * settings_.tolerance, kReduction * at_rest.relative());
@@ -169,8 +172,9 @@ class Relaxation : StaticTrial {
     check(SNESGetLinearSolveIterations(snes_.get(), &solutions));
     const int it = std::max(1, static_cast<int>(solutions));
     if (!solved || limit() < 1 || !path_is_clear()) return -it;
-    if (settings_.friction) return it;  // it has no potential
-    // The exact step of a convex potential takes energy out; one that brings some has gone elsewhere.
+    if (settings_.friction) return it;  // friction has no potential
+    // An exact step of a convex potential reduces the energy. If the energy has grown, the step has led
+    // elsewhere.
     double motion = 0;
     for (size_t i = 0; i < momentum_.size(); ++i) motion += 0.5 * mass(i / 3) * local_[i] * local_[i];
     const double after = potential(trial_) + sum(motion);
@@ -179,12 +183,13 @@ class Relaxation : StaticTrial {
 
   const RelaxationSettings& settings_;
   std::vector<double> momentum_;  // of owned components
-  std::vector<char> turns_;       // by owned block: rotations
+  std::vector<char> turns_;       // by owned block: whether it is a rotation
   double mass_ = 0, longest_ = 0;
-  bool viscous_ = false;            // without momentum
-  double goal_ = 0, hopeless_ = 0;  // relative imbalance of a step that is solved, of one that has failed
-  std::vector<Vec3> last_places_;   // places of owned nodes when creeps() last looked
-  double left_ = 0;                 // and the imbalance then, of its contributions
+  bool viscous_ = false;  // momentum is dropped after each step
+  // relative imbalance at which a step is solved, and at which it has failed
+  double goal_ = 0, hopeless_ = 0;
+  std::vector<Vec3> last_places_;  // places of owned nodes at the last test in creeps()
+  double left_ = 0;                // relative imbalance at that test
 };
 
 }  // namespace

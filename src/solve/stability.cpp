@@ -1,4 +1,4 @@
-// Whether an equilibrium is stable: the negative eigenvalues of its tangent, counted by a factorisation.
+// Whether an equilibrium is stable: counts the negative eigenvalues of its tangent by a factorisation.
 #include "hawser/solve/stability.hpp"
 
 #include <Eigen/Cholesky>
@@ -13,8 +13,8 @@ namespace {
 
 auto as_block(double* values) { return Eigen::Map<Mat3>(values); }
 
-// The blocks of a rank's rows in the columns of other ranks; null on one rank. columns: global numbers of
-// the columns of blocks.
+// The blocks in this rank's rows and in columns of other ranks; null on one rank. columns: global numbers of
+// the block columns.
 struct OtherColumns {
   explicit OtherColumns(Mat J) {
     PetscBool shared = PETSC_FALSE;
@@ -26,8 +26,8 @@ struct OtherColumns {
 };
 
 // Whether the part of a symmetric matrix in a rank's own rows and columns is positive definite, by Cholesky's
-// factorisation, which overwrites them. Chains have no fill in their own order. Of a matrix that has fill the
-// answer is false as well.
+// factorisation, which overwrites it. Chains have no fill in their own order. If there is fill, the result is
+// false as well.
 bool positive_definite(Mat a) {
   const OwnBlocks own(a);
   for (int i = 0; i < own.rows(); ++i) {
@@ -46,7 +46,8 @@ bool positive_definite(Mat a) {
   return true;
 }
 
-// Of the symmetric part of a tangent; false as well where a chain is cut between ranks. Collective.
+// Whether the symmetric part of a tangent is positive definite; false also if a chain is cut between ranks.
+// Collective.
 bool positive_definite_chains(Mat J) {
   const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(J));
   PetscInt others = 0;
@@ -71,7 +72,7 @@ MatHandle symmetric_blocks(Mat J) {
         below = sum.transpose();
       }
   }
-  // Half of what is here in columns of other ranks belongs to their rows as well.
+  // The transposed half of each block in a column of another rank belongs to a row of that rank.
   check(MatSetOption(s.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_FALSE));
   if (const OtherColumns others(s.get()); others.blocks) {
     PetscInt first = 0;
@@ -80,7 +81,7 @@ MatHandle symmetric_blocks(Mat J) {
     for (PetscInt row = 0; row < other.rows(); ++row)
       for (const PetscInt column : other.columns_from(row, 0)) {
         const PetscInt to = others.columns[column], from = first / 3 + row;
-        // Blocks are stored by columns and read here by rows, which transposes them.
+        // PETSc stores a block by columns, and this call reads it by rows, which transposes it.
         check(MatSetValuesBlocked(s.get(), 1, &to, 1, &from, other.at(row, column), ADD_VALUES));
       }
   }
@@ -99,7 +100,7 @@ MatHandle symmetric_part(Mat J) {
 int negative_pivots(Mat a) {
   MatHandle factor;
   if (MatGetFactor(a, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factor.out())) return -1;
-  check(MatMumpsSetIcntl(factor.get(), 24, 1));  // what PETSc asks for before it tells the inertia
+  check(MatMumpsSetIcntl(factor.get(), 24, 1));  // PETSc requires this before it returns the inertia
   check(MatMumpsSetIcntl(factor.get(), 13, 1));
   MatFactorInfo info;
   check(MatFactorInfoInitialize(&info));

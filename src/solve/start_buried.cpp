@@ -1,4 +1,4 @@
-// Starts of lines that begin or end in the soil, or over a bed that is no plane.
+// Start shapes of lines that begin or end in the soil or in a feeder, and lifting onto a measured bed.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,8 @@
 namespace hawser {
 namespace {
 
-// Where `length` [m] of line that goes straight from `from`, in the soil, comes out of it on the way to `to`.
+// The point where a line leaves the soil if `length` [m] of it goes straight from `from`, in the soil, in the
+// direction of `to`.
 Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, double length) {
   Vec3 way(to.x() - from.x(), to.y() - from.y(), 0);
   way = way.norm() > 0 ? Vec3(way.normalized()) : Vec3::UnitX();
@@ -30,7 +31,7 @@ Vec3 exit_of_soil(const model::Seabed& bed, const Vec3& from, const Vec3& to, do
   return x;
 }
 
-// Puts the held node to where the element between it and the free one has this length.
+// Moves the held node to the arc length at which the element between it and the free node has this length.
 void at_feed_point(Mesh& mesh, const LineSpan& span, int held, int free, double length) {
   const auto node = [&](int i) -> Node& { return mesh.nodes[span.first_node + i]; };
   mesh.elements[span.first_element + std::min(held, free)].length = length;
@@ -73,7 +74,7 @@ LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan
   return out;
 }
 
-// What is inside a feeder is at its feed point; the rest is a line of its own.
+// The nodes inside a feeder are at its feed point; the rest is started as a line of its own.
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span) {
   FedStart a, b;
@@ -104,7 +105,7 @@ LineStart line_start_from_soil(const model::Case& c, const model::Line& line, co
                                const Mesh& mesh, const LineSpan& span) {
   const double near = 1e-9 * span.length;
   const auto arc = [&](int i) { return mesh.nodes[span.first_node + i].arc; };
-  int first = 0, last = span.nodes - 1;  // of what is not buried
+  int first = 0, last = span.nodes - 1;  // first and last node that is not buried
   for (const model::Buried& b : line.buried) {
     if (b.from <= near)
       while (first + 1 < span.nodes && arc(first + 1) <= b.to + near) ++first;

@@ -1,4 +1,4 @@
-// Lines that cross near the bed, and volumes on it: how the start shape of what lies over is raised there.
+// Raises the start shape of lines where they cross other lines near the bed, and over volumes on the bed.
 #include "start_crossings.hpp"
 
 #include <fmt/format.h>
@@ -16,22 +16,22 @@
 namespace hawser {
 namespace {
 
-// Of the sum of the radii: so much more than that the axes are apart after a line was raised.
+// Clearance after a line was raised, in sums of the radii.
 constexpr double kGap = 0.01;
 // Length over height of the slope up to a place where a line is raised.
 constexpr double kSlope = 20;
-// Sine of the angle with the vertical of the common normal of two lines, below which neither is over the
+// Limit of the vertical component of the common unit normal of two lines. Below it neither line is over the
 // other.
 constexpr double kOver = 0.1;
 constexpr std::size_t kMostNotes = 3;
 
-// A line, whole, as a polyline of its nodes.
+// An uncut line as a polyline of its nodes.
 struct Rope {
   const model::Line* line = nullptr;
   std::vector<Vec3*> x;
   std::vector<double> s;       // m, arc length
-  std::vector<double> radius;  // m, of contact of what follows each node
-  std::vector<double> raise;   // m, of each node
+  std::vector<double> radius;  // m, contact radius of the segment after each node
+  std::vector<double> raise;   // m, by which each node will be raised
   std::vector<Vec3*> tangent;
 
   size_t segments() const { return x.size() - 1; }
@@ -56,8 +56,8 @@ std::vector<Rope> ropes_of(const model::Case& c, std::vector<StartedLine>& lines
   return ropes;
 }
 
-// Raises a line by `height` from the arc length `from` to `to`, with smooth slopes on both sides; at its ends
-// it stays.
+// Raises a line by `height` between the arc lengths `from` and `to`, with smooth slopes on both sides. The
+// ends of the line are not raised.
 void raise(Rope& rope, double from, double to, double height) {
   double longest = 0;
   for (size_t i = 0; i < rope.segments(); ++i)
@@ -73,7 +73,8 @@ void raise(Rope& rope, double from, double to, double height) {
   }
 }
 
-// Whether any node was moved. Tangents beside those that were are to be made anew.
+// Moves the nodes by `raise`. Clears the tangents beside moved nodes, which repair() then computes. Returns
+// whether any node was moved.
 bool apply(std::vector<Rope>& ropes) {
   bool any = false;
   for (Rope& r : ropes)
@@ -117,7 +118,7 @@ class Crossings {
     for (const auto& [x, y] : c.contact.between_lines.exclude) apart_[ordered(x, y)] = true;
   }
 
-  // Raises what lies over; `done` gets a sentence for each pair.
+  // Raises the upper line at each crossing. `done` gets a sentence for each pair of lines.
   void sweep(std::map<std::pair<std::string, std::string>, std::string>& done) {
     std::vector<Box> boxes;
     std::vector<std::pair<Rope*, size_t>> of;
@@ -144,7 +145,8 @@ class Crossings {
     return a < b ? std::pair(a, b) : std::pair(b, a);
   }
 
-  // Where two segments cross in plan, not at ends of their lines, and are nearer than their radii.
+  // The crossing of two segments in plan, if they are nearer than the sum of their radii and it is not at an
+  // end of a line.
   static std::optional<std::pair<Crossing, Crossing>> crossing(Rope& one, size_t k, Rope& other, size_t l) {
     const Vec3 u = one.at(k, 1) - one.at(k, 0), v = other.at(l, 1) - other.at(l, 0),
                w = other.at(l, 0) - one.at(k, 0);
@@ -155,7 +157,7 @@ class Crossings {
     const auto pair = closest_points_of_segments(*one.x[k], *one.x[k + 1], *other.x[l], *other.x[l + 1]);
     if (pair.distance >= radii) return std::nullopt;
     Crossing a{&one, k, s, one.radius[k], one.at(k, s)}, b{&other, l, t, other.radius[l], other.at(l, t)};
-    // What ends at the other does not cross it.
+    // A line that ends at the other one does not cross it.
     const auto at_end = [radii](const Crossing& q) {
       return (q.x - *q.rope->x.front()).norm() < radii || (q.x - *q.rope->x.back()).norm() < radii;
     };
@@ -172,9 +174,9 @@ class Crossings {
     return lies(*r.x.front(), r.radius.front()) && lies(*r.x.back(), r.radius[r.segments() - 1]);
   }
 
-  // Which of the two lies over the other: by the case, by what can be moved, by which of them alone lies on
-  // the bed, there or from end to end, by the heights of the start shapes. Null: both stay. InputError where
-  // nothing says it.
+  // Decides which of two lines lies over the other: by the case; by which of them can be moved; by which
+  // alone lies on the bed, at the crossing or from end to end; by the heights of the start shapes. Null:
+  // neither is moved. Throws InputError if none of these decides.
   const Crossing* upper(const Crossing& a, const Crossing& b) const {
     for (const auto& [over, under] : c_.contact.between_lines.over) {
       if (over == a.name() && under == b.name()) return &a;
@@ -218,7 +220,7 @@ class Crossings {
     const double radii = a.radius + b.radius, slant = std::abs(normal.z());
     if (slant < kOver) return;
     const double to = under.x.z() + (1 + kGap) * radii / slant;
-    // The slopes of both lines at the place are those of their elements.
+    // The slopes of both lines at the crossing are those of their elements.
     raise(*over->rope, over->arc(), over->arc(), to - over->x.z());
     done.try_emplace(
         ordered(over->name(), under.name()),
@@ -233,7 +235,7 @@ class Crossings {
   std::map<std::pair<std::string, std::string>, bool> apart_;
 };
 
-// A volume in the place that it has at the start.
+// A volume in its place at the start.
 struct Obstacle {
   const Surface* surface = nullptr;
   RigidPose pose;
@@ -244,21 +246,22 @@ struct Obstacle {
     const auto p = surface->query(pose.to_body(x), size);
     return p ? p->distance : size;
   }
-  // m, from x along the unit vector `way` to where the distance is `radius`, or beyond `most`.
+  // Distance [m] from x along the unit vector `way` to where the distance to the volume is `radius`; more
+  // than `most` if it is farther.
   double way_out(const Vec3& x, const Vec3& way, double radius, double most) const {
     double gone = 0;
     while (gone < most) {
       const double missing = radius - distance(x + gone * way);
       if (missing <= 0) break;
-      gone += missing + kGap * radius;  // no distance grows faster than its point moves
+      gone += missing + kGap * radius;  // the distance changes by no more than the point moves
     }
     return gone;
   }
 };
 
-// What of a line is in a volume, or nearer than its radius.
+// A part of a line that is in a volume, or nearer to it than its radius.
 struct Stretch {
-  double from = 0, to = 0, height = 0;  // m, of arc length; to be raised by
+  double from = 0, to = 0, height = 0;  // m, arc lengths; necessary raise
   Vec3 deepest = Vec3::Zero(), along = Vec3::UnitX();
   double depth = 0, radius = 0;  // m
 };
@@ -291,8 +294,8 @@ std::vector<Stretch> stretches_in(const Rope& rope, const Obstacle& volume) {
   return out;
 }
 
-// Whether a stretch is to go over the volume: there is no room for it between the volume and the bed, and the
-// way over it is shorter than the way round it.
+// Whether a stretch must go over the volume: there is no room for it between the volume and the bed, and the
+// way over the volume is shorter than the way round it.
 bool goes_over(const model::Case& c, const Stretch& s, const Obstacle& volume) {
   const model::Seabed& bed = c.environment.seabed;
   if (!bed.present) return false;
@@ -349,7 +352,7 @@ void lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines,
   std::vector<Rope> ropes = ropes_of(c, lines);
   std::map<std::pair<std::string, std::string>, std::string> done;
   Crossings crossings(c, ropes);
-  // What was raised may meet a third.
+  // A raised line may meet a third one.
   for (size_t i = 0; i < ropes.size(); ++i) {
     crossings.sweep(done);
     if (!apply(ropes)) break;

@@ -1,5 +1,6 @@
-// Which of two lines that cross near the bed lies over the other, and lines over volumes on the bed: start
-// shapes that find one line in another, or below what leaves no room on the bed, are laid over it.
+// Start shapes at crossings: which of two lines that cross near the bed lies over the other, and lines over
+// volumes on the bed. If a start shape passes through another line, or through a volume with no room for the
+// line under it, it is raised over that.
 #pragma once
 
 #include <memory>
@@ -11,7 +12,7 @@
 
 namespace hawser {
 
-// A line as the case gives it, whole where it is cut later, with its mesh and its shape.
+// A line of the case with its mesh and its shape; for a line that is cut later, the uncut line.
 struct StartedLine {
   const model::Line* line = nullptr;
   const Mesh* mesh = nullptr;
@@ -19,12 +20,12 @@ struct StartedLine {
   LineStart shape;
 };
 
-// Lines that start by themselves are moved; notes say which. InputError where nothing says which of two lines
-// lies over the other. See docs/theory/line-line.md.
+// Moves lines with automatic start shapes; notes name them. Throws InputError if nothing decides which of two
+// lines lies over the other. See docs/theory/line-line.md.
 void lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines,
                          std::vector<std::string>& notes);
 
-// surfaces: of the volumes of the case; empty: nothing is known of them.
+// surfaces: of the volumes of the case; empty: volumes are ignored.
 void lay_over_volumes(const model::Case& c, const Bodies& bodies,
                       const std::vector<std::shared_ptr<const Surface>>& surfaces,
                       std::vector<StartedLine>& lines, std::vector<std::string>& notes);

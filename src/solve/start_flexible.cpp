@@ -1,5 +1,5 @@
-// From the case to the energy minimisation that gives a line's start shape: its pieces, loads, bed and water,
-// drag of a current in turns with the shape, and folds straightened out.
+// Start shape of a line by minimisation of its energy: pieces, loads, bed and water from the case, the drag
+// of a current, which depends on the shape, and the removal of folds.
 #include "start_flexible.hpp"
 
 #include <algorithm>
@@ -12,15 +12,16 @@
 namespace hawser {
 namespace {
 
-constexpr int kMostPieces = 300;  // enough for a start shape, however fine the mesh is
-constexpr double kStreams = 0.1;  // drag over weight that a catenary does not do for
+constexpr int kMostPieces = 300;  // sufficient for a start shape, however fine the mesh is
+constexpr double kStreams = 0.1;  // ratio of drag to weight above which a catenary is not used
 constexpr int kDragRounds = 8;
-constexpr double kSettled = 5e-3;  // of the length: the drag's shape is good enough
-constexpr double kFold = 0.2;      // cosine between neighbouring pieces below which a line is folded up
-constexpr double kPressed = 0.05;  // strain that a fold is pressed flat with
-constexpr double kPull = 0.01;     // of the weight: what takes slack out of its heap
+constexpr double kSettled = 5e-3;  // of the length: change of the shape below which it is accepted
+// cosine of the angle between neighbouring pieces below which the line is folded
+constexpr double kFold = 0.2;
+constexpr double kPressed = 0.05;  // compressive strain by which a fold is laid straight
+constexpr double kPull = 0.01;     // of the weight: pull that takes slack out of a heap
 
-// Of elements [first, last) of the mesh, as one, as long as they are without tension.
+// Elements [first, last) of the mesh as one piece, with its length without tension.
 FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const Mesh& mesh, int first,
                           int last) {
   FlexibleLine::Piece p;
@@ -35,7 +36,7 @@ FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const M
     compliance += g.length / t.EA;
     const double from = mesh.nodes[g.first].arc;
     for (const auto& l : line.loads) {
-      if (l.ramp > 0) continue;  // not there yet at t = 0
+      if (l.ramp > 0) continue;  // the load is zero at t = 0
       const double end = l.to < 0 ? HUGE_VAL : l.to;
       const double overlap = std::min(from + g.length, end) - std::max(from, l.from);
       if (overlap > 0) p.load += overlap * l.per_length;
@@ -47,8 +48,8 @@ FlexibleLine::Piece piece(const model::Case& c, const model::Line& line, const M
   return p;
 }
 
-// What drag is made of, a piece: half the density, coefficient and diameter across, and along the skin;
-// kg/m².
+// Coefficients of the drag of a piece, kg/m²: half the density times coefficient times diameter, normal to
+// the line and along its surface.
 struct DragSection {
   double normal = 0, axial = 0;
 };
@@ -58,7 +59,7 @@ Vec3 drag(const DragSection& s, const Vec3& u, const Vec3& chord) {
   return s.normal * across.norm() * across + s.axial * along.norm() * along;
 }
 
-// Drag is held while the line moves, and the line while the drag is computed, by turns and half of it a time.
+// Computes drag and shape in turns, each with the other held. Drag is under-relaxed by a half.
 std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& current, FlexibleLine line,
                              const std::vector<DragSection>& sections, const std::vector<Vec3>& still) {
   std::vector<Vec3> x = still, pull(sections.size(), Vec3::Zero()), dead;
@@ -82,7 +83,8 @@ std::vector<Vec3> in_current(const model::Water& water, const CurrentProfile& cu
     x = next;
     if (change < kSettled * length) break;
   }
-  // Pushed together on the bed: statics finds its way from still water rather than from a fold.
+  // A line that is pushed together on the bed: statics starts better from the shape in still water than from
+  // a fold.
   return folded(x) ? still : x;
 }
 
@@ -106,9 +108,9 @@ bool folded_at(const std::vector<Vec3>& x, size_t i) {
   return (x[i + 1] - x[i]).normalized().dot((x[i] - x[i - 1]).normalized()) < kFold;
 }
 
-// Between two elements of a beam that is folded there is half a turn, out of which no tangent shows a way. As
-// much of the line around the fold as takes it by a small strain is laid straight; statics lets it go into
-// the rest.
+// Between two elements of a folded beam there is a rotation of half a turn, from which no tangent leads out.
+// The line around a fold is laid straight over a length that takes it by the small strain kPressed; statics
+// relaxes this strain into the rest of the line.
 void unfold(const Mesh& mesh, const LineSpan& span, std::vector<Vec3>& x) {
   const size_t last = x.size() - 1;
   std::vector<double> arc;
@@ -159,7 +161,7 @@ bool goes_through(const model::Case& c, const model::Line& line, const std::vect
     return (bed.present && model::height_above_bed(bed, p) < -thick) ||
            (water.present && p.z() > water.surface + thick);
   };
-  // Ends stand where they are held.
+  // End nodes are excluded because they stay where they are held.
   return x.size() > 2 && std::any_of(x.begin() + 1, x.end() - 1, through);
 }
 
@@ -170,7 +172,8 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
   FlexibleLine f;
   f.held_a = line.end_a.kind != model::EndKind::free;
   f.held_b = line.end_b.kind != model::EndKind::free;
-  // On a measured bed the shape is lifted afterwards; what lies needs one at about the height, to go along.
+  // With a measured bed the shape is lifted onto it afterwards. A line that lies needs a plane at about the
+  // right height here, along which it can be laid.
   const Vec3& held = f.held_a ? x.front() : x.back();
   const double height = bed.present && bed.surface ? model::height_above_bed(bed, held) : 0;
   f.bed = bed.present && (!bed.surface || (!way.isZero(0) && std::isfinite(height)));
@@ -190,7 +193,7 @@ std::vector<Vec3> flexible_start(const model::Case& c, const model::Line& line, 
     thick = std::max(thick, 2 * f.pieces.back().radius);
     const auto& t = c.line_types[mesh.elements[span.first_element + e].type];
     s.push_back(mesh.nodes[span.first_node + last].arc);
-    // Per length of the piece, as its weight.
+    // Per length of the piece, like its weight.
     const double per =
         0.5 * water.density * t.dragged() * (s.back() - s[s.size() - 2]) / f.pieces.back().length;
     drags.push_back({per * t.Cd_normal, per * t.Cd_axial * M_PI});

@@ -1,5 +1,5 @@
 // Start shape of a line with one free end that lies on the bed or floats: its direction, the hanging part,
-// the bend at the touchdown point and the part along the ground.
+// the bend at the touchdown point, and the part along the ground.
 #include "start_free_end.hpp"
 
 #include <algorithm>
@@ -14,16 +14,16 @@ namespace hawser {
 namespace {
 
 constexpr int kBisections = 50;
-constexpr double kMostBend = 0.5;  // of the height over the level: radius of the bend
+constexpr double kMostBend = 0.5;  // largest radius of the bend, over the height above the ground
 
 Vec3 level(const Vec3& v) { return {v.x(), v.y(), 0}; }
 
-// Where a line lies: the bed, or the surface.
+// The surface on which a line lies: the bed or the water's surface.
 class Ground {
  public:
   Ground(const model::Environment& sea, bool floats) : sea_(sea), floats_(floats) {}
 
-  // x, moved straight up or down to it; as it is where the bed ends.
+  // Moves x vertically to the ground; beyond the edge of the bed x is returned.
   Vec3 under(Vec3 x) const {
     if (floats_) return {x.x(), x.y(), sea_.water.surface};
     const model::Seabed& bed = sea_.seabed;
@@ -38,14 +38,14 @@ class Ground {
     return y;
   }
 
-  // On from x, which is on it, by `length` along it.
+  // The point on the ground at `length` from x, which is on it, in the direction `way`.
   Vec3 on(const Vec3& x, const Vec3& way, double length) const {
     const Vec3 ahead = under(x + length * way);
     return under(x + length * (ahead - x).normalized());
   }
 
  private:
-  static constexpr int kMostDrops = 50;  // the nearest place of a steep bed is far from the one below
+  static constexpr int kMostDrops = 50;  // on a steep bed the nearest point is far from the one below
   const model::Environment& sea_;
   bool floats_;
 };
@@ -64,13 +64,14 @@ std::vector<CatenarySection> first_of(const std::vector<CatenarySection>& sectio
   return out;
 }
 
-// Unit normal of a measured bed near x; upwards beyond its edge.
+// Unit normal of a measured bed near x; vertical beyond its edge.
 Vec3 normal_at(const Surface& bed, const Vec3& x) {
   const auto nearest = bed.query(x, HUGE_VAL);
   return nearest ? nearest->normal : Vec3(Vec3::UnitZ());
 }
 
-// Of the bend where what hangs under its own weight begins to lie: EI/r² bends what weighs w r.
+// Radius r of the bend where a hanging line begins to lie. The moment EI/r is that of the weight w r at an
+// arm r, so r³ = EI/w.
 double bend(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections) {
   double stiffest = 0, lightest = HUGE_VAL;
   for (const auto& s : line.sections)
@@ -116,7 +117,7 @@ std::optional<std::vector<Vec3>> laid_free_end(const model::Case& c, const model
   const Ground ground(c.environment, floats);
   const Vec3 way = direction_of_free_end(c, line, end, floats);
   const double height = end.at.z() - ground.under(end.at).z(), up = height < 0 ? -1 : 1;
-  if (floats && height > 0)  // it hangs down in the air; how heavy matters to its stretch alone
+  if (floats && height > 0)  // the line hangs in the air; its weight matters only to its stretch
     for (CatenarySection& k : sections) {
       k.load.z() *= -1;
       k.end_load.z() *= -1;

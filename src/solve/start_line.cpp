@@ -1,5 +1,5 @@
-// Which start shape each line gets: given points, another run's shape, a straight line, a catenary with or
-// without seabed, an arc of slack, or the shape of least energy.
+// Selects the start shape of each line: given points, another run's shape, a straight line, a catenary with
+// or without seabed, an arc of slack, or the shape of least energy.
 #include "start_line.hpp"
 
 #include <algorithm>
@@ -19,7 +19,8 @@
 namespace hawser {
 namespace {
 
-constexpr double kSlack = 1e-4;  // of a line's length, below which it is as long as the way between its ends
+// Relative excess of length below which a line counts as no longer than the distance of its ends.
+constexpr double kSlack = 1e-4;
 
 std::vector<CatenarySection> catenary_sections(const model::Case& c, const model::Line& line) {
   const model::Water& water = c.environment.water;
@@ -35,13 +36,13 @@ std::vector<CatenarySection> catenary_sections(const model::Case& c, const model
     k.free_strain = model::thermal_strain(t, line, from, from + s.length);
     k.load = Vec3(0, 0, buoyancy(c, t) - c.environment.gravity * t.mass_per_length);
     for (const auto& l : line.loads) {
-      if (l.ramp > 0) continue;  // not there yet at t = 0
+      if (l.ramp > 0) continue;  // the load is zero at t = 0
       const double end = l.to < 0 ? total : l.to;
       const double overlap = std::min(from + s.length, end) - std::max(from, l.from);
       if (overlap > 0) k.load += overlap / s.length * l.per_length;
     }
     from += s.length;
-    // Point masses and forces act at the end of the section they are in: a start shape need not be exact.
+    // Point masses and forces act at the end of their section, which is accurate enough for a start shape.
     const auto here = [&](double at) { return at > from - s.length && at <= from; };
     for (const auto& m : line.masses)
       if (here(m.at))
@@ -61,13 +62,13 @@ LineStart from_catenary(const CatenaryShape& shape, const Mesh& mesh, const Line
     const double s = mesh.nodes[n].arc;
     out.x.push_back(shape.position(s));
     const Vec3 t = shape.tension(s);
-    // At a free end the tension is nothing but round-off, and points anywhere.
+    // At a free end the tension is only round-off and has no meaningful direction.
     out.tangent.push_back(t.norm() > 1e-9 * most ? Vec3(t.normalized()) : Vec3::Zero());
   }
   return out;
 }
 
-// From B to A; a load at a joint goes to the section that ends there now.
+// The sections from B to A. A load at a joint of sections goes to the section that now ends there.
 std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
   std::reverse(sections.begin(), sections.end());
   for (size_t i = 0; i + 1 < sections.size(); ++i) sections[i].end_load = sections[i + 1].end_load;
@@ -75,9 +76,9 @@ std::vector<CatenarySection> backwards(std::vector<CatenarySection> sections) {
   return sections;
 }
 
-// A line from an end near the bed to one high above it: part of it may lie. From an end above the bed it
-// first hangs straight down. The closed form is that of the plane through the places on the bed under both
-// ends. Nothing when there is no such shape.
+// Start shape of a line from an end near the bed to one high above it, of which a part may lie on the bed. If
+// the lower end is above the bed, the line first hangs straight down from it. The closed form uses the plane
+// through the points on the bed under both ends. None if there is no such shape.
 std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, const Vec3& xa, const Vec3& xb,
                                 std::vector<CatenarySection> sections, const Mesh& mesh,
                                 const LineSpan& span) {
@@ -98,7 +99,7 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
   const double hang = std::max(0.0, heights[b ? 1 : 0] - 0.5 * type.contact_diameter);
   if (!(hang < sections.front().length)) return {};
   sections.front().length -= hang;
-  const double rise = (foot.z() - anchor.z()) / way;  // the sine of the slope
+  const double rise = (foot.z() - anchor.z()) / way;  // sine of the slope
   const double friction = (bed.as_laid ? bed.friction.axial : 0) * std::sqrt(1 - rise * rise) + rise;
   const auto found =
       catenary_on_bed(anchor, high, sections, std::max(0.0, friction), rise / std::sqrt(1 - rise * rise));
@@ -112,7 +113,7 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
     const double s = mesh.nodes[n].arc, from = b ? span.length - s : s;
     const double h = 1e-6 * span.length;
     out.x.push_back(place(from));
-    // Of the shape, not of the tension: what lies without tension has a direction too.
+    // The tangent is that of the shape, because a part without tension has a direction, too.
     const Vec3 t = place(std::min(span.length, from + h)) - place(std::max(0.0, from - h));
     out.tangent.push_back((b ? Vec3(-t) : t).normalized());
   }
@@ -121,7 +122,7 @@ std::optional<LineStart> on_bed(const model::Case& c, const model::Line& line, c
   return out;
 }
 
-// Nodes at equal fractions of the polyline's length; a straight line is a polyline of two points.
+// Places nodes at equal fractions of the polyline's length. A straight line is a polyline of two points.
 LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpan& span) {
   std::vector<double> at{0};
   for (size_t i = 1; i < points.size(); ++i) at.push_back(at.back() + (points[i] - points[i - 1]).norm());
@@ -137,8 +138,8 @@ LineStart along(const std::vector<Vec3>& points, const Mesh& mesh, const LineSpa
   return out;
 }
 
-// As another run left it, by share of the length; ends that are held elsewhere now take the line along, in
-// proportion to how near it is.
+// Shape of another run, by fraction of the length. If ends are held elsewhere now, the line is shifted with
+// them, in proportion to its nearness to each end.
 LineStart as_previous(const model::PreviousShape& left, const std::optional<Vec3>& xa,
                       const std::optional<Vec3>& xb, const Mesh& mesh, const LineSpan& span) {
   const RowCurve spline(left.arc, left.position);
@@ -166,7 +167,7 @@ LineStart as_previous(const model::PreviousShape& left, const std::optional<Vec3
   return out;
 }
 
-// Places alone; repair() makes the tangents.
+// A shape of positions only; repair() computes the tangents.
 LineStart through(std::vector<Vec3> x) {
   LineStart out;
   out.tangent.assign(x.size(), Vec3::Zero());
@@ -174,8 +175,9 @@ LineStart through(std::vector<Vec3> x) {
   return out;
 }
 
-// Whether all of the line sinks (or floats), and is longer than the way to the bed (or the surface), along it
-// and back: then its middle lies there without tension, and no balance says where.
+// Whether the whole line sinks (or floats) and is longer than the way from one end to the bed (or the
+// surface), along it, and up to the other end. Its middle then lies there without tension, and equilibrium
+// does not determine where.
 bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sections, const LineStart& s,
                 double length, bool& floats) {
   const model::Seabed& bed = c.environment.seabed;
@@ -193,19 +195,19 @@ bool lies_slack(const model::Case& c, const std::vector<CatenarySection>& sectio
   return length > std::hypot(to.x() - from.x(), to.y() - from.y()) + off(from) + off(to);
 }
 
-// What a catenary has under the bed, or a floating line's above the surface, lies in an arc instead. Returns
-// whether it was so.
+// Replaces the part of a catenary under the bed, or the part of a floating line above the surface, by an arc.
+// Returns whether there was such a part.
 bool lay(const model::Case& c, const std::vector<CatenarySection>& sections, const Mesh& mesh,
          const LineSpan& span, LineStart& s) {
   bool floats = false;
-  std::vector<double> arc{0};  // as long as it is without tension
+  std::vector<double> arc{0};  // arc lengths without tension
   for (int e = span.first_element; e < span.first_element + span.elements; ++e) {
     const Element& g = mesh.elements[e];
     arc.push_back(arc.back() + (1 + g.free_strain) * g.length);
   }
   if (!lies_slack(c, sections, s, arc.back(), floats)) return false;
   if (!lay_slack(c.environment, floats, arc, s.x)) return false;
-  for (Vec3& t : s.tangent) t.setZero();  // repair() makes them
+  for (Vec3& t : s.tangent) t.setZero();  // repair() computes them
   return true;
 }
 
@@ -220,7 +222,7 @@ HeldEnd held_end(const model::Case& c, const Bodies& bodies, const model::Line& 
   return out;
 }
 
-// A line with one free end that comes to lie: out of a heap.
+// Start shape of a line with one free end that comes to lie without a heap.
 LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& bodies,
                    const std::vector<CatenarySection>& sections, const Mesh& mesh, const LineSpan& span,
                    const std::vector<Vec3>& x) {
@@ -241,8 +243,8 @@ LineStart lay_free(const model::Case& c, const model::Line& line, const Bodies& 
   return through(flexible_start(c, line, mesh, span, x, direction_of_free_end(c, line, end, false)));
 }
 
-// Whether a line that is no longer than the way between its ends carries its weight by bending: as a cable it
-// would sag under the tension w L²/(8 sag), and a beam that buckles under more than that sags less.
+// Whether a line that is no longer than the distance of its ends carries its weight by bending: as a cable it
+// would sag under the tension w L²/(8 sag), and a beam whose buckling load is above this tension sags less.
 bool is_beam(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
              double length, const std::vector<Vec3>& x) {
   const Vec3 way = x.back() - x.front();
@@ -257,9 +259,9 @@ bool is_beam(const model::Case& c, const model::Line& line, const std::vector<Ca
   return load * std::pow(length, 4) < 8 * sag * M_PI * M_PI * stiffness;
 }
 
-// Whether a line that is clamped at one end stands out from there in the direction that it is given,
-// whichever that is: a column of the weight w [N/m] and the length L stands while w L³ < 7.837 EI (Greenhill
-// 1881), one under a load P at its end while P L² < pi²/4 EI (Euler).
+// Whether a line that is clamped at one end stays straight in its given direction, whichever that is. A
+// column of the weight w [N/m] and the length L stands while w L³ < 7.837 EI (Greenhill 1881), one under a
+// load P at its end while P L² < pi²/4 EI (Euler).
 bool stands(const model::Case& c, const model::Line& line, const std::vector<CatenarySection>& sections,
             double length) {
   const model::End& e = line.end_a.kind != model::EndKind::free ? line.end_a : line.end_b;
@@ -303,7 +305,7 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
     return a ? along({xa, xa + span.length * d}, mesh, span) : along({xb - span.length * d, xb}, mesh, span);
   };
   const auto sections = catenary_sections(c, line);
-  // Nothing to hang by: any shape of the right length will do, and a straight one is the least surprise.
+  // Without loads any shape of the right length is an equilibrium. A straight one is what users expect.
   const bool loaded = std::any_of(sections.begin(), sections.end(), [](const CatenarySection& s) {
     return !s.load.isZero(0) || !s.end_load.isZero(0);
   });
@@ -318,7 +320,7 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
       }
       return from_catenary(a ? catenary_free_b(xa, sections) : catenary_free_a(xb, sections), mesh, span);
     } catch (const std::invalid_argument&) {
-      return {};  // slack, and its shape not determined
+      return {};  // slack, so that the shape is not determined
     } catch (const std::runtime_error&) {
       return {};
     }

@@ -1,4 +1,4 @@
-// Where a line is put before statics.
+// Start shape of a line before statics.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 namespace hawser {
 
 struct LineStart {
-  std::vector<Vec3> x, tangent;  // m, unit; one a node; a tangent of zero where the shape has none
-  std::vector<Quat> q;           // where known, else empty
+  std::vector<Vec3> x, tangent;  // m, unit vectors, by node; a tangent is zero if the shape has none there
+  std::vector<Quat> q;           // if known, else empty
 };
 
-// The pose at t = 0 of what holds this end.
+// The pose at t = 0 of the body that holds this end; identity if there is none.
 RigidPose start_pose(const model::Case& c, const Bodies& bodies, const model::End& e);
 
-// A line none of which is buried, by what the case says of its start. InputError when it says nothing and
-// nothing holds the line.
+// Start shape of a line that is not buried, as the case specifies. Throws InputError if the case gives no
+// start shape and both ends are free.
 LineStart line_start(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& mesh,
                      const LineSpan& span);
 
@@ -30,16 +30,16 @@ struct LineStretch {
 };
 LineStretch stretch_of(const model::Line& line, const Mesh& mesh, const LineSpan& span, int first, int last);
 
-// A line that is fed at an end or at both, and is no longer than what is outside.
+// Start shape of a line that is fed at one end or both; only the part outside the feeders is spread out.
 LineStart line_start_fed(const model::Case& c, const model::Line& line, const Bodies& bodies,
                          const Mesh& mesh, const LineSpan& span);
 
-// Ends in the soil go straight out of it; between them the line is one that starts on the bed. What is buried
-// ends at a node here.
+// Start shape of a line with ends in the soil: they go straight out of it, and the line between them is one
+// that starts on the bed. Buried stretches must end at nodes.
 LineStart line_start_from_soil(const model::Case& c, const model::Line& line, const Bodies& bodies,
                                const Mesh& mesh, const LineSpan& span);
 
-// What is under a bed that is no plane is put on it: the start of statics, not its answer.
+// Moves nodes under a measured bed onto it. This is only a start for statics.
 void lift(const model::Seabed& bed, LineStart& s);
 
 }  // namespace hawser

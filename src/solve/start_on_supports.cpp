@@ -1,5 +1,5 @@
-// The line as a string over its supports: the way over them as a smooth curve, where it leaves that, and the
-// rest of it.
+// Start shape of a line over its supports, as a string: a smooth curve over them, the point where it leaves
+// them, and the rest of the line.
 #include "start_on_supports.hpp"
 
 #include <fmt/format.h>
@@ -14,10 +14,11 @@
 namespace hawser {
 namespace {
 
-constexpr double kClear = 0.01;      // of the radius: so far above its rollers the line starts
-constexpr double kStretched = 0.02;  // what a line may lack of the shortest way, and stretch by
-constexpr int kPieces = 24;          // of the way between two boxes, and of a catenary ten times that
-constexpr double kSteepest = 1.55;   // rad, that a line goes down from its last support at the start
+constexpr double kClear = 0.01;  // of the radius: clearance of the line above its rollers at the start
+// of the length: by how much a line may be shorter than its path, which stretches it
+constexpr double kStretched = 0.02;
+constexpr int kPieces = 24;         // in a cubic between two supports; a catenary has ten times as many
+constexpr double kSteepest = 1.55;  // rad, largest angle at which a line leaves its last support at the start
 
 struct Place {
   Vec3 at, along;  // m; unit
@@ -25,7 +26,7 @@ struct Place {
 
 double dip(const Vec3& along) { return -std::asin(std::clamp(along.z(), -1.0, 1.0)); }
 
-// A chain of places that grows, with the length so far.
+// A chain of places with the length up to each.
 struct Chain {
   std::vector<Place> places;
   std::vector<double> arc;  // m
@@ -36,7 +37,7 @@ struct Chain {
   double length() const { return arc.back(); }
 };
 
-// The cubic through two places in their directions.
+// Adds the cubic through two places with their directions.
 void add_cubic(Chain& chain, const Place from, const Place& to) {
   const double d = (to.at - from.at).norm();
   for (int i = 1; i <= kPieces; ++i) {
@@ -50,11 +51,11 @@ void add_cubic(Chain& chain, const Place from, const Place& to) {
 }
 
 struct Rest {
-  double deep = 0, wide = 0;  // m, down and over to the other end
-  double length = 0;          // m, of line that is left for it
+  double deep = 0, wide = 0;  // m, vertical and horizontal distance to the other end
+  double length = 0;          // m, of line that remains
 };
 
-// A catenary that leaves at the angle `down` and meets the bed along it: its horizontal way and its length.
+// A catenary that leaves at the angle `down` and is tangent to the bed: its horizontal extent and its length.
 struct Sag {
   double scale, wide, length;  // m; scale: horizontal force over weight per length
   Sag(double down, double deep)
@@ -63,8 +64,9 @@ struct Sag {
         length(scale * std::tan(down)) {}
 };
 
-// What the line lacks to leave at this angle [m]: a catenary, and along the bed to the other end. Grows with
-// the angle and with the way along the supports; at small angles the other end comes before the bed.
+// The length [m] that is missing if the line leaves at this angle in a catenary and then lies along the bed
+// to the other end. It increases with the angle and with the position along the supports. At small angles the
+// catenary does not reach the bed before the other end.
 double lacking(double down, const Rest& r) {
   if (!(down > 1e-4)) return -HUGE_VAL;
   const Sag sag(down, r.deep);
@@ -106,7 +108,7 @@ class OverSupports {
   }
 
   bool known() const { return known_; }
-  // From the tensioner on; its length is about that of the line.
+  // The path from the tensioner on; its length is about that of the line.
   const Chain& find() {
     if (!to_)
       hang();
@@ -121,7 +123,7 @@ class OverSupports {
     const Vec3& p = way_.places[i].at;
     return {p.z() - to_->z(), std::hypot(to_->x() - p.x(), to_->y() - p.y()), length_ - way_.arc[i]};
   }
-  // Down from place i to the bed in a catenary, and along it. Nothing when the other end is not on the bed.
+  // From place i down to the bed in a catenary, and along the bed. False if the other end is not on the bed.
   bool to_bed() {
     const model::Seabed& bed = c_.environment.seabed;
     if (!bed.present ||
@@ -132,7 +134,7 @@ class OverSupports {
     const Rest r = rest(i);
     double down = dip(way_.places[i].along);
     if (!(r.deep > 0) || i == 1 || lacking(down, r) > kStretched * length_) return false;
-    if (!(lacking(down, r) >= 0)) {  // more line than leaves there along the supports goes down more steeply
+    if (!(lacking(down, r) >= 0)) {  // the line is longer than this path needs, so it leaves more steeply
       double low = std::max(down, 1e-3), high = kSteepest;
       for (int k = 0; k < 100; ++k) (lacking(0.5 * (low + high), r) >= 0 ? high : low) = 0.5 * (low + high);
       down = high;
@@ -142,7 +144,7 @@ class OverSupports {
     const Vec3 p = way_.places.back().at;
     const Vec3 over = Vec3(to_->x() - p.x(), to_->y() - p.y(), 0).normalized();
     const int pieces = 10 * kPieces;
-    for (int k = 1; k <= pieces; ++k) {  // from the bed, where it is flat: x = a asinh(s / a)
+    for (int k = 1; k <= pieces; ++k) {  // from the bed, where it is horizontal: x = a asinh(s / a)
       const double s = sag.length * (1 - static_cast<double>(k) / pieces), t = std::asinh(s / sag.scale);
       const Vec3 x = p + (sag.wide - sag.scale * t) * over;
       way_.add({Vec3(x.x(), x.y(), to_->z() + sag.scale * (std::cosh(t) - 1)),
@@ -151,7 +153,7 @@ class OverSupports {
     way_.add({*to_, over});
     return true;
   }
-  // Pulled straight from where it leaves the supports to its other end.
+  // Straight from where it leaves the supports to the other end.
   void straight() {
     size_t i = first_;
     const auto to_end = [&](size_t k) { return Vec3((*to_ - way_.places[k].at).normalized()); };
@@ -166,7 +168,7 @@ class OverSupports {
                 "{:.6g} m; make it {:.3g} m longer, or move the end",
                 length_, way_.length(), way_.length() - length_);
   }
-  // A free end: off the last support straight on, and along the bed.
+  // With a free end: straight on from the last support, and along the bed.
   void hang() {
     if (way_.length() >= length_) return;
     const model::Seabed& bed = c_.environment.seabed;
@@ -193,8 +195,8 @@ class OverSupports {
   const double length_;
   double radius_ = 0;
   Chain way_;
-  // Places from which it may leave: of the last box that is closed above, or the first there is; of the last
-  // box.
+  // Places from which the line may leave the supports: first_ is at the last box that is closed above, or at
+  // the first place if there is none; last_ is at the last box.
   size_t first_ = 1, last_ = 0;
   std::optional<Vec3> to_;
   bool a_ = true, known_ = false;

@@ -8,9 +8,9 @@
 
 namespace hawser {
 
-// From its tensioner over its supports, off them along their direction in a catenary to the bed and along
-// that to its other end; a free end lies where it comes to. Nothing where the line has no supports or no held
-// end. InputError when the line is too short to lie so.
+// From the tensioner over the supports, in a catenary from the last support to the bed, and along the bed to
+// the other end. A free end lies where the length ends. None if the line has no supports or no held end.
+// Throws InputError if the line is too short for this path.
 std::optional<LineStart> line_over_supports(const model::Case& c, const model::Line& line,
                                             const Bodies& bodies, const Mesh& mesh, const LineSpan& span);
 

@@ -1,5 +1,5 @@
-// Start positions from start_line.hpp for every line, rotations of least twist along it, what holds and
-// carries the ends of lines from then on (hold_ends, tied ones as well), and the start of floating bodies.
+// Start positions of every line from start_line.hpp, rotations with least twist along it, what holds and
+// carries the ends of lines from then on (hold_ends, also tied ones), and the start of floating bodies.
 #include "hawser/solve/start_shape.hpp"
 
 #include <fmt/format.h>
@@ -20,9 +20,10 @@ namespace {
 
 using Surfaces = std::vector<std::shared_ptr<const Surface>>;
 
-constexpr double kAgainst = 0.75 * M_PI;  // rad between a direction that is given and that of the shape
+// Angle (rad) between a given direction and that of the shape, from which a note is written.
+constexpr double kAgainst = 0.75 * M_PI;
 
-// Tangents where the shape has none (a slack end): from the neighbours' positions.
+// Computes missing tangents (of a slack end) from the positions of the neighbours.
 void repair(LineStart& s) {
   for (size_t i = 0; i < s.x.size(); ++i) {
     if (s.tangent[i].norm() > 0) continue;
@@ -45,8 +46,8 @@ bool rigid(const model::Case& c, const model::End& e) {
   return e.kind == model::EndKind::joint && c.joint(e.body).rigid;
 }
 
-// Whether the line would go into the ground if its end at x, on the ground, had the opposite of this
-// direction.
+// Whether the line would go into the ground if its end at x, on the ground, had the direction opposite to
+// this one.
 bool opposite_is_below_ground(const model::Case& c, bool at_b, const Vec3& x, const Vec3& given) {
   const model::Environment& e = c.environment;
   const double height = e.seabed.present  ? model::height_above_bed(e.seabed, x)
@@ -56,7 +57,7 @@ bool opposite_is_below_ground(const model::Case& c, bool at_b, const Vec3& x, co
   return outwards > 0 && height < 1e-3 * std::abs(x.z() - e.water.surface);
 }
 
-// Says that an end is clamped against the way that the line takes there by itself.
+// Adds a note if an end is clamped against the direction that the line would have there.
 void warn_of_direction(const model::Case& c, const model::Line& line, bool at_b, const Vec3& x,
                        const Vec3& own, const Vec3& given, std::vector<std::string>& notes) {
   const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
@@ -70,7 +71,7 @@ void warn_of_direction(const model::Case& c, const model::Line& line, bool at_b,
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
 }
 
-// Places and tangents of a line that is not a part of another.
+// Positions and tangents of an uncut line.
 LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& bodies, const Mesh& g,
                    const LineSpan& span) {
   LineStart shape = line.end_a.feed || line.end_b.feed ? line_start_fed(c, line, bodies, g, span)
@@ -82,7 +83,7 @@ LineStart shape_of(const model::Case& c, const model::Line& line, const Bodies& 
   return shape;
 }
 
-// Clamped ends have their directions, and nodes their axes.
+// Sets the directions of clamped ends, and the axes of all nodes.
 void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, LineStart& shape,
           std::vector<std::string>& notes) {
   repair(shape);
@@ -103,13 +104,13 @@ void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, L
     q.push_back(axes_along(shape.tangent[0]));
     for (size_t i = 1; i < shape.x.size(); ++i)
       q.push_back((minimal_rotation(shape.tangent[i - 1], shape.tangent[i]) * q.back()).normalized());
-  } else {  // a clamped end may point elsewhere now
+  } else {  // the tangent of a clamped end may have changed
     for (size_t i = 0; i < q.size(); ++i)
       q[i] = (minimal_rotation(q[i] * Vec3::UnitX(), shape.tangent[i]) * q[i]).normalized();
   }
 }
 
-// Of a part of a line that is cut: what it has of the whole.
+// The part of the uncut line's shape that belongs to a part of it.
 LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) {
   LineStart shape = whole.shape;
   const auto first = whole.mesh->nearest_node(0, line.from), last = first + nodes;
@@ -123,12 +124,12 @@ LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) 
   return shape;
 }
 
-// Of each line of the case, parts of one that is cut on their own.
+// Start shapes of all lines of the case. Parts of an uncut line are separate lines of the case.
 std::vector<LineStart> all_shapes(const model::Case& c, const Mesh& g, const Bodies& bodies,
                                   const Surfaces& surfaces, std::vector<std::string>& notes) {
   std::vector<StartedLine> uncut_lines;
-  std::deque<Mesh> meshes;       // of lines that are cut
-  std::vector<size_t> whole_of;  // of each line
+  std::deque<Mesh> meshes;       // of the uncut lines
+  std::vector<size_t> whole_of;  // for each line: index into uncut_lines
   for (size_t l = 0; l < c.lines.size(); ++l) {
     const model::Line& line = c.lines[l];
     if (!line.whole || uncut_lines.empty() || uncut_lines.back().line != line.whole.get()) {
@@ -155,8 +156,8 @@ std::vector<LineStart> all_shapes(const model::Case& c, const Mesh& g, const Bod
   return out;
 }
 
-// Where nothing clamps a line of beams its twist is held at an end: 0 or 1; at a joint only where no other
-// end is held. -1: at none.
+// The end (0 or 1) at which the twist of a line of beams is held if neither end is clamped; a joint only if
+// no other end is held. -1: none.
 int twist_end(const model::Case& c, const model::Line& line) {
   if (line.end_a.clamped || line.end_b.clamped || rigid(c, line.end_a) || rigid(c, line.end_b)) return -1;
   const bool joint_first = line.end_a.kind == model::EndKind::joint;
@@ -167,13 +168,13 @@ int twist_end(const model::Case& c, const model::Line& line) {
   return -1;
 }
 
-// What holds the ends of a line.
+// Ties the held ends of a line.
 void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape& out) {
   const Mesh& g = *mesh.mesh;
   const model::Line& line = c.lines[l];
   const model::Line& whole = line.whole ? *line.whole : line;
   const LineSpan& span = g.lines[l];
-  // Friction of the bed holds a line without held ends that was laid on it; nothing holds its twist.
+  // The bed's friction holds a laid line whose ends are both free, but nothing holds its twist.
   if (whole.end_a.kind == model::EndKind::free && whole.end_b.kind == model::EndKind::free &&
       line.from == 0 && c.statics.enabled && model::laid_with_friction(c, whole) &&
       g.nodes[span.first_node].rotates)
@@ -193,7 +194,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
     const int node = span.first_node + (end ? span.nodes - 1 : 0);
     const bool joint = e.kind == model::EndKind::joint;
     if (const int here = mesh.find(node); joint && here >= 0)
-      out.state.x[here] = e.at;  // exactly as the other ends there
+      out.state.x[here] = e.at;  // exactly where the other ends at the joint are
     if (joint && (end != twist || !g.nodes[node].rotates)) continue;
     TiedNode s;
     if (joint) s.position_mask = 0;
@@ -219,7 +220,7 @@ void hold_ends(const model::Case& c, const LocalMesh& mesh, size_t l, StartShape
   }
 }
 
-// Ends that follow a frame of the mesh: at rigid joints, and where one lets an end go.
+// Ties ends that follow a frame of the mesh: at rigid joints, and at joints that release an end.
 void tie_to_joints(const model::Case& c, const LocalMesh& mesh, StartShape& out) {
   const Mesh& g = *mesh.mesh;
   for (int n = 0; n < mesh.nodes(); ++n) {

@@ -1,4 +1,4 @@
-// The circular arc on the bed or the water's surface that takes up the slack between two ends.
+// The circular arc on the bed or on the water's surface that takes up the slack between two ends.
 #include "hawser/solve/start_slack.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kStraight = 1e-4;  // below which an arc is taken for straight
+constexpr double kStraight = 1e-4;  // relative excess of length below which the arc is straight
 
 double bed_height(const model::Seabed& bed, const Vec3& x) {
   return -bed.depth -
@@ -24,7 +24,7 @@ double half_angle(double chord, double length) {
   return 0.5 * (low + high);
 }
 
-// Unit vector across the chord that the arc bulges to.
+// Unit vector normal to the chord, towards which the arc bulges.
 Vec3 bulge(const model::Environment& sea, const Vec3& chord) {
   const Vec3 left(-chord.y(), chord.x(), 0);
   const model::Current& current = sea.water.current;
@@ -57,7 +57,8 @@ bool lay_slack(const model::Environment& sea, bool floats, const std::vector<dou
   const Vec3 across = bulge(sea, along);
   const bool straight = length < (1 + kStraight) * chord;
   const double half = straight ? 0 : half_angle(chord, length);
-  // An end above (or below) where the line lies goes there over three times its height, within half the way.
+  // If an end is above or below the plane in which the line lies, the line rises to it over three times the
+  // height, at most over half the length.
   const double end_z[2] = {from.z(), to.z()};
   for (size_t i = first + 1; i < last; ++i) {
     const double z = (arc[i] - arc[first]) / length;

@@ -1,4 +1,5 @@
-// Newton's descent with line search, soft lines first, and how unstable equilibria are left.
+// Newton's method with a line search on the energy, which begins with soft lines and leaves unstable
+// equilibria.
 #include "static_search.hpp"
 
 #include <fmt/format.h>
@@ -15,13 +16,14 @@ namespace hawser {
 namespace {
 
 constexpr double kArmijo = 1e-4;
-constexpr double kRounding = 1e-10;  // of an energy
+constexpr double kRounding = 1e-10;  // relative difference of energies below which it is rounding
 constexpr double kFirstShift = 1e-3;
-constexpr double kSoft = 300, kStiffening = 30;  // axial stiffness over load at the start, and a stage on
+// Ratio of axial stiffness to load at the start; its factor from stage to stage.
+constexpr double kSoft = 300, kStiffening = 30;
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
-    1e-7;                      // shift that eigenvalues of what lies slack, nothing but round-off, stay below
-constexpr int kMostCut = 100;  // steps of a descent that lines in their way may cut short
+    1e-7;                      // relative shift; eigenvalues of slack parts, only round-off, stay below it
+constexpr int kMostCut = 100;  // most steps of a descent that blocking lines may shorten
 
 }  // namespace
 
@@ -32,7 +34,7 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
   check(SNESGetLineSearch(snes_.get(), &line));
   check(SNESLineSearchSetType(line, SNESLINESEARCHSHELL));
   check(SNESLineSearchShellSetUserFunc(line, search, this));
-  // A tangent without an inverse has a larger shift next time.
+  // If a tangent is singular, the next one has a larger shift.
   check(SNESSetMaxLinearSolveFailures(snes_.get(), PETSC_MAX_INT));
   check(SNESSetTolerances(snes_.get(), 0, 0, 0, settings.max_iterations + 1, PETSC_DEFAULT));
 }
@@ -40,17 +42,19 @@ StaticSearch::StaticSearch(System& system, const StaticsSettings& settings, Stat
 StaticsReport StaticSearch::run(bool again) {
   if (!again) approach();
   State left;       // the equilibrium that was left last
-  double push = 0;  // m, to where relaxation began from there
+  double push = 0;  // m, distance from it at which relaxation began
   for (;;) {
     descend(settings_.tolerance);
     use_tangent(true, kNegative);
     weights_.stiffer = 0;
     tangent();
-    check(KSPReset(ksp_.get()));  // its factors need not be in memory beside those of the inertia
+    // Frees the factors, so that they are not in memory together with those of the inertia.
+    check(KSPReset(ksp_.get()));
     report_.negative_eigenvalues = negative_eigenvalues(J_.get(), !system_.coupled());
-    // Friction's tangent is unsymmetric: the inertia of its symmetric part says nothing.
+    // Friction has an unsymmetric tangent; the inertia of its symmetric part does not decide on stability.
     if (settings_.near || report_.negative_eigenvalues <= 0) break;
-    // Nor does it of drag: what relaxation brings back nearer than it was pushed is stable.
+    // The same holds for drag. An equilibrium is therefore stable if relaxation returns to within the
+    // distance of the push.
     if (push > 0 && away(left) < push) {
       report_.negative_eigenvalues = -1;
       --report_.escapes;
@@ -89,7 +93,7 @@ void StaticSearch::approach() {
     system_.soften(soft);
     descend(1e-4);
   }
-  if (system_.soften(stiff)) descend(1e-4);  // what yields, over its elastic rest
+  if (system_.soften(stiff)) descend(1e-4);  // with yielding, from the elastic equilibrium
   system_.soften(HUGE_VAL);
 }
 
@@ -104,7 +108,7 @@ void StaticSearch::descend(double tolerance) {
 }
 
 SNESConvergedReason StaticSearch::check_step(int iteration) {
-  const bool others = prepare();  // pairs of lines that may touch move with them
+  const bool others = prepare();  // pairs of lines that may touch change with the state
   system_.residual(state_.view(0), r_.get());
   if (others) report_.norms = system_.norms(r_.get());
   check(VecCopy(r_.get(), f_.get()));
@@ -147,7 +151,8 @@ bool StaticSearch::advance(Vec y) {
     system_.residual(trial_.view(0), r_.get());
     const ResidualNorms n = system_.norms(r_.get());
     if (!std::isfinite(e) || !std::isfinite(n.force)) continue;
-    // Where the difference of the energies is lost in rounding: by their slopes at both ends of the step.
+    // If the difference of the energies is lost in rounding, the trapezoidal rule on their slopes at both
+    // ends of the step replaces it.
     const bool flat = std::abs(e - energy_) <= kRounding * std::abs(energy_);
     const double rise = flat ? 0.5 * factor * (slope + slope_at_trial()) : e - energy_;
     const bool down = slope < 0 && rise <= kArmijo * factor * slope;
@@ -157,8 +162,7 @@ bool StaticSearch::advance(Vec y) {
       report_.norms = n;
     }
   }
-  // Cut short again and again by what lines would pass through: they come ever nearer, and there is no way
-  // on.
+  // If lines block step after step, they approach each other more and more, and there is no way on.
   if (!blocked) blocked_by_.clear();
   cut_ += blocked;
   if ((!taken && shift_ > 1e6) || cut_ > kMostCut) {
@@ -186,8 +190,8 @@ void StaticSearch::polish() {
     step(1);
     if (!path_is_clear()) break;
     system_.residual(trial_.view(0), r_.get());
-    // Into what counts as noise too: in nearly inextensible lines its worst case is the pull of a whole
-    // anchor.
+    // The residual is reduced below its round-off, too: for nearly inextensible lines the bound of the
+    // round-off can be as large as the pull of an anchor.
     const auto size = [](ResidualNorms n) {
       n.round_off = 0;
       return n.relative();
@@ -196,7 +200,7 @@ void StaticSearch::polish() {
     accept_trial();
     ++report_.iterations;
   }
-  residual();  // the reactions are those of the state
+  residual();  // so that the reactions are those of the state
 }
 
 void StaticSearch::use_tangent(bool exact, double shift) {

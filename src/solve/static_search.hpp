@@ -13,57 +13,57 @@ namespace hawser {
 
 class StaticSearch : StaticTrial {
  public:
-  // relaxation: leaves false equilibria by it; null: by Newton's descent.
+  // relaxation: unstable equilibria are left by relaxation; null: by Newton's descent.
   StaticSearch(System& system, const StaticsSettings& settings, State& state,
                const RelaxationSettings* relaxation = nullptr);
 
-  // again: from an equilibrium in which little has changed. Throws SolveError, or as throw_no_equilibrium()
-  // does.
+  // again: the state is an equilibrium in which little has changed. Throws SolveError, or what
+  // throw_no_equilibrium() throws.
   StaticsReport run(bool again = false);
-  // Nothing leads out of forces whose squares are beyond all numbers: SolveError.
+  // Throws SolveError if the squares of the forces at the start overflow, from which no step can recover.
   void check_start();
 
  private:
-  void residual() override;  // at the state, where the increment is always zero
+  void residual() override;  // at the state, because the increment is always zero
   void tangent() override;
   SNESConvergedReason check_step(int iteration) override;
   static PetscErrorCode search(SNESLineSearch search, void* self);
 
-  // Where the axial stiffness is far above the forces, equilibrium is found with a soft line first, and that
-  // of lines that yield with elastic ones.
+  // If the axial stiffness is far above the forces, finds the equilibrium with softer lines first, and that
+  // of lines that yield with elastic lines first.
   void approach();
   void descend(double tolerance);
-  // Moves the state along Newton's direction y: as far as the energy falls or, near the end, the residual.
-  // Whether it moved; why the search ends, where it does.
+  // Moves the state along Newton's direction y as far as the energy or, near the solution, the residual
+  // decreases. Returns whether it moved. Sets the reason if the search ends.
   bool advance(Vec y);
-  // On to round-off: what the tolerance leaves depends on the iterations taken, these on rounding and so on
-  // the number of ranks, and a soft line beside stiff ones shows it.
+  // Iterates down to round-off. What the tolerance leaves depends on the number of iterations, and that on
+  // rounding and the number of ranks; it would be visible in a soft line beside stiff ones.
   void polish();
-  // The tangent to come: exact, or convex; a tension's worth of stiffness over an element for a unit of
-  // shift. With the shift goes how much stiffer K is.
+  // Selects the next tangent: exact, or convex. A unit of shift is the stiffness of a typical tension over an
+  // element. The share `stiffer` of K is proportional to the shift, up to 1.
   void use_tangent(bool exact, double shift);
   void newton(Vec y);
-  // A direction of Newton's, from u = -y, to local_; where an exact tangent leads upwards y is made anew with
-  // the convex one. Its slope on the energy.
+  // Sets local_ and u_ to -y for Newton's direction y. If an exact tangent leads uphill, y is computed again
+  // with the convex one. Returns the slope of the energy along it.
   double downhill(Vec y);
-  // Of the energy at the trial along the increment, whose residual is in r_.
+  // Slope of the energy along the increment at the trial, whose residual is in r_.
   double slope_at_trial() const;
-  // By dynamic relaxation from where it was pushed to; whether that moved it.
+  // Dynamic relaxation from the pushed state. Returns whether it took any steps.
   bool rest();
-  // m, of the node that is farthest from where it was there. Collective.
+  // Largest distance of a node from its place in that state, m. Collective.
   double away(const State& from) const;
   std::string failure(const char* why) const;
 
   const StaticsSettings& settings_;
   const RelaxationSettings* relaxation_;
   StaticsReport report_;
-  double tolerance_ = 0, energy_ = 0;  // of the residual; J, of the state
-  double shift_ = 0;                   // that the next iteration takes
+  double tolerance_ = 0, energy_ = 0;  // tolerance of the residual; energy of the state, J
+  double shift_ = 0;                   // of the next iteration
   bool exact_ = false;
   double used_ = 0;  // shift of the tangent
   Weights weights_;
   int begun_ = 0;  // iterations before this descent
-  int cut_ = 0;    // its steps that lines in their way cut short
+  int cut_ = 0;    // steps of this descent that blocking lines shortened
 };
 
 }  // namespace hawser

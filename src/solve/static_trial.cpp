@@ -1,5 +1,5 @@
-// The class StaticTrial: linear system of a static step, limits of its length, the test that no line passes
-// through another, and the push off an unstable equilibrium.
+// The class StaticTrial: the linear system of a static step, limits of its length, the test that no line
+// passes through another, and the push away from an unstable equilibrium.
 #include "hawser/solve/static_trial.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace hawser {
 namespace {
-constexpr double kBodies = 20;  // m: where there are no lines, what moves are measured by
+constexpr double kBodies = 20;  // m, replaces the length of lines in limits if there are none
 constexpr double kNear = 1e-2;  // residual over its scale below which the exact tangent is tried
 constexpr int kMostHalvings = 30;
 }  // namespace
@@ -99,8 +99,8 @@ double StaticTrial::potential(const State& s) const {
   return sum(e.strain + e.potential);
 }
 
-// Not against the internal forces: a straight line, longer than its
-// span and compressed, is in balance but for its weight.
+// The residual is compared with dead loads, not with internal forces: a straight compressed line that is
+// longer than its span is in balance except for its weight.
 bool StaticTrial::near(const ResidualNorms& n) const {
   const double load = system_.dead_load() / std::sqrt(static_cast<double>(system_.mesh().mesh->nodes.size()));
   return load > 0 ? n.force < kNear * load && n.moment < kNear * std::max(n.moment_scale, load * length_)
@@ -141,7 +141,7 @@ bool StaticTrial::path_is_clear() {
   const Verdict verdict = system_.check_step(trial_.view(0));
   if (verdict.kind != Verdict::Kind::prepare_again) return passes(verdict);
   const LocalMesh& m = system_.mesh();
-  // So that the way predicted ends at the trial.
+  // With this step the predicted path ends at the trial.
   if (system_.couple(straight_path(m, state_, trial_, 1).view(0), 1 / CandidateSettings{}.steps) ==
       CouplingChange::layout_changed) {
     std::vector<double> u(local_.begin(), local_.begin() + 3 * m.owned_blocks);
@@ -192,7 +192,8 @@ void StaticTrial::push(int attempt, double share, State& s) const {
     for (int c = 0; c < 3; ++c)
       if (held >> c & 1) d[c] = 0;
     s.x[i] += d;
-    // A node turned over against its neighbours is a saddle of rotations.
+    // A node that is turned by half a turn against its neighbours is a saddle point of rotations, so
+    // rotations are perturbed as well.
     const size_t b = m.block[i];
     if (!m.rotates(n) || system_.tied_nodes().held()[b + 1]) continue;
     const double angle = share * 0.05 * attempt;

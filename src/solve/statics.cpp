@@ -1,4 +1,4 @@
-// The search for static equilibrium: Newton's descent, dynamic relaxation where it fails, raising of contact
+// The search for static equilibrium: Newton's descent, dynamic relaxation if it fails, and raises of contact
 // stiffness.
 #include "hawser/solve/statics.hpp"
 
@@ -18,7 +18,7 @@ constexpr const char* kUnsettled =
     "statics: the automatic stiffness of contact, or the direction of what is buried, does not settle; give "
     "the volumes a normal_stiffness, or bury less of what bends";
 
-// Steps of relaxation report their progress as those of statics do.
+// Passes the progress of relaxation to the settings of statics.
 void pass_on_progress(const StaticsSettings& settings, RelaxationSettings& r) {
   if (!settings.progress) return;
   r.progress = [progress = settings.progress](const RelaxationReport& now) {
@@ -38,13 +38,13 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
   const State from = state;
   try {
     rest = relax(system, r, state);
-  } catch (const SolveError&) {  // a shape in a plane, or another symmetry, may have been in the way
+  } catch (const SolveError&) {  // the start shape may have been in a plane or have had another symmetry
     state = from;
     system.spread(state);
     r.pushed = 1;
     rest = relax(system, r, state);
   }
-  for (r.pushed = 0;; r.tolerance *= 1e-2) {  // Newton's iteration may want to start nearer
+  for (r.pushed = 0;; r.tolerance *= 1e-2) {  // Newton's iteration may need a start nearer to the equilibrium
     State near = state;
     try {
       StaticsReport report = StaticSearch(system, settings, near, &r).run(true);
@@ -62,7 +62,7 @@ StaticsReport relaxed(System& system, const StaticsSettings& settings, State& st
   }
 }
 
-// Where the search begins, and begins again.
+// The start of the search, to which it can return.
 class Start {
  public:
   Start(System& system, const State& state) : system_(system), state_(state) {
@@ -81,9 +81,10 @@ class Start {
   std::vector<std::vector<HistoryRecord>> history_;
 };
 
-// Friction's forces belong to the way taken: Newton's iteration of statics has none. Where contact was too
-// soft on that way, lines were drawn into it and friction would hold them as they are pressed out again: it
-// is taken once more from its start with the stiffness that its end asks for.
+// Friction forces depend on the path, which Newton's iteration of statics does not have, so relaxation is
+// used. If contact was too soft on that path, lines were drawn into it, and friction would hold them while
+// they are pressed out again. The path is therefore repeated from the start with the stiffness that its end
+// requires.
 StaticsReport against_friction(System& system, const StaticsSettings& settings, const Start& start,
                                State& state) {
   RelaxationSettings r;
@@ -135,7 +136,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
   }
 }
 
-// Contact is made as stiff as the equilibrium asks for.
+// Raises the contact stiffness until the equilibrium requires no more.
 StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings, const Start& start,
                                 State& state) {
   StaticsReport report = first_equilibrium(system, settings, start, state);
@@ -150,8 +151,8 @@ StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings,
   return report;
 }
 
-// Contact that is far too soft for what presses would let lines be drawn through volumes. No step does that;
-// where none is left contact is made stiffer and the search begins again.
+// If contact is far too soft, lines would be drawn through volumes. Steps that do so are rejected; if no step
+// is left, contact is made stiffer and the search begins again.
 StaticsReport outside_volumes(System& system, const StaticsSettings& settings, State& state) {
   const Start start(system, state);
   for (;;) try {

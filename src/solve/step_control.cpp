@@ -1,6 +1,6 @@
 // The class StepControl: how Newton iterations, local error, failures and impacts change the length of the
-// next step; what is left to the next output is divided into equal steps. Whether a step is accepted:
-// step_decision.cpp.
+// next step. The time to the next output is divided into equal steps. Whether a step is accepted is decided
+// in step_decision.cpp.
 #include "hawser/solve/step_control.hpp"
 
 #include <algorithm>
@@ -10,8 +10,9 @@ namespace hawser {
 namespace {
 constexpr double kSafety = 0.9, kGrow = 1.5, kShrink = 0.25;
 constexpr int kPatience = 5;
-// After an impact, in periods of its contact: steps are a part of one, for many. From then on they double at
-// most: on what still rings, too fast for it, a step that is many times as long as the last makes energy.
+// After an impact, steps are at most kRinging periods of its contact for kFollowed periods. From then on a
+// step at most doubles the last one: the contact still vibrates faster than such steps resolve, and a step
+// that is many times as long as the last one would add energy to that vibration.
 constexpr double kRinging = 1.0 / 3, kFollowed = 20;
 }  // namespace
 
@@ -31,13 +32,14 @@ double StepControl::next(double t, double stop, double allowed) const {
   return (stop - t) / std::max(n, 1.0);
 }
 
-// Longest step from t after the last impact, s: after the twenty periods the time since, which each step
-// doubles.
+// Longest step from t after the last impact, s. Beyond resolved_until_ it grows by the time since then, so
+// that each step at most doubles.
 double StepControl::followed(double t) const {
   return kRinging * impact_period_ + std::max(t - resolved_until_, 0.0);
 }
 
-// What is softer makes no step longer before those are over.
+// Until the limit by the last impact allows steps of kRinging times `period`, a softer contact (longer
+// period) does not replace that impact.
 void StepControl::follow_impact(double t, double period) {
   if (!std::isfinite(period) || (impact_period_ > 0 && kRinging * period > followed(t) * (1 + 1e-9))) return;
   impact_period_ = period;
@@ -65,11 +67,11 @@ void StepControl::accepted(double h, int iterations, double error) {
     factor = 2;  // back to the user's step
   } else {
     if (iterations > s_.hard_iterations) factor = 0.7;
-    // The local error grows with the cube of the step.
+    // The local error is proportional to the cube of the step.
     if (s_.error_tolerance > 0 && error > 0)
       factor = std::clamp(kSafety * std::cbrt(s_.error_tolerance / error), kShrink, factor);
   }
-  // A clipped step before an output must not shorten the proposal.
+  // A step that was shortened to end at an output must not shorten the proposal.
   const double from = factor >= 1 ? std::max(h, proposal_) : h;
   proposal_ = std::clamp(from * factor, s_.shortest, limit);
 }

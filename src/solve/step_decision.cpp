@@ -1,5 +1,5 @@
-// What becomes of a step that was tried: the one place where it is accepted, tried again or failed. How
-// long the next one is: step_control.cpp.
+// The class Dynamics: whether a step that was tried is accepted, tried again or fails. Nothing else decides
+// this. The length of the next step is chosen in step_control.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,10 +13,11 @@
 namespace hawser {
 namespace {
 
-// Where the accepted state has an element bent by more than 60 degrees no step is short enough for long: it
-// stands for a shape that it cannot have. Empty: none is. Collective.
+// Describes the beam element that is bent most in the accepted state, if by more than 60 degrees; empty if
+// there is none. Such an element cannot represent the shape of the line, and shorter steps help only for a
+// short time. Collective.
 std::string folded_element(const System& system, const Kinematics& at) {
-  constexpr double kFolded = M_PI / 3, kKept = M_PI / 9;  // rad from end to end
+  constexpr double kFolded = M_PI / 3, kKept = M_PI / 9;  // rad between the ends: bent too far; recommended.
   struct {
     double turn = 0, length = 0;  // rad, m
     int node = -1;
@@ -37,8 +38,8 @@ std::string folded_element(const System& system, const Kinematics& at) {
 
 }  // namespace
 
-// In this order: did Newton's iteration converge, does a rotation tell which way it went, is all that acts in
-// the step known (candidates, tunnelling, penetration), are impacts resolved.
+// Checks in this order: Newton's iteration converged; no rotation is ambiguous (more than half a turn); the
+// terms have found all contacts of the step (candidates, tunnelling, penetration); impacts are resolved.
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
   if (!tries_.solved)
@@ -49,7 +50,7 @@ Verdict Dynamics::check_step() {
                     turn.value};
   all_reduce(system_.comm(), MPI_MAX, most);
   tries_.info.error = most[0];
-  if (most[1] > M_PI) {  // a rotation beyond half a turn is another one
+  if (most[1] > M_PI) {  // The same orientation would have another increment, in the opposite direction.
     NodeValue worst = turn;
     MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     return {Kind::shorter,
@@ -62,16 +63,17 @@ Verdict Dynamics::check_step() {
   return {};
 }
 
-// The length of a try from the committed state: towards the next output, or the event that is looked for.
+// Length of a try from the committed state, towards the next output or the event that is searched for.
 double Dynamics::next_try() const {
   const double t = committed_.s.time;
   return control_.next(t, std::min(next_stop_(t), t + tries_.event), tries_.allowed);
 }
 
 double Dynamics::begin_step() {
-  prepare(control_.proposal());  // tries can only be shorter
+  prepare(control_.proposal());  // The terms are prepared for the longest try; later tries are shorter.
   tries_ = {};
-  if (events_) tries_.at_start = events_(kinematics());  // before terms know of trials
+  // Evaluated at the committed state, before the terms have evaluated a trial.
+  if (events_) tries_.at_start = events_(kinematics());
   if (control_.respects_term_limits()) {
     const StepLimit limit = system_.longest_step(committed_.s.view(last_step_),
                                                  {committed_.ax, alpha_stored(alpha_)}, control_.proposal());
@@ -81,8 +83,8 @@ double Dynamics::begin_step() {
   return next_try();
 }
 
-// In this order: is the trial right in itself, is it accurate, is there an event within the step, is the
-// result one that the lines can bear.
+// Checks in this order: the trial is valid (check_step), it is accurate, it does not pass an event, no line
+// is overstretched.
 Dynamics::Decision Dynamics::decide() {
   Verdict verdict = check_step();
   const double error = tries_.info.error;
@@ -94,7 +96,8 @@ Dynamics::Decision Dynamics::decide() {
       if (events_ && !control_.is_shortest(h_)) {
         tries_.event =
             tries_.search.next(h_, control_.shortest_length(), events_(trial_.s.view(h_)), tries_.at_start);
-        if (tries_.event != h_) {  // nothing is wrong with steps of this length
+        // The length is changed only to meet the event, not because the step failed.
+        if (tries_.event != h_) {
           ++tries_.info.rejected;
           return {false, next_try()};
         }
@@ -105,7 +108,8 @@ Dynamics::Decision Dynamics::decide() {
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_again:
-      // How old a list of candidates is must not show in the steps: a restart makes a new one.
+      // The age of a candidate list must not influence the steps, because a restart makes a new list. So the
+      // step is first prepared again, once, and not shortened.
       if (!tries_.prepared_again) {
         tries_.prepared_again = true;
         prepare(h_, &trial_.s);
@@ -119,7 +123,7 @@ Dynamics::Decision Dynamics::decide() {
   }
   ++tries_.info.rejected;
   tries_.search = {};
-  tries_.event = HUGE_VAL;  // what is shorter may not reach the event
+  tries_.event = HUGE_VAL;  // A shorter step may not reach the event.
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
   throw SolveError("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}{}",
                    committed_.s.time, h_, verdict.because, folded_element(system_, committed_.s.view(h_)));

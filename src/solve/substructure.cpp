@@ -1,5 +1,5 @@
-// The substructuring solver as a preconditioner: finding the unknowns shared between ranks, factorising a
-// rank's own block and the dense system of the shared ones, and solving with both.
+// The substructuring solver as a preconditioner: finds the unknowns shared between ranks, factorises a rank's
+// own block and the dense system of the shared unknowns, and solves with both.
 #include "hawser/solve/substructure.hpp"
 
 #include <Eigen/LU>
@@ -19,8 +19,8 @@ using KspHandle = Handle<KSP, KSPDestroy>;
 
 struct Substructure {
   KspHandle chains;                  // LU of this rank's diagonal block
-  VecHandle ghost, column, x, y;     // sequential: ghost unknowns, a column of Ao, work
-  std::vector<PetscInt> shared;      // G: global scalar unknowns that some rank sees as ghosts, ascending
+  VecHandle ghost, column, x, y;     // sequential: ghost unknowns, a column of Ao, work vectors
+  std::vector<PetscInt> shared;      // G: global scalar unknowns that are ghosts on some rank, ascending
   std::vector<int> mine;             // positions in G of the unknowns owned here
   std::vector<PetscInt> mine_local;  // and their local numbers
   std::vector<int> ghosts;           // positions in G of this rank's ghosts, in the order of Ao's columns
@@ -36,7 +36,7 @@ MPI_Comm comm_of(PC pc) {
   return comm;
 }
 
-// Which unknowns are shared: the pattern does not change, so once.
+// Finds the shared unknowns. It is called once, because the pattern does not change.
 void find_shared(PC pc, Mat A, Substructure& s, const PetscInt* block_columns, PetscInt ghost_blocks) {
   const MPI_Comm comm = comm_of(pc);
   const int size = ranks_of(comm);

@@ -1,5 +1,5 @@
-// The class Assembler: how forces and weighted derivatives of a term are added to residual and tangent, with
-// rotation increments, held components, ties to frames and rows of other ranks.
+// The class Assembler: it adds forces and weighted derivatives of a term to residual and tangent, and takes
+// account of rotation increments, held components, ties to frames and rows of other ranks.
 #include "hawser/system/assembler.hpp"
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 namespace hawser {
 namespace {
 
-// Three columns of a row-major matrix with m rows and columns, times T.
+// Multiplies three columns of a row-major matrix with m rows by T from the right.
 void turn_columns(const Mat3& T, int m, double* p) {
   for (int r = 0; r < m; ++r, p += m) {
     const double a0 = p[0], a1 = p[1], a2 = p[2];
@@ -33,7 +33,7 @@ inline void add4(double* p, Row a) {
   std::memcpy(p, &a, sizeof a);
 }
 
-// Three rows of a row-major matrix of m columns to a column-major block; reads one entry beyond.
+// Adds three rows of a row-major matrix of m columns to a column-major block. It reads one entry beyond.
 inline void add_transposed(const double* J, int m, double* to) {
   const Row r0 = load4(J), r1 = load4(J + m), r2 = load4(J + 2 * m);
   const Row a = __builtin_shufflevector(r0, r1, 0, 4, 0, 1), b = __builtin_shufflevector(r1, r2, 1, 5, 1, 2);
@@ -42,7 +42,7 @@ inline void add_transposed(const double* J, int m, double* to) {
   to[8] += r2[2];
 }
 
-// J = w A, J += w A for n x n blocks; the usual numbers of blocks with loops of known length.
+// J = w A or J += w A for n x n blocks. The usual numbers of blocks have loops of constant length.
 template <bool first, int n>
 void weigh(double w, const double* A, double* J) {
   for (int i = 0; i < 9 * n * n; ++i) J[i] = (first ? 0 : J[i]) + w * A[i];
@@ -90,8 +90,8 @@ void Assembler::add(std::span<const int> blocks, const double* f, const double* 
   put(block, n, J);
 }
 
-// By the unknowns of the frames (TiedNodeForces). The turning of the forces' arms is added by the ties
-// themselves.
+// Derivatives by the unknowns of the frames (TiedNodeForces). The stiffness from the rotation of the forces'
+// arms is added by TiedNodeForces::add_geometric_stiffness.
 void Assembler::add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Index m = 3 * static_cast<Eigen::Index>(blocks.size());
@@ -113,7 +113,8 @@ void Assembler::add_tied(std::span<const int> blocks, const double* K, const dou
   put(to.data(), static_cast<int>(to.size()), own.data());
 }
 
-// J has an entry more than its n x n blocks. Without what belongs to held components.
+// Adds J to the matrix, without rows and columns of held components. J has one entry more than its n x n
+// blocks.
 void Assembler::put(const int* block, int n, double* J) {
   const int m = 3 * n;
   for (int i = 0; i < n; ++i) {
@@ -125,7 +126,7 @@ void Assembler::put(const int* block, int n, double* J) {
   }
   for (int i = 0; i < n; ++i) {
     const int row = block[i];
-    if (row >= owned_blocks_) {  // another rank computes it, or is sent what this one has
+    if (row >= owned_blocks_) {  // its rank computes it, or gets it from here while sending_
       const bool none = !sending_ || std::all_of(J + 3 * i * m, J + 3 * (i + 1) * m,
                                                  [](double entry) { return entry == 0; });
       for (int j = 0; j < n && !none; ++j) add_elsewhere(row, block[j], J + 3 * i * m + 3 * j, m);
@@ -143,7 +144,7 @@ void Assembler::put(const int* block, int n, double* J) {
   }
 }
 
-// In a column of another rank.
+// Adds a block in a row or a column of another rank.
 void Assembler::add_elsewhere(int row, int column, const double* J, int m) {
   double block[9];
   for (int r = 0; r < 3; ++r)

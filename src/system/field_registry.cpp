@@ -1,5 +1,5 @@
-// The class FieldRegistry: order, lookup and display names of output fields. They are declared in fields()
-// of the force terms, in the words of field.hpp.
+// The class FieldRegistry: order, lookup and display names of output fields. Force terms declare them in
+// fields(); their metadata is in field.hpp.
 #include "hawser/system/field_registry.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The class GhostExchange: which nodes each rank sends to which other, and the messages that carry numbers,
-// vectors, quaternions or matrices to the ghosts.
+// The class GhostExchange: the nodes that each rank sends to each other rank, and the messages that carry
+// numbers, vectors, quaternions or matrices to the ghosts.
 #include "hawser/system/ghost_exchange.hpp"
 
 #include <algorithm>
@@ -24,7 +24,8 @@ GhostExchange::GhostExchange(MPI_Comm comm, const LocalMesh& mesh)
     wanted[r].push_back(g);
     local[r].push_back(n);
   }
-  // How many each rank wants of each: one number a pair of ranks; the nodes themselves only where there are.
+  // Each rank first sends each other one the number of nodes it needs; the nodes follow only where there are
+  // any.
   std::vector<int> ask(ranks), asked(ranks);
   std::transform(wanted.begin(), wanted.end(), ask.begin(),
                  [](const auto& w) { return static_cast<int>(w.size()); });

@@ -1,5 +1,5 @@
-// The node with the largest residual force or moment over all ranks, and the sentence on it in the error
-// messages of statics and time integration.
+// Finds the node with the largest residual force or moment over all ranks, and writes the sentence on it for
+// error messages of statics and time integration.
 #include "hawser/system/imbalance.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ struct Worst {
   int node = 0;
 };
 
-// What is not a number is worse than everything.
+// A value that is not a number counts as larger than all others.
 void take(Worst& worst, double value, int node) {
   if (std::isnan(value)) value = HUGE_VAL;
   if (value > worst.value) worst = {value, node};

@@ -1,4 +1,4 @@
-// The class LineCandidates: when the list of near element pairs still holds, how paths are predicted, the
+// The class LineCandidates: whether the list of near element pairs still holds, prediction of paths, the
 // narrow test of a pair, exclusions along a line, and couplings of nodes.
 #include "hawser/system/line_candidates.hpp"
 
@@ -16,16 +16,18 @@
 namespace hawser {
 namespace {
 
-// Of what is without contact near a shared place, which may become less, the list excludes this part.
+// The length without contact near a shared place may shrink. The list excludes pairs only within this part of
+// it, so that it need not be made again at once.
 constexpr double kShared = 0.8;
 
-// What the narrow test needs of an axis half way along its path.
+// Data of an axis half way along its path, for the narrow test.
 struct Middle {
-  Vec3 a, b;             // chord
-  Vec3 shift;            // mean displacement from the middle to the end of the path
-  double around = 0;     // m, of the axis about its chord's middle: half the chord and the bulge
-  double bulge = 0;      // m, of the axis off its chord
-  double spread = 0;     // m, of the points' displacements about their mean
+  Vec3 a, b;   // chord
+  Vec3 shift;  // mean displacement of its points from the middle to the end of the path
+  // m, distance of the axis from the middle of its chord, at most: half the chord and the bulge
+  double around = 0;
+  double bulge = 0;      // m, distance of the axis from its chord
+  double spread = 0;     // m, deviation of the points' displacements from their mean
   double thickness = 0;  // m, radius and skin
 };
 
@@ -77,7 +79,7 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector
   gather();
 }
 
-// Whether pairs are excluded near a shared place that may touch by now.
+// Whether the list excludes pairs near a shared place that may touch by now.
 bool LineCandidates::shares_less() const {
   for (size_t k = 0; k < within_.size(); ++k)
     if (settings_.shared->within(static_cast<int>(k)) < within_[k]) return true;
@@ -94,7 +96,7 @@ void LineCandidates::gather() {
     if (radius_[e.global] > 0 && !is_in_feeder(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
   bend_.resize(built_.size());
-  // Most boxes that overlap are those of neighbours along a line: their numbers alone exclude these.
+  // Most boxes that overlap are those of neighbours along a line. Their indices alone exclude these pairs.
   constexpr size_t kMost = 15;
   excluded_after_.assign(built_.size(), 0);
   for (size_t i = 0; i < built_.size(); ++i)
@@ -124,7 +126,7 @@ bool LineCandidates::is_in_feeder(int element) const {
   return element < first || element > last;
 }
 
-// Whether it is the one at a feeder's feed point, whose unstretched length is not that of the mesh.
+// Whether it is the element at a feeder's feed point, whose unstretched length differs from that of the mesh.
 bool LineCandidates::at_feeder(int element) const {
   if (inside_.empty()) return false;
   const int line = mesh_.mesh->elements[element].line;
@@ -138,7 +140,7 @@ double LineCandidates::skin(int element) const {
                   settings_.skin_lengths * mesh_.mesh->elements[element].length);
 }
 
-// All but where it is.
+// All members but the positions.
 SweptAxis LineCandidates::at_rest(int element) const {
   const Element& e = mesh_.mesh->elements[element];
   const auto arc = [&](int n) { return mesh_.mesh->nodes[n].arc; };
@@ -146,7 +148,7 @@ SweptAxis LineCandidates::at_rest(int element) const {
           radius_[element], skin(element), {},      {}};
 }
 
-// Of Hermite's cubic (kernels/axis_shape.hpp) after a time h at the present rates.
+// The axis, Hermite's cubic (kernels/axis_shape.hpp), after a time h at the present rates.
 std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& at, double h) const {
   const size_t i = e.first, j = e.second;
   const Element& element = mesh_.element(e);
@@ -164,9 +166,9 @@ std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics
   return BezierAxis::beam(a, tangent(i), b, tangent(j), length).b;
 }
 
-// Every axis within its skin of where it was predicted to be at `tau` of the way. All are asked for the same
-// place on it, as pairs are excluded for what two axes do together: one that stops on its way is run into by
-// the next.
+// Whether every axis is within its skin of its predicted place at the fraction `tau` of its path. All axes
+// must be at the same fraction, because a pair is excluded by the motion of both: an axis that stopped on its
+// path could be hit by one that follows it.
 bool LineCandidates::holds(const Kinematics& at, double h, double tau) const {
   if (builds_ == 0 && !local_.empty()) return false;
   for (size_t i = 0; i < local_.size(); ++i) {
@@ -181,7 +183,8 @@ bool LineCandidates::holds(const Kinematics& at, double h, double tau) const {
   return true;
 }
 
-// Where on the way a time is. Where none has passed (statics), the way is that of a trial, from its state.
+// The fraction of the path at a time. If no time has passed since the list was made (statics), the path leads
+// to a trial state, and the fraction is that of its end, 1.
 double LineCandidates::part(double time) const {
   if (!(time > made_)) return 1;
   return span_ > 0 ? std::min((time - made_) / span_, 1.0) : 0;
@@ -195,7 +198,8 @@ bool LineCandidates::covers(const Kinematics& trial) const {
 
 bool LineCandidates::update(const Kinematics& committed, double h) {
   const bool known = builds_ > 0 && !outdated_ && !shares_less();
-  // Without time having passed: at the end of the way, or, when it was not gone, at its start.
+  // If no time has passed (statics), the axes may be at the end of the path, or at its start if the trial was
+  // not taken.
   int usable[2] = {known && holds(committed, 0, part(committed.time)),
                    known && !(committed.time > made_) && holds(committed, 0, 0)};
   if (h > 0) {
@@ -216,8 +220,8 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
   return true;
 }
 
-// The paths are parabolas in time. Those that bend (a line that is swung, a long step) are predicted for
-// fewer steps, so that the bend is no more than a skin; for one step at least, whatever it takes.
+// The paths are parabolas in time. If they bend much (a line that is swung, a long step), they are predicted
+// for fewer steps, but at least one, so that the bend is no more than a skin.
 void LineCandidates::predict(const Kinematics& committed, double h) {
   made_ = committed.time;
   double steps = settings_.steps;
@@ -259,17 +263,17 @@ std::vector<std::pair<int, int>> LineCandidates::search() const {
   std::vector<std::pair<int, int>> out;
   for (const auto& [first, second] : overlapping_pairs(boxes)) {
     const size_t i = first, j = second;
-    if (i >= own) continue;  // and so is the second
+    if (i >= own) continue;  // pairs are ordered, so the second one is of another rank, too
     if (j - i <= excluded_after_[i]) continue;
     const SweptAxis *p = axis_of(i), *q = axis_of(j);
-    if (p->element > q->element) std::swap(p, q);  // on every rank the same answer to the last bit
+    if (p->element > q->element) std::swap(p, q);  // so that every rank computes the same to the last bit
     if (!excluded(*p, *q) && near(middle(*p), middle(*q))) out.emplace_back(p->element, q->element);
   }
   std::sort(out.begin(), out.end());
   return out;
 }
 
-// Whether two elements can be no pair, however they move.
+// Whether two elements are excluded however they move.
 bool LineCandidates::never(const SweptAxis& p, const SweptAxis& q) const {
   if (!settings_.excluded.empty() &&
       std::binary_search(settings_.excluded.begin(), settings_.excluded.end(), ordered(p.line, q.line)))
@@ -300,7 +304,7 @@ void LineCandidates::couple(Couplings& to) const {
 void LineCandidates::locate() {
   segments_.clear();
   pairs_.clear();
-  std::vector<std::pair<int, int>> number;  // element, segment; sorted by element
+  std::vector<std::pair<int, int>> number;  // element and segment, sorted by element
   segments_.reserve(local_.size());
   number.reserve(local_.size());
   for (const LocalElement& e : local_) {

@@ -1,5 +1,5 @@
-// Elements of other ranks that may touch those of this one: boxes of chunks go to everybody, elements only
-// between ranks whose chunks overlap.
+// The class LineCandidates: elements of other ranks that may touch those of this one. Bounding boxes of
+// chunks of elements go to all ranks; elements go only to ranks with overlapping chunks.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-constexpr size_t kChunk = 64, kBox = 7, kAxis = 26;  // elements; doubles of a box and of an axis
+constexpr size_t kChunk = 64, kBox = 7, kAxis = 26;  // elements in a chunk; doubles of a box and of an axis
 constexpr int kTag = 73;
 
 std::vector<double> pack(const std::vector<SweptAxis>& own, const std::set<size_t>& chunks) {
@@ -55,7 +55,7 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) cons
     boxes[i] = {Vec3(d[0], d[1], d[2]), Vec3(d[3], d[4], d[5])};
     of_rank[i] = r;
   }
-  // By the other rank: which chunks go there, how many elements come from there.
+  // By the other rank: chunks to send to it, and chunks to receive from it.
   struct Trade {
     std::set<size_t> give, take;
     std::vector<double> out, in;
@@ -99,7 +99,7 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) cons
         s.to[k] = Eigen::Map<const Vec3>(d + 14 + 3 * k);
       }
     }
-  // An element cut between ranks is known to both.
+  // Both ranks of an element that the partition cuts have sent it.
   const auto before = [](const SweptAxis& a, const SweptAxis& b) { return a.element < b.element; };
   const auto same = [](const SweptAxis& a, const SweptAxis& b) { return a.element == b.element; };
   std::sort(out.begin(), out.end(), before);

@@ -1,5 +1,5 @@
-// The class OwnBlocks: access to the stored blocks of a rank's diagonal part of the tangent, and its return
-// when assembly is done.
+// The class OwnBlocks: it takes the stored blocks of a rank's diagonal part of the tangent from PETSc and
+// returns them when assembly is done.
 #include "hawser/system/own_blocks.hpp"
 
 #include "hawser/base/handle.hpp"
@@ -17,7 +17,7 @@ OwnBlocks::OwnBlocks(Mat J) {
   check(MatSeqBAIJGetArray(own_, &values_));
 }
 
-// PETSc learns here that values have changed.
+// Restoring the array reports to PETSc that values have changed.
 OwnBlocks::~OwnBlocks() {
   if (!own_) return;
   PetscBool known = PETSC_FALSE;

@@ -1,4 +1,5 @@
-// How far along two stretches from a place that they share there is no contact, from their positions.
+// The class SharedPlaces: how far along two stretches from a place that they share there is no contact, from
+// their positions.
 #include "hawser/system/shared_places.hpp"
 
 #include <algorithm>
@@ -11,18 +12,19 @@
 namespace hawser {
 namespace {
 
-// They are free of each other up to so many times the length at which they are first apart. Straight lines
-// are apart there by this many sums of their radii.
+// Contact is excluded up to this many times the length at which the stretches are first apart. Straight lines
+// have a distance of this many sums of their radii there.
 constexpr int kFree = 2;
-// Steps to a sum of the radii.
+// Number of steps in a sum of the radii.
 constexpr int kSteps = 4;
-// Of the sum of the radii. Lines that are nowhere nearer than the sum less kPressed, from one place they
-// share to the next, lie side by side, pressed into each other by their contact. Apart by kClear they do not.
+// In sums of the radii. Lines that overlap from one place they share to the next, but nowhere by more than
+// kPressed, lie side by side, and contact is what presses them together. Lines with a gap of more than kClear
+// are clearly apart.
 constexpr double kPressed = 0.1, kClear = 0.5;
 
 }  // namespace
 
-// The gap between two stretches at equal lengths along them, m.
+// The gap between two stretches at equal lengths along them, m; negative: overlap.
 struct SharedPlaces::Gaps {
   const Rope &one, &other;
   double step = 0;
@@ -41,7 +43,8 @@ struct SharedPlaces::Gaps {
     return (from - t * along).norm() - rope.radius[i];
   }
 
-  // From the place s of a rope to the nearest place of the other, looked for from equal length on.
+  // The smallest gap between the place s of a rope and the other rope. The search starts at equal length and
+  // stops at a local minimum.
   static double of(const Rope& rope, const Rope& other, double s) {
     const size_t i = segment(rope, s);
     const double span = rope.s[i + 1] - rope.s[i], t = span > 0 ? (s - rope.s[i]) / span : 0;
@@ -103,7 +106,7 @@ const std::vector<int>& SharedPlaces::between(int line, int other) const {
   return at == between_.end() ? none : at->second;
 }
 
-// m, along the whole line.
+// Arc length of a node along the uncut line, m.
 double SharedPlaces::arc(int node) const {
   const Node& n = mesh_.mesh->nodes[node];
   return offset_[n.line] + n.arc;
@@ -116,7 +119,7 @@ std::array<int, 2> SharedPlaces::outside(int line) const {
   return {l.first_node + inside[0], l.first_node + l.nodes - 1 - inside[1]};
 }
 
-// Where a stretch begins, m along the whole line.
+// Start of a stretch, m along the uncut line.
 double SharedPlaces::begin(const Stretch& stretch) const {
   const auto [first, last] = outside(mesh_.mesh->nodes[stretch.node].line);
   return arc(std::clamp(stretch.node, first, last));
@@ -153,7 +156,7 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
     }
 }
 
-// The nodes of a stretch, outwards, up to the first one at `reach` [m] or beyond.
+// The nodes of a stretch, outwards, up to and including the first one at `reach` [m] or beyond.
 std::vector<int> SharedPlaces::nodes_to(const Stretch& stretch, double reach) const {
   const int whole = whole_[mesh_.mesh->nodes[stretch.node].line];
   const auto [first, last] = outside(mesh_.mesh->nodes[stretch.node].line);
@@ -171,7 +174,7 @@ std::vector<int> SharedPlaces::nodes_to(const Stretch& stretch, double reach) co
   return out;
 }
 
-// Of nodes of the mesh, whichever rank has them.
+// Positions of nodes of the mesh from the ranks that own them.
 std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kinematics& at) const {
   std::vector<Vec3> out(nodes.size(), Vec3::Zero());
   std::vector<double> mine;
@@ -228,13 +231,13 @@ void SharedPlaces::update(const Kinematics& at, bool settles) {
   std::vector<int> all;
   for (size_t k = 0; k < places_.size(); ++k) {
     const Place& p = places_[k];
-    if (!settles && p.within == 0) continue;  // apart for good
+    if (!settles && p.within == 0) continue;  // apart from now on: without `settles` the length only shrinks
     const double reach =
         p.within == kUnknown ? p.limit : std::min(p.limit, (kFree * (p.within + 1) + 1) * p.step);
     nodes[k] = {nodes_to(p.of.one, reach), nodes_to(p.of.other, reach)};
     for (const std::vector<int>& of : nodes[k]) all.insert(all.end(), of.begin(), of.end());
   }
-  if (all.empty()) return;  // on every rank
+  if (all.empty()) return;  // the same on every rank
   const std::vector<Vec3> x = gather(all, at);
   auto next = x.begin();
   for (size_t k = 0; k < places_.size(); ++k) {
@@ -249,7 +252,8 @@ void SharedPlaces::update(const Kinematics& at, bool settles) {
   }
 }
 
-// In steps k along the stretches: overlap from the place up to `first`, within = kFree times that.
+// All lengths are numbers of steps k along the stretches. If the stretches overlap from the place up to
+// `first`, the length without contact is up to kFree times that.
 void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool settles) const {
   const Gaps gaps{one, other, p.step};
   const int reach = static_cast<int>(
@@ -259,7 +263,7 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
   const bool unknown = p.within == kUnknown;
   const int known_to = unknown ? most : std::min(most, reach);
   const auto overlaps = [&](int k) { return gaps.at(k) < 0; };
-  // On from the first place apart as far as they stay apart.
+  // From `first`, where the stretches are first apart, as far as they stay apart, at most kFree * first.
   const auto free_to = [&](int first) {
     const int end = std::min(kFree * first, known_to);
     int k = first;
@@ -284,7 +288,8 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
     const int wanted = free_to(first);
     if (wanted < p.within || settles) p.within = wanted;
   } else if (settles) {
-    // They came nearer to each other where they were clearly apart: not pressed together from outside.
+    // Where the stretches were clearly apart, they now overlap. Contact has not pressed them together there,
+    // so the length without contact grows.
     int first = p.within;
     while (first < known_to && overlaps(first)) ++first;
     if (first <= p.clear) p.within = first == most ? most : free_to(first);

@@ -1,5 +1,5 @@
-// The part of System that assembles: residual and tangent from all force terms, the norms that judge
-// convergence, and calls passed on to the terms.
+// The class System: assembly of residual and tangent from all force terms, the norms that decide on
+// convergence, and calls that it passes on to the terms.
 #include "hawser/system/system.hpp"
 
 #include <petscvec.h>
@@ -26,12 +26,12 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
   sums_ = 2 * static_cast<size_t>(lines);
   tied_nodes_ = TiedNodes(mesh_, {}, {});
   for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
-  // A moment of a floating body is judged as a force over a metre.
+  // The moment on a floating body is compared with a force times at least one metre.
   if (mesh_.mesh->line_nodes() < static_cast<int>(mesh_.mesh->nodes.size()))
     longest_element_ = std::max(longest_element_, 1.0);
 }
 
-// What is kept by local block.
+// Sizes the arrays that are indexed by local block.
 void System::size_arrays() {
   const size_t blocks = mesh_.blocks();
   turn_of_.assign(blocks, -1);
@@ -124,7 +124,7 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
     terms_[i]->evaluate(trial, assembler);
   }
   PetscScalar* p = nullptr;
-  if (sends()) {  // before what acts on tied nodes goes on to their frames
+  if (sends()) {  // before forces on tied nodes are added to their frames
     Vec local = nullptr;
     check(VecGhostGetLocalForm(r, &local));
     check(VecGetArray(local, &p));
@@ -186,7 +186,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
 }
 
 ResidualNorms System::norms(Vec r) const {
-  std::vector<double> s(2 * sums_, 0);  // residuals, then what makes them up
+  std::vector<double> s(2 * sums_, 0);  // sums of squares of residuals, then of their contributions
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r, &p));
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
@@ -218,8 +218,8 @@ ResidualNorms System::norms(Vec r) const {
 }
 
 namespace {
-// Where only moments act there are hardly any forces, and the other way round: each is measured against the
-// other too, over the length of the line and over a millimetre.
+// If only moments act, there are hardly any forces, and vice versa. Each scale is therefore at least the
+// other one, converted by the length of the line and by a millimetre.
 double force_size(const ResidualNorms& n) { return std::max(n.force_scale, n.moment_scale / n.span); }
 double moment_size(const ResidualNorms& n) { return std::max(n.moment_scale, 1e-3 * n.force_scale); }
 }  // namespace

@@ -1,4 +1,4 @@
-// What solves the equations and is no result all the same.
+// The class System: checks of states that solve the equations and are still no valid results.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace hawser {
 namespace {
-constexpr double kRoundOffShare = 0.01;  // of a tension that rounding may be
-constexpr double kSure = 1e-3;           // what is left of it by the EA that is recommended
+constexpr double kRoundOffShare = 0.01;  // largest ratio of round-off to tension
+constexpr double kSure = 1e-3;           // this ratio for the EA that the message recommends
 }  // namespace
 
 std::string System::overstretched(const Kinematics& at) const {
@@ -24,7 +24,7 @@ std::string System::overstretched(const Kinematics& at) const {
       100 * std::abs(worst.strain), std::abs(worst.tension), worst.EA, 100 * std::abs(worst.most));
 }
 
-// Where nothing weighs, there may be no tension but rounding, and rightly so.
+// Without dead loads the tension may be zero, and then nothing but round-off.
 std::string System::lost_in_rounding(const Kinematics& at) const {
   const double load = dead_load();
   if (load == 0) return {};

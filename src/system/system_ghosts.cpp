@@ -1,4 +1,4 @@
-// Ghost nodes, vectors and matrices of System made anew when other pairs of nodes are coupled.
+// The class System: new ghost nodes, vectors and matrices when other pairs of nodes are coupled.
 #include <petscvec.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::vector<double> of_all_ranks(MPI_Comm comm, const std::vector<double>& mine)
 
 }  // namespace
 
-// Who sees a tied node sees the frame that carries it.
+// A node that is coupled with a tied node is also coupled with the frame that carries it.
 void System::with_frames(Couplings& c) const {
   const auto frame = [this](int n) { return mesh_.mesh->nodes[n].tied_to; };
   const std::vector<int> nodes = c.nodes;
@@ -68,8 +68,8 @@ void System::spread(State& s) const {
   if (!s.directors.empty()) exchange_.spread(s.directors);
 }
 
-// Held nodes of other ranks move here too as what they are tied to, and their columns of the tangent are
-// zero.
+// Held nodes of other ranks that are ghosts here must be moved with what they are tied to, and their columns
+// of the tangent are zero. So the ties of new ghosts are taken from their owners.
 void System::reghost_ties() {
   constexpr size_t kWidth = 12;
   std::vector<TiedNode> kept;
@@ -163,7 +163,7 @@ MatHandle System::create_matrix() const {
   check(MatSetBlockSize(A.get(), 3));
   check(MatXAIJSetPreallocation(A.get(), 3, own.data(), other.data(), nullptr, nullptr));
   if (!sends()) check(MatSetOption(A.get(), MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
-  // What is not written at the first assembly is lost, and candidates may touch later.
+  // PETSc discards entries that are not written at the first assembly, but candidates may touch later.
   const double zero[9] = {};
   for (const auto& [row, column] : entries) {
     const PetscInt r = mesh_.global_block[row], c = mesh_.global_block[column];

@@ -1,5 +1,5 @@
-// The part of System that limits steps: how long one may be beside impacts, whether one that was taken
-// resolved its impacts, and what the terms say of a trial.
+// The class System: limits of a step by impacts, whether a step resolved its impacts, and the verdict of the
+// terms on a trial.
 #include <algorithm>
 #include <utility>
 
@@ -11,8 +11,8 @@ namespace hawser {
 
 void System::sum(std::span<double> values) const { all_reduce(comm_, MPI_SUM, values); }
 
-// Of the masses of each line in the state, with its impacts, and behind all of these what the line
-// carries in its algorithmic accelerations. impacts: of this rank.
+// Motion of the masses of each line in the state, with the energy of its impacts. The second half of the
+// result is the same with algorithmic accelerations as velocities. impacts: of this rank.
 std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion& stored,
                                         const std::vector<ImpactEvent>& impacts) const {
   const size_t n = sums_ / 2;
@@ -43,7 +43,8 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   all_reduce(comm_, MPI_MIN, both);
   StepLimit limit;
   limit.longest = both[0];
-  // Also where there is no impact yet: impacts that only the end of the step shows are judged by it.
+  // The tolerance is also set if there is no impact yet: impacts that only the end of the step shows are
+  // compared with it.
   const std::vector<LineMotion> lines = motions(committed, stored, impacts.list);
   const size_t n = lines.size() / 2;
   energy_tolerance_ = energy_tolerance(std::span(lines).first(n));

@@ -1,4 +1,4 @@
-// The class TiedNodeForces: how forces at tied nodes, and their derivatives, become those of the frames.
+// The class TiedNodeForces: it converts forces at tied nodes, and their derivatives, to those at the frames.
 #include "hawser/system/tied_node_forces.hpp"
 
 #include <algorithm>

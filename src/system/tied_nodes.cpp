@@ -44,7 +44,7 @@ void TiedNodes::rates(double t, State& out) const {
   for (const TiedNode& s : nodes_) {
     const size_t n = s.node;
     const RigidPose b = pose(s, t);
-    if (s.frame >= 0) {  // follow() moves it; a single component that is held does not turn
+    if (s.frame >= 0) {  // follow() moves it; a single held component of rotation has no rate
       for (int c = 0; c < 3; ++c)
         if (s.rotation_mask != 7 && s.rotation_mask >> c & 1) out.w[n][c] = out.alpha[n][c] = 0;
       continue;

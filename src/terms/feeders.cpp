@@ -1,6 +1,6 @@
-// Winches, tensioners and reels, in the equations: the class Feeders. Which elements are inside a feeder, the
-// length of the one at its feed point, the momentum of the line that flows through it, and the work of the
-// feeder.
+// The class Feeders: the forces of winches, tensioners and reels. It determines which elements are inside a
+// feeder, the length of the one at its feed point, the momentum of the line that flows through it, and the
+// work of the feeder.
 #include "hawser/terms/feeders.hpp"
 
 #include <fmt/format.h>
@@ -16,8 +16,9 @@
 namespace hawser {
 namespace {
 
-// Of the element's mass, in its matrix: of each end, and between both. Of cables the mean of lumped and
-// consistent, of beams that of cubics (kernels/line_mass.cpp).
+// Shares of the element's mass in its mass matrix: of each end (own), and between both (shared). For cables
+// they are the mean of the lumped and the consistent matrix, for beams those of cubic shape functions
+// (kernels/line_mass.cpp).
 struct MassShares {
   double own, shared;
 };
@@ -25,8 +26,9 @@ MassShares mass_shares(bool beam) {
   return beam ? MassShares{13. / 35, 9. / 70} : MassShares{5. / 12, 1. / 12};
 }
 
-// How short the feed point's element may get in a step, of its own length, and how much longer than that, of
-// the length of the next one in the stock: a good way beyond where a node is caught or leaves.
+// Limits of the length of the element at the feed point in a step: kShortest times its own length, and its
+// own length plus kLonger times that of the next one in stock. Both are well beyond the lengths at which
+// nodes are caught and released.
 constexpr double kShortest = 0.1, kLonger = 0.9;
 
 double chord(const Kinematics& at, const LocalElement& e) { return (at.x[e.second] - at.x[e.first]).norm(); }
@@ -135,8 +137,8 @@ FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& at, bool now) c
                                              : feed_of_cable(f, at, *e, m.length).by_chord);
   m.length_rate =
       f.beam ? m.by_chord * parts : (m.length / l) * (parts - m.length * strain_rate(f, at, *e, m.length));
-  // Of a tension that is kept exactly the speed at the end of the step is that at which its end moves; else
-  // that of the law, which is the mean of the step.
+  // If a tension is kept exactly, the speed at the end of the step is that at which the end of the element
+  // moves. Otherwise it is that of the law, which is the mean over the step.
   if (f.feed.speed_per_tension == 0 && m.by_chord > 0) m.speed = m.length_rate;
   return m;
 }
@@ -213,7 +215,7 @@ std::vector<TiedNode> Feeders::with_held(const std::vector<TiedNode>& tied) cons
   return out;
 }
 
-// All of the line but an end that is held otherwise.
+// All nodes of the line, except an end that is not held by a feeder.
 std::vector<int> Feeders::fed_nodes() const {
   std::vector<int> out;
   for (const Feeder& f : feeders_)
@@ -234,7 +236,7 @@ Feeders::Flow Feeders::flow(const FeedPoint& m, const Kinematics& at, const Loca
   return o;
 }
 
-// At the feeder and at the free node.
+// Residual at the feeder and at the free node.
 void Feeders::force(const Feeder& f, const FeedPoint& m, const Kinematics& at, const LocalElement& e,
                     Vec3* out) const {
   const Flow o = flow(m, at, e, f.at_b);
@@ -273,7 +275,8 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     const MassShares mass = mass_shares(f.beam);
     const double rate = m.speed / m.length, held = f.mass_per_length * m.length * mass.own,
                  shared = f.mass_per_length * m.length * mass.shared;
-    // Derivatives of the acceleration by position and velocity of the free node; by those of the other minus.
+    // Derivatives of the acceleration by position and velocity of the free node. Those by the other node have
+    // the opposite sign.
     const double by_x = m.acceleration / m.length - 2 * rate * rate, by_v = 2 * rate;
     const double own = f.mass_per_length * m.speed * rate;
     Six K = Six::Zero(), C = Six::Zero(), M = Six::Zero();
@@ -295,7 +298,7 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, double*
     if (element(feeder, feeder.feed_point) != e.global) continue;
     Vec3 out[2];
     force(feeder, feed_point(feeder, at, false), at, e, out);
-    // The momentum of what is set in motion is the feeder's, not the line's.
+    // The feeder, not the line, provides the momentum of the material that it sets in motion.
     const Flow o = flow(feed_point(feeder, at, false), at, e, feeder.at_b);
     out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
     for (int i = 0; i < 3; ++i) {
@@ -305,8 +308,8 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, double*
   }
 }
 
-// Of the material that comes out: what the feeder does on its way beyond holding the line, and the kinetic
-// energy that comes with it.
+// Power for the material that comes out: the work of the feeder on it beyond holding the line, and its
+// kinetic energy.
 double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
   const FeedPoint m = feed_point(f, at, true);
   if (m.speed == 0) return 0;
@@ -331,7 +334,7 @@ void Feeders::commit(const Kinematics& accepted) {
     const LocalElement* e = at_feed_point(f);
     if (f.feed.has_band() && h > 0 && e) {
       const double off = pull(f, accepted, *e, m.length).force - f.feed.tension;
-      constexpr double kThere = 0.01;  // of the band on this side
+      constexpr double kThere = 0.01;  // of the part of the band on this side
       if (f.resting)
         f.resting = m.speed == 0;
       else
@@ -348,7 +351,7 @@ void Feeders::commit(const Kinematics& accepted) {
     if (!e || !e->counted || !(h > 0)) continue;
     const double now = power(f, accepted, *e);
     work_ += 0.5 * h * (power_[k] + now);
-    // Of a cable StructureTerm knows it, for the mean force of the step.
+    // For cables StructureTerm computes this work, from the mean force of the step.
     if (f.beam) work_ -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, *e, f.length).force);
     if (before_.x.size() != accepted.x.size()) continue;
     for (const Kinematics& at : {before_.view(0), accepted})
@@ -356,7 +359,7 @@ void Feeders::commit(const Kinematics& accepted) {
   }
 }
 
-// Of the weight of the element at the feed point, J.
+// Work of the weight of the element at the feed point from the origin to its place, J.
 double Feeders::load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const {
   const size_t i = e.first, j = e.second;
   if (!f.beam) return 0.5 * length * f.weight.dot(at.x[i] + at.x[j]);

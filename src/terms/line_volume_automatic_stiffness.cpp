@@ -1,6 +1,6 @@
-// How deep each element is pressed into what it meets, and who is asked for a raise of the automatic
-// stiffness: the volume (contact_volumes_automatic_stiffness.cpp). One that is too soft, and not the
-// program's, is refused. See docs/theory/contact.md, "Stiffness that follows the run".
+// The class LineVolumeContact: how deep each element penetrates volumes, and requests to the volumes for a
+// raise of the automatic stiffness (contact_volumes_automatic_stiffness.cpp). A prescribed stiffness that is
+// too low is refused. See docs/theory/contact.md, "Stiffness that follows the run".
 #include <algorithm>
 #include <cmath>
 
@@ -10,21 +10,21 @@
 namespace hawser {
 namespace {
 
-// The part of a force that is left when inertia has taken `mass` times the acceleration [m/s²] away from the
-// surface.
+// The fraction of a force that remains when the inertia of `mass` with the acceleration [m/s²] away from the
+// surface is subtracted.
 double left_by_inertia(double force, double mass, double acceleration) {
   return force > 0 ? std::clamp(1 - mass * acceleration / force, 0.0, 1.0) : 1;
 }
 
-// Whether what is pressed in moves so slowly that its speed is worth no more than a sixteenth of the spring's
-// energy: it is pressed, without an impact or a leap.
+// Whether a penetrating mass moves so slowly that its m v² is at most a sixteenth of k d² of the spring. It
+// is then pressed in, and neither hits nor rebounds.
 bool resting(double stiffness, double depth, double mass, double speed) {
   return stiffness * std::pow(0.25 * depth, 2) >= mass * speed * speed;
 }
 
 }  // namespace
 
-// Of what presses with that force [N] on the whole element.
+// The fraction of the force [N] on the whole element that is static, 0 to 1.
 double LineVolumeContact::static_share(const Pair& pair, const Kinematics& at, double force, double depth,
                                        const Vec3& normal) const {
   if (!(at.step > 0)) return 1;
@@ -53,7 +53,7 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
       at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
     if (touches) finder_.find(pair, shape, pose);
     for (int w = 0; w < pair.facet_groups(); ++w) {
-      double force = 0;  // N, of all of the facet group
+      double force = 0;  // N, of the whole facet group
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
       for (const QuadraturePoint& there : pair.found.quadrature) {
@@ -94,12 +94,12 @@ void LineVolumeContact::revert_stiffness() {
 }
 
 std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) const {
-  if (finder_.by_gap()) return {};  // a spring through the air may be as long as it likes
+  if (finder_.by_gap()) return {};  // the compression of gap springs has no limit
   const Pair* in = nullptr;
   double deepest = 0, xi = 0;
   for (const Pair& pair : pairs_) {
     if (is_held(pair) || pair.found.quadrature.empty()) continue;
-    // What did not move since it was clear is not looked at in a trial, and keeps what it was before.
+    // A pair that has not moved since it was clear is not evaluated in a trial and keeps an older result.
     if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
     for (const QuadraturePoint& there : pair.found.quadrature)

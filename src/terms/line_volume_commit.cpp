@@ -1,4 +1,5 @@
-// What an accepted step of contact leaves: what touches, energies and the work of the step.
+// The class LineVolumeContact: what an accepted step of contact stores: contact points, energies and the work
+// of the step.
 #include <algorithm>
 
 #include "hawser/terms/line_volume_contact.hpp"
@@ -31,9 +32,9 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
   volumes_.commit_raise();
 }
 
-// Trapezoid over the step: half with the forces at its start where they were, half with those at its end
-// where they are. Of a step in which a point met or left the surface, normal forces count on the part of its
-// way on which it touched, friction on all of it.
+// Work by the trapezoidal rule over the step: half with the forces at the start at their places, half with
+// those at the end at theirs. If a point met or left the surface in the step, its normal force counts on the
+// part of its path on which it touched, and friction on the whole path.
 void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
                                 const std::vector<AxisContactPoint>& next) {
   const AxisShape& start = pair.start.shape;
@@ -41,9 +42,9 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   const StepOfBody step(before, after, !volumes_.floats(pair.volume));
   const double smoothing = pair.smoothing();
   ContactWork& sum = accounts_[pair.element];
-  // The way of a place, and how far it came off the surface otherwise than by sliding along its own line: a
-  // pipe that is drawn over a roller comes and goes all the time, yet as much of it touches as before. Of a
-  // node there is but one: what it slides into or out of, it meets or leaves.
+  // The path of a point of the line (y0 to y1, body axes), and its displacement without sliding along the
+  // line (lifted). A pipe that is drawn over a roller makes and loses contact all the time, yet the length in
+  // contact does not change, so sliding does not count as leaving. With contact at nodes only, it does.
   struct Way {
     Vec3 y0, y1, lifted, along;
   };
@@ -59,14 +60,15 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
     w.lifted = finder_.at_nodes() ? moved : Vec3(moved - w.along * w.along.dot(moved));
     return w;
   };
-  // Where the stiffness was raised, what the spring gave and has is not its own: it was brought in.
+  // If the stiffness was raised, the change of the spring's energy that the raise causes counts as external
+  // work.
   const double raise = volumes_.raised(pair.volume) ? 1 : 0;
   const auto add = [&](const AxisContactPoint& p, const Mat3& R, const Way& w, double touching) {
     sum.add(step, p, R, w.y0, w.y1, touching);
     sum.work += raise * 0.5 * touching * p.weight * p.elastic_force() * p.normal.dot(w.y1 - w.y0);
     if (!rolled) return;
-    // What the line's surface moves by because the line rolls; friction's work on it goes with that on the
-    // axis.
+    // Displacement of the line's surface because the line rolls. Friction's work on it is added to that on
+    // the axis.
     const Vec3 surface = -pair.radius * rolled->angle(p.xi) * w.along.cross(p.normal);
     sum.friction -= 0.25 * p.weight * (R * p.friction).dot((step.R0 + step.R1) * surface);
   };
@@ -84,7 +86,8 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   }
 }
 
-// In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
+// In dynamics the energy of the committed state; in statics that of the trial, because the line search
+// reduces it.
 Energy LineVolumeContact::energy(const Kinematics& at) const {
   Energy e;
   const std::vector<RigidPose> poses = volumes_.poses(at);

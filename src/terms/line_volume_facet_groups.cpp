@@ -1,5 +1,5 @@
-// Surface queries of a pair; where that has several facet groups, which of them a pair is about, and
-// which of the points of before were its own.
+// The class LineVolumeFinder: surface queries of a pair. If the surface has several facet groups: which of
+// them are near the pair, and which contact points of the last step belonged to each.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,11 +9,10 @@
 namespace hawser {
 namespace {
 
-// Parts of a surface are one facet group where they hang together no farther away than this, times the
-// distance at which contact begins: so facet groups part and come together while the farther of them is out
-// of touch.
+// Parts of a surface are one facet group if they are connected within this factor times the distance at which
+// contact begins. Facet groups therefore split and merge only while the farther one of them does not touch.
 constexpr double kTogether = 1.1;
-constexpr double kSagitta = 0.05;  // of that distance: how far the axis is from its polyline
+constexpr double kSagitta = 0.05;  // of that distance: largest distance between axis and polyline
 
 // The axis as a polyline in the body's frame.
 std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double contact_distance) {
@@ -36,7 +35,7 @@ std::optional<SurfacePoint> LineVolumeFinder::query(const LineVolumePair& pair, 
   }
   if (const FacetGroup* only = pair.group(group))
     return surface(pair).query_group(*only, y, within, either_side);
-  // What touches is asked about near the same places of the surface in each trial and in each step.
+  // In each trial and each step, points in contact are queried near the same places of the surface.
   if (pair.points.empty()) return surface(pair).query(y, within, pair.hint);
   if (pair.asked == pair.near_facets.size()) pair.near_facets.emplace_back();
   return surface(pair).query_again(y, within, pair.hint, pair.near_facets[pair.asked++]);
@@ -50,7 +49,7 @@ bool LineVolumeFinder::one_facet_group(const LineVolumePair& pair, double motion
                                        kTogether * pair.contact_distance + motion + shape.bend_bound() / 8);
 }
 
-// Facet groups of the trial alone: of the axis, and of what was left by the last step.
+// The facet groups of this trial: those near the axis, and those of the points of the last step.
 void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& shape,
                                          const RigidPose& pose) const {
   const auto p = surface(pair).query(pose.to_body(shape.point(0.5)),
@@ -62,13 +61,14 @@ void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& 
   assign_previous_points(pair);
 }
 
-// A point of before lay on the facet group whose normal there is most like its own. On the one facet group
-// there is: of two that lay side by side, the more heavily pressed.
+// A point of the last step belongs to the facet group whose normal there is most like its own. If there is
+// only one facet group now and two lay side by side before, the points of the more heavily loaded one are
+// kept where both had points.
 void LineVolumeFinder::assign_previous_points(LineVolumePair& pair) const {
   NearGroups& near = pair.near;
   if (!near.facet_groups.several() && (pair.points.empty() || pair.points.back().group == 0)) return;
   const size_t facet_groups = pair.facet_groups();
-  // The points of each of the facet groups of before, by facet group.
+  // For each present facet group, the points by facet group of the last step.
   using Points = std::vector<AxisContactPoint>;
   std::vector<std::vector<Points>> of(facet_groups, std::vector<Points>(FacetGroups::kMost));
   for (const AxisContactPoint& p : pair.points) {

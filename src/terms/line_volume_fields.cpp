@@ -1,4 +1,5 @@
-// What touches in the accepted state, shown at the nodes and sent to the clash report.
+// The class LineVolumeContact: output of contact in the accepted state at the nodes, and for the clash
+// report.
 #include <algorithm>
 #include <utility>
 
@@ -39,12 +40,12 @@ void LineVolumeContact::fields(FieldRegistry& registry) const {
                      });
 }
 
-// One for each panel: panels that meet are put together where intervals are.
+// Adds one contact for each panel; adjacent panels are joined where intervals are.
 void LineVolumeContact::active_contacts(ActiveContacts& out) const {
   for (const Pair& pair : pairs_) {
     if (!local(pair).counted) continue;
     const Element& e = element(pair);
-    std::pair<int, double> panel(-1, 0);  // facet group and where it begins
+    std::pair<int, double> panel(-1, 0);  // facet group, and where the panel begins
     for (const AxisContactPoint& p : pair.points) {
       if (std::pair(p.group, p.from) != panel) {
         ActiveContact& t = out.emplace_back();

@@ -1,5 +1,5 @@
-// The part of LineVolumeFinder that finds contact in a trial: intervals and Gauss points along an element or
-// at its ends, and the free space that makes the search needless.
+// The class LineVolumeFinder: finds contact in a trial, as intervals and Gauss points along an element or at
+// its ends, and the free space within which no search is necessary.
 #include "hawser/terms/line_volume_finder.hpp"
 
 #include <algorithm>
@@ -10,15 +10,17 @@
 namespace hawser {
 namespace {
 
-// What is found free is looked at in up to so many places more to keep that much of it.
+// If an axis is free, at most kProbes more points are queried, until the free space is at least kCertain
+// times the least distance.
 constexpr int kProbes = 4;
 constexpr double kCertain = 0.5;
-// Times the bound of the slope: how far the middle is asked about first.
+// In bounds of the slope: range of the first query at the middle.
 constexpr double kFirst = 2;
-// Of the length of an element, by the weights of its Gauss points: all of it touched.
+// Share of an element's length, by the weights of its Gauss points, from which all of it touched.
 constexpr double kAll = 1 - 1e-9;
 
-// The end of the part is one of the material: it does not move with the gap.
+// Limits panels to the part of the axis that may touch. A limit is a material point, which does not move with
+// the gap.
 void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
   for (ContactInterval& s : panels) {
     if (s.from < part.from) {
@@ -47,7 +49,8 @@ BezierAxis bezier_in(const RigidPose& pose, const AxisShape& shape) {
   return axis;
 }
 
-// The gap along the axis less the smoothing, as the search for intervals sees it, and how far the volume is.
+// The gap minus the smoothing along the axis, as the search for intervals reads it, and the distances that it
+// has queried.
 class LineVolumeFinder::Gap {
  public:
   Gap(const LineVolumeFinder& finder, LineVolumePair& pair, int group, const AxisShape& shape,
@@ -63,7 +66,7 @@ class LineVolumeFinder::Gap {
     if (p) pair_.hint = p->triangle;
     return p;
   }
-  // Less than half the bound of the slope: it may touch somewhere.
+  // Whether the axis may touch somewhere: the gap at its middle is less than half the bound of the slope.
   bool may_touch() {
     const double within = kFirst * shape_.slope_bound();
     const auto p = query(0.5, within);
@@ -123,7 +126,7 @@ void LineVolumeFinder::update_clearance(const LineVolumePair& pair, const AxisSh
     least = std::min(least, more.distance - pair.contact_distance);
     free = clear();
   }
-  if (!(free > 0)) return;  // free_radius only shortens distances
+  if (!(free > 0)) return;  // free_radius() only shortens distances
   for (ClearancePoint& p : places)
     p.distance = surface(pair).free_radius(pose.to_body(shape.point(p.xi)), p.distance, pair.hint);
   pair.clearance.offer(bezier_in(pose, shape), clear());
@@ -139,7 +142,8 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
     pair.before->emplace_back();
     return *pair.before;
   }
-  constexpr int kCloser = 2;  // halvings more than in a trial: what is not seen here is filled there
+  // More halvings than in a trial: intervals that are not found here would be filled there.
+  constexpr int kCloser = 2;
   const AxisShape& start = pair.start.shape;
   std::vector<ClearancePoint> places;
   Gap gap(*this, pair, 0, start, pair.start.pose, places);
@@ -154,14 +158,15 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
   pair.asked = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
   const bool near = gap.may_touch();
-  // Where there is neither a beginning nor an end of contact, nor a lift-off within, less will do.
+  // If the element touched all along, contact is not expected to begin, end or lift off within it, and fewer
+  // halvings suffice.
   const int levels = touched_all_along(pair, group) ? panel_levels(pair.length, pair.radius) : pair.levels;
   std::vector<ContactInterval> intervals;
   if (near)
     intervals =
         contact_intervals(std::ref(gap), {shape.slope_bound(), pair.contact_distance, shape.bend_bound()},
                           levels, middles(inactive_intervals(before)));
-  // Of one facet group alone it says nothing of the others.
+  // The distance to one facet group is no bound for the others.
   if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
       split_intervals(as_split_before(intervals, before, pair.found.filled), levels);
@@ -178,13 +183,13 @@ void LineVolumeFinder::find_along(LineVolumePair& pair, int group, const AxisSha
   });
 }
 
-// The trapezoidal rule: each end stands for its half of the element.
+// The trapezoidal rule: each end has the weight of its half of the element.
 void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape,
                                      const RigidPose& pose) const {
   ContactQuadrature& f = pair.found;
   pair.asked = 0;
   Gap gap(*this, pair, group, shape, pose, places_);
-  // Behind one of several facet groups the middle sees nothing.
+  // The middle cannot show contact behind one of several facet groups.
   const bool near = by_gap() || pair.group(group) || gap.may_touch();
   for (const double xi : {0.0, 1.0}) {
     if (!near || !takes_part(pair, xi)) continue;
@@ -198,7 +203,7 @@ void LineVolumeFinder::find_at_nodes(LineVolumePair& pair, int group, const Axis
 
 bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
   if (!pair.part.has(xi)) return false;
-  // At a held end the support carries whatever a surface would.
+  // At a held end the support carries the force that a surface would exert.
   return !at_nodes() || (xi == 0 && !pair.held[0]) || (xi == 1 && !pair.held[1]);
 }
 
@@ -219,7 +224,7 @@ const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const Axis
   return pair.found;
 }
 
-// Anywhere on the surface; a plane's box is of no size to speak of.
+// The surface is searched at any distance; the box of a plane has no useful size.
 GapSpring LineVolumeFinder::spring_at(int volume, const Vec3& y, double contact_distance) const {
   const Surface& surface = volumes_.surface(volume);
   const Box box = surface.bounds();

@@ -1,6 +1,6 @@
-// Adds the contact of lines with volumes (triangle meshes and exact shapes) to residual and tangent: the
-// force on each element that touches goes to its nodes, the opposite force to the floating body that it
-// touches. The sum along the element is in contact_along_axis.cpp, the law at a point in
+// The class LineVolumeContact: adds contact of lines with volumes (triangle meshes and exact shapes) to
+// residual and tangent. The force on an element goes to its nodes, the opposite force to the floating body
+// that it touches. The sum along the element is in contact_along_axis.cpp, the law at a point in
 // kernels/surface_contact_law.cpp.
 #include "hawser/terms/line_volume_contact.hpp"
 
@@ -18,8 +18,8 @@ std::optional<AxisContact::Rolls> LineVolumeContact::rolls(const Pair& pair, con
   return r;
 }
 
-// The contact points stay for commit where no derivatives were asked for: with derivatives friction rounds
-// differently, and commit would depend on what was asked last.
+// The contact points are kept for commit() only if no derivatives were requested. With derivatives friction
+// has other rounding, and commit() would depend on which evaluation was the last one.
 AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
                                        const AxisContactMode& mode) const {
   const RigidPose& pose = volumes_.trial_pose(pair.volume);
@@ -41,7 +41,7 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
   return c;
 }
 
-// Most pairs are far away.
+// Most pairs are far apart and need no search.
 void LineVolumeContact::find_near_pairs(const Kinematics& trial) {
   near_.clear();
   for (size_t i = 0; i < pairs_.size(); ++i) {

@@ -1,9 +1,9 @@
-// History of contact of lines with volumes through a checkpoint.
+// The class LineVolumeContact: history of contact in a checkpoint.
 //
-// Both ranks of a shared element need its history, and a rank gets the records of its own nodes only: so an
-// element's is kept twice, at either node. Keys: 2 v for the element behind a node, 2 v + 1 for the one
-// before it, v the volume. Gap springs are kept alike, those of both ends in one record. The sums of an
-// element are kept at its first node.
+// Both ranks of a shared element need its history, and a rank reads the records of its own nodes only.
+// Therefore the record of an element is stored twice, at either node. Keys for the volume v: 2 v at the first
+// node of the element, 2 v + 1 at the second. Gap springs are stored in the same way, those of both ends in
+// one record. The sums of an element are stored at its first node.
 #include <algorithm>
 #include <map>
 #include <stdexcept>
@@ -52,7 +52,7 @@ std::vector<HistoryRecord> LineVolumeContact::records(NodeRange of) const {
 }
 
 void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
-  std::unordered_map<int, int> behind, before;  // mesh node -> local element
+  std::unordered_map<int, int> behind, before;  // from mesh node to local element
   for (size_t i = 0; i < mesh_.elements.size(); ++i) {
     behind[mesh_.global[mesh_.elements[i].first]] = static_cast<int>(i);
     before[mesh_.global[mesh_.elements[i].second]] = static_cast<int>(i);

@@ -1,5 +1,5 @@
-// What LineVolumeContact is made from, and what is prepared before a step: the contact laws of each element,
-// and which pairs of element and volume, or of its facet groups, may touch.
+// The class LineVolumeContact: its construction, and the preparation of a step: contact laws of each element,
+// and the pairs of an element and a volume, or its facet groups, that may touch.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -29,8 +29,8 @@ bool LineVolumeContact::recouple(const Kinematics& committed, double h) {
   return volumes_.recouple(committed, h, thickest);
 }
 
-// At a feeder's feed point the element has the length of the speed at the start of the step, as for masses:
-// it does not depend on the trial's positions, and the tangent is exact.
+// The element at a feeder's feed point has the length at the speed of the start of the step, as for masses.
+// It does not depend on the trial's positions, so the tangent is exact.
 AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[element];
   AxisEnds out = element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second);
@@ -39,7 +39,7 @@ AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   return out;
 }
 
-// What is inside a feeder touches nothing: its nodes are one point, and the cubic between them is a loop.
+// An element inside a feeder touches nothing: its nodes coincide, and the cubic between them is a loop.
 bool LineVolumeContact::idle(const Kinematics& at, int element) const {
   if (!feeders_) return false;
   const auto rest = feeders_->element_state(mesh_.elements[element].global, at, false);
@@ -53,7 +53,7 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
   std::array<ContactLaw, 2> laws;
   for (size_t i = 0; i < 2; ++i) {
     const Node& node = mesh_.mesh->nodes[i ? e.second : e.first];
-    double share = 1;  // of a metre: what turns the basis into N/m²
+    double share = 1;  // per metre, converts the basis to N/m²
     if (v.basis == model::StiffnessBasis::per_point)
       share = 1 / (finder_.at_nodes() ? node.tributary : pair.length);
     if (v.basis == model::StiffnessBasis::per_area) share = diameter;
@@ -81,7 +81,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   old.swap(pairs_);
   pairs_.reserve(old.size());
   size_t known = 0;
-  Pair pair;  // most are far away, and it serves for the next
+  Pair pair;  // reused, because most pairs are far apart and are discarded
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
     if (!(elements_[e].radius > 0) || idle(committed, e)) continue;
     const AxisEnds at = ends(committed, e);
@@ -101,9 +101,10 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   }
 }
 
-// Candidates are the pairs whose box comes within the margin of the element's middle: twice what line and
-// body move towards each other in the step at their present speed, and at least half an element. In statics
-// (h = 0) a Newton iteration may go anywhere, so every pair is one; and so is every pair of gap springs.
+// A pair is a candidate if the volume's box is nearer to the middle of the element than a margin: twice the
+// distance by which line and body can approach each other in the step at their present speed, and at least
+// half an element. In statics (h = 0) a Newton iteration may lead anywhere, so every pair is a candidate; so
+// is every pair of gap springs.
 bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h,
                                    double& motion) const {
   const Element& e = element(pair);
@@ -127,8 +128,9 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
   return true;
 }
 
-// What was found on all of the surface is found again; of a facet group it may be another. So are panels of
-// what touched: they part as at the start of this step.
+// Takes over the results of the last step. `found` is reused only if it refers to the whole surface, because
+// facet groups may have changed, and only if nothing touched, because panels must be split as at the start of
+// this step.
 void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   if (!was.several && was.points.empty()) pair.found = std::move(was.found);
   pair.points = std::move(was.points);
@@ -139,7 +141,8 @@ void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
   if (!pair.points.empty()) pair.near_facets = std::move(was.near_facets);
 }
 
-// Whether several facet groups may be met in the step; gap springs see none, but where they begin.
+// Determines whether several facet groups may be met in the step. Gap springs need only the point where they
+// begin.
 void LineVolumeContact::start_facet_groups(Pair& pair, double motion) const {
   const AxisShape& shape = pair.start.shape;
   const RigidPose& pose = pair.start.pose;

@@ -1,4 +1,5 @@
-// Where the points that touch in a trial were at the start of the step, and with what slip.
+// The class LineVolumeFinder: where the points that touch in a trial were at the start of the step, and their
+// slip there.
 #include <algorithm>
 
 #include "hawser/terms/line_volume_finder.hpp"
@@ -6,7 +7,7 @@
 namespace hawser {
 namespace {
 
-// Slip is interpolated between the points of one interval.
+// Interpolates the slip between the contact points of one interval.
 void take_slip(const std::vector<AxisContactPoint>& previous, double xi, ContactStart& s,
                ContactRates* rates) {
   const auto after =
@@ -33,7 +34,7 @@ void take_slip(const std::vector<AxisContactPoint>& previous, double xi, Contact
 
 }  // namespace
 
-// Material that did not touch has no slip, and a gap.
+// Material that did not touch at the start has no slip, and has a gap.
 ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int group, double xi,
                                      ContactRates* rates) const {
   const AxisShape& shape = pair.start.shape;

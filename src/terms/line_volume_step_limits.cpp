@@ -1,7 +1,7 @@
-// How long a step may be, by what touches and by what elements may come to; and what only the end of a step
-// shows: what leaves in a step that was too long to follow it, for what pushed lay still at its start and a
-// wave along the line came and took it away; and what a wave drove deeper than its speed at the start would
-// have.
+// The class LineVolumeContact: how long a step may be because of present contacts and of elements that
+// approach a volume, and events that only the end of a step shows. Contact may be lost in a step that was too
+// long to follow the loss, if a wave along the line came and pulled an element away that was at rest at the
+// start; and a wave may drive an element deeper than its speed at the start would have done.
 #include <algorithm>
 #include <array>
 
@@ -10,18 +10,18 @@
 namespace hawser {
 namespace {
 
-constexpr std::array<double, 3> kSamples{0, 0.5, 1};  // of an element
+constexpr std::array<double, 3> kSamples{0, 0.5, 1};  // positions along an element
 
 Vec3 along(std::span<const Vec3> nodes, const LocalElement& e, double xi) {
   return (1 - xi) * nodes[static_cast<size_t>(e.first)] + xi * nodes[static_cast<size_t>(e.second)];
 }
 
-// m/s, seen from the body.
+// m/s, relative to the body.
 Vec3 velocity_at_start(const LineVolumePair& p, double xi) {
   return p.start.shape.velocity(xi) - p.start.pose.velocity_at(p.start.shape.point(xi));
 }
 
-// Twice what limit_depth() trusts a step with: what comes as predicted stays clear of it.
+// Twice the depth that limit_depth() allows a step, so that an approach as predicted stays below it.
 bool sinks_too_far(double radius, double before, double after) {
   return after > std::max(before, 0.0) + radius;
 }
@@ -50,7 +50,8 @@ void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& commit
 
 void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinematics& committed,
                                                  ImpactEvents& to) const {
-  // All of the contact with a facet group ends with its deepest place; nodes are each by themselves.
+  // The deepest point of contact with a facet group stands for its whole length in contact; with contact at
+  // nodes each node is separate.
   const bool apart = finder_.at_nodes();
   const auto last = pair.points.end();
   for (auto first = pair.points.begin(), end = first; first != last; first = end) {
@@ -70,7 +71,7 @@ void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& comm
   const bool apart = finder_.at_nodes();
   const bool touching = std::any_of(pair.points.begin(), pair.points.end(),
                                     [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
-  // Simpson's rule, or that of the nodes; what touches has been looked at.
+  // Weights of Simpson's rule, or of the nodes. Points in contact are in limit_by_active_contacts().
   const double gap = p.distance - pair.contact_distance, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
   add_impact_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to);
 }
@@ -93,8 +94,8 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
   return facet_groups.several();
 }
 
-// Nothing is asked of a place that is known to have nothing ahead, nor where nothing it may come to could
-// limit the step or have an impact.
+// Skips points that are known to have nothing ahead, and points whose possible contact could neither limit
+// the step nor be an impact.
 void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);
@@ -104,7 +105,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   std::vector<ClearancePoint> free;
   for (size_t i = 0; i < kSamples.size(); ++i) {
     const double xi = kSamples[i], speed = velocity_at_start(pair, xi).norm();
-    // Look ahead as far as it gets in half a second.
+    // The range of the query is the distance covered in half a second.
     const double far = 0.5 * (start.slope_bound() + speed), within = pair.contact_distance + far;
     const ContactSpring s = spring(pair, xi);
     const bool matters = may_limit_depth(pair.radius, clearance, speed, to) ||
@@ -124,18 +125,20 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   const auto clear = [&] {
     return least_distance(free, start.slope_bound(), start.bend_bound(), worst) - pair.contact_distance;
   };
-  if (!(clear() > std::max(clearance, 0.0))) return;  // free_radius only shortens distances
+  if (!(clear() > std::max(clearance, 0.0))) return;  // free_radius() only shortens distances
   for (size_t i = 0; i < free.size(); ++i)
     free[i].distance = surface.free_radius(pair.start.pose.to_body(start.point(free[i].xi)), free[i].distance,
                                            pair.ahead[i]);
   pair.clearance.offer(bezier_in(pair.start.pose, start), clear());
 }
 
-// The places that a contact no longer reaches, where it ended or grew shorter, and those that it newly does.
+// Adds the places that a contact no longer reaches because it ended or became shorter, and those that it
+// newly reaches.
 void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   volumes_.pose_trial(trial);
   for (Pair& pair : pairs_) {
-    // What touched may be that of another of its facet groups; what touches was found when it was evaluated.
+    // A pair that touched neither at the start nor in the last evaluation is skipped, unless it has several
+    // facet groups: then the contact may be with another one.
     if (!local(pair).counted || (pair.points.empty() && !pair.several && pair.found.panels.empty())) continue;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
@@ -160,7 +163,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     const auto moved = [&](double xi) -> Vec3 {
       return pose.to_body(shape.point(xi)) - pair.start.pose.to_body(pair.start.shape.point(xi));
     };
-    // On the facet group it was on then, or is on now.
+    // On the facet group that the point touched at the start, or touches now.
     for (int w = 0; w < pair.facet_groups(); ++w)
       for (const AxisContactPoint& p : pair.previous(w)) {
         const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
@@ -176,7 +179,8 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       const auto& previous = pair.previous(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
       if (!pair.in_contact(p.at) || std::any_of(previous.begin(), previous.end(), holds)) continue;
-      // What slides along its own line comes and goes, and as much of it touches as before.
+      // An element that slides along its own line makes and loses contact, yet the length in contact does not
+      // change.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));
       const double came = -p.at.normal.dot(way);

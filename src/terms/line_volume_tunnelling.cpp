@@ -1,5 +1,6 @@
-// What goes through a volume in a step and touches it neither at its start nor at its end, or comes to its
-// other side: nothing acted on it, so the step is taken again, shorter.
+// The class LineVolumeContact: elements that pass through a volume in a step and touch it neither at its
+// start nor at its end, or that come to its other side. No force acted on them, so the step is repeated with
+// a shorter length.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -12,11 +13,11 @@
 namespace hawser {
 namespace {
 
-constexpr std::array<double, 2> kEnds{0, 1};  // of an element
-// Of the radius: shorter displacements are not tested for tunnelling in statics.
+constexpr std::array<double, 2> kEnds{0, 1};  // positions along an element
+// In radii: shorter displacements are not tested for tunnelling in statics.
 constexpr double kCreeps = 0.1;
 
-// Of the part of the axis that may touch.
+// The part of the axis that may touch.
 BezierAxis part_of(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) {
   const BezierAxis axis = bezier_in(pose, shape);
   return pair.part.all() ? axis : axis.part(pair.part.from, pair.part.to);
@@ -31,7 +32,7 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
       return {Verdict::Kind::shorter, std::move(why)};
   const std::vector<RigidPose> poses = volumes_.poses(trial);
   std::optional<AxisShape> shape;
-  int element = -1;  // of the shape: the pairs of an element follow each other
+  int element = -1;  // element of `shape`; the pairs of an element are successive
   for (const Pair& pair : pairs_) {
     if (pair.element != element) {
       element = pair.element;
@@ -49,17 +50,17 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
   return {};
 }
 
-// Where contact is too soft the axis of a line can reach the surface. Once it is inside, the nearest facet
-// may be on the far side of the volume, and contact would push the line out there. An element that is inside
-// at the start of the step may leave on any side.
+// If contact is too soft, the axis of a line can reach the surface. Once it is inside, the nearest facet may
+// be on the far side of the volume, and contact would push the line out there. An element that is inside at
+// the start of the step may leave on any side.
 bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (finder_.by_gap() || is_held(pair)) return false;
   return !(pair.clearance.left(bezier_in(pose, shape)) > 0) && is_inside(pair, shape, pose) &&
          !is_inside(pair, pair.start.shape, pair.start.pose);
 }
 
-// Whether the element is deeper in the volume than its contact law is for: the radius of the line, or the
-// last row of a table of forces.
+// Whether the element is deeper in the volume than the range of its contact law: the radius of the line, or
+// the last row of a table of forces.
 bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (!volumes_.has_back(pair.volume)) return false;
   const AxisGapFunction gap = axis_distance(volumes_.surface(pair.volume), pose, shape,
@@ -73,9 +74,9 @@ bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, cons
   });
 }
 
-// Most are far away, or move less than they are thick. What is looked for at the nodes only passes between
-// them as it likes, and a gap spring sees no surface. In statics, where a search creeps where it is blocked,
-// shorter ways count as well.
+// Whether the element passes through the volume. Most elements are far away, or move by less than their
+// radius. With contact at nodes, only the nodes are tested; gap springs are not tested, because they have no
+// surface. In statics shorter displacements count as well, because a search creeps where it is blocked.
 bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
                                 bool rests) const {
   if (finder_.by_gap()) return false;

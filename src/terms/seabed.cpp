@@ -1,6 +1,6 @@
-// Forces, tangent, energy and accepted steps of SeabedTerm: gap, normal force, friction and suction at each
-// point. The law at a point: kernels/surface_contact_law.cpp, its friction kernels/friction_law.hpp; the rest
-// is in seabed_*.cpp.
+// The class SeabedTerm: forces, tangent, energy and accepted steps, from the gap, the normal force, friction
+// and suction at each point. The law at a point is in kernels/surface_contact_law.cpp, its friction in
+// kernels/friction_law.hpp; other parts of the class are in seabed_*.cpp.
 #include "hawser/terms/seabed.hpp"
 
 #include <algorithm>
@@ -32,14 +32,16 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
   cache.centre = x;
   if (!s) {
-    // Of a mesh it may also lie under the bed beyond the edge: only above the box is nothing near for sure.
+    // If the bed is a mesh, x may also lie under it beyond its edge. Then only the distance to its bounding
+    // box is certain to be free.
     const bool endless = !std::isfinite(bounds_.hi.z());
     cache.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
     return false;
   }
   cache.hint = s->triangle;
   cache.clear = s->distance - contact_distance(p);
-  // Not what was asked before but where it is decides.
+  // The gap is clamped, so that the result does not depend on the search radius of this query or on earlier
+  // queries.
   trial.gap = std::min(s->distance - radius, smoothing + beyond);
   trial.normal = s->normal;
   trial.curvature = s->curvature;
@@ -52,8 +54,9 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
-// Only what the soil held at the start of the step is pulled, and nothing in statics, which has no way back.
-// A little further, so that round-off does not keep what is let go.
+// Suction acts only on a point that the soil held at the start of the step. It does not act in statics, which
+// follows no path. The range is 1 % longer than that of suction, so that a point beyond it is released in
+// spite of round-off.
 double SeabedTerm::suction_range(const Point& p, double step) const {
   if (!(step > 0) || !suction_ || !history(p).held) return 0;
   return std::max(0.0, 1.01 * law(p).suction.length - history(p).deepest - law(p).law.normal.smoothing);
@@ -79,12 +82,13 @@ ContactStart SeabedTerm::start(const Point& p) const {
   const Start& s = starts_[place(p)];
   if (laid()) {
     const Laid& from = laid_[place(p)];
-    return {from.place, 0, s.direction, from.slip, from.normal};  // all of the way from there counts
+    // The gap at the start is 0, so that all of the displacement from the laid place counts as slip.
+    return {from.place, 0, s.direction, from.slip, from.normal};
   }
   return {s.point, s.gap, s.direction, history(p).slip, history(p).normal};
 }
 
-// Statics comes here before every iteration: a laid line keeps where its friction is counted from.
+// Statics calls this before every iteration. A laid line keeps the place from which its friction is counted.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
   if (h > 0) {
     laid_.clear();
@@ -102,7 +106,8 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
       continue;
     }
     const Vec3 x = of_nodes(p, committed.x);
-    // So far that what it lands from in this step is known.
+    // The search reaches as far as the point can move in this step, so that the gap from which it lands is
+    // known.
     locate(p, x, std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[p.node]), at);
     start.point = x;
     start.gap = at.gap;
@@ -110,7 +115,7 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
 }
 
 namespace {
-// At n nodes with an equal share of the force each.
+// Adds equal shares of the force to n nodes.
 template <int n>
 void add_shared(const int (&blocks)[n], const Vec3& residual, const Mat3* K, const Mat3* C,
                 Assembler& assembler) {
@@ -123,7 +128,7 @@ void add_shared(const int (&blocks)[n], const Vec3& residual, const Mat3* K, con
 }
 }  // namespace
 
-// Half of what is half way along an element goes to either node.
+// Half of the force at a point half way along an element goes to either node.
 void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
                      Assembler& assembler) const {
   if (p.second < 0) return add_shared({mesh_.block[p.node]}, residual, K, C, assembler);
@@ -134,7 +139,8 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool needs_tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    Mat3 stiffer = Mat3::Zero();  // N/m, by what friction's tangent is stiffer than its derivative
+    // N/m: part of the difference between the secant stiffness of friction and its derivative.
+    Mat3 stiffer = Mat3::Zero();
     if (friction_ != Friction::none && laid() && laid_[place(p)].pressed > 0) {
       const PressedFriction f = pressed(p, of_nodes(p, trial.x));
       if (needs_tangent) stiffer = assembler.weights().stiffer * (f.by_slip - f.secant);
@@ -156,8 +162,9 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-// The soil takes hold of what goes deeper than it was since it landed, and lets go of what is lifted too far;
-// it forgets what has left. At rest it holds what lies in it.
+// The soil holds a point that goes deeper than ever since it landed, and releases it when it is lifted by
+// more than the suction length. When the point has left the bed, its depth is forgotten. In statics a point
+// is held if it lies in the soil.
 void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) const {
   if (!(law(p).suction.limit > 0)) return;
   if (moves) {
@@ -172,7 +179,8 @@ void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) con
   if (!next.held && gap >= 0) next.deepest = 0;
 }
 
-// Evaluated again at the accepted state. Energies: trapezoid over the step.
+// Evaluates contact again at the accepted state. Energies are integrated by the trapezoidal rule over the
+// step.
 void SeabedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;
@@ -204,7 +212,7 @@ void SeabedTerm::commit(const Kinematics& accepted) {
 
 void SeabedTerm::remember(Point& p, const History& h) {
   if (p.touch < 0 && vacant_.empty()) {
-    // Room for twice as many would be as much as all else that is kept of the points.
+    // A capacity of twice the size would take as much memory as everything else that is kept of the points.
     const size_t n = histories_.size();
     if (n == histories_.capacity()) histories_.reserve(n + n / 8 + 16);
     p.touch = static_cast<int>(n);
@@ -216,7 +224,7 @@ void SeabedTerm::remember(Point& p, const History& h) {
   histories_[p.touch] = h;
 }
 
-// In statics of trials: the line search goes down this.
+// In statics the energy is that of the trial, because the line search reduces it.
 Energy SeabedTerm::energy(const Kinematics& at) const {
   Energy e;
   e.friction = account_.friction;

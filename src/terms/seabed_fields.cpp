@@ -1,10 +1,10 @@
-// What the seabed exerts, shown at the nodes.
+// The class SeabedTerm: output fields of the seabed's force and friction at the nodes.
 #include "hawser/terms/contact_fields.hpp"
 #include "hawser/terms/seabed.hpp"
 
 namespace hawser {
 
-// A point half way along an element shows at its nodes, half at either.
+// The force at a point half way along an element is shown at its nodes, half at either.
 void SeabedTerm::fields(FieldRegistry& registry) const {
   add_contact_fields(registry,
                      {.force = {.name = "seabed_force", .unit = "N", .carries = true},

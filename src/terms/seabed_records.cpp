@@ -1,8 +1,8 @@
 // History of contact with the seabed through a checkpoint.
 //
-// Both ranks of a shared element need the history of the point half way along it, and a rank gets the records
-// of its own nodes only: so it is kept twice, at either node. Keys: 0 for a node, 1 for the element behind
-// it, 2 for the one before it.
+// Both ranks of a shared element need the history of the point half way along it, and a rank reads the
+// records of its own nodes only. Therefore the record is stored twice, at either node. Keys: 0 for a node, 1
+// at the first node of the element, 2 at the second one.
 #include <map>
 
 #include "hawser/terms/seabed.hpp"

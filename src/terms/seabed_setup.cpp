@@ -1,4 +1,4 @@
-// What SeabedTerm is made from; what it shows and saves is in seabed_fields.cpp and
+// The class SeabedTerm: its construction from the case. Output is in seabed_fields.cpp, checkpoints are in
 // seabed_records.cpp.
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,8 @@ SeabedTerm::SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> sur
     throw std::invalid_argument("the seabed needs a law for each element, or none");
   const auto add = [this](const PointLaw& law) -> Point* {
     if (!(law.law.normal.stiffness > 0)) return nullptr;
-    if (laws_.empty() || laws_.back() != law) laws_.push_back(law);  // along a line it is mostly the same
+    // Successive points of a line mostly have the same law, which is stored once.
+    if (laws_.empty() || laws_.back() != law) laws_.push_back(law);
     Point& p = points_.emplace_back();
     p.law = static_cast<int>(laws_.size()) - 1;
     suction_ |= law.suction.limit > 0;
@@ -57,11 +58,11 @@ namespace {
 
 SeabedTerm::Plane plane_of(const model::Seabed& s) { return {Vec3(0, 0, -s.depth), model::bed_normal(s)}; }
 
-// What belongs to a point.
+// The share of the line that belongs to a point.
 struct Share {
   double radius = 0, length = 0, area = 0, weight = 0;  // m, m, m², N under water
   double axial_stiffness = 0;                           // N/m
-  double lowered = 0;                                   // m, the bed
+  double lowered = 0;                                   // m, lowering of the bed at the point
 
   void add(const model::LineType& t, double part, double w, double element) {
     radius = std::max(radius, 0.5 * t.contact_diameter);
@@ -92,7 +93,7 @@ SeabedTerm::PointLaw law_of(const Share& s, const model::Seabed& bed) {
   return o;
 }
 
-// Whether a node is in the soil, and not where the line comes out of it.
+// Whether a node is in the soil. A node where the line leaves the soil is not.
 bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
   const Node& n = mesh.nodes[node];
   if (n.body >= 0) return false;
@@ -103,7 +104,7 @@ bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
   });
 }
 
-// The bed beside both ends of a line.
+// The bed beside both held ends of a line, which may be lowered to them.
 class BedAtEnds {
  public:
   BedAtEnds(const model::Case& c, const Mesh& mesh, size_t l) : length_(mesh.lines[l].length) {
@@ -124,9 +125,10 @@ class BedAtEnds {
   model::BedAtEnd a_, b_;
 };
 
-// A beam has its share of the bed at its nodes; a cable by Simpson's rule, for it has nothing to bridge the
-// way from one node that touches to the next (docs/theory/seabed.md). Of an element partly in the soil
-// the node outside has what is bare of its half.
+// A beam has its share of the bed at its nodes. A cable has it by Simpson's rule at its nodes and middles,
+// because without bending stiffness it does not bridge the distance between a node that touches and the next
+// (docs/theory/seabed.md). In an element that is partly buried, the node outside has the bare part of its
+// half.
 SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held) {
   std::vector<Share> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
   std::vector<BedAtEnds> ends;

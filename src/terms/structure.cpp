@@ -13,7 +13,9 @@
 namespace hawser {
 namespace {
 
-// A longer step than the last takes the stretch of that as it was: what the filter holds may only fall.
+// State at the start of a step of length `step`. In a shorter step than the last one the last stretch is
+// scaled by step/last. In a longer step it is not scaled up, because the energy that the filter holds may
+// only fall.
 CableStart started(const StructureTerm::Cable& c, double step, double last) {
   CableStart s = c.start;
   if (step < last) s.stretch *= step / last;
@@ -111,6 +113,7 @@ StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   update_from_feeders(trial);
   const CableStep step{trial.step, trial.mean.filter};
+  // With a weight of 1 (statics, start of the motion; StepMean) cables have the force at the state itself.
   const bool in_step = trial.mean.weight != 1;
   if (assembler.needs_tangent()) {
     double f[12], K[144], C[144];
@@ -142,6 +145,8 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const CableEnds e = ends(c, trial);
     const Vec3 pull = in_step ? cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
                               : cable_pull(c.section, e);
+    // Outside a step `pull` is no mean. With the weight of 1 it enters the residual unchanged; it also enters
+    // mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
   }
 }
@@ -150,13 +155,13 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// Distance of the ends from the origin, by component, the larger of both.
+// Largest distance of either end from the origin, by component.
 Vec3 far(const Kinematics& at, const LocalElement& e) {
   return at.x[e.first].cwiseAbs().cwiseMax(at.x[e.second].cwiseAbs());
 }
 
-// N, in the tension: a strain is a difference of positions, each known to eps |x|, and in a step h a rate of
-// strain is such a difference over h.
+// Round-off of the tension, N. A strain is a difference of positions, each of which has an error of eps |x|.
+// In a step h the rate of strain is such a difference divided by h.
 double pull_round_off(const Kinematics& at, const auto& e, double h = 0) {
   const double rates = h > 0 ? e.section.beta / h : 0;
   return (1 + rates) * e.section.EA / e.section.length * eps * far(at, e.at).maxCoeff();
@@ -178,8 +183,9 @@ double StructureTerm::round_off(const Kinematics& at, double h) const {
     if (b.idle) continue;
     pull(b);
     if (!b.at.counted) continue;
-    // A curvature is a difference of the nodes' directions, known to a few eps, and the chord's, which has
-    // the noise of positions across it over its length. As a force that makes the moment over the element.
+    // A curvature is a difference of directions: those of the nodes, with errors of a few eps, and that of
+    // the chord, whose error is that of the positions across it divided by its length. The force with this
+    // error is the moment's divided by the element's length.
     const BeamSection& s = b.section;
     const Vec3 t = (at.x[b.at.second] - at.x[b.at.first]).normalized();
     const double across = (far(at, b.at).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
@@ -230,7 +236,7 @@ std::vector<double> StructureTerm::slack(const Kinematics& at) const {
   return lines;
 }
 
-// From what is true each time: no bound gives a stiffness back to the last bit.
+// Bounds are always applied to the true values, so that removing the bound restores them to the last bit.
 bool StructureTerm::soften(double most) {
   if (true_beams_.empty() && true_EA_.empty()) {
     for (const Beam& b : beams_) true_beams_.push_back({b.section.EA, b.section.plastic});
@@ -272,14 +278,15 @@ double StructureTerm::beam_dissipation(const Kinematics& at) const {
   return p;
 }
 
-// Brings what beams remember to where they are. What is dissipated on the way by those that this rank counts,
-// J.
+// Updates the plastic history of beams to the state `at`. Returns the energy that the beams counted by this
+// rank dissipate in this, J.
 double StructureTerm::bend(const Kinematics& at) {
   double dissipated = 0;
   for (Beam& b : beams_) {
     if (!b.section.plastic || b.idle) continue;
     double* set = set_.data() + b.memory;
-    if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);  // of another length
+    // The reference pointed to the history at a trial length.
+    if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);
     b.reference.set = set;
     const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
     if (b.at.counted) dissipated += lost;
@@ -288,8 +295,8 @@ double StructureTerm::bend(const Kinematics& at) {
 }
 
 void StructureTerm::prepare(const Kinematics& committed, double h) {
-  // Statics takes every section to be bent there in one go: what that leaves is remembered when motion
-  // begins, and is no work of the motion.
+  // In statics every section is bent from its initial history in one go. The result is stored when motion
+  // begins; it is not work of the motion.
   update_from_feeders(committed);
   if (h > 0 && !(committed.step > 0) && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
@@ -342,7 +349,7 @@ Energy StructureTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-// Both lists are in the order of the mesh.
+// Adds the force of element e to f, in the sign of the residual. Both lists are in the order of the mesh.
 void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;
@@ -358,7 +365,7 @@ void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, d
   }
 }
 
-// At rest nothing is paid out, whatever follows.
+// In statics the feeder does not pay out, even if its speed in motion is not 0.
 CableSection StructureTerm::shown(const Cable& c, const Kinematics& at) {
   CableSection s = c.section;
   if (!(at.step > 0)) s.length_rate = 0;

@@ -1,5 +1,5 @@
-// The part of the class StructureTerm that a feeder has to do with: unstretched lengths at its feed point,
-// and what sections that yield remember on their way through it (docs/theory/feeders.md#pipes-that-yield).
+// The class StructureTerm at feeders: unstretched lengths at the feed point, and the history of sections that
+// yield while they pass through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
@@ -10,7 +10,8 @@
 namespace hawser {
 namespace {
 
-// Between the order of an element, from end A on, and that of the labels, from the free node on.
+// Converts between the order of an element, from end A to end B, and that of the labels, from the free node
+// on.
 std::vector<double> turned(const double* values, size_t n, bool at_b) {
   std::vector<double> out(kBendingPlaces * n);
   for (size_t k = 0; k < kBendingPlaces; ++k)
@@ -23,8 +24,8 @@ BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
-// What is inside, by label from the free node on: of the element at the feed point, and of the next in the
-// stock.
+// History of the material inside the feeder, by label from the free node on: of the element at the feed point
+// and of the next element in stock.
 std::vector<RememberedCell> inside(const Feeders& feeders, const Feeder& f,
                                    const std::vector<double>& values) {
   const size_t n = values.size() / (2 * kBendingPlaces);
@@ -39,7 +40,8 @@ std::vector<RememberedCell> inside(const Feeders& feeders, const Feeder& f,
 
 }  // namespace
 
-// Room for what sections inside remember, of lines that yield; they have never been bent.
+// Allocates the history of sections inside feeders, for lines that yield. These sections have never been
+// bent.
 void StructureTerm::fed_by(Feeders* feeders) {
   feeders_ = feeders;
   fed_.clear();
@@ -57,7 +59,7 @@ void StructureTerm::update_from_feeders(const Kinematics& at, bool accepted) {
       c.section.length = rest->length;
       c.section.length_by_chord = rest->length_by_chord;
       c.section.length_rate = at.step > 0 ? rest->length_rate : 0;
-    }  // statics holds the feeder
+    }  // in statics the feeder is held
   for (Beam& b : beams_) {
     const auto rest = feeders_->element_state(b.at.global, at, true);
     if (!rest) continue;
@@ -67,14 +69,14 @@ void StructureTerm::update_from_feeders(const Kinematics& at, bool accepted) {
     if (!b.section.plastic) continue;
     b.reference.set = set_.data() + b.memory;
     if (rest->feeder < 0) continue;
-    // What is remembered does not follow the force of a trial: as of masses it is that of the speed at its
-    // start.
+    // The history does not depend on the force of a trial: like masses it uses the length at the speed of the
+    // start of the step.
     const double to = accepted ? rest->length : feeders_->element_state(b.at.global, at, false)->length;
     carry_bends(b, rest->feeder, rest->before, to);
   }
 }
 
-// Of the material at that label, which is inside.
+// History of the material at this label, which is inside the feeder.
 std::vector<double> StructureTerm::entering(int feeder, double label) const {
   std::vector<double> out;
   for (const RememberedCell& c : inside(*feeders_, feeders_->list()[feeder], fed_[feeder].inside))
@@ -83,8 +85,8 @@ std::vector<double> StructureTerm::entering(int feeder, double label) const {
   return out;
 }
 
-// What the element at the feed point, of a length `from` at the start of the step, remembers at the length
-// `to`.
+// Sets the history of the element at the feed point for the length `to`; at the start of the step its length
+// was `from`.
 void StructureTerm::carry_bends(Beam& b, int feeder, double from, double to) {
   if (from == to) return;
   const Feeder& f = feeders_->list()[feeder];
@@ -101,7 +103,8 @@ void StructureTerm::carry_bends(Beam& b, int feeder, double from, double to) {
   b.reference.set = fed.trial.data();
 }
 
-// Material that goes into the feeder is held straight there. A cell inside has what was in its middle.
+// Stores the history of material that is hauled into the feeder and held straight there. A cell inside takes
+// the history at its middle.
 void StructureTerm::keep_hauled_in(const Beam& b, int feeder, double from, double to) {
   if (!(to < from)) return;
   const Feeder& f = feeders_->list()[feeder];
@@ -118,8 +121,8 @@ void StructureTerm::keep_hauled_in(const Beam& b, int feeder, double from, doubl
   }
 }
 
-// Of the feeders on bends in the step that led to `at`, J, by the mean of its start and its end; before
-// bend().
+// Work of the feeders on bends in the step that led to `at`, J: the mean of the values at its start and end
+// times the length paid out. Must be called before bend().
 double StructureTerm::fed_work(const Kinematics& at) const {
   double work = 0;
   const State& before = feeders_->before();
@@ -155,8 +158,8 @@ void StructureTerm::transfer_node(MPI_Comm comm, const Feeder& f, int feed_point
                                      [](const Beam& b, int g) { return b.at.global < g; });
     return at != beams_.end() && at->at.global == global && at->section.plastic ? &*at : nullptr;
   };
-  // On all ranks: of the feed point, of the element after it and of the two before, by label, and what is
-  // inside.
+  // Collects on all ranks, by label: the history of the element at the feed point, of the one after it and of
+  // the second before it, and the history inside.
   std::vector<double> all(5 * size, 0);
   const auto part = [&](size_t i) { return all.data() + i * size; };
   const int elements[] = {f.feed_point, f.feed_point + 1, f.feed_point - 2};
@@ -177,7 +180,8 @@ void StructureTerm::transfer_node(MPI_Comm comm, const Feeder& f, int feed_point
   for (const RememberedCell& c : remembered_cells(0, f.length, part(0), n)) cells.push_back(c);
   std::vector<double> now(size);
   std::vector<double>& kept = fed_[k].inside;
-  if (feed_point < f.feed_point) {  // divided: the free part, and what is at the feed point now
+  // The element is divided into its free part and the new element at the feed point.
+  if (feed_point < f.feed_point) {
     const double whole = feeders_->element_length(f, f.feed_point);
     remember_cells(cells, n, 0, whole, now.data());
     keep(f.feed_point, now);
@@ -185,7 +189,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, const Feeder& f, int feed_point
     keep(feed_point, now);
     std::copy_n(part(4), size, kept.begin());
     std::copy_n(part(2), size, kept.begin() + static_cast<std::ptrdiff_t>(size));
-  } else {  // joined with the one after it, whose material has labels below 0
+  } else {  // The element is joined with the one after it, whose material has labels below 0.
     const double length = feeders_->element_length(f, f.feed_point + 1);
     for (const RememberedCell& c : remembered_cells(-length, 0, part(1), n)) cells.push_back(c);
     remember_cells(cells, n, -length, f.length, now.data());

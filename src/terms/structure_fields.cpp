@@ -9,8 +9,8 @@
 namespace hawser {
 
 void StructureTerm::fields(FieldRegistry& registry) const {
-  // Between the middles of the elements at a node, by their lengths; a beam's moments are its own end values.
-  // Where the two elements may differ it is the larger one's own, no mean.
+  // Interpolates between the middles of the two elements at a node, by their lengths. Moments of a beam are
+  // its end values. Where the two elements may differ (two_sided) the larger value is taken, not a mean.
   auto at_nodes = [this](auto&& of_beam, auto&& of_cable) {
     return [this, of_beam, of_cable](const Kinematics& k, std::span<double> out) {
       std::fill(out.begin(), out.end(), 0.0);
@@ -55,13 +55,13 @@ void StructureTerm::fields(FieldRegistry& registry) const {
         .order = 1},
        at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.tension; },
                 [](const CableSection& s, const CableEnds& e) { return cable_stress(s, e).tension; })});
-  // Of the line's direction, from end A to end B: 0 is straight up.
+  // Angle between the line's direction, from end A to end B, and the vertical: 0 is straight up.
   registry.add(
       {{.name = "declination", .unit = "deg", .history = History::behind_ends, .statistics = true},
        at_nodes([](const BeamStress&, const BeamEnds& e,
                    int end) { return degrees(declination((end ? e.q2 : e.q1) * Vec3::UnitX())); },
                 [](const CableSection&, const CableEnds& e) { return degrees(declination(e.x2 - e.x1)); })});
-  // Of the whole model, not of this rank: all ranks write the same fields.
+  // The condition is on the whole model, not on this rank, because all ranks must write the same fields.
   const auto& all = mesh_.mesh->elements;
   if (std::none_of(all.begin(), all.end(), [](const Element& e) { return e.beam; })) return;
   registry.add({{.name = "shear_force",
@@ -71,7 +71,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                  .report = Report::graph,
                  .order = 6},
                 at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.shear; }, nothing)});
-  // Magnitudes are taken element by element, so that torsion of the axes between neighbours does not matter.
+  // Magnitudes are taken by element, so that a torsion of the axes between neighbours does not matter.
   registry.add({{.name = "bending_moment",
                  .unit = "N m",
                  .history = History::yes,
@@ -83,7 +83,8 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                 at_nodes([](const BeamStress& s, const BeamEnds&,
                             int end) { return (end ? s.moment2 : s.moment1).tail<2>().norm(); },
                          nothing)});
-  // The element's axes are half way between those of its nodes, whose the components are.
+  // The moments of an element are in its axes, which are half way between those of its nodes. The output is
+  // in the axes of the node.
   for (const int axis : {1, 2})
     registry.add({{.name = axis == 1 ? "bending_moment_2" : "bending_moment_3",
                    .unit = "N m",
@@ -104,7 +105,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                 at_nodes([](const BeamStress& s, const BeamEnds&,
                             int end) { return (end ? s.moment2 : s.moment1).x(); },
                          nothing)});
-  // Two of three: a rotation vector would jump where it comes to half a turn.
+  // Two of the three node axes. A rotation vector would jump at half a turn.
   for (const int axis : {0, 1})
     registry.add({{.name = axis ? "axis_2" : "axis_1", .unit = "", .components = 3},
                   [this, axis](const Kinematics& k, std::span<double> out) {

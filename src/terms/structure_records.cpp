@@ -1,5 +1,5 @@
-// What StructureTerm remembers, for checkpoints: sums of dissipation, stretches of cables, bends of beams
-// that yield, and what is inside feeders.
+// The history of StructureTerm for checkpoints: sums of dissipation, stretches of cables, bends of beams that
+// yield, and the bends inside feeders.
 #include <algorithm>
 #include <map>
 
@@ -13,7 +13,8 @@ size_t StructureTerm::Beam::remembered() const {
 }
 
 namespace {
-enum Kind { kSums, kStretched, kBent, kInside };  // keys: none, elements of the mesh, and feeders
+// Keys of the kinds: none; element of the mesh; element of the mesh; feeder.
+enum Kind { kSums, kStretched, kBent, kInside };
 
 struct Sums {
   double power = 0, damping = 0, filtered = 0;
@@ -41,8 +42,8 @@ struct Bent {
 };
 }  // namespace
 
-// The sums at this rank's first node: over ranks they are what counts. How an element stretched and was bent,
-// at each of its nodes, for every rank that has it to find.
+// A rank's sums are stored at its first node; only their sum over the ranks matters. Stretch and bends of an
+// element are stored at each of its nodes, so that every rank that has the element finds them.
 std::vector<HistoryKind> StructureTerm::history() const {
   return {history_kind<Sums>("sums of a rank"), history_kind<Stretched>("axial vibration"),
           history_kind<Bent>("plastic bending"), history_kind<Bent>("plastic bending inside a feeder")};

@@ -1,6 +1,7 @@
 // Elastic-plastic Coulomb friction of a point on a surface, anisotropic. The elastic slip is a vector in the
-// tangent plane, in the body's frame; the law is a pure function of it, of the normal force and of the
-// axial direction. Written for any scalar, so that exact derivatives come by automatic differentiation.
+// tangent plane, in the body's frame. The law is a pure function of this slip, of the normal force and of the
+// axial direction. It is a template of the scalar, so that exact derivatives come by automatic
+// differentiation.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,19 +12,20 @@
 
 namespace hawser {
 
-// Of friction by mobilisation lengths, while it sticks. elliptic: f_i = -mu_i N s_i/d_i, a spring each way:
-// a closed path takes no work. michalopoulos: f_i = -mu_i N R s_i/|s|, R² = (s_a/d_a)² + (s_l/d_l)²
-// (Michalopoulos 1986; OMAE2006-92155, eqs 6-10); has no potential unless the lengths are equal.
+// Friction with mobilisation lengths d, while it sticks. elliptic: f_i = -mu_i N s_i/d_i, one spring in each
+// direction; at constant N a closed path does no work. michalopoulos: f_i = -mu_i N R s_i/|s|, R² =
+// (s_a/d_a)² + (s_l/d_l)² (Michalopoulos 1986; OMAE2006-92155, eqs 6-10); it has no potential unless the
+// lengths are equal.
 enum class FrictionSpring { elliptic, michalopoulos };
 
 struct FrictionLaw {
   double axial = 0, lateral = 0;                // Coulomb coefficients along and across the line, at rest
-  double stiffness = 0;                         // N/m: > 0: linear springs; 0: mobilisation lengths
+  double stiffness = 0;                         // N/m; > 0: linear springs; 0: mobilisation lengths are used
   double axial_length = 0, lateral_length = 0;  // m, mobilisation lengths, used when stiffness is 0
   FrictionReturn back = FrictionReturn::radial;
   FrictionSpring spring = FrictionSpring::elliptic;
   double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients far above the blend speed
-  double blend_speed = 0;                         // m/s; 0: the coefficients at rest always
+  double blend_speed = 0;                         // m/s; 0: the coefficients at rest apply at every speed
 
   bool operator==(const FrictionLaw&) const = default;
   bool active() const { return axial > 0 || lateral > 0; }
@@ -45,24 +47,23 @@ struct Coulomb {
 template <class S>
 struct Friction {
   Vector3<S> force = Vector3<S>::Zero();  // N, on the point
-  Vector3<S> slip = Vector3<S>::Zero();   // m, elastic slip that is left
+  Vector3<S> slip = Vector3<S>::Zero();   // m, elastic slip that remains
   bool slides = false;
 };
 
-// The tangent vector `slip` at the normal `from`, turned by the smallest rotation that takes `from` to `to`.
+// Rotates `slip`, a tangent vector at the normal `from`, by the smallest rotation that takes `from` to `to`.
 template <class S, class U = double>
 Vector3<S> transport_slip(const Vector3<U>& slip, const Vector3<U>& from, const Vector3<S>& to) {
   const Vector3<S> s = slip.template cast<S>(), f = from.template cast<S>();
   const S along = s.dot(to), opening = S(1) + f.dot(to);
-  if (opening < 1e-9) return s - to * along;  // normals turned over: no rotation is smallest
+  if (opening < 1e-9) return s - to * along;  // normals are opposite: there is no unique smallest rotation
   const Vector3<S> sum = f + to;
   const S scale = along / opening;
   return s - sum * scale;
 }
 
-// Coefficients at the square of the tangential speed [m²/s²]: from those at rest to the kinetic ones by
-// exp(-(v/v0)²) (Armstrong-Hélouvry, Dupont, Canudas de Wit 1994,
-// Automatica 30, with exponent 2).
+// Coefficients at the square of the tangential speed [m²/s²]. They fall from those at rest to the kinetic
+// ones with exp(-(v/v0)²) (Armstrong-Hélouvry, Dupont, Canudas de Wit 1994, Automatica 30, with exponent 2).
 template <class S>
 Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
   using std::exp;
@@ -71,12 +72,13 @@ Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
           S(rest * (law.lateral - law.lateral_kinetic) + law.lateral_kinetic)};
 }
 
-// Force and remaining slip for a trial slip in the tangent plane of `normal`; N [N] >= 0; `tangent` is a
-// direction of the line (unit, need not lie in the plane); mu: coefficients in force.
+// Force and remaining slip for a trial slip in the tangent plane of `normal`. N [N] >= 0; `tangent` is the
+// direction of the line (unit vector, need not lie in the plane); mu holds the coefficients that apply.
 //
-// stiffness k: f = -k s, cut to the slip surface (f_a/mu_a)² + (f_l/mu_l)² <= N². Mobilisation lengths:
-// FrictionSpring, cut to (s_a/d_a)² + (s_l/d_l)² <= 1, which is the same surface. What is beyond comes back
-// as FrictionReturn says. A direction without friction holds nothing.
+// With a stiffness k the force is f = -k s, limited by the slip surface (f_a/mu_a)² + (f_l/mu_l)² <= N². With
+// mobilisation lengths it is that of FrictionSpring, limited by (s_a/d_a)² + (s_l/d_l)² <= 1, which is the
+// same surface. A slip beyond it returns to it by FrictionReturn. A direction with mu = 0 has neither slip
+// nor force.
 template <class S, class M, class U = double>
 Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const Vector3<S>& slip,
                      const Vector3<S>& normal, const Vector3<U>& tangent) {
@@ -98,7 +100,7 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   }
   Vector3<S> a = tangent.template cast<S>();
   a -= normal * S(a.dot(normal));
-  if (!(a.squaredNorm() > 1e-12)) {  // the line stands on the surface
+  if (!(a.squaredNorm() > 1e-12)) {  // the line is normal to the surface: any tangent direction serves
     a = Vec3::Unit(abs(tangent.x()) < 0.9 ? 0 : 1).template cast<S>();
     a -= normal * S(a.dot(normal));
   }
@@ -129,14 +131,14 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
     r.force = a * S(-(ka * e.slip[0])) + l * S(-(kl * e.slip[1]));
   } else {
     const S s2 = e.slip[0] * e.slip[0] + e.slip[1] * e.slip[1];
-    // R/|s| has no limit at zero slip: that of an axial one is equivalent to any.
+    // R/|s| has no limit at zero slip, where the force is zero. The value for an axial slip is used.
     const S spring = s2 > 0.0 ? S(N * sqrt(S(e.square() / s2))) : S(N * (1 / law.axial_length));
     r.force = a * S(-(spring * mu.axial * e.slip[0])) + l * S(-(spring * mu.lateral * e.slip[1]));
   }
   return r;
 }
 
-// With the coefficients at rest.
+// The same with the coefficients at rest.
 template <class S, class U = double>
 Friction<S> friction(const FrictionLaw& law, const S& N, const Vector3<S>& slip, const Vector3<S>& normal,
                      const Vector3<U>& tangent) {

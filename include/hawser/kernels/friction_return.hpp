@@ -1,4 +1,4 @@
-// How a slip beyond the slip ellipse comes back to it, in the two directions of the line.
+// How a slip beyond the slip ellipse returns to it. The axes of the ellipse are along and across the line.
 #pragma once
 
 #include <cmath>
@@ -6,24 +6,25 @@
 
 namespace hawser {
 
-// radial: in its own direction. associated: to the nearest point in the norm of the springs, which is the
-// backward Euler step of friction that flows along the normal of the slip surface and takes out most work
-// (Simo & Hughes 1998, Computational Inelasticity, 3.3). The same when the line slips alike both ways.
+// radial: the slip shrinks in its own direction. associated: the slip goes to the nearest point in the energy
+// norm of the springs. This is the backward Euler step of friction that flows along the normal of the slip
+// surface, which dissipates most (Simo & Hughes 1998, Computational Inelasticity, 3.3). Both are equal for
+// isotropic friction.
 enum class FrictionReturn { radial, associated };
 
 template <class S>
 struct SlipEllipse {
   S slip[2] = {S(0), S(0)};       // m, along and across
   S axis[2] = {S(1), S(1)};       // m, half axes, > 0
-  S stiffness[2] = {S(1), S(1)};  // of the springs, up to a factor: what nearest means
+  S stiffness[2] = {S(1), S(1)};  // of the springs, up to a common factor; they define the nearest point
 
-  // Above 1: outside.
+  // > 1: the slip is outside the ellipse.
   S square() const {
     const S a = slip[0] / axis[0], l = slip[1] / axis[1];
     return a * a + l * l;
   }
 
-  // True when it was outside.
+  // Returns true if the slip was outside.
   bool come_back(FrictionReturn how) {
     using std::sqrt;
     const S outside = square();
@@ -50,9 +51,9 @@ struct SlipEllipse {
       return x.value();
   }
 
-  // h(x) = sum (s_i/(axis_i (1 + x c_i)))² = 1. 1/sqrt(h) is nearly straight in x, so Newton on it, from
-  // x = 0, rises to the root in a few iterations (Moré & Sorensen 1983, SIAM J. Sci. Stat. Comput. 4).
-  // One more step in the scalar S gives the root its derivatives.
+  // Solves h(x) = sum (s_i/(axis_i (1 + x c_i)))² = 1. 1/sqrt(h) is nearly linear in x, so Newton's method on
+  // it converges from x = 0 to the root in a few iterations, from below (Moré & Sorensen 1983, SIAM J. Sci.
+  // Stat. Comput. 4). One more step in the scalar S adds the derivatives of the root.
   S multiplier(const S c[2]) const {
     const double p[2] = {plain(c[0]), plain(c[1])};
     const double u[2] = {plain(S(slip[0] / axis[0])), plain(S(slip[1] / axis[1]))};

@@ -1,5 +1,5 @@
 // Contact of one point of a line with the surface of a body, in the body's frame: force, history and exact
-// tangent from a surface query. Pure: (state at the start of the step, trial) -> result.
+// tangent from a surface query. It is a pure function of the state at the start of the step and the trial.
 #pragma once
 
 #include "hawser/kernels/contact_law.hpp"
@@ -14,26 +14,27 @@ struct ContactLaw {
   bool operator==(const ContactLaw&) const = default;
 };
 
-// At the start of the step, body frame. Of another scalar where that changes along the line.
+// State at the start of the step, body frame. U is a scalar with derivatives if the state varies along the
+// line.
 template <class U>
 struct ContactStartOf {
   Vector3<U> point = Vector3<U>::Zero();     // m, the point of the line
   U gap = U(0);                              // m
   Vector3<U> tangent = Vector3<U>::UnitX();  // of the line, unit
-  Vector3<U> slip = Vector3<U>::Zero();      // m, elastic slip; zero when it did not touch
-  Vector3<U> normal = Vector3<U>::UnitZ();   // at which the slip was left
+  Vector3<U> slip = Vector3<U>::Zero();      // m, elastic slip; zero if the point did not touch
+  Vector3<U> normal = Vector3<U>::UnitZ();   // surface normal to which the slip belongs
 };
 using ContactStart = ContactStartOf<double>;
 
-// The trial, body frame: distance field of the surface less the radius of the line.
+// The trial, body frame. The gap is the signed distance to the surface minus the radius of the line.
 struct ContactTrial {
   Vec3 point = Vec3::Zero();      // m
   Vec3 velocity = Vec3::Zero();   // m/s, relative to the body's material point there
   double gap = 0;                 // m
   Vec3 normal = Vec3::UnitZ();    // unit gradient of the gap
   Mat3 curvature = Mat3::Zero();  // 1/m, its Hessian
-  // Friction at the line's surface: how far the line has rolled about its axis relative to the body since the
-  // start of the step, rad, and its radius, m; 0: friction acts at the axis.
+  // Friction at the line's surface: `roll`, by how much the line has rolled about its axis relative to the
+  // body since the start of the step, rad, and `lever`, the line's radius, m; 0: friction acts at the axis.
   double roll = 0, lever = 0;
 };
 
@@ -41,15 +42,15 @@ struct PointContact {
   NormalForce normal;
   Vec3 force = Vec3::Zero();     // N, on the line: normal and friction
   Vec3 friction = Vec3::Zero();  // N
-  Vec3 slip = Vec3::Zero();      // m, elastic slip that is left
+  Vec3 slip = Vec3::Zero();      // m, elastic slip that remains
   bool slides = false;
   Mat3 by_point = Mat3::Zero();     // N/m, d force / d point at fixed velocity; filled on request
   Mat3 by_velocity = Mat3::Zero();  // N s/m
   Vec3 by_roll = Vec3::Zero();      // N, d force / d roll
 };
 
-// Trial slip: the old slip turned with the normal, plus the tangential part of the point's motion since it
-// touched (a point that met the surface within the step brings only the part of the step after that).
+// The trial slip is the old slip, rotated with the normal, plus the tangential displacement of the point
+// since it touched. If the point met the surface within the step, only the displacement after that counts.
 PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                             bool derivatives);
 

@@ -1,5 +1,6 @@
 // Time integration of a system: a PETSc TS whose steps are generalized-alpha steps on the Lie group. SNES
-// solves them, a TSAdapt judges them, and what is accepted is committed after the step (lie_alpha_ts.cpp).
+// solves a step, a TSAdapt accepts or rejects it, and an accepted step is committed afterwards
+// (lie_alpha_ts.cpp).
 #pragma once
 
 #include <petscts.h>
@@ -20,18 +21,18 @@ namespace hawser {
 
 struct DynamicsSettings {
   double rho_infinity = 0.8;
-  double tolerance = 1e-8;  // of the residual, against the size of its contributions
-  int max_iterations = 20;  // Newton, before a step counts as failed
+  double tolerance = 1e-8;  // Of the residual, relative to the forces that it sums up.
+  int max_iterations = 20;  // Of Newton's method, before a try counts as failed.
   StepSettings step;
-  // By line: step.error_tolerance over that of the line; of bodies, and where there is none: 1.
+  // By line: step.error_tolerance divided by the line's own tolerance. Bodies, and lines without one, have 1.
   std::vector<double> strictness;
 };
 
 // What happened in one accepted step.
 struct StepInfo {
-  double time = 0, h = 0;  // s, at its end; its length
-  int iterations = 0;      // Newton, of the accepted try, as step control counts them
-  int rejected = 0;        // tries before it
+  double time = 0, h = 0;  // s: time at the end of the step; length of the step.
+  int iterations = 0;      // Newton iterations of the accepted try, as step control counts them.
+  int rejected = 0;        // Rejected tries before the accepted one.
   double error = 0;        // m, estimated local error
 };
 
@@ -41,33 +42,33 @@ class Dynamics {
   using Observer = std::function<bool(const StepInfo&)>;
 
   Dynamics(System& system, const DynamicsSettings& settings);
-  // Steps end where one of these functions has risen through zero, within their tolerances. What then happens
-  // is up to the observer. Events at times are stops of run().
+  // Steps end where one of these functions has risen through zero, within their tolerances. The observer
+  // decides what happens then. Events at given times are stops of run() instead.
   void watch(EventFunctions functions) { events_ = std::move(functions); }
 
   // Starts from positions, rotations and velocities; accelerations come from the mass matrix.
   void start(const State& state);
-  // Goes on with other nodes tied, of the local ones: what they held before moves on from where it is, with
-  // accelerations that jump; what they hold anew is caught in a plastic impact (docs/theory/events.md).
-  // Collective.
+  // Continues with other nodes tied (local nodes). A node that is no longer tied continues from its position
+  // and velocity, and its acceleration jumps. A node that is newly tied is caught in a plastic impact
+  // (docs/theory/events.md). Collective.
   void release(std::vector<TiedNode> nodes);
-  // Energy that an event has put into the system or taken from it, J, of this rank's share.
+  // Adds energy that an event has put into the system (negative: taken from it), J, this rank's share.
   void add_support_work(double work) { support_work_ += work; }
-  // How a node of the mesh goes on: position, velocity and acceleration in m and s, node axes and their rates
-  // where it rotates (material, rad and s).
+  // The motion from which a node of the mesh continues: position, velocity and acceleration in m and s; for
+  // nodes that rotate also the rotation and its rates (material axes, rad and s).
   struct Moved {
     int node = 0;
     Vec3 x, v, a;
     Quat q = Quat::Identity();
     Vec3 w = Vec3::Zero(), alpha = Vec3::Zero();
-    bool free = false;  // it settles where the forces on it are in balance with its acceleration
+    bool free = false;  // The node is moved to where the forces on it balance its acceleration.
   };
-  // A feeder releases a node or catches one: `change` makes the change and returns the motion of that node,
-  // on the ranks that have it. Mean forces and reactions change by as much as the forces of the state do; all
-  // else goes on as it did. Collective.
+  // A feeder releases or catches a node. `change` makes the change and, on the ranks that have that node,
+  // returns its motion; `nodes` returns the tied nodes afterwards. Mean forces and reactions change by the
+  // change of the forces of the state; everything else continues. Collective.
   void transfer_node(const std::function<std::optional<Moved>()>& change,
                      const std::function<std::vector<TiedNode>()>& nodes);
-  // What a checkpoint carries beside the state.
+  // What a checkpoint holds beside the state.
   struct Carried {
     double step_proposal = 0;
     int step_wait = 0;
@@ -76,10 +77,10 @@ class Dynamics {
     double support_work = 0;  // J, this rank's share
     MeanForces mean;
   };
-  // Starts from a checkpoint: nothing is recomputed. reactions: 3 * local blocks.
+  // Continues from a checkpoint; nothing is recomputed. reactions: 3 * local blocks.
   void resume(const AlphaState& state, std::vector<double> reactions, const Carried& carried);
 
-  // Integrates to `until` [s]; steps end exactly at the times `next_stop` names (> its argument).
+  // Integrates to `until` [s]. Steps end exactly at the times that `next_stop` returns (> its argument).
   // Throws SolveError, naming line, arc length and cause, when the shortest step fails.
   void run(double until, const std::function<double(double)>& next_stop, const Observer& observer);
 
@@ -88,30 +89,31 @@ class Dynamics {
   const StepControl& control() const { return control_; }
   double last_step() const { return last_step_; }
   const std::vector<double>& reactions() const { return reactions_; }  // of the committed state
-  // Where the last accepted step changed accelerations most, and by how much [m/s²]. Collective.
+  // Largest change of acceleration in the last accepted step [m/s²], and its node. Collective.
   NodeValue largest_acceleration_change() const;
   const MeanForces& mean_forces() const { return mean_; }
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
 
-  // Before a step of h: terms say who sees whom, and where that is new vectors, matrix, solver and ghosts of
-  // the committed state are made anew; then the terms are prepared. Where a step went another way than the
-  // rates foretell, `end` is where it led. Collective.
+  // Before a step of length h: the terms report which nodes act on which. If that changes the layout, the
+  // vectors, the matrix, the solver and the ghosts of the committed state are created again. Then the terms
+  // are prepared. `end`: the end of a trial that left the path which the rates predict; null: the rates
+  // decide. Collective.
   void prepare(double h, const State* end = nullptr);
-  // What the TS asks for, step by step (lie_alpha_ts.cpp), collective:
-  // Prepares the terms for a step from the committed state; the length of its first try [s].
+  // Called by the TS in every step (lie_alpha_ts.cpp), collective:
+  // Prepares the terms for a step from the committed state. Returns the length of its first try [s].
   double begin_step();
-  // A try of h [s], for which the terms were prepared, or for a longer one: solves for the trial state.
-  // Newton's iterations.
+  // Solves for the trial state at the end of a step of h [s]. The terms must have been prepared for a step of
+  // h or longer. Returns the number of Newton iterations.
   int try_step(double h);
-  // What becomes of the last try (step_decision.cpp): accepted, with a proposal for the next step, or to be
-  // tried again with h [s]. SolveError where no step can help, or none shorter.
+  // Decides on the last try (step_decision.cpp). accepted: h is the proposal for the next step [s]; else h is
+  // the length of the next try. Throws SolveError if no step, or no shorter one, can be taken.
   struct Decision {
     bool accepted = false;
     double h = 0;
   };
   Decision decide();
   double trial_time() const { return trial_.s.time; }
-  // Commits the accepted trial and tells the observer. False: the run stops.
+  // Commits the accepted trial and calls the observer. False: the run stops.
   bool end_step();
   CarriedError& error() { return error_; }
 
@@ -142,21 +144,23 @@ class Dynamics {
   struct Tries {
     StepInfo info;
     bool solved = false;          // Newton's iteration of the last try converged
-    double allowed = HUGE_VAL;    // s, by the terms
-    double event = HUGE_VAL;      // s, within it, where an event is looked for
-    bool prepared_again = false;  // in the middle of it
+    double allowed = HUGE_VAL;    // s, longest step that the terms allow
+    double event = HUGE_VAL;      // s from the start of the step to the event that is searched for
+    bool prepared_again = false;  // this step has been prepared a second time
     EventSearch search;
-    std::vector<double> at_start;  // what the events are looked for by, before the first try
+    std::vector<double> at_start;  // values of the event functions at the start of the step
   } tries_;
   std::vector<double> local_u_, reactions_;
-  MeanForces mean_;              // of the committed state
-  std::vector<double> carried_;  // what they add to the residuals of the step
-  double expected_ = -1;         // s, the step of the last System::expect()
-  bool copied_ = false;          // trial_ has all that a step leaves alone
-  bool loaded_ = false;          // trial_ belongs to local_u_
-  bool old_tangent_ = false;     // of an iteration before
-  double first_ = 0;  // N, size of the first residual of this Newton solution, and of what makes it up
-  int counted_ = -1;  // iterations to a residual far above rounding; < 0: not there yet
+  MeanForces mean_;  // of the committed state
+  // part of the mean forces at the end of the step that earlier steps determine, N
+  std::vector<double> carried_;
+  double expected_ = -1;      // s, length passed to the last System::expect()
+  bool copied_ = false;       // trial_ holds all values that a step does not change
+  bool loaded_ = false;       // trial_ is the state of local_u_
+  bool old_tangent_ = false;  // the next iteration uses the tangent of an earlier one
+  // N, the larger of the first residual of this Newton solution and of the forces summed up in it
+  double first_ = 0;
+  int counted_ = -1;  // iterations until the residual fell below kCounted; < 0: not yet
   VecHandle u_, r_;
   MatHandle J_;
   Handle<TS, TSDestroy> ts_;
@@ -169,9 +173,9 @@ class Dynamics {
   CarriedError error_;
 };
 
-// Makes a TS one of the type "liealpha", which steps by what Dynamics has for it.
+// Sets the type of a TS to "liealpha", whose steps Dynamics computes.
 void lie_alpha_attach(TS ts, Dynamics* dynamics);
-// TSSetFromOptions. InputError where an option asks for another type, or for another judge of its steps.
+// Calls TSSetFromOptions. Throws InputError if an option requests another type of TS or another TSAdapt.
 void lie_alpha_options(TS ts);
 
 }  // namespace hawser

@@ -1,4 +1,5 @@
-// Where in a time step an event is: the zero of functions of which its start and the ends of tries are known.
+// Finds an event within a time step: the first zero of functions whose values are known at the start of the
+// step and at the ends of its tries.
 #pragma once
 
 #include <functional>
@@ -8,26 +9,26 @@
 
 namespace hawser {
 
-// The functions whose rise through zero is an event, of the state at the end of a step: as many at every
-// state, the same on all ranks. Each is measured in the tolerance to which its event is to be found: below 0
-// the event has not happened, and a step that ends above 1 has gone beyond it. One that can no longer happen
-// is -1. Collective.
+// Functions of the state at the end of a step; an event is where one of them rises through zero. Their number
+// is the same at every state, and the values are the same on all ranks. Each is in units of the tolerance of
+// its event: below 0 the event has not happened, and a step that ends above 1 has passed it. A function whose
+// event can no longer happen is -1. Collective.
 using EventFunctions = std::function<std::vector<double>(const Kinematics&)>;
 
-// Of one step: which try comes next, until one ends at the first event, half a tolerance behind its zero.
-// Regula falsi with the weights of Anderson & Björck (1973, BIT 13), between a try that ends before all
-// events and one that ends beyond.
+// Chooses the tries of one step until one ends at the first event, half a tolerance after its zero. Regula
+// falsi with the weights of Anderson & Björck (1973, BIT 13), between a try that ends before all events and
+// one that ends beyond an event.
 class EventSearch {
  public:
-  // After a try of h [s] with these values of the functions at its end: the length of the next try; h, where
-  // the step may end so. `at_start` are the values at the start of the step. A jump is found to twice
-  // the shortest step [s].
+  // Called after a try of h [s]; `end` and `at_start` are the values of the functions at its end and at the
+  // start of the step. Returns the length of the next try, or h if the step may end there. A function that
+  // jumps is located to twice the shortest step [s].
   double next(double h, double shortest, const std::vector<double>& end, const std::vector<double>& at_start);
 
  private:
-  double before_ = 0, beyond_ = 0;    // s, of the tries between which the events are; beyond_ 0: none is
-  std::vector<double> left_, right_;  // the functions there, from the aim, with their weights
-  int moved_ = 0;                     // which of the two the last try replaced: -1, 1; 0: neither yet
+  double before_ = 0, beyond_ = 0;    // s, tries that end before and beyond the event; beyond_ = 0: none yet
+  std::vector<double> left_, right_;  // weighted function values minus the aim, at the ends of those tries
+  int moved_ = 0;                     // which of them the last try replaced: -1 before, 1 beyond, 0 none
 };
 
 }  // namespace hawser

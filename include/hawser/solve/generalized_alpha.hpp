@@ -26,49 +26,51 @@ struct AlphaState {
   std::vector<Mat3> ad;
 };
 
-// Whether any node of the whole mesh rotates. Else states in time have no directors. The same on all ranks.
+// Whether any node of the whole mesh rotates. If none does, states in time have no directors. The same on all
+// ranks.
 bool has_directors(const LocalMesh& mesh);
 
 // delta²: the scheme holds the energy delta²/2 h² A.M A in its algorithmic accelerations.
 double alpha_stored(const AlphaCoefficients& c);
 
-// Gives a state whose accelerations are right those that the scheme carries.
+// Sets the algorithmic accelerations from a state whose accelerations are in equilibrium.
 void alpha_start(const LocalMesh& mesh, AlphaState& state);
 
-// The scheme's velocity and acceleration of a trial increment u (3 * local blocks, ghosts included) over a
-// step h from `from`; configuration by retraction; prescribed components from what nodes are tied to; the
-// weight of mean forces. The directors' accelerations are those from which the same formulas make their
-// rates: R hat(w), exactly.
+// Trial state at the end of a step h from `from`, for an increment u (3 * local blocks, ghosts included).
+// Configurations come from the retraction, velocities and accelerations from the scheme, and prescribed
+// components from the motion that they are tied to. It also sets StepMean. The accelerations of the directors
+// are those for which the scheme's formulas reproduce the rates R hat(w) exactly.
 void alpha_trial(const LocalMesh& mesh, const TiedNodes& tied, const AlphaCoefficients& c, double h,
                  const AlphaState& from, const std::vector<double>& u, AlphaState& trial);
 
-// Increment that the scheme predicts when the algorithmic acceleration does not change.
+// Increment for an unchanged algorithmic acceleration.
 void alpha_predict(const LocalMesh& mesh, const TiedNodes& tied, double h, const AlphaState& from,
                    std::vector<double>& u);
 
-// What forces that are given as their mean S over the step make of the scheme (theory, "Cables"): algorithmic
-// forces Q, whose accelerations are part of A, and forces F of the end of the step, which true accelerations
+// State of the forces that enter as their mean S over a step (theory, "Cables"): the algorithmic forces Q,
+// whose accelerations are part of A, and the forces F at the end of the step, which true accelerations
 // balance. N, 3 * local blocks, valid for owned blocks.
 struct MeanForces {
   std::vector<double> q, f;
 };
 StepMean alpha_mean(const AlphaCoefficients& c);
-// F at the end of a step is the weight of StepMean times S, plus this.
+// `carried` is the part of F at the end of a step that does not depend on S: F = StepMean::weight * S +
+// carried.
 void alpha_mean_carried(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& carried);
-// After a step with the mean forces S.
+// Advances Q and F over a step with the mean forces S.
 void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& S, MeanForces& forces);
 
 // Weights of K, C and M in the step's tangent.
 Weights alpha_weights(const AlphaCoefficients& c, double h);
 
-// Something of a node of the mesh; what MPI_MAXLOC compares.
+// A value at a node of the mesh, in the layout of MPI_DOUBLE_INT for MPI_MAXLOC.
 struct NodeValue {
   double value = 0;
   int node = 0;
 };
 
-// Largest rotation in a step [rad], of this rank's nodes. From half a turn on, the place where a node gets to
-// does not tell how it got there: a whole turn more ends there too, at other rates.
+// Largest rotation in a step [rad] among this rank's nodes. From half a turn on, the orientation at the end
+// does not determine the increment: another rotation leads there as well, with other rates.
 NodeValue alpha_turn(const LocalMesh& mesh, const std::vector<double>& u);
 
 // Local error of position, m, at this rank's nodes: |1/6 - beta| h² |change of acceleration|

@@ -1,4 +1,4 @@
-// Where the nodes of the lines of a case were laid on the bed: friction in statics acts from there. See
+// Where the nodes of the lines of a case were laid on the bed. Friction in statics acts from there. See
 // docs/theory/seabed.md, "Statics: as laid".
 #pragma once
 
@@ -9,12 +9,12 @@
 
 namespace hawser {
 
-// starts: the places of the start shape [m, space], by line and node of the line. The result is likewise. A
-// line is laid without tension from the end that is nearer to the bed: its nodes follow each other at their
-// natural distances in the direction of the start shape. Through a joint it goes on from the line there. A
-// line whose start shape the case gives, on the bed from end to end, was laid where it starts, and so was one
-// with a free end whose other end is near the bed. Not a number: of a line that hangs down onto the bed
-// nothing says where it was laid.
+// starts: the positions of the start shape [m, space axes], by line and node of the line; the result has the
+// same layout. A line is laid without tension from the end that is nearer to the bed: its nodes follow each
+// other at their unstretched distances in the direction of the start shape. At a joint it continues from the
+// line there. A line was laid in its start shape if the case prescribes this shape and it is on the bed from
+// end to end, or if the line has a free end and its other end is near the bed. NaN: a line hangs down onto
+// the bed, and where it was laid is unknown.
 std::vector<std::vector<Vec3>> laid_places(const model::Case& c, const Mesh& mesh,
                                            const std::vector<std::vector<Vec3>>& starts);
 

@@ -1,6 +1,6 @@
-// The linear solver of a Newton step, always direct. On one rank: LU. On several: a rank's own rows by LU and
-// the unknowns at the cuts by an exact dense system (substructure.hpp), or MUMPS where these are so many
-// (kMaxShared) that it is the faster of the two. PETSc options under the prefix override.
+// The linear solver of a Newton step, always direct. One rank uses LU. Several ranks use LU for their own
+// rows and an exact dense system for the unknowns at the cuts (substructure.hpp), or MUMPS if these unknowns
+// are so many (kMaxShared) that MUMPS is faster. PETSc options with the prefix override this.
 #pragma once
 
 #include <petscksp.h>

@@ -1,14 +1,13 @@
-// LU of the rows and columns that one rank has of a tangent.
+// LU of the rows and columns of a tangent that belong to one rank.
 #pragma once
 
 #include <petscpc.h>
 
 namespace hawser {
 
-// Makes `pc`, of matrices in blocks of 3 on one rank, LU. coupled: blocks are eliminated in the order of
-// minimum degree, and only those that are not zero, since pairs of nodes are in the matrix's pattern that do
-// not touch. Otherwise the matrix is that of chains, which in their own order have no fill. Collective on one
-// rank.
+// Makes `pc` an LU for matrices in blocks of 3 on one rank. coupled: the matrix's pattern contains pairs of
+// nodes that do not touch, so only nonzero blocks are eliminated, in the order of minimum degree. Otherwise
+// the matrix is that of chains, which have no fill in their own order. Collective on one rank.
 void use_lu(PC pc, bool coupled);
 
 }  // namespace hawser

@@ -1,25 +1,24 @@
-// Stability of an equilibrium: it is stable where the symmetric part of its tangent has no negative
-// eigenvalue.
+// Stability of an equilibrium: it is stable if the symmetric part of its tangent has no negative eigenvalue.
 #pragma once
 
 #include "hawser/system/system.hpp"
 
 namespace hawser {
 
-// (J + J')/2 in the format and the pattern of J, which couples both ways whatever it couples. Collective.
+// (J + J')/2 in the format and with the pattern of J; the pattern must be symmetric. Collective.
 MatHandle symmetric_blocks(Mat J);
 
 // The same in PETSc's format of single rows (AIJ). Collective.
 MatHandle symmetric_part(Mat J);
 
-// Number of negative eigenvalues of a symmetric matrix in PETSc's format of single rows, by Sylvester's law
-// of inertia of a factorisation by MUMPS, which takes more room than all else in statics. Collective. -1 when
-// the factorisation fails.
+// Number of negative eigenvalues of a symmetric matrix in PETSc's format of single rows (AIJ), by Sylvester's
+// law of inertia from a factorisation by MUMPS, which takes more memory than everything else in statics.
+// Collective. -1: the factorisation failed.
 int negative_pivots(Mat a);
 
-// The same of the symmetric part of a tangent. chains: nothing couples its lines; where no line is cut
-// between ranks, Cholesky's factorisation, which overwrites a copy of that part, then shows whether there are
-// any, but not where lines meet at a joint, since that makes fill. Collective.
+// The same for the symmetric part of a tangent. chains: the lines are not coupled. If, besides, no line is
+// cut between ranks and no lines meet at a joint (which causes fill), Cholesky's factorisation of a copy can
+// show that there are none without MUMPS. Collective.
 int negative_eigenvalues(Mat J, bool chains = false);
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
-// Where the nodes of all lines start (catenaries, straight or given shapes, with rotations along the line),
-// and what holds their ends from then on.
+// Start positions of the nodes of all lines (catenaries, straight or given shapes, with rotations along the
+// line), and what holds their ends from then on.
 #pragma once
 
 #include <array>
@@ -19,20 +19,20 @@ namespace hawser {
 struct StartShape {
   State state;                 // of this rank's local nodes, at t = 0, at rest
   std::vector<TiedNode> tied;  // of this rank's local nodes
-  // Of all lines: node axes at ends A and B, in the frame of the body there (or space).
+  // For all lines: node axes at ends A and B, in the frame of the body there (or space).
   std::vector<std::array<Quat, 2>> ends;
   // Where this rank's local nodes were laid on the bed [m] (laid_places), and whether that is known of any
-  // line of the case: without it statics has no friction of the bed.
+  // line of the case. If it is not, statics has no friction of the bed.
   std::vector<Vec3> laid;
   bool any_laid = false;
-  std::vector<std::string> notes;  // of clamped ends that point against their line
+  std::vector<std::string> notes;  // on clamped ends that point against their line
 };
 
-// Nodes are placed by line (Start of the case); rotations follow the tangent with least twist from end A,
-// whose axis 2 is horizontal. A clamped end has its given direction, or the tangent of the start shape. Where
-// no end of a line of beams is clamped its twist is held at one supported end, for nothing else holds it.
-// Where lines cross near the bed, or volumes lie on it, what lies over is raised (start_crossings.hpp).
-// surfaces: of the volumes of the case; empty: nothing is known of them.
+// Positions of the nodes come from the start of each line in the case (Start). Rotations follow the tangent
+// with least twist from end A, where axis 2 is horizontal. A clamped end has its given direction, or else the
+// tangent of the start shape. If no end of a line of beams is clamped, its twist is held at one supported
+// end, because nothing else holds it. Where lines cross near the bed, or volumes lie on it, the upper line is
+// raised (start_crossings.hpp). surfaces: of the volumes of the case; empty: volumes are ignored.
 StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
                        const std::vector<std::shared_ptr<const Surface>>& surfaces = {});
 

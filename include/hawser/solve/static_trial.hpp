@@ -1,7 +1,7 @@
-// What searches for an equilibrium share: a state, a trial beside it, an increment with the SNES that finds
-// it, and the question whether lines would pass through each other on the way. Configurations are re-based at
-// every step, so rotations of any size are met by small increments: the unknown of the SNES is the increment
-// from the state.
+// Common base of the searches for an equilibrium: a state, a trial beside it, an increment with the SNES that
+// finds it, and the test whether lines would pass through each other between state and trial. The unknown of
+// the SNES is the increment from the state, and the configuration is re-based at every step, so that
+// rotations of any size are reached by small increments.
 #pragma once
 
 #include <petscsnes.h>
@@ -17,49 +17,50 @@
 
 namespace hawser {
 
-// A line or a volume blocks every step: the message names it.
+// A line or a volume blocks every step; the message names it.
 struct PathBlocked : SolveError {
   using SolveError::SolveError;
 };
-// Thrown on all ranks where contact stiffness was raised during the search: the search begins again.
+// Thrown on all ranks if contact stiffness was raised during the search; the search must begin again.
 struct StiffnessRaised {};
 
 class StaticTrial {
  public:
-  // Prepares the system for the state, which outlives this. Collective, as everything here is. PETSc's
-  // options of the SNES have the prefix "statics_"; its line search is SNESLINESEARCHBASIC, and Newton's
-  // method stays.
+  // Prepares the system for the state, which must outlive this object. All functions are collective. PETSc's
+  // options of the SNES have the prefix "statics_". Its line search is SNESLINESEARCHBASIC, and its type is
+  // always Newton's method.
   StaticTrial(System& system, State& state);
   virtual ~StaticTrial() = default;
 
  protected:
-  // What SNES asks for. The residual at an increment in local_, to r_:
+  // SNES calls the following. The residual at the increment local_, to r_:
   virtual void residual() = 0;
-  // the tangent there, to J_:
+  // The tangent there, to J_:
   virtual void tangent() = 0;
-  // before every iteration, whether it is the last.
+  // Called before every iteration; returns whether it is the last.
   virtual SNESConvergedReason check_step(int iteration) = 0;
 
-  // Newton's method from the state: why it ended. What the functions above throw comes out of it.
+  // Runs Newton's method from the state and returns why it ended. Throws what the functions above throw.
   SNESConvergedReason solve();
-  // Anew what depends on ghosts and on the matrix's pattern, also in the middle of solve().
+  // Creates again everything that depends on ghosts and on the matrix's pattern, also during solve().
   void build();
-  // Once before every step. True: other pairs of lines may touch, so forces are not what they were.
+  // Called once before every step. True: other pairs of lines may touch, so the forces have changed.
   bool prepare();
-  // Longest fraction of the increment local_ that keeps displacements below 5 % of the longest line and turns
-  // below half a radian.
+  // Largest fraction of the increment local_ for which displacements are at most 5 % of the longest line and
+  // rotations at most half a radian.
   double limit() const;
-  // trial = state moved by `factor` times local_.
+  // trial_ = state_ moved by `factor` times local_.
   void step(double factor);
-  // Whether, on the straight way from the state to the trial, no line goes through another or through a
-  // volume, nor deeper into a volume than its contact law is for. Where the candidates were not chosen for
-  // that way they are chosen anew.
+  // Whether, on the straight path from the state to the trial, no line goes through another or through a
+  // volume, or deeper into a volume than its contact law is for. Chooses new candidates if the present ones
+  // do not cover that path.
   bool path_is_clear();
-  // Throws the end of a search that has no further step: PathBlocked where something blocks the path,
-  // StiffnessRaised where automatic contact can be made stiffer, else SolveError with that sentence.
+  // Ends a search that has no further step: throws PathBlocked if something blocks the path, StiffnessRaised
+  // if automatic contact stiffness can be raised, else SolveError with that sentence.
   [[noreturn]] void throw_no_equilibrium(const std::string& why);
-  // Push off a saddle: a fixed, rank-independent displacement field without symmetry, larger with `attempt`
-  // (1, 2, ...); less of it where lines would pass through each other.
+  // Pushes the state away from a saddle point, by a fixed displacement field without symmetry that does not
+  // depend on the ranks. It increases with `attempt` (1, 2, ...) and is reduced if lines would pass through
+  // each other.
   void perturb(int attempt);
   void accept_trial() {
     std::swap(state_.x, trial_.x);
@@ -69,7 +70,7 @@ class StaticTrial {
   double sum(double x) const;
   // Strain energy and potential over all ranks, J.
   double potential(const State& s) const;
-  // Close enough for the exact tangent.
+  // Whether the residual is small enough for the exact tangent.
   bool near(const ResidualNorms& n) const;
 
   void push(int attempt, double share, State& s) const;
@@ -79,13 +80,13 @@ class StaticTrial {
   State trial_;
   CarriedError error_;
   Handle<SNES, SNESDestroy> snes_;
-  VecHandle x_, f_;  // its unknown and its residual
-  VecHandle u_, r_;  // an increment and a residual, with the ghosts of the moment
+  VecHandle x_, f_;  // unknown and residual of the SNES
+  VecHandle u_, r_;  // an increment and a residual, with the present ghosts
   MatHandle J_;
   KspHandle ksp_;
-  std::vector<double> local_, zero_;  // 3 * local blocks: an increment; nothing
-  double length_ = 0;                 // m, of the longest element
-  // What blocks the path to the last trial that was not clear, in words, and that trial; empty: nothing.
+  std::vector<double> local_, zero_;  // 3 * local blocks: the increment; zeros
+  double length_ = 0;                 // m, length of the longest element
+  // What blocks the path to the last trial that was not clear, in words, and that trial; empty: nothing does.
   std::string blocked_by_;
   State blocked_;
 };

@@ -1,43 +1,45 @@
-// How long the next step is. Pure bookkeeping: no PETSc, no MPI; the same decisions on every rank because
-// it is fed with global numbers only.
+// Chooses the length of the next step. It uses neither PETSc nor MPI. All ranks make the same decisions,
+// because all arguments are global numbers.
 #pragma once
 
 namespace hawser {
 
 struct StepSettings {
-  double fixed = 0;             // s; > 0: this step, halved only when a step fails
+  double fixed = 0;             // s; > 0: fixed step, halved only when a step fails
   double first = 0.01;          // s, first automatic step
   double longest = 0.1;         // s
   double shortest = 1e-6;       // s
-  double error_tolerance = 0;   // m, local error a step; 0: not controlled
-  int easy_iterations = 4;      // the step may grow when Newton needed no more
-  int hard_iterations = 8;      // and shrinks when it needed more
-  bool resolve_impacts = true;  // fixed steps, too, are divided by what the terms allow
+  double error_tolerance = 0;   // m, allowed local error of a step; 0: not controlled
+  int easy_iterations = 4;      // the step may grow after at most this many Newton iterations
+  int hard_iterations = 8;      // it shrinks after more than this many
+  bool resolve_impacts = true;  // fixed steps, too, are shortened to what the terms allow
 };
 
 class StepControl {
  public:
   explicit StepControl(const StepSettings& settings);
 
-  // Step from t towards `stop` (an output time or the end), which is hit exactly: the way there is divided
-  // into equal steps not longer than the proposal nor, where terms limit steps, than what they allow.
+  // Length of the step from t towards `stop` (an output time or the end), which is met exactly: the time to
+  // it is divided into equal steps. They are not longer than the proposal nor, where terms limit steps, than
+  // `allowed` [s].
   double next(double t, double stop, double allowed) const;
-  // Whether steps keep to what the terms allow.
+  // Whether the limits of the terms apply.
   bool respects_term_limits() const { return s_.fixed <= 0 || s_.resolve_impacts; }
-  // Whether a step of h may be taken again, shorter, for what only its end tells.
+  // Whether a step of h may be repeated with a shorter length because of a condition that only its end shows.
   bool divides(double h) const { return respects_term_limits() && !is_shortest(h); }
   bool is_shortest(double h) const { return h <= s_.shortest * (1 + 1e-9); }
   double shortest_length() const { return s_.shortest; }  // s
-  // Accelerations have jumped: the next step is as short as the first one was.
+  // Called when accelerations have jumped: the next step is at most the first one of the settings.
   void reset_to_first_step();
-  // After an impact at t on a contact of this period [s], steps stay below a third of the period for twenty
-  // periods, since the ringing decides the next impact; from then on a step at most doubles.
+  // Called after an impact at t on a contact with this period [s]. Steps stay below a third of the period for
+  // twenty periods, since the ringing decides the next impact. From then on a step at most doubles the last
+  // one.
   void follow_impact(double t, double period);
-  // Whether a converged step is accurate enough; a step at the shortest length always is.
+  // Whether a converged step is accurate enough. A step of the shortest length always is.
   bool accurate(double h, double error) const;
 
   void accepted(double h, int iterations, double error);
-  // A failed (or inaccurate) step. False when it was the shortest already.
+  // A failed or inaccurate step. Returns false when it already was the shortest.
   bool rejected(double h, bool diverged, double error);
 
   double proposal() const { return proposal_; }

@@ -1,4 +1,4 @@
-// What a force term may look at: the trial (or committed) motion of this rank's nodes.
+// What a force term reads: the trial or committed motion of this rank's nodes.
 #pragma once
 
 #include <span>
@@ -7,9 +7,11 @@
 
 namespace hawser {
 
-// Of forces that are given as their mean over the step that led to a trial state
-// (docs/theory/time-integration.md#cables): what they count in the residual, more than 1, and the filter of
-// the cables. A weight of 1 is that of a state that is not the end of a trial step: its own forces act.
+// How forces enter that are given as their mean over a step (docs/theory/time-integration.md#cables).
+// `weight` is their factor in the residual at the end of a trial step; it is more than 1 there (4/3 to 2),
+// because the scheme carries a part from earlier steps. `weight` = 1 means that there is no step (statics,
+// start of the motion); then forces are those at the state itself and enter unchanged. `filter` is the part
+// of EA with which a cable resists changes of its elongation from step to step.
 struct StepMean {
   double weight = 1, filter = 0;
 };
@@ -22,15 +24,15 @@ struct Kinematics {
   std::span<const Quat> q;         // rotation: node (material) axes to space axes
   std::span<const Vec3> w, alpha;  // rad/s, rad/s², material axes
 
-  // Accelerations of the columns of the rotation matrix R, 1/s², as the time integration makes them of their
-  // rates R hat(w), so that what they carry of momentum is kept (docs/theory/time-integration.md). Empty:
-  // those that belong to w and alpha, R (hat(alpha) + hat(w)²).
+  // Accelerations of the columns of the rotation matrix R (directors), 1/s². The time integration computes
+  // them from the rates R hat(w), so that momentum is conserved (docs/theory/time-integration.md). Empty: use
+  // R (hat(alpha) + hat(w)²).
   std::span<const Mat3> directors = {};
-  double director_weight = 0;  // 1/s, their change in the trial per change of the rates
+  double director_weight = 0;  // 1/s, derivative of these accelerations by the rates in the trial
   StepMean mean = {};
 };
 
-// What the directors' acceleration is of a rotation that follows w and alpha.
+// Acceleration of the directors of a rotation with the rates w and alpha.
 inline Mat3 director_acceleration(const Quat& q, const Vec3& w, const Vec3& alpha) {
   const Mat3 W = hat(w);
   return q.toRotationMatrix() * (hat(alpha) + W * W);

@@ -1,5 +1,6 @@
-// Where terms put force and tangent. It alone knows the integrator's weights, the retraction, ghosts,
-// constraints and the matrix; a term only names its local 3-blocks.
+// Adds forces and tangents of terms to residual and matrix. A term only names its local 3-blocks; the
+// Assembler applies the weights of the integrator, the retraction, ghosts, constraints and the layout of the
+// matrix.
 #pragma once
 
 #include <petscmat.h>
@@ -14,9 +15,9 @@
 namespace hawser {
 
 // J = wK K T + wC C + wM M, where T is the right Jacobian of the step's rotation increments, plus a shift of
-// the free diagonal: N/m on positions, N m on rotations. stiffer, 0 to 1: so that statics far from the
-// solution has something to pull with, K has that share of the axial stiffness of slack cables and takes that
-// share of sliding friction by its secant instead of its derivative.
+// the free diagonal: N/m on positions, N m on rotations. `stiffer`, 0 to 1, is used by statics far from the
+// solution, where slack or sliding lines would have no stiffness: K takes this share of the axial stiffness
+// of slack cables, and it shifts sliding friction by this share from its derivative to its secant.
 struct Weights {
   double K = 1, C = 0, M = 0;
   double shift_position = 0, shift_rotation = 0;
@@ -29,24 +30,31 @@ class Assembler {
 
   bool needs_force() const { return force_ != nullptr; }
   bool needs_tangent() const { return matrix_ != nullptr; }
-  // True far from a static solution: exclude negative geometric stiffness.
+  // True far from a static solution: terms exclude negative geometric stiffness.
   bool convex() const { return convex_; }
 
-  // blocks: n local 3-blocks; f: 3n; K, C, M: (3n)x(3n) row-major or null. Configuration derivatives are
-  // with respect to material rotation increments at the trial rotation; C and M by (v, w) and (a, alpha).
+  // blocks: n local 3-blocks; f: 3n; K, C, M: (3n)x(3n) row-major or null. K is the derivative by the
+  // configuration, for rotations by material increments at the trial rotation; C and M are those by (v, w)
+  // and (a, alpha).
   void add(std::span<const int> blocks, const double* f, const double* K, const double* C, const double* M);
-  // The same for the positions a and b and forces that depend on their difference alone: -f at a, f at b; k
-  // and c: derivatives of f by x_b - x_a and v_b - v_a, or null.
+  // The same for the positions a and b and a force f that depends on their difference alone: the residual
+  // gets -f at a and +f at b. k and c are the derivatives of f by x_b - x_a and v_b - v_a, or null.
   void add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c);
-  // The same with a force f that is the mean over the step (StepMean), and its derivative by x_b - x_a.
+  // The same with a force f that is the mean over the step (StepMean) and its derivative k by x_b - x_a. Both
+  // enter with the weight of StepMean. In statics and at the start of the motion that weight is 1: the force
+  // is then no mean and enters as by add_between. f is also summed, without the weight, for
+  // System::mean_forces().
   void add_mean_between(int a, int b, const Vec3& f, const Mat3* k);
-  // For masses that couple positions: f[6]; M is `own` times the identity on the diagonal, `shared` off it.
+  // For masses that couple positions: f[6]. M is `own` times the identity on the diagonal and `shared` times
+  // it off the diagonal.
   void add_masses(int a, int b, const double* f, double own, double shared);
-  // For kernels that weigh their own derivatives by weights(): f[6] and J[36] of two positions.
+  // For kernels that apply weights() to their derivatives themselves. They call add_weighted() with f[6] and
+  // J[36] of two positions.
   const Weights& weights() const { return weights_; }
-  // What follows, until it is off again, is for rows that other ranks own as well: they get it from here.
+  // While this is on, contributions to rows of other ranks are kept and sent to their owners, which do not
+  // compute them themselves.
   void send(bool on) { sending_ = on; }
-  // Whether the derivatives by a block belong to a frame as well, so that add_weighted() cannot take them.
+  // Whether derivatives by a block also act on a frame, so that add_weighted() cannot take them.
   bool tied(int block) const { return ties_->tied(block); }
   void add_weighted(int a, int b, const double* f, const double* J);
 
@@ -59,9 +67,9 @@ class Assembler {
 
   const TiedNodeForces* ties_ = nullptr;
   std::vector<double>* force_ = nullptr;  // 3 * local blocks
-  std::vector<double>* mean_ = nullptr;   // 3 * local blocks, of the means alone, without their weight
+  std::vector<double>* mean_ = nullptr;   // 3 * local blocks, sum of mean forces without their weight
   double mean_weight_ = 1;
-  std::vector<double>* squares_ = nullptr;  // by block, sums of squares of what was added to owned rows
+  std::vector<double>* squares_ = nullptr;  // by block, sums of squares of the contributions to owned rows
   Mat matrix_ = nullptr;
   const OwnBlocks* own_ = nullptr;  // of the matrix
   Weights weights_;
@@ -69,7 +77,7 @@ class Assembler {
   int owned_blocks_ = 0;
   const std::vector<int>* global_block_ = nullptr;
   const std::vector<Mat3>* retraction_ = nullptr;  // of rotations
-  const std::vector<int>* turn_of_ = nullptr;      // of retraction_, per local block; -1: a position
+  const std::vector<int>* turn_of_ = nullptr;      // index into retraction_, per local block; -1: a position
   const std::vector<unsigned char>* held_ =
       nullptr;  // per local block: bit c set when component c is prescribed
 };

@@ -1,5 +1,5 @@
-// Pairs of nodes that something other than an element couples, contact for example. Force terms list them
-// before a step, so that ghost nodes and sparsity pattern have them.
+// Pairs of nodes that are coupled by something other than an element, for example by contact. Force terms
+// list them before a step, so that ghost nodes and the sparsity pattern include them.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ struct Couplings {
   std::vector<int> nodes;
   std::vector<std::pair<int, int>> pairs;
 
-  // The nodes of one segment and those of another see each other. This rank must own one of the four.
+  // Couples the nodes of one segment with those of another. This rank must own one of the four.
   void add(const std::array<int, 2>& a, const std::array<int, 2>& b) {
     nodes.insert(nodes.end(), {a[0], a[1], b[0], b[1]});
     for (int i : a)
@@ -28,7 +28,7 @@ struct Couplings {
     tidy(nodes);
     tidy(pairs);
   }
-  // Both sorted.
+  // Whether all nodes and pairs are also in `o`. Both must be sorted.
   bool within(const Couplings& o) const {
     return std::includes(o.nodes.begin(), o.nodes.end(), nodes.begin(), nodes.end()) &&
            std::includes(o.pairs.begin(), o.pairs.end(), pairs.begin(), pairs.end());

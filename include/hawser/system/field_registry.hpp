@@ -1,7 +1,7 @@
-// The node fields of a result file: what is known of each, and how its values are made. A new field is one
-// call of add() in the fields() of the force term that knows its values, as in terms/structure.cpp; of
-// contact by terms/contact_fields.cpp. Those made of other fields (utilisation) are added in
-// record/utilisation.cpp.
+// The node fields of a result file: metadata of each, and the function that computes its values. A new field
+// is one call of add() in fields() of the force term that computes it, as in terms/structure_fields.cpp;
+// contact uses terms/contact_fields.cpp. Fields that are computed from other fields (utilisation) are added
+// in record/utilisation.cpp.
 #pragma once
 
 #include <functional>
@@ -17,13 +17,14 @@ namespace hawser {
 struct FieldSource : Field {
   // Fills values[node * components + c] for this rank's owned nodes from an accepted state.
   std::function<void(const Kinematics& at, std::span<double> values)> fill;
-  // A field added before, of the same shape, whose values `values` holds when fill is called; empty: none.
+  // Name of a field added before, of the same shape, to which this one is added: `values` holds that field
+  // when fill is called. Empty: none.
   std::string onto = {};
 };
 
 class FieldRegistry {
  public:
-  // A field that is made onto another stands behind it, and behind those that are already.
+  // A field with `onto` is inserted after that field and after earlier fields with the same `onto`.
   void add(FieldSource source);
   const std::vector<FieldSource>& sources() const { return sources_; }
 

@@ -1,6 +1,6 @@
 // Every physical effect is one ForceTerm: it reads the trial kinematics and adds to the residual and its
-// derivatives. What a term may be beside that, it takes on as a role (roles.hpp). Sign: the residual is
-// inertia + internal - external, so an applied force F adds -F.
+// derivatives. Further abilities of a term are roles (roles.hpp). Sign: the residual is inertia + internal -
+// external, so an applied force F adds -F.
 #pragma once
 
 #include <string_view>
@@ -14,13 +14,13 @@
 
 namespace hawser {
 
-// Sums over what this rank counts, J. All but the first three are accumulated over the accepted steps.
+// Sums over what this rank counts, J. All but the first three accumulate over the accepted steps.
 struct Energy {
   double kinetic = 0, strain = 0, potential = 0;
   double friction = 0, damping = 0,
-         work = 0;        // taken out by friction, by damping; brought in by moving bodies
-  double unresolved = 0;  // taken by the time integration out of axial vibration too fast for its steps
-  double by_water = 0;    // the part of `work` that moving water and drag have done
+         work = 0;        // dissipated by friction, by damping; work of moving bodies on the lines
+  double unresolved = 0;  // taken by the time integration from axial vibration that is too fast for its steps
+  double by_water = 0;    // part of `work` that moving water and drag have done
 
   Energy& operator+=(const Energy& o) {
     kinetic += o.kinetic;
@@ -40,16 +40,16 @@ class ForceTerm {
   virtual ~ForceTerm() = default;
   virtual std::string_view name() const = 0;
 
-  // Once before a step of length h [s] is tried, from the last accepted state. May communicate.
+  // Called once before a step of length h [s] is tried, with the last accepted state. May communicate.
   virtual void prepare(const Kinematics& committed, double h) {
     (void)committed;
     (void)h;
   }
 
-  // Adds force and tangent at the trial state. Local, repeatable: reads committed history only.
+  // Adds force and tangent at the trial state. Local and repeatable: it only reads committed history.
   virtual void evaluate(const Kinematics& trial, Assembler& assembler) = 0;
 
-  // The state is accepted: history that belongs to it becomes the committed history.
+  // Called when a state is accepted: its history becomes the committed history.
   virtual void commit(const Kinematics& accepted) { (void)accepted; }
 
   virtual Energy energy(const Kinematics& at) const {
@@ -58,12 +58,12 @@ class ForceTerm {
   }
   virtual void fields(FieldRegistry& registry) const { (void)registry; }
 
-  // Committed history of the owned nodes, and back (records may arrive in any order); the kinds of record
-  // there are, the same on all ranks.
+  // The kinds of history records of the term, the same on all ranks.
   virtual std::vector<HistoryKind> history() const { return {}; }
-  // Of these nodes: checkpoints are not made as a whole.
+  // Committed history of these of the owned nodes. Checkpoints are written in parts, one range at a time.
   virtual std::vector<HistoryRecord> records(NodeRange) const { return {}; }
   std::vector<HistoryRecord> save() const { return records({}); }
+  // Restores the committed history; records may arrive in any order.
   virtual void restore(const std::vector<HistoryRecord>& records) { (void)records; }
 };
 

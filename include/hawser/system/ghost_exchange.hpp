@@ -1,4 +1,4 @@
-// Values of the owned nodes sent to the ranks that have them as ghosts, point to point.
+// Sends values of owned nodes, point to point, to the ranks that have these nodes as ghosts.
 #pragma once
 
 #include <mpi.h>
@@ -14,12 +14,12 @@ namespace hawser {
 class GhostExchange {
  public:
   GhostExchange() = default;
-  // Collective: finds out who needs which nodes. The mesh's ghosts must not change afterwards.
+  // Finds out which rank needs which nodes. The mesh's ghosts must not change afterwards. Collective.
   GhostExchange(MPI_Comm comm, const LocalMesh& mesh);
 
-  // values[node * width + c] of the owned nodes to those of the ghosts. Collective.
+  // Copies values[node * width + c] of the owned nodes to the ghosts on other ranks. Collective.
   void spread(std::span<double> values, int width) const;
-  // The same, after resizing to the local nodes.
+  // The same, after resizing to the number of local nodes.
   void spread(std::vector<Vec3>& values) const;
   void spread(std::vector<Quat>& values) const;
   void spread(std::vector<Mat3>& values) const;

@@ -1,5 +1,5 @@
-// What a term remembers of the steps before, as a checkpoint stores it: numbers with names and units, so that
-// what another version kept in another way is noticed and not misread.
+// History of a term as a checkpoint stores it: numbers with names and units, so that a record of another
+// version with another layout is detected and not misread.
 #pragma once
 
 #include <limits>
@@ -18,7 +18,7 @@ struct HistoryQuantity {
   bool operator==(const HistoryQuantity&) const = default;
 };
 
-// What all records of a kind hold.
+// The contents of all records of a kind.
 struct HistoryKind {
   std::string name;
   std::vector<HistoryQuantity> quantities;
@@ -28,22 +28,22 @@ struct HistoryKind {
 // A piece of a term's committed history that belongs to a node.
 struct HistoryRecord {
   int node = 0;                // mesh node (file order)
-  int key = 0;                 // whatever the term tells its records apart by (a volume, say)
-  std::vector<double> values;  // the quantities of its kind, of one entry or of several one after the other
+  int key = 0;                 // distinguishes the term's records of a node (for example by the volume)
+  std::vector<double> values;  // the quantities of its kind, for one entry or for several in sequence
   int kind = 0;                // index into the term's kinds
 };
 
-// Nodes of the mesh, `end` not among them.
+// Nodes of the mesh from `first` to before `end`.
 struct NodeRange {
   int first = 0, end = std::numeric_limits<int>::max();
   bool has(int node) const { return node >= first && node < end; }
 };
 
-// The quantities of a type are said once, by its function
+// A type declares its quantities once, in the function
 //   template <class Self, class Each> static void quantities(Self& self, Each&& each) {
 //     each("slip", "m", self.slip), each("touches", "", self.touches);
 //   }
-// of numbers, flags, vectors and arrays of two numbers; from that follow what is below.
+// They are numbers, flags, vectors and arrays of two numbers. The functions below derive from it.
 
 template <class T>
 HistoryKind history_kind(std::string name) {
@@ -76,7 +76,7 @@ HistoryRecord record_of(int node, int key, const T& entry, int kind = 0) {
   return r;
 }
 
-// The entries of a record. Throws std::invalid_argument where its length is not that of whole ones.
+// The entries of a record. Throws std::invalid_argument if its length is no multiple of an entry's.
 template <class T>
 std::vector<T> entries(const HistoryRecord& record) {
   std::vector<T> all;
@@ -99,7 +99,7 @@ std::vector<T> entries(const HistoryRecord& record) {
   return all;
 }
 
-// Its only entry. Throws the same.
+// The only entry of a record. Throws std::invalid_argument if there is not exactly one.
 template <class T>
 T entry(const HistoryRecord& record) {
   std::vector<T> all = entries<T>(record);
@@ -108,7 +108,7 @@ T entry(const HistoryRecord& record) {
   return all.front();
 }
 
-// Quantities that need no type of their own: a sum of work.
+// Work as the only quantity, for terms without a type of their own.
 struct WorkDone {
   double work = 0;  // J
   template <class Self, class Each>

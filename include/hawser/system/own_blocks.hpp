@@ -1,5 +1,5 @@
-// The values of this rank's diagonal part of a BAIJ matrix in blocks of 3, to add to without PETSc's search,
-// copies and stash.
+// Direct access to the values of this rank's diagonal part of a BAIJ matrix in blocks of 3, which avoids
+// PETSc's search, copies and stash.
 #pragma once
 
 #include <petscmat.h>
@@ -12,20 +12,21 @@ namespace hawser {
 class OwnBlocks {
  public:
   OwnBlocks() = default;
-  // Of a matrix whose pattern is known: assembled once.
+  // J must have been assembled once, so that its pattern is known.
   explicit OwnBlocks(Mat J);
   OwnBlocks(const OwnBlocks&) = delete;
   OwnBlocks& operator=(const OwnBlocks&) = delete;
   ~OwnBlocks();
 
   int rows() const { return rows_; }
-  // The columns of the blocks that a row has, from the column `first` on.
+  // The columns of the blocks in a row, from the column `first` on.
   std::span<const PetscInt> columns_from(int row, int first) const {
     const PetscInt* end = columns_ + starts_[row + 1];
     return {std::lower_bound(columns_ + starts_[row], end, first), end};
   }
-  // 3x3, column-major; rows and columns counted from the first of this rank. Null: not in the pattern.
-  // `before`: what was last found in this row, or null; the block after it is looked at first.
+  // The values of a block: 3x3, column-major. Rows and columns count from the first one of this rank. Null:
+  // the block is not in the pattern. `before` is the block found last in this row, or null; its successor is
+  // tried first.
   double* at(int row, int column, const double* before = nullptr) const {
     const PetscInt *from = columns_ + starts_[row], *to = columns_ + starts_[row + 1];
     if (before) {

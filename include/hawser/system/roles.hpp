@@ -1,6 +1,6 @@
-// What a force term may be beside a force. A term that takes a role on inherits it as well; System keeps a
-// list of those who have it. The order in which terms were added means nothing but to fields, which may build
-// on those of a term before (FieldSource::onto).
+// Abilities of force terms beside their force. A term inherits the roles it has, and System keeps a list of
+// the terms with each role. The order in which terms were added matters only for fields, which may be based
+// on those of an earlier term (FieldSource::onto).
 #pragma once
 
 #include <span>
@@ -17,45 +17,43 @@ namespace hawser {
 class CouplesNodes {
  public:
   virtual ~CouplesNodes() = default;
-  // Before a step of length h [s] (0: statics) and before prepare(). Collective; local nodes of the time
-  // before count. True: couple() or what was kept by local node is no longer what it was; update_ghosts()
-  // follows.
+  // Called before a step of length h [s] (0: statics) and before prepare(), with the local nodes as before.
+  // True if couple() or anything stored by local node has changed; update_ghosts() follows then. Collective.
   virtual bool recouple(const Kinematics& committed, double h) = 0;
-  // Adds the coupled nodes of those groups of which this rank owns a node.
+  // Adds the groups of coupled nodes of which this rank owns a node.
   virtual void couple(Couplings& to) const = 0;
-  // Those nodes are local ones now; local nodes from LocalMesh::chain on are no longer what they were.
+  // Called when those nodes are local. Local nodes from LocalMesh::chain on have changed.
   virtual void update_ghosts() {}
 };
 
-// Says how long a step may be, and whether a converged one can be trusted.
+// Limits the length of a step, and checks whether a converged step is valid.
 class LimitsSteps {
  public:
   virtual ~LimitsSteps() = default;
-  // Longest step from here, and the impacts, each once over all ranks; asked after prepare(). Steps that the
-  // user fixed are divided by it where impacts are to be resolved.
+  // Adds the longest step from here, and the impacts, each once over all ranks. Called after prepare(). Fixed
+  // steps of the user are divided by it if impacts are to be resolved.
   virtual void limit_step(const Kinematics& committed, ImpactEvents& to) const = 0;
-  // Of a converged step or a trial of statics, on this rank: tunnelling, penetration beyond what a law is
-  // for, candidates that are out of date.
+  // Checks a converged step or a trial of statics, on this rank: tunnelling, penetration beyond the range of
+  // a law, outdated candidates.
   virtual Verdict check_step(const Kinematics& trial) const = 0;
-  // Adds the impacts that a converged step did not resolve, each once over all ranks; local. Asked before it
-  // is accepted.
+  // Adds the impacts that a converged step did not resolve, each once over all ranks. Called before the step
+  // is accepted. Local.
   virtual void unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
     (void)trial;
     (void)to;
   }
 };
 
-// A penalty stiffness that follows what the run meets. evaluate() never changes it.
+// Has a penalty stiffness that is raised during the run as needed. evaluate() never changes it.
 class RaisesStiffness {
  public:
   virtual ~RaisesStiffness() = default;
-  // From an equilibrium, raises it where that asks for it and says so (solve again). Collective.
+  // Raises the stiffness if this equilibrium requires it. True: solve again. Collective.
   virtual bool raise_stiffness(const Kinematics& equilibrium) = 0;
-  // In statics, raises the stiffness where it is too low to keep a line out of a volume on the path to that
-  // trial.
-  // Collective.
+  // In statics, raises the stiffness if it is too low to keep a line out of a volume on the path to that
+  // trial. True: solve again. Collective.
   virtual bool raise_stiffness_where_blocked(const Kinematics& trial) = 0;
-  // Reverts the stiffness to that of the last commit, before a step is tried (again).
+  // Reverts the stiffness to that of the last commit. Called before each try of a step.
   virtual void revert_stiffness() = 0;
 };
 
@@ -63,8 +61,8 @@ class RaisesStiffness {
 class ActsOnElements {
  public:
   virtual ~ActsOnElements() = default;
-  // Adds what this term has in the residual of a local element, from the state alone: f[12] = (x1, theta1,
-  // x2, theta2), forces in space axes [N], moments in material axes [N m]; of cables no moments.
+  // Adds the contribution of this term to the residual of a local element, from the state alone: f[12] = (x1,
+  // theta1, x2, theta2), forces in space axes [N], moments in material axes [N m]. Cables have no moments.
   virtual void element_force(const Kinematics& at, const LocalElement& e, double* f) const = 0;
 };
 
@@ -72,19 +70,19 @@ class ActsOnElements {
 class MovesMasses {
  public:
   virtual ~MovesMasses() = default;
-  // Adds what this rank counts of the masses that move, by line of the mesh.
+  // Adds the moving masses that this rank counts, by line of the mesh.
   virtual void motion(const Kinematics& at, std::span<LineMotion> lines) const = 0;
 };
 
-// The element that is stretched (or pressed) furthest beyond what its law can mean.
+// The element that is stretched or compressed furthest beyond the range of its law.
 struct Overstretch {
-  double beyond = 0;            // of the strain; 0: none is
+  double beyond = 0;            // excess of the strain; 0: there is no such element
   int node = -1;                // of the mesh, at its first end
-  double strain = 0, most = 0;  // and what is borne, both signed
+  double strain = 0, most = 0;  // its strain and the allowed one, both signed
   double tension = 0, EA = 0;   // N
 };
 
-// Of a line: the largest tension, round-off in one, and EA, N.
+// Of a line: the largest tension, the largest round-off of a tension, and the largest EA, N.
 struct LineTension {
   double tension = 0, round_off = 0, EA = 0;
 };
@@ -93,31 +91,31 @@ struct LineTension {
 class CarriesTension {
  public:
   virtual ~CarriesTension() = default;
-  // Axial stiffness is at most this, N, and nothing yields, until it is called again (HUGE_VAL: as it truly
-  // is): statics starts soft, where a very stiff line would have to creep along a narrow valley of its
-  // energy, and elastic, where the bends of a shape far from rest would leave sections that yield hardly any
-  // stiffness. Whether that changes anything on this rank.
+  // Limits the axial stiffness [N] and makes sections elastic, until the next call (HUGE_VAL: true values).
+  // Statics starts soft, because a very stiff line would make its search creep along a narrow valley of the
+  // energy, and elastic, because the bends of a shape far from rest would leave yielding sections with hardly
+  // any stiffness. Returns whether this changes anything on this rank.
   virtual bool soften(double most) = 0;
   // Largest EA, N, of this rank; 0: none.
   virtual double axial_stiffness() const = 0;
-  // The worst overstretched element of this rank, if there is one.
+  // The most overstretched element of this rank, if any.
   virtual Overstretch overstretched(const Kinematics& at) const = 0;
-  // Raises what `lines`, one for each line of the mesh, have to what this rank's elements have.
+  // Raises the entries of `lines`, one for each line of the mesh, to the values of this rank's elements.
   virtual void tensions(const Kinematics& at, std::span<LineTension> lines) const = 0;
 };
 
-// Provides the size of forces, which a residual is compared with.
+// Provides magnitudes of forces with which a residual is compared.
 class ScalesResiduals {
  public:
   virtual ~ScalesResiduals() = default;
-  // Sum of squares, N², of the round-off in the forces on this rank, in a try of a step h [s] (0: statics):
-  // no residual can be smaller.
+  // Sum of squares, N², of the round-off of the forces on this rank, in a try of a step h [s] (0: statics).
+  // No residual can be smaller.
   virtual double round_off(const Kinematics& at, double h) const {
     (void)at;
     (void)h;
     return 0.0;
   }
-  // Sum of the sizes of the dead loads on this rank, N.
+  // Sum of the magnitudes of the dead loads on this rank, N.
   virtual double dead_load() const { return 0; }
 };
 

@@ -1,6 +1,6 @@
 // Places that two stretches of lines share: ends that are held at one point, or nearer to each other than the
-// lines are thick. Near such a place the stretches overlap by necessity; they touch each other only beyond
-// where they have once been apart. See docs/theory/line-line.md.
+// lines are thick. Near such a place the stretches must overlap. There is contact between them only beyond
+// the length at which they are first apart. See docs/theory/line-line.md.
 #pragma once
 
 #include <mpi.h>
@@ -17,7 +17,7 @@
 
 namespace hawser {
 
-// What of a line goes on from one of its nodes.
+// The part of a line from one of its nodes on, in one direction.
 struct Stretch {
   int node = 0;  // of the mesh
   int way = 1;   // 1: towards end B; -1: towards end A
@@ -29,25 +29,26 @@ struct SharedPlace {
 
 class SharedPlaces {
  public:
-  // radius: m, of each of Mesh::elements, not 0 along the stretches. whole: of each line the first line of
-  // the line that it is a part of (lines that are cut later); empty: each is whole.
+  // radius: m, of each of Mesh::elements, not 0 along the stretches. whole: for each line, the first part of
+  // the uncut line that it is a part of (lines that are cut later); empty: every line is uncut.
   SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
                std::vector<SharedPlace> places, std::vector<int> whole);
 
-  // How many elements of each line are inside feeders at its ends A and B: stretches begin at the feeder.
+  // Sets how many elements of each line are inside feeders at its ends A and B. Stretches begin at the
+  // feeder.
   void set_elements_in_feeders(std::vector<std::array<int, 2>> inside) { inside_ = std::move(inside); }
 
-  // Collective, of a committed state: how far from each place there is no contact. The first call finds it
-  // from the state alone. `settles`: in statics it may grow as well as shrink, in motion it only shrinks.
-  // Repeated for the same state it changes nothing.
+  // Updates from a committed state how far from each place there is no contact. The first call determines
+  // this length from the state alone. Later it shrinks and, if `settles` (statics), it also grows. A second
+  // call for the same state changes nothing. Collective.
   void update(const Kinematics& at, bool settles);
 
   int size() const { return static_cast<int>(places_.size()); }
   const SharedPlace& place(int k) const { return places_[k].of; }
   double diameter(int k) const;  // m, the mean of the two at place k
-  // m, along either stretch from place k.
+  // Length without contact, m along either stretch from place k.
   double within(int k) const { return places_[k].step * std::max(places_[k].within, 0); }
-  // What a checkpoint has of a place; the rank with its first node has it.
+  // The record of a place in a checkpoint, stored by the rank with its first node.
   struct Kept {
     int place = 0, steps = 0;
     template <class Self, class Each>
@@ -57,42 +58,43 @@ class SharedPlaces {
     }
   };
   Kept kept(int k) const { return {k, places_[k].within}; }
-  // All places are as yet unknown; then those that this rank has. The next update brings them to the others.
+  // forget() makes all places unknown; restore() sets those that this rank has. The next update() distributes
+  // them.
   void forget();
   void restore(const Kept& kept);
 
-  // The places between stretches of two lines (a line and itself too), any order.
+  // The places between stretches of two lines, in any order, also of a line with itself.
   const std::vector<int>& between(int line, int other) const;
-  // m, along a stretch from its place to the first and to the second node of an element; none: it is not on
-  // the stretch.
+  // m, along a stretch from its place to the first and to the second node of an element; none if the element
+  // is not on the stretch.
   std::optional<std::array<double, 2>> along(const Stretch& stretch, int element) const;
-  // Two elements that are on the two stretches from a place: m from it to the nearer and the farther end of
-  // each, in the order of the stretches.
+  // Two elements on the two stretches from a place: distances [m] from it to the nearer and the farther end
+  // of each, in the order of the stretches.
   struct Found {
     int place = 0;
     std::array<double, 2> one, other;
   };
-  // Whether what(found) holds for any of the places between two elements.
+  // Whether what(found) is true for any of the places between two elements.
   template <class What>
   bool any_between(int element, int second, const What& what) const;
-  // Takes from the parts [from, to] of two elements what is without contact with the other one.
+  // Shortens the parts [from, to] of two elements by their lengths without contact with each other.
   void clip(int element, int second, std::array<double, 2>& part, std::array<double, 2>& second_part) const;
 
  private:
   static constexpr int kUnknown = -1;
-  // Lengths along the stretches are counted in steps, so that the same state has the same answer.
+  // Lengths along the stretches are counted in steps, so that the same state has the same result.
   struct Place {
     SharedPlace of;
     double step = 0;        // m
-    double limit = 0;       // m: no farther along either
-    int within = kUnknown;  // steps without contact
-    int clear = 0;          // steps up to which they were clearly apart beyond that, in statics
+    double limit = 0;       // m, largest length along either stretch
+    int within = kUnknown;  // length without contact, in steps
+    int clear = 0;          // steps up to which the stretches were clearly apart beyond that, in statics
   };
   // A stretch as a polyline.
   struct Rope {
     std::vector<double> s;  // m from the place on
     std::vector<Vec3> x;
-    std::vector<double> radius;  // of what follows each point
+    std::vector<double> radius;  // of the segment after each point
   };
   struct Gaps;
 
@@ -107,12 +109,12 @@ class SharedPlaces {
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::vector<double> radius_;
-  std::vector<int> whole_;      // of each line
-  std::vector<double> offset_;  // m, of each line: where it begins along its whole
+  std::vector<int> whole_;      // of each line, see the constructor
+  std::vector<double> offset_;  // m, of each line, its start along its uncut line
   std::vector<std::array<int, 2>> inside_;
   std::vector<Place> places_;
-  bool agreed_ = true;                                       // all ranks know the same of the places
-  std::map<std::pair<int, int>, std::vector<int>> between_;  // by whole lines
+  bool agreed_ = true;                                       // all ranks have the same values of the places
+  std::map<std::pair<int, int>, std::vector<int>> between_;  // by uncut lines
 };
 
 template <class What>

@@ -1,8 +1,10 @@
-// Forces and tangent of nodes that are tied to a frame of the state (TiedNodes; docs/theory/frames.md): the
-// node has no unknowns of its own, so what acts on it acts on its frame, a body with mass or a node of a
-// beam. With the frame's rotation R, rates w and accelerations of its directors, and the arm y in its axes:
-//   x = X + R y,   dx = dX + place theta + (v, a by theta: rate theta),   place = -R hat(y), rate = -R hat(w
-//   x y) of a rotation that is tied as well: turn theta.
+// Forces and tangent of nodes that are tied to a frame of the state (TiedNodes; docs/theory/frames.md). Such
+// a node has no unknowns of its own: a force on it acts on its frame, which is a body with mass or a node of
+// a beam. With the frame's position X, rotation R, rates w and rotation increment theta, and the arm y in its
+// axes:
+//   x = X + R y,  dx = dX + place theta,  place = -R hat(y)
+//   v and a depend on theta, too, by rate theta,  rate = -R hat(w x y)
+// A rotation that is tied as well has the increment turn theta.
 #pragma once
 
 #include <span>
@@ -23,32 +25,33 @@ class TiedNodeForces {
   TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied);
 
   bool tied(int block) const { return !tie_of_.empty() && tie_of_[block] >= 0; }
-  // Takes the frames as they are at a trial state. Before all that follows.
+  // Takes the frames from a trial state. Must be called before the functions below.
   void move(const Kinematics& trial);
-  // Adds the force at each owned tied node to that of its frame, and its moment y x R'f, with that of the
-  // node's rotation, to the moment in the frame's axes. force: 3 * blocks, N; squares: by block, of what was
-  // added. It stays at the node as what the tie carries.
+  // Adds the force f at each owned tied node to that of its frame, and its moment y x R'f plus that of the
+  // node's rotation to the frame's moment (frame axes). force: 3 * blocks, N; squares: by block, of the
+  // contributions. The force at the node remains there as that of the tie.
   void add_forces(std::vector<double>& force, std::vector<double>& squares) const;
-  // d(y x R'f) = hat(y) hat(R'f) theta: the arm of the force `f` of each owned tied node turns with its
-  // frame. `convex`: far from a solution, that part of it which pulls at the arm and so holds the frame.
+  // d(y x R'f) = hat(y) hat(R'f) theta: stiffness from the rotation of the arm of the force at each owned
+  // tied node. `convex`, far from a solution: only the positive part, of a force that pulls at the arm.
   void add_geometric_stiffness(const std::vector<double>& force, bool convex, Assembler& assembler) const;
 
-  // The unknowns z of blocks `to` that some blocks' increments u = P z stand for, and the rates V z that
-  // turned frames give: derivatives by u become P'(K P + (C + director_weight M) V), P'C P and P'M P.
+  // The increments u of some blocks as functions of the unknowns z of the blocks `to`: u = P z; their rates
+  // change by V z when frames rotate. Derivatives by u become P'(K P + (C + director_weight M) V), P'C P and
+  // P'M P.
   struct Unknowns {
     std::vector<int> to;
     Eigen::MatrixXd P, V;  // 3 * blocks x 3 * to
   };
   Unknowns unknowns(std::span<const int> blocks) const;
-  double director_weight() const { return director_weight_; }  // 1/s, of a turned frame's rates in M
+  double director_weight() const { return director_weight_; }  // 1/s, factor of a rotated frame's rates in M
 
  private:
   struct Tie {
-    int block = 0, frame = 0;  // local blocks: of the node's position, of the frame's
+    int block = 0, frame = 0;  // local blocks: of the node's position, of the frame's position
     int frame_node = 0;
     bool owned = false;
     bool turns = false;  // the node's rotation is tied as well
-    bool point = false;  // the frame has no rotation: the end of a cable
+    bool point = false;  // the frame has no rotation because it is the end of a cable
     Vec3 arm = Vec3::Zero();
     Mat3 turn = Mat3::Identity(), R = Mat3::Identity(), place = Mat3::Zero(), rate = Mat3::Zero();
   };

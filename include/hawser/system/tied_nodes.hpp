@@ -1,7 +1,9 @@
-// Nodes that do not move by themselves: anchored in space, carried by a body with prescribed motion, or tied
-// to a frame of the state (a body with mass, a rigid joint), with or without rotation.
-// A tied node is x = X + R y, v = V + R (w x y), a = A + D y with the frame's position X, rotation R, rates w
-// and accelerations D of the directors, the columns of the rotation matrix (docs/theory/frames.md).
+// Nodes whose motion is given: fixed in space, carried by a body with prescribed motion, or tied to a frame
+// of the state (a body with mass, a rigid joint), with or without rotation. A node that is tied to a frame
+// has
+//   x = X + R y,  v = V + R (w x y),  a = A + D y
+// with the frame's position X, rotation R, rates w and accelerations D of the directors, the columns of the
+// rotation matrix (docs/theory/frames.md).
 #pragma once
 
 #include <functional>
@@ -13,12 +15,12 @@
 
 namespace hawser {
 
-// A local node, of whose position (and material rotation) increments components are prescribed.
+// A local node with prescribed components of its position and (material) rotation increments.
 struct TiedNode {
-  int node = 0;                      // local
-  int body = -1;                     // with prescribed motion; -1: fixed in space
-  int frame = -1;                    // local node of the frame it is tied to; -1: prescribed
-  Vec3 at = Vec3::Zero();            // m, in the body's frame (or space); of a frame from its node
+  int node = 0;            // local
+  int body = -1;           // with prescribed motion; -1: fixed in space
+  int frame = -1;          // local node of the frame it is tied to; -1: prescribed
+  Vec3 at = Vec3::Zero();  // m, in the body's frame (or space); for a frame, relative to its node in its axes
   Quat rotation = Quat::Identity();  // node axes in the body's frame (or space), when clamped
   unsigned char position_mask = 7;   // bits of the held components, space axes
   unsigned char rotation_mask = 0;   // bits of the held components, material axes; 7: follows the body
@@ -31,18 +33,18 @@ class TiedNodes {
   TiedNodes() = default;
   TiedNodes(const LocalMesh& mesh, std::vector<TiedNode> nodes, BodyMotion motion);
 
-  // Held components by local block, one bit a component.
+  // Held components by local block, one bit for each component.
   const std::vector<unsigned char>& held() const { return held_; }
   const std::vector<TiedNode>& list() const { return nodes_; }
   const BodyMotion& motion() const { return motion_; }
-  // Those of the list that are tied to a frame of the state.
+  // Indices into list() of the nodes that are tied to a frame of the state.
   const std::vector<int>& to_frames() const { return to_frames_; }
 
-  // Writes the prescribed entries of the local increment u that take `from` to time t.
+  // Writes the prescribed entries of the local increment u that takes `from` to time t.
   void increments(const State& from, double t, double* u) const;
-  // Puts prescribed velocities and accelerations of time t into the state.
+  // Sets prescribed velocities and accelerations at time t in the state.
   void rates(double t, State& s) const;
-  // Puts tied nodes where their frames take them: positions, rotations and all rates.
+  // Sets positions, rotations and all rates of tied nodes from their frames.
   void follow(State& s) const;
 
  private:

@@ -1,6 +1,6 @@
-// The result of every check of a converged step, or of a trial of statics: accept, try a shorter one, rebuild
-// the list of candidates and try again, or stop. Contact, candidates, impacts, local error and Newton's
-// iteration all return it.
+// The result of every check of a converged step, or of a trial of statics: accept, try a shorter one, prepare
+// again (rebuild the list of candidates) and retry, or stop. Contact, candidates, impacts, local error and
+// Newton's iteration all return it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace hawser {
 
 struct Verdict {
-  // Each outweighs those before it.
+  // In order of severity.
   enum class Kind {
     accept,
     shorter,        // retry with a shorter step

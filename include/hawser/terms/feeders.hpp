@@ -1,7 +1,8 @@
-// Winches, tensioners and reels: what pays a line out at one of its ends and hauls it in. The line's elements
-// from that end on are a stock that is held at the feeder and idle; the one that leaves it, at the feed
-// point, has an unstretched length of its own. How much a tensioner lets out: kernels/feeder_law.cpp; nodes
-// that leave and are caught: run/feeder_nodes.cpp. See docs/theory/feeders.md.
+// Winches, tensioners and reels, which pay out a line at one of its ends and haul it in. The line's elements
+// from that end on are a stock that is held at the feeder and idle. The element that leaves the feeder, at
+// the feed point, has an unstretched length of its own. How much a tensioner pays out is in
+// kernels/feeder_law.cpp; how nodes are released and caught is in run/feeder_nodes.cpp. See
+// docs/theory/feeders.md.
 #pragma once
 
 #include <array>
@@ -29,33 +30,33 @@ struct Feeder {
   bool at_b = false;
   std::string name;  // "end A of line mooring"
   model::Feed feed;
-  TiedNode tied;  // of a node that is held at the feeder
+  TiedNode tied;  // how a node is held at the feeder
   bool beam = false;
-  CableSection cable;  // of the element at the feed point, of its own length
-  BeamSection bar;     // likewise, of a line that resists bending
+  CableSection cable;  // section at the feed point of a cable, with the element's length in the mesh
+  BeamSection bar;     // the same for a line that resists bending
   double free_strain = 0;
   double mass_per_length = 0;   // kg/m
   Vec3 weight = Vec3::Zero();   // N/m
   double outside_at_start = 0;  // m, unstretched
 
-  // Committed, the same on all ranks.
-  int feed_point =
-      0;  // the element at the feed point, counted from the fed end; those before it are the stock
-  double length = 0;       // m, unstretched, of that element
+  // The committed state, the same on all ranks.
+  // Index of the element at the feed point, counted from the fed end; elements before it are the stock.
+  int feed_point = 0;
+  double length = 0;       // m, unstretched length of that element
   double speed = 0;        // m/s
-  double length_rate = 0;  // m/s, of FeedPoint
-  bool resting = false;    // within its dead band
-  double offset = 0;       // m: of a feeder that goes by speed the length is this and what it has paid out
+  double length_rate = 0;  // m/s, see FeedPoint
+  bool resting = false;    // the tension is within the dead band
+  double offset = 0;       // m; with a prescribed speed, `length` is this plus what has been paid out
   double time = 0;         // s
 };
 
-// The element at the feed point, in a trial.
+// State of the element at the feed point in a trial.
 struct FeedPoint {
   double length = 0, speed = 0, acceleration = 0;  // m, m/s, m/s²: unstretched length and its rates
   double by_chord = 0;                             // derivative of the length by the chord
-  double length_by_force = 0;                      // m/N, by the force of a beam on its feeder
-  // m/s: the rate of the length with which the velocities of the ends make the strain rate that the damper of
-  // the step had, where a tension is kept.
+  double length_by_force = 0;  // m/N, derivative of the length by the force of a beam on its feeder
+  // m/s: where a tension is kept, the rate of the length for which the velocities of the ends reproduce the
+  // strain rate that the damper of the step had.
   double length_rate = 0;
 };
 
@@ -66,35 +67,37 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   const std::vector<Feeder>& list() const { return feeders_; }
   std::vector<Feeder>& list() { return feeders_; }
 
-  // Of the mesh, counted from the fed end: element i lies between nodes i and i + 1.
+  // Nodes and elements of the mesh, counted from the fed end: element i lies between nodes i and i + 1.
   int node(const Feeder& f, int i) const;
   int element(const Feeder& f, int i) const;
-  double element_length(const Feeder& f, int i) const;  // m, of a free one
+  double element_length(const Feeder& f, int i) const;  // m, when free
   int elements(const Feeder& f) const;
-  double outside(const Feeder& f) const;  // m, unstretched, that has left the feeder
-  // Updates the section at the feed point after another element has come there.
+  double outside(const Feeder& f) const;  // m, unstretched length that has left the feeder
+  // Sets the section at the feed point after another element has come there.
   void update_feed_point(Feeder& f) const;
-  // Node axes of a fed end that is clamped, in its body's frame (or space), by line and end.
+  // Sets the node axes of clamped fed ends, in the body's frame (or space), by line and end.
   void clamp(const std::vector<std::array<Quat, 2>>& ends);
-  // Local element at the feed point; null: not on this rank.
+  // The local element at the feed point; null: it is not on this rank.
   const LocalElement* at_feed_point(const Feeder& f) const;
 
-  // What masses and water see of the feed point is that of the speed at the start of the step, unless `now`.
+  // State of the feed point. For masses and water the length is that at the speed of the start of the step;
+  // with `now` it is that of the trial.
   FeedPoint feed_point(const Feeder& f, const Kinematics& at, bool now) const;
-  // Of an element of the mesh; nullopt: no feeder has to do with it.
+  // State of an element of the mesh; nullopt: its line has no feeder.
   struct ElementState {
     bool idle = false;           // inside a feeder
     double length = 0;           // m, unstretched
     double length_by_chord = 0;  // derivative by the chord
-    double length_by_force = 0;  // m/N, by the force of a beam on its feeder
-    double length_rate = 0;      // m/s, its rate
-    double before = 0;  // m, unstretched at the start of the step, of the one at a feed point; else `length`
-    int feeder = -1;    // among list(), of the one at a feed point
+    double length_by_force = 0;  // m/N, derivative by the force of a beam on its feeder
+    double length_rate = 0;      // m/s, rate of the length
+    // m, for the element at a feed point its unstretched length at the start of the step; else `length`
+    double before = 0;
+    int feeder = -1;  // for the element at a feed point: index into list()
   };
   std::optional<ElementState> element_state(int element, const Kinematics& at, bool now) const;
-  // Of the one at a feed point, its end at the feeder: 0 or 1; -1: of another.
+  // For the element at a feed point: which of its ends is at the feeder, 0 or 1. For others -1.
   int fed_end(int element) const;
-  // How many elements are inside the feeders at ends A and B of each line.
+  // Number of elements inside the feeders at ends A and B of each line.
   std::vector<std::array<int, 2>> inside() const;
   // Sets which elements of a term are idle, and the unstretched length of the others.
   template <class Of>
@@ -105,19 +108,19 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
         e.section.length = r->length;
       }
   }
-  // Where all was at the start of the step; nothing before the first.
+  // Positions and rotations at the start of the step; empty before the first step.
   const State& before() const { return before_; }
 
-  // N, that a feeder feels of the element at its feed point, of an unstretched length [m]: its tension at the
-  // end of the step that began with the committed state, and of a beam M²/2EI.
+  // Force on the feeder from the element at its feed point with an unstretched length [m], N: its tension at
+  // the end of the step that began with the committed state, and for a beam also M²/2EI.
   FedPull pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
 
-  // The tied nodes with those of what is inside feeders, of the local nodes.
+  // The tied nodes, with local nodes inside feeders held there.
   std::vector<TiedNode> with_held(const std::vector<TiedNode>& tied) const;
-  // Nodes of the mesh that are held at a feeder or may once be.
+  // Nodes of the mesh that are held at a feeder, or may be at some time.
   std::vector<int> fed_nodes() const;
 
-  // Work of the feeders that another term knows of, J, of what this rank counts.
+  // Adds work of the feeders that another term computes, J, of what this rank counts.
   void add_work(double work) { work_ += work; }
   double work() const { return work_; }
   void set_work(double work) { work_ = work; }
@@ -131,15 +134,16 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   void limit_step(const Kinematics&, ImpactEvents&) const override {}
   Verdict check_step(const Kinematics& trial) const override;
 
-  // Of the material at the feed point, at the feeder's end of the element: velocity, and what its
-  // acceleration is beyond that of the feeder.
+  // Motion of the material at the feeder's end of the element at the feed point: its velocity, and its
+  // acceleration minus that of the feeder.
   struct Flow {
     Vec3 chord, velocity, acceleration;  // m, m/s, m/s²
   };
   Flow flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e, bool at_b) const;
 
  private:
-  // Of the element at a feed point that is a cable: at the start of the step, and its mean rate over it, 1/s.
+  // For a cable element at a feed point: the strain at the start of the step, and its mean rate over the
+  // step, 1/s.
   double strain_before(const Feeder& f, const LocalElement& e) const;
   double strain_rate(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   CableFeed feed_of_cable(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
@@ -151,11 +155,12 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   const LocalMesh& mesh_;
   const model::Case& case_;
   std::vector<Feeder> feeders_;
-  std::vector<std::array<int, 2>> of_line_;  // which of them are at end A and end B of a line; -1: none
-  std::vector<double> power_;                // W, of the committed state, by feeder
-  std::vector<double> pulls_;                // N, likewise, what beams pull with
-  State before_;                             // committed positions and rotations
-  double work_ = 0;                          // J
+  // Indices into feeders_ of the feeders at ends A and B of each line; -1: none.
+  std::vector<std::array<int, 2>> of_line_;
+  std::vector<double> power_;  // W, at the committed state, by feeder
+  std::vector<double> pulls_;  // N, at the committed state, by feeder: force of beams
+  State before_;               // committed positions and rotations
+  double work_ = 0;            // J
 };
 
 }  // namespace hawser

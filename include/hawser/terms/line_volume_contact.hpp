@@ -1,5 +1,5 @@
-// Contact of lines with volumes: laws per length of line, summed over the places on the axis of each element
-// that LineVolumeFinder finds. See docs/theory/contact.md.
+// Contact of lines with volumes: laws per length of line, integrated over the places on the axis of each
+// element that LineVolumeFinder finds. See docs/theory/contact.md.
 #pragma once
 
 #include <memory>
@@ -25,8 +25,9 @@ class LineVolumeContact final : public ForceTerm,
                                 public HasFriction,
                                 public FedByFeeders {
  public:
-  // elements: one for each of mesh.elements. Indices are checked, std::invalid_argument otherwise. A
-  // stiffness per point counts once an element, at the nodes once a node. comm: of those who hold the lines.
+  // elements: one for each of mesh.elements; throws std::invalid_argument if a number or an index is wrong. A
+  // stiffness per point counts once for each element, or once for each node with contact at nodes. comm: the
+  // ranks that have the lines.
   LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                     std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
                     MPI_Comm comm = MPI_COMM_SELF, model::ContactMethod method = model::ContactMethod::line);
@@ -37,55 +38,57 @@ class LineVolumeContact final : public ForceTerm,
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { volumes_.couple(to); }
   void prepare(const Kinematics& committed, double h) override;
-  // Looks ahead from the ends and the middle of each element, and at what touches (contact_laws.hpp).
+  // Considers the ends and the middle of each element, and present contacts (contact_laws.hpp).
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
-  // Nothing goes through a volume between the ends of a step, nor deeper into one than its law is for.
+  // No element may pass through a volume within the step, or be deeper in one than the range of its law.
   Verdict check_step(const Kinematics& trial) const override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
-  // An automatic stiffness that is too low for what presses is raised, and the trial is solved again.
+  // Raises an automatic stiffness that is too low for the present load; the trial is then solved again.
   bool raise_stiffness(const Kinematics& equilibrium) override;
   bool raise_stiffness_where_blocked(const Kinematics& trial) override;
   void revert_stiffness() override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  // contact_force, contact_normal_force, friction_force as the element's shape functions share them out.
+  // contact_force, contact_normal_force and friction_force, distributed by the element's shape functions.
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
 
   void enable_friction(bool on) override;
-  // Between steps, and the same on all ranks: whether lines touch a volume from then on.
+  // Sets whether lines touch a volume from now on. Called between steps, the same on all ranks.
   void enable(int volume, bool on) { volumes_.enable(volume, on); }
-  // Before the first step, and the same on all ranks.
+  // Called before the first step, the same on all ranks.
   void exclude_ends(std::vector<ExcludedEnds> ends) { volumes_.exclude_ends(std::move(ends)); }
   int volumes() const { return volumes_.size(); }
   const std::string& volume_name(int volume) const { return volumes_.settings(volume).name; }
-  // In the volume's basis; of an automatic one as far as it has been raised in accepted states, and so far it
-  // is raised again when a run goes on from a checkpoint.
+  // Stiffness in the volume's basis; if it is automatic, as raised in accepted states. raise_to() restores it
+  // when a run continues from a checkpoint.
   double stiffness(int volume) const { return volumes_.stiffness(volume); }
   void raise_to(int volume, double stiffness) { volumes_.raise_to(volume, stiffness); }
-  // Where a line is deeper in a volume than its law is for, in words for the user; empty: nowhere. Local, of
-  // the trial that was evaluated last.
+  // Where a line is deeper in a volume than the range of its law, in words for the user; empty: nowhere.
+  // Local; for the trial that was evaluated last.
   std::string deeper_than_allowed(const Kinematics& trial) const;
-  // Of what this rank counts: the largest penetration over the run (its node: the nearer end of the element);
-  // pairs of an element and a volume that touch; how many may in the step that is tried.
+  // For what this rank counts: the largest penetration over the run (its node: the nearer end of the
+  // element); the number of pairs of an element and a volume in contact; the number of candidate pairs in the
+  // step.
   Penetration largest_penetration() const;
   int active_count() const;
   int candidates() const;
-  // Adds what touches in the accepted state, of what this rank counts; volumes are those of volume_name().
+  // Adds the contacts of the accepted state that this rank counts; volumes are those of volume_name().
   void active_contacts(ActiveContacts& out) const;
-  // What each volume exerts on lines in the accepted state, of what this rank counts [N, space axes].
+  // Forces of each volume on lines in the accepted state that this rank counts [N, space axes].
   std::vector<Vec3> forces_by_volume(const Kinematics& at) const;
-  // Of one of them the force and its moment about the origin of the volume's body, which acts where the axis
-  // of a line is [N, N m, space axes].
+  // Force of one volume and its moment about the origin of the volume's body; the force acts at the axis of
+  // the line [N, N m, space axes].
   std::array<Vec3, 2> reaction(int volume, const Kinematics& at) const;
-  // What volumes exert in the accepted state on each local element, counted here or not, in their order.
+  // Forces of volumes on each local element in the accepted state, whether counted here or not, in the order
+  // of the elements.
   struct Load {
     int element = 0;  // of LocalMesh::elements
     int volume = 0;
-    double xi = 0;              // along it, 0 to 1
+    double xi = 0;              // position along the element, 0 to 1
     Vec3 force = Vec3::Zero();  // N, space axes
   };
   std::vector<Load> loads(const Kinematics& at) const;
@@ -93,7 +96,7 @@ class LineVolumeContact final : public ForceTerm,
 
  private:
   using Pair = LineVolumePair;
-  // A pair that is not clear for certain in the trial.
+  // A pair that may touch in the trial.
   struct Near {
     size_t pair = 0;
     AxisShape shape;
@@ -105,7 +108,7 @@ class LineVolumeContact final : public ForceTerm,
   AxisEnds ends(const Kinematics& at, int element) const;
   std::array<ContactLaw, 2> laws(const Pair& pair) const;
   void renew_laws();
-  // With friction or not.
+  // The law, without friction if that is off.
   ContactLaw applied(const ContactLaw& l) const {
     return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
   }
@@ -113,7 +116,7 @@ class LineVolumeContact final : public ForceTerm,
     return contact_spring(p.law(xi).normal, settings(p).mass_per_length, p.radius);
   }
 
-  // Pairs of an element and a volume at the start of a step, with what is known of them.
+  // Pairs of an element and a volume at the start of a step, with data from earlier steps.
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
   void carry_over(Pair& was, Pair& pair) const;
   void start_facet_groups(Pair& pair, double motion) const;
@@ -124,19 +127,21 @@ class LineVolumeContact final : public ForceTerm,
   AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;
   void account(const Pair& pair, const AxisShape& shape, const std::vector<AxisContactPoint>& next);
 
-  // The impact at xi, of `share` m of the line; what it may come to, which touches elsewhere already.
+  // add_impact_at(): adds the impact at xi, of `share` m of the line; `last`: see Approach.
+  // predict_impacts(): adds the impact with a surface that the element may reach.
   void add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
                      const Vec3& normal, bool last, ImpactEvents& to) const;
   void predict_impacts(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
                        ImpactEvents& to) const;
-  // The same at each of the facet groups it may come to in the step, if there are several.
+  // The same for each facet group that the element may reach in the step. Returns whether there are several.
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   bool tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose, bool rests) const;
   bool is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  // Whether no stiffness moves what touches of an element. Held ends that are nodes take no part.
+  // Whether contact of this element cannot be made shallower by stiffness, because an end is held. With
+  // contact at nodes held ends are excluded.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
   double static_share(const Pair& pair, const Kinematics& at, double force, double depth,
                       const Vec3& normal) const;
@@ -149,7 +154,7 @@ class LineVolumeContact final : public ForceTerm,
   std::vector<Pair> pairs_;            // sorted by element and volume
   std::vector<ContactWork> accounts_;  // of the elements
   bool friction_on_ = true;
-  std::vector<Near> near_;  // in the trial that was looked at last
+  std::vector<Near> near_;  // of the trial that was evaluated last
 };
 
 }  // namespace hawser

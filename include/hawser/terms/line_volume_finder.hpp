@@ -1,6 +1,7 @@
-// Finds where the axis of an element touches a volume: panels of the axis, and the places on them that stand
-// for them. Of the method `line` those are the Gauss points of the intervals that touch, of `nodes` and `gap`
-// the ends of the element, each for its half of it. See docs/theory/line-volume-contact.md.
+// Finds where the axis of an element touches a volume: panels of the axis, and quadrature points on them.
+// With the method `line` these are the Gauss points of the intervals in contact; with `nodes` and `gap` they
+// are the ends of the element, each with the weight of half the element. See
+// docs/theory/line-volume-contact.md.
 #pragma once
 
 #include <memory>
@@ -17,36 +18,36 @@ BezierAxis bezier_in(const RigidPose& pose, const AxisShape& shape);
 
 class LineVolumeFinder {
  public:
-  // volumes: those that pairs name; they outlive the finder.
+  // volumes: those of the pairs; they must outlive the finder.
   LineVolumeFinder(const ContactVolumes& volumes, model::ContactMethod method)
       : volumes_(volumes), method_(method) {}
 
   bool at_nodes() const { return method_ != model::ContactMethod::line; }
   bool by_gap() const { return method_ == model::ContactMethod::gap; }
 
-  // Where the pair touches in a trial. Kept, since residual, tangent and commit ask for the same one after
-  // the other.
+  // The contact of the pair in a trial. It is stored, because residual, tangent and commit need the same
+  // result.
   const ContactQuadrature& find(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  // Whether the axis is out of touch for sure; then nothing is found.
+  // Whether the axis certainly does not touch; then the stored contact is cleared.
   bool clear(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
   static bool is_clear(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose);
-  // m: of the tube about the axis at the start of the step in which nothing is met.
+  // Radius [m] of the tube about the axis at the start of the step in which there is no contact.
   static double clearance_at_start(const LineVolumePair& pair);
-  // The surface, or one facet group of it, from the point xi of a pair, which is at y.
+  // Queries the surface, or one facet group of it, for the point xi of a pair, which is at y.
   std::optional<SurfacePoint> query(const LineVolumePair& pair, int group, double xi, const Vec3& y,
                                     double within, bool either_side = false) const;
-  // Whether there may be contact at this place of a pair.
+  // Whether contact is possible at this point of a pair.
   bool takes_part(const LineVolumePair& pair, double xi) const;
   GapSpring spring_at(int volume, const Vec3& y, double contact_distance) const;
 
-  // Of a point that touches a facet group in the trial, at the start of the step: from what touched then, or
-  // where it came from. rates: of that along the axis, on request.
+  // State at the start of the step of a point that touches a facet group in the trial: from the contact
+  // points of then, or from the gap where it came from. rates: derivatives along the axis, on request.
   ContactStart start(const LineVolumePair& pair, int group, double xi, ContactRates* rates = nullptr) const;
 
-  // What may be met of a volume while the element moves by `motion` [m] from the start of the step: whether
-  // it is one facet group.
+  // Whether all that may be met of a volume is one facet group, while the element moves by `motion` [m] from
+  // the start of the step.
   bool one_facet_group(const LineVolumePair& pair, double motion) const;
-  // The facet groups within `ahead` [m] of the distance of contact at the start of the step.
+  // The facet groups within the contact distance plus `ahead` [m] at the start of the step.
   void facet_groups_ahead(const LineVolumePair& pair, double ahead, FacetGroups& out) const;
 
  private:
@@ -54,12 +55,12 @@ class LineVolumeFinder {
 
   void find_along(LineVolumePair& pair, int group, const AxisShape& shape, const RigidPose& pose) const;
   void find_at_nodes(LineVolumePair& pair, int group, const AxisShape& shape, const RigidPose& pose) const;
-  // Where it touched at the start of the step; of one of several facet groups, which may be another each
-  // trial, nothing.
+  // Intervals in contact at the start of the step. Empty if there are several facet groups, which may differ
+  // between trials.
   const std::vector<ContactInterval>& intervals_at_start(LineVolumePair& pair) const;
   std::vector<ContactInterval> locate(LineVolumePair& pair, int group, const AxisShape& shape,
                                       const RigidPose& pose) const;
-  // What is known free of the volume at places of the axis goes for the tube about it.
+  // Computes the free tube about the axis from distances at places on it.
   void update_clearance(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose,
                         std::vector<ClearancePoint>& places) const;
   void find_facet_groups(LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) const;
@@ -68,7 +69,7 @@ class LineVolumeFinder {
 
   const ContactVolumes& volumes_;
   model::ContactMethod method_;
-  mutable std::vector<ClearancePoint> places_;  // while a trial is looked at
+  mutable std::vector<ClearancePoint> places_;  // used during a search
 };
 
 }  // namespace hawser

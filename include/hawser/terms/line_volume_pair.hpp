@@ -1,6 +1,5 @@
-// An element of a line and a volume that it may touch: where they touch in a trial, what of that an accepted
-// step leaves, and what is known of how far apart they are. Plain data, all in the frame of the volume's
-// body.
+// An element of a line and a volume that it may touch: their contact in a trial, what an accepted step stores
+// of it, and known distances. Plain data, all in the frame of the volume's body.
 #pragma once
 
 #include <array>
@@ -13,8 +12,8 @@
 
 namespace hawser {
 
-// A gap spring at an end of an element: where the surface was nearest at the start, and its normal, wherever
-// the end goes. See docs/theory/contact-models.md.
+// A gap spring at an end of an element. It acts along the normal at the point of the surface that was nearest
+// at the start, wherever the end moves. See docs/theory/contact-models.md.
 struct GapSpring {
   bool paired = false;
   Vec3 anchor = Vec3::Zero(), direction = Vec3::UnitZ();  // m, -
@@ -27,9 +26,8 @@ struct GapSpring {
   }
 };
 
-// Where a surface may have several facet groups (facet_groups.hpp): what of them is near an axis, and which
-// of the points of before lay on each: on each facet group, or on the one there is; empty: all that there
-// are.
+// If a surface may have several facet groups (facet_groups.hpp): those near an axis, and the contact points
+// of the last step on each of them (or on the only one there is). `previous` empty: all of the points.
 struct NearGroups {
   FacetGroups facet_groups;
   std::vector<std::vector<AxisContactPoint>> previous;
@@ -37,36 +35,38 @@ struct NearGroups {
 
 struct LineVolumePair {
   int element = 0, volume = 0;
-  double length = 0, radius = 0;         // m, of the element
-  double contact_distance = 0;           // m, distance below which there is a force: radius + smoothing
-  ContactShare part;                     // of the axis: the rest has no contact with this volume
-  std::array<bool, 2> held{};            // ends
-  int levels = 1;                        // of the search, kernels/contact_intervals.hpp
-  std::array<ContactLaw, 2> laws;        // per length, of its halves: at nodes they may differ
-  AxisBeside start;                      // at the start of the step
-  std::vector<AxisContactPoint> points;  // that touch, of the last accepted state; by facet group and xi
-  std::array<GapSpring, 2> springs;      // of its ends
-  bool several = false;                  // facet groups may be met in this step
-  // Where the axis touched at the start of the step, looked for closely; none: not looked for yet.
+  double length = 0, radius = 0;  // m, of the element
+  double contact_distance = 0;    // m, distance below which there is a force: radius + smoothing
+  ContactShare part;              // of the axis; the rest has no contact with this volume
+  std::array<bool, 2> held{};     // whether each end is held
+  int levels = 1;                 // halvings of the search, kernels/contact_intervals.hpp
+  // per length, for each half of the element; with contact at nodes they may differ
+  std::array<ContactLaw, 2> laws;
+  AxisBeside start;                      // axis and pose at the start of the step
+  std::vector<AxisContactPoint> points;  // contact points of the last accepted state, by facet group and xi
+  std::array<GapSpring, 2> springs;      // of the ends of the element
+  bool several = false;                  // several facet groups may be met in this step
+  // Intervals in contact at the start of the step, found with more halvings; none: not searched yet.
   std::optional<std::vector<ContactInterval>> before;
-  // Kept from step to step, changes the time and never the answer: where nothing of the volume is within
-  // `contact_distance`; nearest triangles of the last query and of those that look ahead.
+  // Data kept from step to step, which save time and do not change results: the space around the axis in
+  // which no point of the volume is within `contact_distance`; nearest triangles of the last query and of the
+  // queries ahead.
   mutable ClearanceTube clearance;
   int hint = -1;
   mutable std::array<int, 3> ahead{-1, -1, -1};
-  // The facets near each place of the axis that is asked about, in the order in which a trial asks, and the
-  // number of places that this trial has asked about.
+  // The facets near each queried point of the axis, in the order of the queries of a trial, and the number of
+  // queries in this trial.
   mutable std::vector<NearFacets> near_facets;
   mutable size_t asked = 0;
-  size_t asked_by_search = 0;  // of these: those of the search for `found`
-  // Of the trial.
+  size_t asked_by_search = 0;  // number of queries of the search for `found`
+  // For the trial.
   ContactQuadrature found;
-  NearGroups near;  // of the axis of `found`
-  // Contact points by the last evaluation of the law without derivatives, and the state it was of: commit of
-  // that state takes them.
+  NearGroups near;  // for the axis of `found`
+  // Contact points from the last evaluation of the law without derivatives, and the state of that evaluation.
+  // commit() of the same state uses them.
   std::vector<AxisContactPoint> evaluated;
   AxisBeside evaluated_at;
-  bool evaluated_in_motion = false;  // velocities counted
+  bool evaluated_in_motion = false;  // the evaluation included velocities
 
   const ContactLaw& law(double xi) const { return laws[xi > 0.5]; }
   double smoothing() const { return laws[0].normal.smoothing; }

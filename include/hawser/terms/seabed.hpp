@@ -1,6 +1,7 @@
-// The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node and
-// half way along cables' elements, shared out by the length of line that belongs to each. The law at a point,
-// with friction and the tangent of both: kernels/surface_contact_law.cpp. See docs/theory/seabed.md.
+// The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node and at
+// the middle of each cable element. Each point has the share of the line's length that belongs to it. The law
+// at a point, with friction and the tangents of both, is in kernels/surface_contact_law.cpp. See
+// docs/theory/seabed.md.
 #pragma once
 
 #include <memory>
@@ -29,24 +30,24 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     double gap(const Vec3& x) const { return normal.dot(x - point); }
   };
   struct PointLaw {
-    double radius = 0;  // m, less what the bed is lowered by beside a held end
-    ContactLaw law;     // of the point: N/m; without normal stiffness it takes no part
+    double radius = 0;  // m, minus the lowering of the bed beside a held end
+    ContactLaw law;     // N/m, for the whole point; without normal stiffness there is no contact
     Suction suction;
-    // What the point stands for: length of line [m], its weight in water [N], EA over the element's length
+    // Of the share of the line at the point: length [m], weight in water [N], EA over the element's length
     // [N/m].
     double length = 0, weight = 0, axial_stiffness = 0;
     bool operator==(const PointLaw&) const = default;
   };
-  // One for each owned node, and one for each local element, of the point half way between its nodes, or
-  // none.
+  // `nodes`: one law for each owned node. `middles`: one for the middle of each local element, or none at
+  // all.
   struct PointLaws {
     std::vector<PointLaw> nodes, middles;
   };
 
-  // A surface is in axes of space, the ground inside.
+  // A surface is given in space axes; the ground is its inside.
   SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws);
   SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws);
-  // held: local nodes that are supported, which the bed leaves alone.
+  // held: supported local nodes, on which the bed does not act.
   SeabedTerm(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held);
 
   std::string_view name() const override { return "seabed"; }
@@ -54,7 +55,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  // Of the bed on a local node in the accepted state, N, space axes.
+  // Force of the bed on a local node in the accepted state, N, space axes.
   Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
   std::vector<HistoryKind> history() const override;
@@ -62,25 +63,25 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   void restore(const std::vector<HistoryRecord>& records) override;
 
   void enable_friction(bool on) override { friction_ = on ? Friction::contact : Friction::none; }
-  // Friction in statics acts from where the lines were laid, in two stages, until the first step in time.
-  // First it is that under a normal force which does not follow the trial, so that it has a potential: the
-  // weight of what lies at the start, then the contact force of the state that has been found. Then it is the
-  // law of motion. firm: in the first stage friction springs are as stiff as the line's elements instead of
-  // the law's, and what they mobilise is mobilised in the second.
-  void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);  // m, by local node or NaN
-  // In the first stage: friction is fully mobilised by this slip [m] at the least, so that lines slip
-  // smoothly.
+  // Friction in statics is counted from where the lines were laid, in two stages, until the first step in
+  // time. In the first stage (pressed) the normal force does not depend on the trial, so that friction has a
+  // potential: it is the weight of what lies on the bed at the start, then the contact force of the last
+  // solution. In the second stage friction has the law of motion. firm: in the first stage the friction
+  // springs are as stiff as the line's elements; the mobilised friction is taken over into the second stage.
+  // places: m, by local node; NaN: not laid
+  void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);
+  // For the first stage: friction is fully mobilised at this slip [m] or more, so that lines slip smoothly.
   void mobilise_by(double least_slip) { least_slip_ = least_slip; }
   void press_by_contact(const Kinematics& at);
   void follow_contact(const Kinematics& at);
 
-  // What lies of a line in the accepted state.
+  // The part of a line that is on the bed in the accepted state.
   struct OnBed {
-    // m of line: on the bed, of that with friction, and of that where friction is not fully mobilised.
+    // m of line: on the bed; with friction; with friction that is not fully mobilised.
     double lies = 0, laid = 0, held = 0;
-    double taken = 0;  // N, tension that friction takes, signed from end A to end B
+    double taken = 0;  // N, tension that friction takes up, positive from end A to end B
   };
-  // By line of the mesh, at the points that this rank counts.
+  // By line of the mesh, summed over the points that this rank counts.
   std::vector<OnBed> on_bed(const Kinematics& at) const;
 
   int active_count() const;
@@ -89,7 +90,8 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   struct History : SurfaceContactPoint {
     using SurfaceContactPoint::SurfaceContactPoint;
     bool active = false, held = false;
-    // How deep it has been since it landed [m], and whether the soil holds it: until it is lifted too far.
+    // `deepest`: largest depth since the point landed [m]. `held`: the soil holds the point until it is
+    // lifted too far.
     double deepest = 0;
 
     template <class Self, class Each>
@@ -100,7 +102,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
       each("held by suction", "", self.held);
     }
   };
-  // J, taken out so far at the points that this rank counts; suction's is damping's.
+  // J, dissipated so far at the points that this rank counts. The work of suction counts as damping.
   struct Account {
     double friction = 0, damping = 0;
 
@@ -110,36 +112,39 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
       each("damping work", "J", self.damping);
     }
   };
-  // Of a point at the start of the step: where it was, how far off the bed, and which way the line ran.
+  // State of a point at the start of the step: its place, its gap, and the direction of the line.
   struct Start {
     Vec3 point = Vec3::Zero(), direction = Vec3::UnitX();
     double gap = 0;
   };
   enum class Friction { none, pressed, contact };
-  // What friction in statics is counted from: a place, the slip there, and the bed's normal and the normal
+  // Reference of friction in statics: a place, the slip at this place, and the bed's normal and the normal
   // force at the last iteration.
   struct Laid {
     Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();
     double pressed = 0;                               // N
-    bool known() const { return place.allFinite(); }  // else there is no friction
+    bool known() const { return place.allFinite(); }  // false: no friction
   };
-  // Of a bed that is a surface, changes the time and never the answer: no force nearer than `clear` to
-  // `centre` (the signed distance is 1-Lipschitz); nearest triangle of the last query.
+  // For a bed that is a surface. It saves time and does not change results. There is no contact within
+  // `clear` of `centre`, because the signed distance is 1-Lipschitz. `hint`: nearest triangle of the last
+  // query.
   struct Cache {
     Vec3 centre = Vec3::Zero();
     double clear = -1;
     int hint = -1;
   };
-  // Most points are out of touch: what is read of all of them at every evaluation is as little as can be, and
-  // the rest of a point stands in the other lists, at its place. Only those that touch have a history.
+  // Most points do not touch. This struct therefore holds only what every evaluation reads of all points.
+  // Other lists hold the rest by the index of the point; only points that touch have a history.
   struct Point {
-    int node = 0, second = -1;  // local; second: of the element it is half way along, -1 at a node
-    int element = -1;           // local
-    int law = 0;                // of laws_
-    int touch = -1;             // of histories_; -1: none
-    bool counted = true;        // this rank counts it in sums
+    // local; second: other node of the element whose middle the point is, -1: the point is a node
+    int node = 0, second = -1;
+    int element = -1;     // local
+    int law = 0;          // index into laws_
+    int touch = -1;       // index into histories_; -1: none
+    bool counted = true;  // this rank counts it in sums
   };
-  // What nodes have, at the point; and what of a force on the point a node bears.
+  // of_nodes: interpolation of nodal values at the point. share: part of a force on the point that a node
+  // bears.
   static Vec3 of_nodes(const Point& p, std::span<const Vec3> values) {
     const Vec3& first = values[p.node];
     return p.second < 0 ? first : Vec3(0.5 * (first + values[p.second]));
@@ -159,18 +164,19 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   bool laid() const { return !laid_.empty(); }
   Vec3 line_direction(const Point& p, const Kinematics& at) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
-  // Of the first stage of statics, and what stands for the law's in the line search of the second.
+  // Friction of the first stage of statics. In the second stage its potential stands for friction in the line
+  // search.
   PressedFriction pressed(const Point& p, const Vec3& x) const;
   double contact_distance(const Point& p) const { return law(p).radius + law(p).law.normal.smoothing; }
-  // The bed seen from x [m]: gap, normal and curvature of the trial. False out of touch; the gap of a surface
-  // is then cut to `beyond` [m] more than where it touches.
+  // Sets gap, normal and curvature of the trial for a point at x [m]. Returns false if the point does not
+  // touch; the gap to a surface is then at most `beyond` [m] more than where contact begins.
   bool locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const;
-  // Signed distance of x when less than `most` [m], infinite else.
+  // Signed distance of x [m] if it is less than `most` [m], else infinity.
   double gap(const Vec3& x, double most) const;
-  // convex: without negative stiffness of a hollow.
+  // convex: without the geometric stiffness of a curved bed, which is negative over a mound.
   PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
                        bool convex = false) const;
-  // How far above where springs touch suction goes [m].
+  // m, how far suction reaches above the gap at which springs begin to touch.
   double suction_range(const Point& p, double step) const;
   Pull pull(const Point& p, const ContactTrial& trial, double step) const;
   void hold(const Point& p, double gap, bool moves, History& next) const;
@@ -178,20 +184,20 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   const LocalMesh& mesh_;
   Plane plane_;
   std::shared_ptr<const Surface> surface_;          // null: the plane
-  std::shared_ptr<const ContactForceTable> table_;  // that laws point to; may be null
+  std::shared_ptr<const ContactForceTable> table_;  // to which the laws point; may be null
   Box bounds_ = Box::everything();                  // of the surface
-  std::vector<PointLaw> laws_;                      // each once
+  std::vector<PointLaw> laws_;                      // every law once
   std::vector<Point> points_;
   std::vector<Start> starts_;
-  std::vector<Laid> laid_;  // in statics with friction; empty: slip and normal are the histories'
+  std::vector<Laid> laid_;  // in statics with friction; empty: slip and normal are those of histories_
   bool firm_ = false;
   double least_slip_ = 0;
   std::vector<History> histories_;
-  std::vector<int> vacant_;  // places in histories_ of points that have left the bed
+  std::vector<int> vacant_;  // unused indices in histories_, of points that have left the bed
   Account account_;
   mutable std::vector<Cache> cache_;  // empty: a plane
-  bool suction_ = false;              // of some point
-  std::vector<double> element_;       // m, longest at a local node
+  bool suction_ = false;              // some point has suction
+  std::vector<double> element_;       // m, longest element at each local node
   LineNeighbours line_;
   Friction friction_ = Friction::contact;
 };

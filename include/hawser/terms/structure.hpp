@@ -32,20 +32,21 @@ class StructureTerm final : public ForceTerm,
     BeamSection section;
     BeamReference reference = {};
     bool idle = false;          // inside a feeder
-    size_t memory = 0;          // of plastic bending, where what it remembers begins
-    size_t remembered() const;  // numbers of its bends
+    size_t memory = 0;          // index of its first value in set_
+    size_t remembered() const;  // number of values in its plastic history
   };
   struct Cable {
     LocalElement at;
     int blocks[2] = {};
     CableSection section;
-    CableStart start = {};  // of the step
+    CableStart start = {};  // state at the start of the step
     bool idle = false;      // inside a feeder
   };
 
   StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
 
-  // Line types of the case on the elements of the mesh; every beam straight when free of stress.
+  // Takes the line types of the case for the elements of the mesh. Every beam is straight when free of
+  // stress.
   StructureTerm(const LocalMesh& mesh, const model::Case& c);
 
   std::string_view name() const override { return "structure"; }
@@ -57,7 +58,7 @@ class StructureTerm final : public ForceTerm,
   double round_off(const Kinematics& at, double h) const override;
   Overstretch overstretched(const Kinematics& at) const override;
   void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
-  // m of each line, of this rank's cables, that have no tension.
+  // Length [m] of this rank's cables without tension, by line.
   std::vector<double> slack(const Kinematics& at) const;
   bool soften(double most) override;
   double axial_stiffness() const override;
@@ -68,21 +69,21 @@ class StructureTerm final : public ForceTerm,
 
   std::vector<Beam>& beams() { return beams_; }
   void fed_by(Feeders* feeders) override;
-  // Before the feed point of a feeder goes over to a neighbour of its element: what is remembered goes with
+  // Called before the feed point of a feeder moves to a neighbouring element: the plastic history moves with
   // the material. Collective.
   void transfer_node(MPI_Comm comm, const Feeder& f, int feed_point);
 
  private:
-  // What is remembered on either side of a feed point (structure_feed.cpp), by label from the free node on.
+  // Plastic history on either side of a feed point (structure_feed.cpp), by label from the free node on.
   struct FedBends {
     std::vector<double>
-        inside;  // of what has not left the feeder: of the element at its feed point, and of the next
+        inside;  // of material inside the feeder: of the element at the feed point, and of the next one
     std::vector<double>
-        trial;  // of the element at the feed point, in the element's order, at its trial length
+        trial;  // of the element at the feed point at its trial length, in the element's order
   };
   // accepted: the lengths are those at the end of the step.
   void update_from_feeders(const Kinematics& at, bool accepted = false);
-  static CableSection shown(const Cable& c, const Kinematics& at);  // what results are made of
+  static CableSection shown(const Cable& c, const Kinematics& at);  // section for output
   void carry_bends(Beam& b, int feeder, double from, double to);
   void keep_hauled_in(const Beam& b, int feeder, double from, double to);
   double fed_work(const Kinematics& at) const;
@@ -96,14 +97,14 @@ class StructureTerm final : public ForceTerm,
   std::vector<Cable> cables_;
   std::vector<FedBends> fed_;             // by feeder
   bool damped_ = false, yields_ = false;  // any type of the model bends plastically
-  std::vector<double> set_;  // of all beams, see BeamReference::set; nothing but zeros in statics
-  // While they are softened: EA, N, and how they yield, of beams; EA of cables.
+  std::vector<double> set_;               // histories of all beams, see BeamReference::set; zero in statics
+  // True values while elements are softened: EA [N] and plastic law of beams; EA of cables.
   std::vector<std::pair<double, const PlasticBending*>> true_beams_;
   std::vector<double> true_EA_;
-  double power_ = -1;     // W, dissipated by beams at the committed state; < 0: not known yet
+  double power_ = -1;     // W, dissipated by beams at the committed state; < 0: not yet computed
   double damping_ = 0;    // J, dissipated so far
-  double filtered_ = 0;   // J, taken so far out of axial vibration that steps do not resolve
-  double last_step_ = 0;  // s, that led to the committed state
+  double filtered_ = 0;   // J, taken so far from axial vibration that steps do not resolve
+  double last_step_ = 0;  // s, length of the step that led to the committed state
 };
 
 // Positions, rotations and rates of an element's ends.
