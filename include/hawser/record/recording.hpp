@@ -81,6 +81,8 @@ class Recording {
   virtual void output(const Snapshot& s) { (void)s; }
   // Adds a row for each series that it declared; after step(), of steps that histories keep.
   virtual void rows(const Snapshot& s, Rows& to) { (void)s, (void)to; }
+  // What a user should know before the run ends, since start() or step(); the same on all ranks.
+  virtual std::vector<std::string> remarks() { return {}; }
   // Brings what the file has once, up to date.
   virtual void write(io::ResultsFile& file) { (void)file; }
 
