@@ -16,14 +16,15 @@ std::string off_by(double share) {
 
 }  // namespace
 
-std::string turns_on_edge(const std::string& line, const LongElements& at, double largest) {
+std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI) {
   return fmt::format(
-      "line {} turns by {:.0f} degrees from one element to the next where it lies on a volume (arc length "
-      "{:.4g} m, t = {:.4g} s), so that its tension there may be wrong by up to {:.2g} N, {:.0f} % of the "
-      "largest: give it elements so short that it turns by no more than {:.0f} degrees; over a sharp edge "
-      "that is less than half its radius, or 'EI' makes it a beam, which bends within its elements",
-      line, at.turn * 180 / M_PI, at.arc, at.time, at.error, 100 * at.error / largest,
-      at.recommended * 180 / M_PI);
+      "line {} turns by {:.0f} degrees over a volume from one straight element of {:.3g} m to the next (arc "
+      "length {:.4g} m, t = {:.4g} s), and these take {:.2g} N of its tension there as if by friction, "
+      "{:.2g} "
+      "% of the largest: give its type 'EI' of {:.2g} N m² or more (a quarter with half as long elements), "
+      "with which it bends within its elements, or elements of {:.2g} m there",
+      line, at.turn * 180 / M_PI, at.length, at.arc, at.time, at.error, 100 * at.error / largest, EI,
+      at.recommended);
 }
 
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest) {

@@ -18,6 +18,8 @@ std::string impact_peak(const std::string& line, const ImpactPeak& at) {
   std::string why = "it comes and goes faster than a wave passes three elements";
   if (at.cause == ImpactPeak::Cause::steps)
     why = fmt::format("{:.0f} % of it come up in one step of {:.2g} s", 100 * at.share, at.step);
+  if (at.cause == ImpactPeak::Cause::crosswise)
+    why = "it comes and goes faster than a wave across the line passes an element that lies over a volume";
   if (at.cause == ImpactPeak::Cause::damping)
     why = fmt::format("it comes up from {:.3g} kN within {:.2g} s, and the steps damp axial waves",
                       at.from / 1000, at.within);

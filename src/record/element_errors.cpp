@@ -1,4 +1,4 @@
-// The class ElementErrors: four estimates of what long elements cost a line, by the formulas of
+// The class ElementErrors: three estimates of what long elements cost a line, by the formulas of
 // docs/theory/element-length.md.
 #include "hawser/record/element_errors.hpp"
 
@@ -12,10 +12,6 @@
 namespace hawser::record {
 namespace {
 
-constexpr int kNumbers = 7;                 // gathered of a node
-constexpr double kEdgeWarned = 0.02;        // of the largest tension
-constexpr double kRecommendedTurn = 0.2;    // rad: 1 - cos of it is about that share
-constexpr double kEvenly = 0.2;             // of T (1 - cos) counts where a line turns evenly, as on a drum
 constexpr double kWarned = 0.02;            // of the largest tension or moment, of sag and bends
 constexpr double kRecommendedError = 0.01;  // the share that elements of the recommended length leave
 
@@ -113,30 +109,9 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
     const LineSpan& line = mesh_.mesh->lines[l];
     const std::span<const At> nodes(all.data() + line.first_node, static_cast<size_t>(line.nodes));
     const int first = inside[l][0], last = line.elements - inside[l][1];  // elements outside of feeders
-    if (!values.pressed.empty()) update_edges(line, nodes, at.time, lines_[l].edge);
     update_sag(line, nodes, first, last, at.time, lines_[l].sag);
     if (!(at.step > 0)) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
     if (!values.moment.empty()) update_bends(line, nodes, first, last, at.time, lines_[l].bend);
-  }
-}
-
-// A straight element that lies across an edge is pressed perpendicular to itself. At its node, where the line
-// turns by alpha, the tensions T of the two elements are then in equilibrium although they differ by up to
-// T (1 - cos alpha); without friction they should be equal. Where it turns as much at the nodes beside that
-// one, the line follows a bend, and errors of both sides cancel for the most part.
-void ElementErrors::update_edges(const LineSpan& line, std::span<const At> nodes, double time,
-                                 Worst& worst) const {
-  const auto turn_at = [&](size_t n) {
-    return n > 0 && n + 1 < nodes.size() ? angle(nodes[n].x - nodes[n - 1].x, nodes[n + 1].x - nodes[n].x)
-                                         : 0;
-  };
-  for (size_t n = 1; n + 1 < nodes.size(); ++n) {
-    if (!(nodes[n].pressed > 0)) continue;
-    const bool beam = mesh_.mesh->elements[line.first_element + static_cast<int>(n)].beam;
-    const double turn = turn_at(n);
-    const double sharp = beam ? 0 : std::max(turn - 0.5 * (turn_at(n - 1) + turn_at(n + 1)), 0.0);
-    const double error = nodes[n].tension * std::max(1 - std::cos(sharp), kEvenly * (1 - std::cos(turn)));
-    if (error > worst.error) worst = {error, mesh_.mesh->nodes[line.first_node + n].arc, time, turn};
   }
 }
 
@@ -250,12 +225,8 @@ void ElementErrors::update_bends(const LineSpan& line, std::span<const At> nodes
 std::vector<std::string> ElementErrors::warnings(int line, double largest_tension,
                                                  double largest_moment) const {
   const std::string& name = mesh_.mesh->lines[line].name;
-  auto [edge, sag, bend, lift] = lines_[line];
+  auto [sag, bend, lift] = lines_[line];
   std::vector<std::string> out;
-  if (edge.error > kEdgeWarned * largest_tension) {
-    edge.recommended = kRecommendedTurn;
-    out.push_back(advice::turns_on_edge(name, edge, largest_tension));
-  }
   if (sag.error > kWarned * largest_tension) {
     sag.recommended = sag.length * std::sqrt(kRecommendedError * largest_tension / sag.error);
     out.push_back(advice::sags_between_nodes(name, sag, largest_tension));

@@ -208,6 +208,13 @@ std::string Recorder::finish(std::vector<std::string> messages) {
   return text;
 }
 
+std::vector<std::string> Recorder::remarks() {
+  std::vector<std::string> all;
+  for (const auto& r : recordings_)
+    for (std::string& text : r->remarks()) all.push_back(std::move(text));
+  return all;
+}
+
 void Recorder::save(io::Checkpoint& to) {
   save_audit(start_, audit_, to);
   for (const auto& r : recordings_) r->save(to);

@@ -4,6 +4,7 @@
 
 #include "hawser/record/clash_report.hpp"
 #include "hawser/record/clearances.hpp"
+#include "hawser/record/edge_errors.hpp"
 #include "hawser/record/element_errors.hpp"
 #include "hawser/record/histories.hpp"
 #include "hawser/record/line_extremes.hpp"
@@ -31,7 +32,9 @@ std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndFo
   add(std::make_unique<Clearances>(s));
   const Utilisation& utilisation = add(std::make_unique<Utilisation>(c, s.local()));
   add(std::make_unique<ElementErrors>(s.comm(), c, s.local(), s.term<Feeders>()));
-  add(std::make_unique<TensionPeaks>(s));
+  const EdgeErrors* edges =
+      c.volumes.empty() ? nullptr : &add(std::make_unique<EdgeErrors>(s.comm(), c, s.local()));
+  add(std::make_unique<TensionPeaks>(s, edges));
   add(std::make_unique<LineExtremes>(s, utilisation));
   if (c.output.statistics) add(std::make_unique<Statistics>(s));
   add(std::make_unique<WaterErrors>(c, s.system));

@@ -45,7 +45,8 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
   }
 }
 
-void Snaps::update(double time, double h, std::span<const double> on_a, std::span<const double> on_b) {
+void Snaps::update(double time, double h, std::span<const double> on_a, std::span<const double> on_b,
+                   std::span<const OverVolume> over) {
   const bool steps = h > 0 && !before_.empty();
   before_.resize(passage_.size());
   for (size_t n = 0; n < passage_.size(); ++n) {
@@ -73,6 +74,8 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
            .passage = passage_[n],
            .from = b.low,
            .within = time - b.since};
+      if (!over.empty() && time - over[node.line].time <= echo_[node.line])
+        w.across = over[node.line].passage;
       if (steps) {
         w.rise = rise / (h * h);
         w.node = static_cast<int>(n);
@@ -87,12 +90,14 @@ std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, dou
   Worst w = worst_[line];
   if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
   const bool steps = w.angle > kResolved, elements = w.rate * w.passage > kResolved,
-             sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < echo_[line];
-  if (!steps && !elements && !(damped && sudden)) return {};
+             sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < echo_[line],
+             crosswise = sudden && w.rate * w.across > kResolved;
+  if (!steps && !elements && !crosswise && !(damped && sudden)) return {};
   using Cause = advice::ImpactPeak::Cause;
-  return advice::impact_peak(name, {.cause = steps      ? Cause::steps
-                                             : elements ? Cause::elements
-                                                        : Cause::damping,
+  return advice::impact_peak(name, {.cause = steps       ? Cause::steps
+                                             : elements  ? Cause::elements
+                                             : crosswise ? Cause::crosswise
+                                                         : Cause::damping,
                                     .tension = w.tension,
                                     .time = w.time,
                                     .arc = w.arc,

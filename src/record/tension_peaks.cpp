@@ -6,8 +6,9 @@
 
 namespace hawser::record {
 
-TensionPeaks::TensionPeaks(const Subject& subject)
+TensionPeaks::TensionPeaks(const Subject& subject, const EdgeErrors* over)
     : subject_(subject),
+      over_(over),
       folds_(subject.model, subject.local(), subject.term<Feeders>()),
       snaps_(subject.model, subject.local()) {}
 
@@ -20,7 +21,8 @@ void TensionPeaks::declare(Declarations& to) {
 
 void TensionPeaks::step(const Snapshot& s) {
   folds_.update(s.at, s.values[before_], s.values[after_]);
-  snaps_.update(s.step.time, s.step.h, s.values[before_], s.values[after_]);
+  const auto over = over_ ? over_->over_volumes() : std::span<const Snaps::OverVolume>();
+  snaps_.update(s.step.time, s.step.h, s.values[before_], s.values[after_], over);
 }
 
 std::vector<Finding> TensionPeaks::findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {

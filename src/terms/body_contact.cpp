@@ -1,4 +1,4 @@
-// The part of BodyContactTerm that acts: pairs of volumes, forces and tangent summed over corners and edges,
+// The part of BodyContactTerm that acts: pairs of volumes, forces and tangent summed over points and edges,
 // energies, history; steps are in body_contact_step_limits.cpp.
 #include "hawser/terms/body_contact.hpp"
 
@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "body_contact_points.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/contact_laws.hpp"
@@ -140,26 +141,20 @@ bool BodyContactTerm::near(size_t volume, const Vec3& centre, double radius, dou
   return s && s->distance <= reach;
 }
 
-// A corner is an edge of no length.
-void BodyContactTerm::contact_of_part(const Pair& pair, const Both& at, const RigidPose& pose,
+void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const RigidPose& pose,
                                       const SkeletonPart& e, const AxisContactMode& mode, double* f,
                                       double* K, double* C, Sum& sum) const {
   const Surface& surface = *volumes_[pair.b].surface;
-  const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
-               weight = pair.share * (length > 0 ? length : e.weight);
+  const double contact_distance = e.radius + pair.law.smoothing, weight = pair.share * (e.to - e.from).norm();
   const AxisShape shape = chord(at.A, e.from, e.to);
   const auto query = [&](double xi, double within) {
     return surface.query(pose.to_body(shape.point(xi)), within);
   };
   ContactQuadrature found;
-  if (length > 0) {
-    const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
-    found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
-                     [&](double xi) { return query(xi, contact_distance); });
-  } else if (const auto p = query(0, contact_distance)) {
-    found.panels.emplace_back();
-    found.quadrature.push_back({0, weight, 0, 1, 0, *p});
-  }
+  const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
+  found.add_panels(
+      split_intervals(contact_intervals(gap, {(e.to - e.from).norm()}, kEdgeLevels), kEdgeLevels), 0, weight,
+      [&](double xi) { return query(xi, contact_distance); });
   if (found.quadrature.empty()) return;
   AxisContact contact(shape, pose,
                       {e.radius,
@@ -199,9 +194,24 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
   std::array<double, 6> f{};
   std::array<double, 36> K{}, C{};
   double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
+  BodyContactPoints points(A, B, mode);
+  const auto point = [&](const SkeletonPart& p) {
+    const Vec3 z = points.place(p.from);
+    if (const auto s = volumes_[pair.b].surface->query(z, p.radius + pair.law.smoothing))
+      points.add(pair.law, *s, z, p.radius, pair.share * p.weight);
+  };
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& y, double r) { return near(pair.b, at.across(y), r, pair.law.smoothing); },
-      [&](const SkeletonPart& p) { contact_of_part(pair, at, pose, p, mode, f.data(), k, c, sum); });
+      [&](const SkeletonPart& p) {
+        p.from == p.to ? point(p) : contact_of_edge(pair, at, pose, p, mode, f.data(), k, c, sum);
+      });
+  if (points.active()) {
+    points.to_body(f.data(), k, c);
+    sum.active = true;
+    sum.potential += points.potential();
+    sum.damping_power += points.damping_power();
+    sum.depth = std::max(sum.depth, points.depth());
+  }
   if (!sum.active) return sum;
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
   sum.on = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f.data(), k, c);

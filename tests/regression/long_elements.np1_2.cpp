@@ -50,6 +50,20 @@ dynamics: {duration: 15, step: 0.05}
 output: {every: 5}
 )";
 
+// A rope that 1 kN at its end pulls down by ten degrees over the edge of a box, without friction.
+const char* const kEdge = R"(hawser: 1
+environment: {gravity: 0}
+line_types: {rope: {outer_diameter: 0.02, mass_per_length: 1, EA: 2 MN, STIFFNESS}}
+volumes: {box: {shape: {box: {centre: [-1.5, 0, -1.5], size: [3, 2, 3]}}}}
+lines:
+  rope:
+    sections: [{type: rope, length: 2.02, elements: ELEMENTS}]
+    end_a: {anchor: [-0.99, 0, 0.01]}
+    end_b: free
+    start: {points: [[-0.99, 0, 0.01], [0, 0, 0.01], [0.001736, 0, 0.009848], [1.085, 0, -0.1812]]}
+    loads: [{at: end_b, force: [984.808, 0, -173.648]}]
+)";
+
 std::string message(const std::string& path) {
   io::h5::quiet();
   const io::h5::Id file = io::h5::open_read(path);
@@ -115,6 +129,31 @@ TEST_F(LongElements, MissWavesBetweenTheirNodes) {
       << coarse;
   EXPECT_NE(coarse.find("between whose nodes the waves are not linear"), std::string::npos) << coarse;
   EXPECT_EQ(fine, "");
+}
+
+// Both ends have 1 kN where nothing but the edge acts between them. The error that is reported is the one
+// that is there.
+TEST_F(LongElements, TakeTensionOverAnEdge) {
+  const bool first = rank_of(MPI_COMM_WORLD) == 0;
+  const auto at_end_a = [&] {  // N; 1 kN on ranks that do not look
+    if (!first) return 1000.0;
+    const io::h5::Id file = io::h5::open_read(path + "/all.h5");
+    return io::h5::read_array(file, "fields/effective_tension").values.front();
+  };
+  const std::string coarse = run(kEdge, {{"ELEMENTS", "10"}, {"STIFFNESS", "bending: false"}});
+  if (first) {
+    const size_t at = coarse.find(" take ");
+    ASSERT_NE(at, std::string::npos) << coarse;
+    EXPECT_NEAR(std::stod(coarse.substr(at + 6)), 1000 - at_end_a(), 1) << coarse;
+    EXPECT_GT(1000 - at_end_a(), 10);
+    EXPECT_NE(coarse.find("'EI' of 10 N m² or more"), std::string::npos) << coarse;
+  }
+  const std::string fine = run(kEdge, {{"ELEMENTS", "808"}, {"STIFFNESS", "bending: false"}});
+  EXPECT_NEAR(at_end_a(), 1000, 5);
+  EXPECT_EQ(fine, "");
+  const std::string beam = run(kEdge, {{"ELEMENTS", "10"}, {"STIFFNESS", "EI: 10, GJ: 10"}});
+  EXPECT_NEAR(at_end_a(), 1000, 5);
+  EXPECT_EQ(beam.find("over a volume"), std::string::npos) << beam;
 }
 
 }  // namespace

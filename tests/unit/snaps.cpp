@@ -26,7 +26,7 @@ lines:
 )";
 
 // Half a wave of so many seconds and 1 kN in equal steps, one of them at its top.
-std::string warning(double half, int steps, double rest = 0, bool damped = false) {
+std::string warning(double half, int steps, double rest = 0, bool damped = false, double across = 0) {
   const model::Case c = io::read_case_text(kSling, "/nowhere/case.yaml");
   const run::Simulation sim(MPI_COMM_SELF, c);
   Snaps snaps(c, sim.local());
@@ -34,7 +34,8 @@ std::string warning(double half, int steps, double rest = 0, bool damped = false
   for (int k = 0; k <= steps; ++k) {
     const double way = M_PI * k / steps;
     const std::vector<double> tension(3, rest + (1000 - rest) * std::max(std::sin(way), 0.0));
-    snaps.update(1 + h * k, k == 0 ? 0 : h, tension, tension);
+    const std::vector<Snaps::OverVolume> over{{across, 1 + h * k - 1e-3}};
+    snaps.update(1 + h * k, k == 0 ? 0 : h, tension, tension, over);
   }
   return snaps.warning(MPI_COMM_SELF, 0, "sling", 1000, damped, true);
 }
@@ -50,6 +51,16 @@ TEST(Snaps, OfTooFewSteps) {
       "of ranks as well. Where it matters, compare with dynamics.step: 0.083 s and elements half as long");
   EXPECT_EQ(warning(1, 8), "");
   EXPECT_EQ(warning(1, 4, 600), "");  // a wave of 400 N on 600 N
+}
+
+// A peak of 3 ms, which turns by 0.35 rad in a third of a millisecond and by 1.05 in one, on the way of a
+// wave across an element over a volume.
+TEST(Snaps, OfAnElementOverAVolume) {
+  EXPECT_EQ(warning(3e-3, 100, 0, false, 0.33e-3), "");
+  EXPECT_NE(warning(3e-3, 100, 0, false, 1e-3)
+                .find("a wave across the line passes an element that lies over a volume"),
+            std::string::npos);
+  EXPECT_EQ(warning(3e-3, 100, 800, false, 1e-3), "");  // no impact
 }
 
 // A wave of 2 ms from top to top of zero turns by 0.70 rad while it passes an element, one of 4 ms by 0.35.

@@ -11,11 +11,12 @@ struct LongElements {
   double turn = 0;                      // rad, from one element to the next
   double length = 0;                    // m, of the element
   double decay = 0;                     // m, within which a moment falls off
-  double recommended = 0;               // m, of elements that are short enough; of an edge: rad
+  double recommended = 0;               // m, of elements that are short enough
   double weight = 0;                    // N/m, in water
 };
 // largest: the tension [N] or moment [N m] against which the error is judged.
-std::string turns_on_edge(const std::string& line, const LongElements& at, double largest);
+// EI [N m²]: of beams that bend within elements of that length.
+std::string turns_on_edge(const std::string& line, const LongElements& at, double largest, double EI);
 std::string sags_between_nodes(const std::string& line, const LongElements& at, double largest);
 std::string leaves_bed_within(const std::string& line, const LongElements& at, double largest);
 std::string moment_between_nodes(const std::string& line, const LongElements& at, double largest);

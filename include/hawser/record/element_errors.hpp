@@ -44,7 +44,7 @@ class ElementErrors : public Recording {
  private:
   using Worst = advice::LongElements;  // so far, of a line
   struct OfLine {
-    Worst edge, sag, bend, lift;
+    Worst sag, bend, lift;
   };
   struct At {  // a node in a state
     Vec3 x = Vec3::Zero();
@@ -52,7 +52,6 @@ class ElementErrors : public Recording {
     bool carried = false;
   };
   std::vector<At> gathered(const Kinematics& at, const Values& values) const;
-  void update_edges(const LineSpan& line, std::span<const At> nodes, double time, Worst& worst) const;
   void update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
                   Worst& worst) const;
   void update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,

@@ -43,6 +43,8 @@ class Recorder {
 
   const Audit& audit() const { return audit_; }
   std::string audit_warning() const;  // Audit::warning in words of this case
+  // What was found since the last call that a user should know before the run ends; the same on all ranks.
+  std::vector<std::string> remarks();
   // The clash report in words, on rank 0 after finish(); empty: nothing touched.
   std::string clash_table() const { return clashes_ ? clashes_->table() : ""; }
   // What a user must not overlook, after finish(): deep penetration, energy out of nowhere.

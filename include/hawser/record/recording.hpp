@@ -87,6 +87,8 @@ class Recording {
     (void)s;
     (void)to;
   }
+  // Sentences that a user needs before the run ends, since start() or step(); the same on all ranks.
+  virtual std::vector<std::string> remarks() { return {}; }
   // Brings what the file has once, up to date.
   virtual void write(io::ResultsFile& file) { (void)file; }
 

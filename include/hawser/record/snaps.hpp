@@ -15,15 +15,21 @@ namespace hawser::record {
 
 // A line that snaps taut has a peak of tension like half a wave, T cos(w t) about its top. Of fewer than six
 // steps, or than six elements that the wave of it passes, such a peak is no longer itself; nor where the
-// integration takes out much of the axial vibration (docs/theory/time-integration.md).
+// integration takes out much of the axial vibration (docs/theory/time-integration.md). Nor is the impact of
+// an element against a volume, which a wave across the line must pass as well.
 class Snaps {
  public:
   // Lines that are fed do not count: nodes come out of a feeder that have had no tension. Nor do members of
   // frames, joined rigidly, which bend.
   Snaps(const model::Case& c, const LocalMesh& mesh);
+  // Of a line that turns over a volume from one cable to the next.
+  struct OverVolume {
+    double passage = 0, time = 0;  // s, of a wave across it through the slowest of these cables, and when
+  };
   // By owned node: effective tension on the side of end A and of end B, N. After every step of h [s]; 0: at
-  // the start.
-  void update(double time, double h, std::span<const double> before, std::span<const double> after);
+  // the start. over: by line, the last contact with a volume; empty: there are no volumes.
+  void update(double time, double h, std::span<const double> before, std::span<const double> after,
+              std::span<const OverVolume> over = {});
   // That the largest tension [N] of a line is such a peak, in words; empty: it is not. damped: the run has
   // taken much out of axial vibration; fixed: the user chose the step. Collective, with the same line on all
   // ranks.
@@ -37,6 +43,7 @@ class Snaps {
     double passage = 0, rate = 0;  // s, of a wave through an element; rad/s of the peak by its two sides
     double rise = 0;               // N/s², of the side before it
     double from = 0, within = 0;   // N, s: from what it came up without falling, and how long that took
+    double across = 0;             // s, of a wave across an element that lay over a volume; 0: none did
     int node = -1;                 // owned, while the step after it has not been seen
   };
   struct Before {

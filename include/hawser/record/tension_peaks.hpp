@@ -1,6 +1,7 @@
 // Whether the largest tension of a line is one that the steps or the elements do not show as it is.
 #pragma once
 
+#include "hawser/record/edge_errors.hpp"
 #include "hawser/record/folds.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/snaps.hpp"
@@ -10,8 +11,8 @@ namespace hawser::record {
 
 class TensionPeaks : public Recording {
  public:
-  // The subject outlives it.
-  explicit TensionPeaks(const Subject& subject);
+  // over: where lines lie over volumes, seen before it; null: there are none. Both outlive it.
+  TensionPeaks(const Subject& subject, const EdgeErrors* over);
 
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
@@ -19,6 +20,7 @@ class TensionPeaks : public Recording {
 
  private:
   const Subject& subject_;
+  const EdgeErrors* over_;
   Folds folds_;
   Snaps snaps_;
   int before_ = -1, after_ = -1;  // among the fields

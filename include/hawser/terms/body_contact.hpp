@@ -1,7 +1,7 @@
 // Contact of bodies with bodies: what stands out of one volume against the surface of another.
 //
-// An edge is an axis like the element of a line, a corner one of no length (contact_along_axis.hpp), attached
-// to its body. By the basis of its stiffness a volume touches with its corners and balls (per_point), its
+// An edge is an axis like the element of a line (contact_along_axis.hpp), attached to its body; a corner is a
+// point of it. By the basis of its stiffness a volume touches with its corners and balls (per_point), its
 // edges (per_length) or its faces (per_area); model::body_pairs says who leads. No friction. See
 // docs/theory/body-contact.md.
 #pragma once
@@ -141,7 +141,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   BodyFrame frame(size_t volume, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
   Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const;
-  void contact_of_part(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
+  void contact_of_edge(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
                        const AxisContactMode& mode, double* f, double* K, double* C, Sum& sum) const;
   // Whether a ball, in the frame of a volume, may be nearer to its surface than `gap` [m].
   bool near(size_t volume, const Vec3& centre, double radius, double gap) const;

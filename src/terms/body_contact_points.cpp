@@ -1,0 +1,77 @@
+// The sum of contact forces over points of a body: of each the law, and its derivatives by a motion of the
+// body. See docs/theory/body-contact.md.
+#include "body_contact_points.hpp"
+
+#include <algorithm>
+
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+
+BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& surface,
+                                     const AxisContactMode& mode)
+    : body_(body),
+      mode_(mode),
+      turn_(surface.R.transpose() * body.R),
+      to_axes_(surface.R.transpose()),
+      centre_(surface.to_body(body.x)),
+      velocity_(to_axes_ * (body.v - surface.velocity(centre_))),
+      turning_(turn_ * body.w - surface.w),
+      own_turning_(turn_ * body.w),
+      surface_turning_(surface.w) {}
+
+// A motion (d, t) of the body, in axes of the surface, moves the point at the arm b by d + t x b and changes
+// its velocity by t x (w x b) and the velocity of that motion.
+void BodyContactPoints::add(const NormalLaw& law, const SurfacePoint& at, const Vec3& z, double radius,
+                            double weight) {
+  const Vec3 arm = z - centre_, speed = velocity_ + turning_.cross(arm);
+  ContactTrial trial;
+  trial.point = z;
+  trial.gap = at.distance - radius;
+  trial.normal = at.normal;
+  if (!mode_.convex) trial.curvature = at.curvature;
+  if (mode_.moves) trial.velocity = speed;
+  const PointContact c = volume_contact({law, {}}, {}, trial, mode_.tangent);
+  if (c.normal.elastic > 0) {
+    active_ = true;
+    potential_ += weight * c.normal.potential;
+    damping_power_ -= weight * (c.normal.force - c.normal.elastic) * trial.normal.dot(speed);
+    depth_ = std::max(depth_, -trial.gap);
+  }
+  if (!(c.normal.force > 0)) return;
+  const Vec3 f = -weight * c.force;
+  force_ += f;
+  moment_ += arm.cross(f);
+  if (!mode_.tangent) return;
+  const Mat3 b = hat(arm);
+  Mat3 K = -weight * c.by_point, by_turn = -K * b;
+  if (mode_.moves && law.damping > 0) {
+    const Mat3 C = -weight * c.by_velocity, Cb = C * b;
+    const Mat3 by_spin = C * hat(surface_turning_);
+    K -= by_spin;
+    by_turn += by_spin * b - C * hat(own_turning_.cross(arm));
+    C_.topLeftCorner<3, 3>() += C;
+    C_.topRightCorner<3, 3>() -= Cb;
+    C_.bottomLeftCorner<3, 3>() += b * C;
+    C_.bottomRightCorner<3, 3>() -= b * Cb;
+  }
+  K_.topLeftCorner<3, 3>() += K;
+  K_.topRightCorner<3, 3>() += by_turn;
+  K_.bottomLeftCorner<3, 3>() += b * K;
+  K_.bottomRightCorner<3, 3>() += b * by_turn;
+  if (!mode_.convex) K_.bottomRightCorner<3, 3>() += b * hat(f);  // the arm turns with the body
+}
+
+// Positions are in space axes, rotations in those of the body.
+void BodyContactPoints::to_body(double* f, double* K, double* C) const {
+  Mat6 T = Mat6::Zero();
+  T.topLeftCorner<3, 3>() = to_axes_;
+  T.bottomRightCorner<3, 3>() = turn_;
+  Eigen::Matrix<double, 6, 1> sum;
+  sum << force_, moment_;
+  Eigen::Map<Eigen::Matrix<double, 6, 1>>(f) += T.transpose() * sum;
+  if (K) Eigen::Map<Mat6>(K) += T.transpose() * K_ * T;
+  if (C) Eigen::Map<Mat6>(C) += T.transpose() * C_ * T;
+}
+
+}  // namespace hawser

@@ -1,0 +1,47 @@
+// Forces of a surface on points fixed to a body that moves against it, summed into one force and one moment
+// on that body with their exact tangent. Faces are cut into thousands of such points, so all is summed in the
+// axes of the surface, and brought to the body's unknowns once.
+#pragma once
+
+#include "hawser/kernels/surface_contact_law.hpp"
+#include "hawser/terms/body_contact.hpp"
+
+namespace hawser {
+
+class BodyContactPoints {
+ public:
+  // The body with the points, and the body that the surface belongs to; they outlive it.
+  BodyContactPoints(const BodyFrame& body, const BodyFrame& surface, const AxisContactMode& mode);
+
+  // The point in the frame of the surface, of one of the body.
+  Vec3 place(const Vec3& y) const { return centre_ + turn_ * (y - body_.centre); }
+  // Adds what acts on the body at z, a place in the frame of the surface, `weight` times the law. The body
+  // has the given radius there.
+  void add(const NormalLaw& law, const SurfacePoint& at, const Vec3& z, double radius, double weight);
+  // Adds the sums to the residual f[6] of the body's position and rotation, K and C [6x6], row-major; null:
+  // not asked for.
+  void to_body(double* f, double* K, double* C) const;
+
+  bool active() const { return active_; }
+  double potential() const { return potential_; }          // J
+  double damping_power() const { return damping_power_; }  // W
+  double depth() const { return depth_; }                  // m, largest penetration
+
+ private:
+  using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
+
+  const BodyFrame& body_;
+  const AxisContactMode mode_;
+  Mat3 turn_;     // body axes to those of the surface
+  Mat3 to_axes_;  // space axes to those of the surface
+  Vec3 centre_;   // m, of the body, frame of the surface
+  // In axes of the surface: velocity of the body's centre and rate of turn against the surface, rate of turn
+  // of the body and of the surface.
+  Vec3 velocity_, turning_, own_turning_, surface_turning_;
+  Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();
+  Mat6 K_ = Mat6::Zero(), C_ = Mat6::Zero();  // by motions in axes of the surface
+  double potential_ = 0, damping_power_ = 0, depth_ = 0;
+  bool active_ = false;
+};
+
+}  // namespace hawser

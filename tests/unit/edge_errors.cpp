@@ -1,0 +1,81 @@
+// What straight elements over an edge take of the tension of a line, by hand.
+#include "hawser/record/edge_errors.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "hawser/io/case_reader.hpp"
+#include "hawser/run/simulation.hpp"
+
+namespace hawser::record::edge_errors_test {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+// An element of 2 m with the tension of 1 kN is pressed on across itself, and both elements beside it hang
+// down by so many degrees: their tensions are 1 kN over the cosine, by the balance of either node along the
+// one in the middle. Nothing presses across it but what holds the others up.
+std::string warning(double before, double after, double friction = 0,
+                    const std::string& type = "bending: false") {
+  const model::Case c = io::read_case_text(fmt::format(R"(
+hawser: 1
+line_types: {{wire: {{outer_diameter: 0.05, mass_per_length: 5, EA: 1.0e8, {}}}}}
+lines:
+  sling:
+    sections: [{{type: wire, length: 6, elements: 3}}]
+    end_a: {{anchor: [0, 0, 0]}}
+    end_b: {{anchor: [5.9, 0, 0]}}
+)",
+                                                       type),
+                                           "/nowhere/case.yaml");
+  const run::Simulation sim(MPI_COMM_SELF, c);
+  const double a = before * kDegree, b = after * kDegree, T1 = 1000 / std::cos(a), T2 = 1000 / std::cos(b);
+  State s;
+  s.resize(4);
+  s.x = {Vec3(-2 * std::cos(a), 0, -2 * std::sin(a)), Vec3(0, 0, 0), Vec3(2, 0, 0),
+         Vec3(2 + 2 * std::cos(b), 0, -2 * std::sin(b))};
+  const std::vector<double> force{0, 0, 0, friction, 0, T1 * std::sin(a), -friction, 0, T2 * std::sin(b),
+                                  0, 0, 0};
+  const std::vector<double> of_friction{0, 0, 0, friction, 0, 0, -friction, 0, 0, 0, 0, 0};
+  const std::vector<double> tension_before{T1, T1, 1000, T2}, tension_after{T1, 1000, T2, T2};
+  EdgeErrors errors(MPI_COMM_SELF, c, sim.local());
+  errors.look(s.view(0), {force, of_friction, tension_before, tension_after});
+  return errors.warning(0, std::max(T1, T2));
+}
+
+// 1000/cos 20 deg - 1000 = 64.2 N. A beam of sqrt(EI/T) = L turn/0.8 is asked for, 1064 N (2 m 20 deg/0.8)².
+TEST(EdgeErrors, TensionOnBothSides) {
+  const std::string text = warning(20, 0);
+  EXPECT_NE(
+      text.find(
+          "line sling turns by 20 degrees over a volume from one straight element of 2 m to the next "
+          "(arc length 2 m, t = 0 s), and these take 64 N of its tension there as if by friction, 6 % of "
+          "the largest: give its type 'EI' of 1.1e+03 N m² or more"),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("or elements of 0.005 m there"), std::string::npos) << text;  // a fifth of the radius
+  EXPECT_EQ(warning(20, 0, 300), text);                                             // friction is asked for
+  EXPECT_EQ(warning(20, 0, 0, "EI: 1, GJ: 1"), "");
+}
+
+// 1 - cos: 0.50 % at 5.73 degrees.
+TEST(EdgeErrors, NoneOfMoreThanHalfAPercentIsKept) {
+  EXPECT_EQ(warning(5.7, 0), "");
+  EXPECT_NE(warning(5.8, 0), "");
+  EXPECT_NE(warning(0, 5.8), "");
+  EXPECT_NE(warning(20, 19), "");  // 6.6 N
+}
+
+// Tensions on both sides are equal, and in the element between them 3.0 % or 34 % less, of which a third
+// counts.
+TEST(EdgeErrors, WithinTheElement) {
+  EXPECT_EQ(warning(10, 10), "");
+  EXPECT_NE(warning(49, 49).find("take 1.6e+02 N"), std::string::npos) << warning(49, 49);
+}
+
+}  // namespace
+}  // namespace hawser::record::edge_errors_test
