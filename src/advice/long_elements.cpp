@@ -8,7 +8,8 @@
 namespace hawser::advice {
 namespace {
 
-// Of what is off by a share of the largest: the estimates are of small errors, and beyond that only say so.
+// States an error as a share of the largest value. The estimates hold for small errors only; from 50 % on no
+// number is given.
 std::string off_by(double share) {
   return share < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * share)
                      : "by half of the largest and more";

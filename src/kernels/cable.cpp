@@ -18,9 +18,9 @@ struct Local {
   double l, strain, rate, tension;
   ResponseCurve::Value axial;  // response at the strain
   bool damped;  // the element is taut, and the damper is within its limit, the spring's tension
-  // The derivative of the tension is this many times that of the spring: 2 if the damper is at its upper
-  // limit.
-  double springs;
+  // d tension/d strain over that of the spring: 2 where the damper is at its upper limit, the spring's
+  // tension.
+  double slope_factor;
 };
 
 inline Local local(const CableSection& s, const CableEnds& e) {
@@ -33,12 +33,12 @@ inline Local local(const CableSection& s, const CableEnds& e) {
   o.rate = (o.t.dot(o.dv) - s.length_rate * o.l / s.length) / s.length;
   o.tension = 0;
   o.damped = false;
-  o.springs = 1;
+  o.slope_factor = 1;
   if (o.strain > 0) {
     o.axial = s.axial(o.strain);
     const double damper = s.EA * s.beta * o.rate;
     o.damped = s.beta > 0 && std::abs(damper) < o.axial.force;
-    if (damper >= o.axial.force) o.springs = 2;
+    if (damper >= o.axial.force) o.slope_factor = 2;
     o.tension = o.axial.force + std::clamp(damper, -o.axial.force, o.axial.force);
   }
   return o;
@@ -60,9 +60,9 @@ struct Elastic {
 };
 
 Elastic elastic_mean(const CableSection& s, double e0, double e1) {
-  const double p0 = std::max(e0, 0.0), p1 = std::max(e1, 0.0), grown = p1 - p0, way = e1 - e0;
+  const double p0 = std::max(e0, 0.0), p1 = std::max(e1, 0.0), grown = p1 - p0, strain_change = e1 - e0;
   if (p0 == 0 && p1 == 0) return {0, 0, 0};
-  const double share = e0 > 0 && e1 > 0 ? 1 : grown / way;
+  const double share = e0 > 0 && e1 > 0 ? 1 : grown / strain_change;
   double taut, end;  // mean over the taut part; tension at the end
   if (!s.tension) {
     taut = 0.5 * s.EA * (p0 + p1);
@@ -80,7 +80,7 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
     taut = (b.energy - s.axial(p0).energy) / grown;
   }
   const double mean = share * taut;
-  return {mean, (end - mean) / way, share};
+  return {mean, (end - mean) / strain_change, share};
 }
 
 Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& chord) {
@@ -100,12 +100,12 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
     o.tension = o.damper = o.filter = 0;
     return o;
   }
-  const double way = strain - from.strain;
+  const double strain_change = strain - from.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
   // Where only a part of the change is taut, the share depends on the strain at the end.
-  if (e.share < 1 && way != 0)
-    o.slope -= step.filter * s.EA * from.stretch * ((strain > 0 ? 1 : 0) - e.share) / way;
+  if (e.share < 1 && strain_change != 0)
+    o.slope -= step.filter * s.EA * from.stretch * ((strain > 0 ? 1 : 0) - e.share) / strain_change;
   return o;
 }
 
@@ -150,11 +150,11 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
   const Mean m = mean_of(s, from, step, x2 - x1);
   // If the unstretched length changes, the change of the chord has two parts: the mean length times the
   // change of strain, on which the material's forces do work, and the mean stretch times the length let out
-  // (docs/theory/feeders.md#energy). `way` is the first part.
+  // (docs/theory/feeders.md#energy). `elongation` is the first part.
   const double fed_length = s.length - from.rest,
                stretch =
                    1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
-  const double way = m.l - from.length - stretch * fed_length;
+  const double elongation = m.l - from.length - stretch * fed_length;
   const double energy = fed_length == 0
                             ? 0
                             : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
@@ -163,10 +163,11 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
   // The element would push, so its tension is set to 0. The work of the spring is then counted as loss of the
   // damper, or of the filter where there is no damper.
   if (m.tension == 0) {
-    const double spent = -m.elastic * way;
+    const double spent = -m.elastic * elongation;
     return from.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
   }
-  return {m.damper * way, m.filter * way, m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0, fed};
+  return {m.damper * elongation, m.filter * elongation, m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0,
+          fed};
 }
 
 Vec3 cable_pull(const CableSection& s, const CableEnds& e) {
@@ -179,7 +180,7 @@ void cable_pull(const CableSection& s, const CableEnds& e, double slack, CablePu
   out.force = o.tension * o.t;
   const bool taut = o.tension > 0;
   const double ea = s.EA / s.length, across = taut ? o.tension / o.l : 0;
-  const double stiff = taut ? o.springs * o.axial.slope / s.length : slack * ea;
+  const double stiff = taut ? o.slope_factor * o.axial.slope / s.length : slack * ea;
   Vec3 along = (stiff - across) * o.t;
   // rate = (t.dv - L' l/L)/L. t turns with the chord, so the gradient is (dv - t (t.dv))/(l L) - L' t/L².
   if (o.damped)

@@ -61,8 +61,9 @@ struct Forces {
 
 // Half the height over which a section gets wet, b. Of a beam: that of a circle across the axis,
 // b² = R² (1 - t_z²) + delta² t_z², where a small delta keeps b from 0, and the derivatives finite, where the
-// axis is vertical. Of a cable b = R at any lean: an element shorter than thick would rather stand up, as a
-// log does, and in a slack cable nothing keeps it from that. The potential of a cable is convex.
+// axis is vertical. Of a cable b = R at any lean. With the lean, buoyancy would have a negative stiffness
+// against tilting in an element shorter than its diameter, which a slack cable cannot resist. With b = R the
+// potential of a cable is convex.
 template <bool beam>
 struct Band {
   static constexpr double kSharp = 1e-3;  // delta, of the length
@@ -180,7 +181,7 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
               out.K[0][k] -= by_band;
             }
           }
-          if (beam && !convex) {  // a section wider than the element is long would rather stand
+          if (beam && !convex) {  // may be negative for short elements, so not convex
             const Mat k2 = (G / band.b) * (band.by_lean * by_chord2_of(t, inverse) - outer(db[end], db[end]));
             out.K[0][0] += k2;
             out.K[end][end] += k2;

@@ -95,8 +95,8 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
   return false;
 }
 
-void say_remarks(record::Recorder& recorder, Progress& progress) {
-  for (const std::string& remark : recorder.remarks()) progress.say("warning: " + remark);
+void print_remarks(record::Recorder& recorder, Progress& progress) {
+  for (const std::string& remark : recorder.remarks()) progress.print("warning: " + remark);
 }
 
 // An error of the solver ends a run with what was computed up to there.
@@ -129,7 +129,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
   const auto observer = [&](const StepInfo& info) {
     feeder_nodes.agree();
     recorder.step(info, d.kinematics(), d.support_work());
-    say_remarks(recorder, progress);
+    print_remarks(recorder, progress);
     progress.step(info.time, info.h, info.iterations);
     const double slack = record::time_tolerance(info.time);
     const bool last = info.time >= end - slack;
@@ -269,7 +269,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     recorder.start(sim.state().view(0), sim.state().view(0));
   }
 
-  if (c.dynamics.enabled) say_remarks(recorder, progress);
+  if (c.dynamics.enabled) print_remarks(recorder, progress);
   const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);
   progress.end();
   for (const std::string& e : events.not_happened()) progress.print("note: " + e);

@@ -41,8 +41,9 @@
 namespace hawser::run {
 namespace {
 
-// m, at which friction of the bed is mobilised when statics begins: about a radius of a line. A path of
-// springs that becomes stiff by and by has no flat places in which Newton's method is lost.
+// The first mobilisation length [m] of bed friction in statics, about a line's radius. Statics continues from
+// this soft friction to stiffer ones, because Newton's method fails where it begins with the stiff law:
+// beyond the mobilisation length friction has no stiffness.
 constexpr double kFirstSlip = 0.1;
 
 // Radius and mass of the elements, and which of their nodes are held, for contact along them.

@@ -1,5 +1,6 @@
-// The class Dynamics: whether a step that was tried is accepted, tried again or fails. Nothing else decides
-// this. The length of the next step is chosen in step_control.cpp.
+// The class Dynamics: whether a step that was tried is accepted, tried again or fails. StepControl
+// (step_control.cpp) proposes lengths; begin_step() and next_try() pass it the limits by terms, outputs and
+// events.
 #include <fmt/format.h>
 
 #include <algorithm>
