@@ -104,9 +104,9 @@ std::vector<EdgeErrors::Turn> EdgeErrors::of_all_ranks(const std::vector<Turn>& 
   return out;
 }
 
-// Tensions on both sides of what is pressed differ by what is taken between them, which the sum from one end
-// on tells. Within it they alternate from element to element, and that counts less.
-void EdgeErrors::look(const Kinematics& at, const Values& values) {
+// The tensions on both sides of a volume differ by the sum of what the nodes between them take. Within the
+// stretch in contact the errors alternate from element to element, and only a share of them counts.
+void EdgeErrors::update(const Kinematics& at, const Values& values) {
   const std::vector<Turn> all = of_all_ranks(turns(at, values));
   for (size_t i = 0; i < all.size();) {
     const int line = mesh_.mesh->nodes[all[i].node].line;
@@ -132,12 +132,10 @@ void EdgeErrors::look(const Kinematics& at, const Values& values) {
     const double error = std::max(outside.width(), kInside * inside.width());
     if (!(error > w.error)) continue;
     const Turn& there = all[worst];
-    const auto beside = [&](int node) {
-      const auto found =
-          std::find_if(all.begin(), all.end(), [node](const Turn& t) { return t.node == node; });
-      return found == all.end() ? 0 : found->angle;
-    };
-    const double before = beside(there.node - 1), after = beside(there.node + 1);
+    const double before = worst > 0 && all[worst - 1].node == there.node - 1 ? all[worst - 1].angle : 0,
+                 after = worst + 1 < all.size() && all[worst + 1].node == there.node + 1
+                             ? all[worst + 1].angle
+                             : 0;
     w = {.error = error,
          .arc = mesh_.mesh->nodes[there.node].arc,
          .time = at.time,
@@ -170,17 +168,17 @@ void EdgeErrors::declare(Declarations& to) {
 
 void EdgeErrors::step(const Snapshot& s) {
   if (force_ < 0 || friction_ < 0 || before_ < 0 || after_ < 0) return;
-  look(s.at, {s.values[force_], s.values[friction_], s.values[before_], s.values[after_]});
+  update(s.at, {s.values[force_], s.values[friction_], s.values[before_], s.values[after_]});
   for (size_t l = 0; l < worst_.size(); ++l) {
     if (worst_[l].error <= kAgain * reported_[l]) continue;
     std::string text = warning(static_cast<int>(l), tension_[l]);
     if (text.empty()) continue;
     reported_[l] = worst_[l].error;
-    to_tell_.push_back(std::move(text));
+    new_warnings_.push_back(std::move(text));
   }
 }
 
-std::vector<std::string> EdgeErrors::remarks() { return std::exchange(to_tell_, {}); }
+std::vector<std::string> EdgeErrors::remarks() { return std::exchange(new_warnings_, {}); }
 
 std::vector<Finding> EdgeErrors::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
   std::vector<Finding> out;

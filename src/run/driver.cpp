@@ -137,13 +137,13 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
     const bool save = info.time >= checkpoint_at - slack || last;
     // Whether somebody asked to stop, and whether a checkpoint is due by the clock, is agreed on where
     // everybody meets anyhow.
-    int rethrow_on_all_ranks[2] = {0, 0};
+    int requests[2] = {0, 0};
     if (output || save) {
-      rethrow_on_all_ranks[0] = stop_requested;
-      rethrow_on_all_ranks[1] = rank == 0 && checkpoints.due();
-      all_reduce(comm, MPI_MAX, rethrow_on_all_ranks);
+      requests[0] = stop_requested;
+      requests[1] = rank == 0 && checkpoints.due();
+      all_reduce(comm, MPI_MAX, requests);
     }
-    const bool stop = rethrow_on_all_ranks[0] != 0;
+    const bool stop = requests[0] != 0;
     if (output || stop) {
       recorder.output(d.kinematics());
       output_at = record::next_multiple(info.time, every);
@@ -152,7 +152,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
     for (const std::string& e : events.apply_due()) progress.print(e);
     feeder_nodes.transfer_node();
     if (save || stop) {
-      if (last || stop || checkpoint_every > 0 || rethrow_on_all_ranks[1]) save_state();
+      if (last || stop || checkpoint_every > 0 || requests[1]) save_state();
       checkpoint_at = checkpoint_every > 0 ? record::next_multiple(info.time, checkpoint_every) : output_at;
     }
     stopped = stop && !last;

@@ -145,16 +145,16 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
                                       const SkeletonPart& e, const AxisContactMode& mode, double* f,
                                       double* K, double* C, Sum& sum) const {
   const Surface& surface = *volumes_[pair.b].surface;
-  const double contact_distance = e.radius + pair.law.smoothing, weight = pair.share * (e.to - e.from).norm();
+  const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
+               weight = pair.share * length;
   const AxisShape shape = chord(at.A, e.from, e.to);
   const auto query = [&](double xi, double within) {
     return surface.query(pose.to_body(shape.point(xi)), within);
   };
   ContactQuadrature found;
   const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
-  found.add_panels(
-      split_intervals(contact_intervals(gap, {(e.to - e.from).norm()}, kEdgeLevels), kEdgeLevels), 0, weight,
-      [&](double xi) { return query(xi, contact_distance); });
+  found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
+                   [&](double xi) { return query(xi, contact_distance); });
   if (found.quadrature.empty()) return;
   AxisContact contact(shape, pose,
                       {e.radius,
@@ -203,7 +203,10 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& y, double r) { return near(pair.b, at.across(y), r, pair.law.smoothing); },
       [&](const SkeletonPart& p) {
-        p.from == p.to ? point(p) : contact_of_edge(pair, at, pose, p, mode, f.data(), k, c, sum);
+        if (p.from == p.to)
+          point(p);
+        else
+          contact_of_edge(pair, at, pose, p, mode, f.data(), k, c, sum);
       });
   if (points.active()) {
     points.to_body(f.data(), k, c);

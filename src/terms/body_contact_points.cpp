@@ -68,7 +68,8 @@ void BodyContactPoints::to_body(double* f, double* K, double* C) const {
   T.topLeftCorner<3, 3>() = to_axes_;
   T.bottomRightCorner<3, 3>() = turn_;
   Eigen::Matrix<double, 6, 1> sum;
-  sum << force_, moment_;
+  sum.head<3>() = force_;
+  sum.tail<3>() = moment_;
   Eigen::Map<Eigen::Matrix<double, 6, 1>>(f) += T.transpose() * sum;
   if (K) Eigen::Map<Mat6>(K) += T.transpose() * K_ * T;
   if (C) Eigen::Map<Mat6>(C) += T.transpose() * C_ * T;

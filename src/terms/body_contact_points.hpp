@@ -3,6 +3,7 @@
 // axes of the surface, and brought to the body's unknowns once.
 #pragma once
 
+#include "hawser/kernels/rigid_body.hpp"
 #include "hawser/kernels/surface_contact_law.hpp"
 #include "hawser/terms/body_contact.hpp"
 
@@ -28,8 +29,6 @@ class BodyContactPoints {
   double depth() const { return depth_; }                  // m, largest penetration
 
  private:
-  using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-
   const BodyFrame& body_;
   const AxisContactMode mode_;
   Mat3 turn_;     // body axes to those of the surface

@@ -90,7 +90,8 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
 // reduces it.
 Energy LineVolumeContact::energy(const Kinematics& at) const {
   Energy e;
-  const std::vector<RigidPose> poses = volumes_.poses(at);
+  std::vector<RigidPose> poses;
+  if (!(at.step > 0)) poses = volumes_.poses(at);
   for (const Pair& p : pairs_) {
     if (!local(p).counted) continue;
     if (at.step > 0) {

@@ -27,7 +27,7 @@ class EdgeErrors : public Recording {
     std::span<const double> before, after;    // N, effective tension on the side of end A and of end B
   };
   // Collective.
-  void look(const Kinematics& at, const Values& values);
+  void update(const Kinematics& at, const Values& values);
   // A sentence where the worst error so far [N] is more than is allowed of the given tension [N]; empty: it
   // is not.
   std::string warning(int line, double largest_tension) const;
@@ -60,7 +60,7 @@ class EdgeErrors : public Recording {
   std::vector<double> tension_;   // N, by line: the largest so far where volumes press
   std::vector<double> reported_;  // by line, N: the error that has been reported
   std::vector<Snaps::OverVolume> over_;
-  std::vector<std::string> to_tell_;
+  std::vector<std::string> new_warnings_;
   int force_ = -1, friction_ = -1, before_ = -1, after_ = -1;  // among the fields
 };
 

@@ -69,10 +69,7 @@ class Recording {
 
   // Adds fields of nodes that are made from those before them; fill() computes their values.
   virtual void add_fields(std::vector<Field>& fields) { (void)fields; }
-  virtual void fill(const Snapshot& s, Values& values) {
-    (void)s;
-    (void)values;
-  }
+  virtual void fill(const Snapshot&, Values&) {}
   // Once, when all fields are known. Collective.
   virtual void declare(Declarations& to) { (void)to; }
 
@@ -83,10 +80,7 @@ class Recording {
   virtual void step(const Snapshot& s) { (void)s; }
   virtual void output(const Snapshot& s) { (void)s; }
   // Adds a row for each series that it declared; after step(), of steps that histories keep.
-  virtual void rows(const Snapshot& s, Rows& to) {
-    (void)s;
-    (void)to;
-  }
+  virtual void rows(const Snapshot&, Rows&) {}
   // Sentences that a user needs before the run ends, since start() or step(); the same on all ranks.
   virtual std::vector<std::string> remarks() { return {}; }
   // Brings what the file has once, up to date.
