@@ -128,29 +128,30 @@ void EdgeErrors::update(const Kinematics& at, const Values& values) {
     }
     tension_[line] = std::max(tension_[line], tension);
     over_[line] = {passage, at.time};
-    advice::LongElements& w = worst_[line];
+    Worst& w = worst_[line];
     const double error = std::max(outside.width(), kInside * inside.width());
-    if (!(error > w.error)) continue;
+    if (!(error > w.at.error)) continue;
     const Turn& there = all[worst];
     const double before = worst > 0 && all[worst - 1].node == there.node - 1 ? all[worst - 1].angle : 0,
                  after = worst + 1 < all.size() && all[worst + 1].node == there.node + 1
                              ? all[worst + 1].angle
                              : 0;
-    w = {.error = error,
-         .arc = mesh_.mesh->nodes[there.node].arc,
-         .time = at.time,
-         .turn = there.angle + std::max(before, after),
-         .length = there.length};
+    w.at = {.error = error,
+            .arc = mesh_.mesh->nodes[there.node].arc,
+            .time = at.time,
+            .turn = there.angle,
+            .length = there.length};
+    w.turn_of_element = there.angle + std::max(before, after);
     const bool evenly = std::min(before, after) > kEvenly * there.angle;
-    w.recommended = evenly ? there.length * std::sqrt(kLeft * tension / w.error)
-                           : kOfRadius * 0.5 * type_at(there.node).contact_diameter;
+    w.at.recommended = evenly ? there.length * std::sqrt(kLeft * tension / error)
+                              : kOfRadius * 0.5 * type_at(there.node).contact_diameter;
   }
 }
 
 std::string EdgeErrors::warning(int line, double largest) const {
-  const advice::LongElements& w = worst_[line];
+  const advice::LongElements& w = worst_[line].at;
   if (!(w.error > kAllowed * largest)) return {};
-  const double turned = w.turn / kWide;
+  const double turned = worst_[line].turn_of_element / kWide;
   return advice::turns_on_edge(mesh_.mesh->lines[line].name, w, largest,
                                largest * w.length * w.length * std::max(turned * turned, 0.25));
 }
@@ -170,10 +171,10 @@ void EdgeErrors::step(const Snapshot& s) {
   if (force_ < 0 || friction_ < 0 || before_ < 0 || after_ < 0) return;
   update(s.at, {s.values[force_], s.values[friction_], s.values[before_], s.values[after_]});
   for (size_t l = 0; l < worst_.size(); ++l) {
-    if (worst_[l].error <= kAgain * reported_[l]) continue;
+    if (worst_[l].at.error <= kAgain * reported_[l]) continue;
     std::string text = warning(static_cast<int>(l), tension_[l]);
     if (text.empty()) continue;
-    reported_[l] = worst_[l].error;
+    reported_[l] = worst_[l].at.error;
     new_warnings_.push_back(std::move(text));
   }
 }

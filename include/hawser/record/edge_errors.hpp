@@ -56,7 +56,11 @@ class EdgeErrors : public Recording {
   const model::Case& case_;
   const LocalMesh& mesh_;
   std::vector<Neighbours> neighbours_;  // by owned node
-  std::vector<advice::LongElements> worst_;
+  struct Worst {
+    advice::LongElements at;
+    double turn_of_element = 0;  // rad, at both ends of an element together
+  };
+  std::vector<Worst> worst_;      // by line
   std::vector<double> tension_;   // N, by line: the largest so far where volumes press
   std::vector<double> reported_;  // by line, N: the error that has been reported
   std::vector<Snaps::OverVolume> over_;
