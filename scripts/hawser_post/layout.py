@@ -114,13 +114,13 @@ class Layout:
         if not names and self.steps == 0:
             return
         self.finite("series/time", self.data("series/time", NUMBERS, AtLeast(self.steps))[: self.steps], growing=True)
-        for name in names:
-            if name == "time":
-                continue
-            found = self.data(f"series/{name}", NUMBERS, AtLeast(self.steps), None)
+        places = [(f"series/{name}", ()) for name in names if name != "time"]
+        places += [(f"line_series/{name}", (self.lines,)) for name in self.group("line_series")]
+        for place, lines in places:
+            found = self.data(place, NUMBERS, AtLeast(self.steps), *lines, None)
             for of in ("columns", "units"):
-                if np.shape(found.attrs.get(of)) != (found.shape[1],):
-                    self.bad(f"series/{name}", f"has {found.shape[1]} columns and not as many '{of}'")
+                if np.shape(found.attrs.get(of)) != found.shape[-1:]:
+                    self.bad(place, f"has {found.shape[-1]} columns and not as many '{of}'")
 
     def check_bodies(self):
         names = self.data("bodies/name", TEXTS, None, needed=False)

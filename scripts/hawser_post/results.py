@@ -184,9 +184,14 @@ class Results:
         """s, from when on `statistics` count."""
         return float(dictionary(self.keys.get("output")).get("statistics_from") or 0)
 
-    @property
+    @cached_property
+    def line_series(self):
+        """Of the series that have a row for each line: where those of a line are, (name of the table, number of the line)."""
+        return {f"{line.name} {name}": (name, line.number) for name in self.file.get("line_series", {}) for line in self.lines}
+
+    @cached_property
     def series_names(self):
-        return [n for n in self.file["series"] if n != "time"] if "series" in self.file else []
+        return ([n for n in self.file["series"] if n != "time"] if "series" in self.file else []) + list(self.line_series)
 
     @property
     def modes(self):
@@ -212,23 +217,34 @@ class Results:
 
     def series_name(self, key):
         """What the case calls the series with this place in the file."""
-        return text_of(self.file["series"][key].attrs.get("name", key))
+        return key if key in self.line_series else text_of(self.file["series"][key].attrs.get("name", key))
+
+    @cached_property
+    def series_keys(self):
+        """Places in the file by what the case calls the series."""
+        return {self.series_name(key): key for key in self.series_names}
 
     def has_series(self, name):
-        return any(name == self.series_name(key) for key in self.series_names)
+        return name in self.series_keys
+
+    def series_columns(self, key):
+        """Columns and units of the series with this place in the file."""
+        attributes = self.series_data(key).attrs
+        return [text_of(c) for c in attributes["columns"]], [text_of(u) for u in attributes["units"]]
+
+    def series_data(self, key):
+        return self.file["line_series"][self.line_series[key][0]] if key in self.line_series else self.file["series"][key]
 
     def series_at(self, key):
         """That with this place in the file, as of `series_names` and `histories`."""
-        data = self.file["series"][key]
-        return Series(self.series_name(key), [text_of(c) for c in data.attrs["columns"]],
-                      [text_of(u) for u in data.attrs["units"]], data[: self.steps])
+        data, (_, line) = self.series_data(key), self.line_series.get(key, ("", None))
+        return Series(self.series_name(key), *self.series_columns(key), data[: self.steps] if line is None else data[: self.steps, line])
 
     def series(self, name):
         """That which the case calls so, else that with this place in the file, which may be another's name."""
-        names = {self.series_name(key): key for key in self.series_names}
-        if name in names or name in self.series_names:
-            return self.series_at(names.get(name, name))
-        raise Refusal(f"there is no history '{name}' (there are: {', '.join(names) or 'none'})")
+        if name in self.series_keys or name in self.series_names:
+            return self.series_at(self.series_keys.get(name, name))
+        raise Refusal(f"there is no history '{name}' (there are: {', '.join(self.series_keys) or 'none'})")
 
     @property
     def step_time(self):

@@ -92,34 +92,29 @@ void warn_of_outputs(const Case& c, const Period& drive, std::vector<InputWarnin
                    10, Effect::resolution});
 }
 
-// Speed of a body's origin and, by its turning, of what is tied to it [m/s].
-double speed_at(const Case& c, const Body& b, const RigidMotion& motion, double t) {
+// Speed of a body's origin and, by its turning, of the ends that are tied to it [m/s].
+double speed_at(const std::vector<const End*>& ends, const RigidMotion& motion, double t) {
   const RigidPose p = motion.at(t);
   double most = p.velocity.norm();
-  for (const Line& line : c.lines)
-    for (const End* e : {&line.end_a, &line.end_b})
-      if (e->kind == EndKind::body && e->body == b.name)
-        most = std::max(most, p.velocity_at(p.to_space(e->at)).norm());
+  for (const End* e : ends) most = std::max(most, p.velocity_at(p.to_space(e->at)).norm());
   return most;
 }
 
 // The speed with which a motion begins at t = 0 [m/s], 0 where that is little beside what follows.
-double jump(const Case& c, const Body& b) {
+double jump(const Case& c, const Body& b, const std::vector<const End*>& ends) {
   const RigidMotion motion = rigid_motion(b);
-  const double first = speed_at(c, b, motion, 0);
+  const double first = speed_at(ends, motion, 0);
   if (!(first > kLeastJump)) return 0;
   constexpr int kLooks = 200;
   double most = 0;
   for (int i = 1; i <= kLooks; ++i)
-    most = std::max(most, speed_at(c, b, motion, c.dynamics.duration * i / kLooks));
+    most = std::max(most, speed_at(ends, motion, c.dynamics.duration * i / kLooks));
   return first > kJump * most ? first : 0;
 }
 
 bool always_jumps(const TableMotion& t) { return t.between == BetweenRows::linear && !t.time.empty(); }
 
-}  // namespace
-
-StartSpeeds start_speeds(const Case& c, const Body& b) {
+StartSpeeds start_speeds_of(const Case& c, const Body& b, const std::vector<const End*>& ends) {
   StartSpeeds out;
   if (b.mass || b.on || !c.statics.enabled) return out;
   // Straight lines between rows jump at all of them, and rows of waves are given with their ramp.
@@ -127,20 +122,31 @@ StartSpeeds start_speeds(const Case& c, const Body& b) {
   if (b.motion.index() != 0 && b.ramp == 0 && !(table && (always_jumps(*table) || table->of_waves))) {
     Body alone = b;
     alone.drift.reset();
-    out.motion = jump(c, alone);
+    out.motion = jump(c, alone, ends);
   }
   if (b.drift && b.drift->ramp == 0 && !always_jumps(b.drift->table)) {
     Body alone = b;
     alone.motion = {};
-    out.drift = jump(c, alone);
+    out.drift = jump(c, alone, ends);
   }
+  return out;
+}
+
+}  // namespace
+
+std::vector<StartSpeeds> start_speeds(const Case& c) {
+  std::vector<std::vector<const End*>> ends(c.bodies.size());
+  for (const Line& line : c.lines)
+    for (const End* e : {&line.end_a, &line.end_b})
+      if (const int b = e->kind == EndKind::body ? c.body_index(e->body) : -1; b >= 0) ends[b].push_back(e);
+  std::vector<StartSpeeds> out;
+  for (std::size_t b = 0; b < ends.size(); ++b) out.push_back(start_speeds_of(c, c.bodies[b], ends[b]));
   return out;
 }
 
 namespace {
 
-void warn_of_start(const Case& c, const Body& b, std::vector<InputWarning>& out) {
-  const StartSpeeds speed = start_speeds(c, b);
+void warn_of_start(const Body& b, const StartSpeeds& speed, std::vector<InputWarning>& out) {
   const auto warn = [&](double first, const char* key) {
     if (first > 0)
       out.push_back({fmt::format("bodies.{}.{}", b.name, key),
@@ -216,7 +222,8 @@ void warn_of_times(const Case& c, std::vector<InputWarning>& out) {
   const Period drive = driving(c);
   warn_of_step(c, drive, out);
   warn_of_outputs(c, drive, out);
-  for (const Body& b : c.bodies) warn_of_start(c, b, out);
+  const std::vector<StartSpeeds> speeds = start_speeds(c);
+  for (std::size_t b = 0; b < speeds.size(); ++b) warn_of_start(c.bodies[b], speeds[b], out);
 }
 
 }  // namespace hawser::advice

@@ -9,7 +9,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hdf5.hpp"
-#include "hawser/io/results_build.hpp"
+#include "hawser/io/results_progress.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/nearest.hpp"
 

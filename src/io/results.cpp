@@ -16,6 +16,7 @@
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/results_build.hpp"
+#include "hawser/io/results_progress.hpp"
 #include "hawser/io/results_rows.hpp"
 #include "hawser/io/xdmf.hpp"
 #include "waiting_outputs.hpp"
@@ -42,8 +43,8 @@ struct ResultsFile::Impl {
   std::vector<int> owned;
   std::ptrdiff_t line_nodes;  // of these, those of lines
   std::vector<RowRun> runs;
-  std::vector<int> ends;  // owned; number 2 l is end A of line l, 2 l + 1 its end B
-  std::vector<RowRun> end_runs;
+  std::vector<int> ends;                    // owned; number 2 l is end A of line l, 2 l + 1 its end B
+  std::vector<RowRun> end_runs, line_runs;  // line_runs: of lines whose first node is owned
   ResultRoom room;
   ResultCount count;
   long long sequence = 0;  // of the newest checkpoint
@@ -60,7 +61,7 @@ struct ResultsFile::Impl {
   std::vector<double> step_times;          // of the rows of the series that wait for the next output
   std::vector<std::vector<double>> steps;  // by series, this rank's
   std::vector<char> mine;
-  std::vector<size_t> columns;  // by series
+  std::vector<size_t> columns;  // by series, numbers of a step
 
   Impl(MPI_Comm comm, const std::string& path, ResultContents contents, std::vector<int> owned);
   ~Impl() {
@@ -148,7 +149,10 @@ struct ResultsFile::Impl {
     file.write_rows("series/time", H5T_NATIVE_DOUBLE, count.steps, n, root(), step_times.data());
     const auto places = series_places(contents);
     for (size_t s = 0; s < places.size(); ++s)
-      file.write_rows(places[s], H5T_NATIVE_DOUBLE, count.steps, n, mine[s], steps[s].data());
+      if (contents.series[s].by_line)
+        file.write_runs(places[s], H5T_NATIVE_DOUBLE, count.steps, line_runs, steps[s].data(), n);
+      else
+        file.write_rows(places[s], H5T_NATIVE_DOUBLE, count.steps, n, mine[s], steps[s].data());
     return n;
   }
 
@@ -281,22 +285,24 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents w
       line_nodes(std::lower_bound(owned.begin(), owned.end(), contents.nodes_total()) - owned.begin()),
       runs(runs_of({owned.begin(), owned.begin() + line_nodes})) {
   check_contents(contents);
+  std::vector<int> lines;  // whose first node is owned
   for (size_t l = 0; l < contents.lines.size(); ++l)
     for (const int end : {0, 1}) {
       const ResultLine& line = contents.lines[l];
       const int node = line.first_node + (end ? line.nodes - 1 : 0);
-      if (std::binary_search(owned.begin(), owned.end(), node)) ends.push_back(2 * static_cast<int>(l) + end);
+      if (!std::binary_search(owned.begin(), owned.end(), node)) continue;
+      ends.push_back(2 * static_cast<int>(l) + end);
+      if (end == 0) lines.push_back(static_cast<int>(l));
     }
   end_runs = runs_of(ends);
+  line_runs = runs_of(lines);
   const size_t slash = path.rfind('/'), name = slash == std::string::npos ? 0 : slash + 1;
   xdmf_path = xdmf_beside(path);
   xdmf.emplace(contents, path.substr(name));
   steps.resize(contents.series.size());
-  mine.resize(contents.series.size());
   for (const auto& s : contents.series) {
-    size_t n = 0;
-    for (const auto& col : s.columns) n += static_cast<size_t>(col.components);
-    columns.push_back(n);
+    mine.push_back(s.by_line && root());
+    columns.push_back(static_cast<size_t>(numbers_in_row(s)) * (s.by_line ? lines.size() : 1));
   }
 }
 
@@ -373,9 +379,10 @@ void ResultsFile::append_series(double time, const std::vector<std::vector<doubl
   if (values.size() != m.steps.size()) throw std::logic_error("results: one row a series");
   m.step_times.push_back(time);
   for (size_t s = 0; s < values.size(); ++s) {
-    if (values[s].empty()) continue;
+    const bool by_line = m.contents.series[s].by_line;
+    if (values[s].empty() && !by_line) continue;
     if (values[s].size() != m.columns[s]) throw std::logic_error("results: wrong columns in a series");
-    m.mine[s] = 1;
+    if (!by_line) m.mine[s] = 1;
     m.steps[s].insert(m.steps[s].end(), values[s].begin(), values[s].end());
   }
 }

@@ -1,5 +1,5 @@
-// Which datasets a results file has, how it is made anew with more room and the rows of the earlier file, how
-// it takes that one's place, and how the extent of a file is read.
+// Which datasets a results file has, how it is made anew with more room and the rows of the earlier file, and
+// how it takes that one's place.
 #include "hawser/io/results_build.hpp"
 
 #include <fcntl.h>
@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "hawser/base/error.hpp"
@@ -81,7 +82,8 @@ void write_description(hid_t file, const ResultContents& c) {
     arc.insert(arc.end(), line.arc.begin(), line.arc.end());
     line_of.insert(line_of.end(), static_cast<size_t>(line.nodes), static_cast<int>(names.size()) - 1);
   }
-  for (int i = 0; i < c.nodes_total(); ++i) number.push_back(i);
+  number.resize(line_of.size());
+  std::iota(number.begin(), number.end(), 0);
   if (!c.stages.empty()) h5::write_texts(file, "stages", c.stages);
   h5::write_texts(file, "lines/name", names);
   write_ints(file, "lines/first_node", first);
@@ -140,6 +142,8 @@ void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room)
   for (const char* name : {"outputs", "fields", "series"}) h5::group(file, name);
   if (!c.statistics.empty()) h5::group(file, "statistics");
   if (!c.end_fields.empty()) h5::group(file, "ends");
+  if (std::any_of(c.series.begin(), c.series.end(), [](const ResultSeries& s) { return s.by_line; }))
+    h5::group(file, "line_series");
   for (const auto& s : row_sets(c)) {
     h5::Shape shape{rows_in(s, room.outputs, room.steps, c)};
     shape.insert(shape.end(), s.tail.begin(), s.tail.end());
@@ -265,12 +269,15 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   std::vector<double> arc;
   for (const auto& line : c.lines) arc.insert(arc.end(), line.arc.begin(), line.arc.end());
   if (h5::read_array(from, "nodes/arc_length").values != arc) throw differs("its nodes");
-  for (const std::string& name : h5::members(from, "series"))
-    if (!h5::exists(to, "series/" + name))
-      throw InputError(
-          "{} cannot be continued: the case no longer has its history or clearance {}, which would be lost; "
-          "keep it, or go on in another file with -o",
-          path, name);
+  for (const std::string group : {"series", "line_series"}) {
+    if (!h5::exists(from, group)) continue;
+    for (const std::string& name : h5::members(from, group))
+      if (!h5::exists(to, group + "/" + name))
+        throw InputError(
+            "{} cannot be continued: the case no longer has its history or clearance {}, which would be "
+            "lost; keep it, or go on in another file with -o",
+            path, name);
+  }
   for (const auto& s : row_sets(c)) {
     // Statistics are made anew from the checkpoint, which older files do not hold.
     if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
@@ -335,8 +342,15 @@ std::vector<std::string> series_places(const ResultContents& c) {
   for (const auto& s : c.series) names.push_back(s.name);
   names = safe_names(names);
   names.erase(names.begin());
-  for (auto& name : names) name = "series/" + name;
+  for (size_t i = 0; i < names.size(); ++i)
+    names[i] = (c.series[i].by_line ? "line_series/" : "series/") + names[i];
   return names;
+}
+
+hsize_t numbers_in_row(const ResultSeries& series) {
+  hsize_t n = 0;
+  for (const ResultField& column : series.columns) n += static_cast<hsize_t>(column.components);
+  return n;
 }
 
 std::string field_place(const ResultField& field) { return "fields/" + safe_name(field.name); }
@@ -386,9 +400,9 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
   sets.push_back({"series/time", RowsBy::step, H5T_IEEE_F64LE, {}, "s"});
   const auto series = series_places(c);
   for (size_t i = 0; i < series.size(); ++i) {
-    hsize_t columns = 0;
-    for (const auto& col : c.series[i].columns) columns += static_cast<hsize_t>(col.components);
-    sets.push_back({series[i], RowsBy::step, H5T_IEEE_F64LE, {columns}, ""});
+    h5::Shape tail{numbers_in_row(c.series[i])};
+    if (c.series[i].by_line) tail.insert(tail.begin(), c.lines.size());
+    sets.push_back({series[i], RowsBy::step, H5T_IEEE_F64LE, tail, ""});
   }
   return sets;
 }
@@ -430,62 +444,6 @@ void build_results(const std::string& path, const ResultContents& contents, cons
   }
   if (from.empty()) back_up_results(path);
   put_in_place(made, path);
-}
-
-namespace {
-
-InputError damaged(const std::string& path, const std::string& what) {
-  return InputError("{} is damaged and cannot be continued: {}; go on in another file with -o", path, what);
-}
-
-// The rows that count of a column of times.
-std::vector<double> counted(const std::string& path, hid_t file, const std::string& name, long long rows) {
-  std::vector<double> times = h5::read_array(file, name).values;
-  if (rows < 0 || rows > static_cast<long long>(times.size()))
-    throw damaged(path, fmt::format("it counts {} rows of {}, which has {}", rows, name, times.size()));
-  times.resize(rows);
-  return times;
-}
-
-}  // namespace
-
-long long rows_until(const std::string& path, const std::string& name, const std::vector<double>& times,
-                     double last) {
-  size_t n = 0;
-  while (n < times.size() && times[n] <= last && (n == 0 || times[n] >= times[n - 1])) ++n;
-  for (size_t later = n; n > 0 && later < times.size(); ++later)
-    if (times[later] > times[n - 1] && times[later] <= last)
-      throw damaged(path, fmt::format("row {} of {} is {:g}, after {:g} and before {:g} s", n + 1, name,
-                                      times[n], times[n - 1], times[later]));
-  return static_cast<long long>(n);
-}
-
-ResultProgress read_progress(const std::string& path) {
-  const h5::Id file = h5::open_read(path);
-  if (!h5::exists(file, "written")) throw InputError(path + " is not a results file of hawser");
-  const h5::Id type = result_count_type();
-  const h5::Id count = h5::open_dataset(file, "written");
-  ResultProgress p;
-  h5::check(H5Dread(count, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &p.count), "counter");
-  p.output_times = counted(path, file, "outputs/time", p.count.outputs);
-  p.step_times = counted(path, file, "series/time", p.count.steps);
-  if (h5::exists(file, kClashCounts)) {
-    const h5::Array counts = h5::read_array(file, kClashCounts);
-    const hsize_t rows = h5::shape_of(h5::open_dataset(file, kClashesEnded))[0];
-    for (size_t i = 0; i < p.output_times.size(); ++i) {
-      const double n = counts.values[2 * i];
-      if (n < 0 || n > static_cast<double>(rows))
-        throw damaged(path, fmt::format("at output {} the count is {:g} clashes, but there are {} rows",
-                                        i + 1, n, rows));
-      p.clashes.push_back(static_cast<long long>(n));
-    }
-  }
-  if (!h5::exists(file, "checkpoint/1")) return p;
-  p.room.slot_doubles =
-      static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/values"))[0]);
-  p.room.slot_text = static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/index"))[0]);
-  p.sequence = checkpoint_sequence(path);
-  return p;
 }
 
 }  // namespace hawser::io

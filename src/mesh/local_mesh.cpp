@@ -108,4 +108,21 @@ void set_coupling_ghosts(LocalMesh& l, std::span<const int> nodes) {
   for (int n = l.chain; n < l.nodes(); ++n) pin(l, n);
 }
 
+LineOwners line_owners(const LocalMesh& mesh) {
+  LineOwners out;
+  const std::vector<LineSpan>& lines = mesh.mesh->lines;
+  for (size_t l = 0; l < lines.size(); ++l) {
+    const auto first = mesh.owner.begin() + lines[l].first_node, last = first + lines[l].nodes;
+    if (std::any_of(first, last, [&](int rank) { return rank != *first; }))
+      out.cut.push_back(static_cast<int>(l));
+    else if (owns_line(mesh, static_cast<int>(l)))
+      out.uncut.push_back(static_cast<int>(l));
+  }
+  return out;
+}
+
+bool owns_line(const LocalMesh& mesh, int line) {
+  return mesh.owns(mesh.find(mesh.mesh->lines[line].first_node));
+}
+
 }  // namespace hawser

@@ -5,6 +5,8 @@
 #include <metis.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace hawser {
@@ -15,6 +17,7 @@ constexpr idx_t kBeamWork = 5, kCableWork = 1;
 // What is cut with an edge: a chain, or one of the four edges of two elements that are near, of which a node
 // has several.
 constexpr idx_t kChainEdge = 100, kNearEdge = 10;
+constexpr double kMostLoad = 1.05;  // of a rank, over its share, where lines need not be cut
 
 struct Edge {
   int from, to;
@@ -122,6 +125,38 @@ Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
   return s;
 }
 
+// The part of each vertex where nothing needs to be cut: what edges join stays together, and parts are
+// stretches of the file. Empty: a part would have more than kMostLoad of its share.
+std::vector<idx_t> share_components(const Shares& s, const std::vector<Edge>& between, int parts) {
+  std::vector<int> component(s.weight.size());
+  std::iota(component.begin(), component.end(), 0);
+  const auto first = [&](int v) {
+    while (component[v] != v) v = component[v] = component[component[v]];
+    return v;
+  };
+  for (const Edge& e : between) component[first(e.from)] = first(e.to);
+  std::vector<double> weight(s.weight.size(), 0), load(static_cast<size_t>(parts), 0);
+  double total = 0, before = 0;
+  for (size_t v = 0; v < s.weight.size(); ++v) {
+    weight[first(static_cast<int>(v))] += static_cast<double>(s.weight[v]);
+    total += static_cast<double>(s.weight[v]);
+  }
+  std::vector<idx_t> part(s.weight.size(), -1);
+  for (const int v : s.vertex) {
+    if (v < 0) continue;
+    const int c = first(v);
+    if (part[c] < 0) {
+      part[c] =
+          static_cast<idx_t>(std::min(parts - 1.0, std::floor((before + 0.5 * weight[c]) / total * parts)));
+      before += weight[c];
+      load[part[c]] += weight[c];
+    }
+    part[v] = part[c];
+  }
+  const double most = load.empty() ? 0 : *std::max_element(load.begin(), load.end());
+  return most * parts > kMostLoad * total ? std::vector<idx_t>() : part;
+}
+
 std::vector<int> cut_graph(const Mesh& mesh, int ranks, std::span<const int> whole,
                            const std::vector<Edge>& all) {
   const Shares s = share_lines(mesh, ranks, whole);
@@ -130,7 +165,8 @@ std::vector<int> cut_graph(const Mesh& mesh, int ranks, std::span<const int> who
     const int a = s.vertex[e.from], b = s.vertex[e.to];
     if (a >= 0 && b >= 0 && a != b) between.push_back({a, b, e.weight});
   }
-  const std::vector<idx_t> part = cut_into_parts(s.weight, merged(std::move(between)), ranks - s.first);
+  std::vector<idx_t> part = share_components(s, between, ranks - s.first);
+  if (part.empty()) part = cut_into_parts(s.weight, merged(std::move(between)), ranks - s.first);
   std::vector<int> owner = s.owner;
   for (size_t n = 0; n < owner.size(); ++n)
     if (owner[n] < 0) owner[n] = s.first + static_cast<int>(part[s.vertex[n]]);

@@ -65,27 +65,25 @@ bool Contact::takes_part(const Volume& volume) const {
 }
 
 const LineType& Case::line_type(const std::string& name) const {
-  for (const LineType& t : line_types)
-    if (t.name == name) return t;
-  throw std::out_of_range("no line type '" + name + "'");
+  const int i = type_at_.find(line_types, name);
+  if (i < 0) throw std::out_of_range("no line type '" + name + "'");
+  return line_types[i];
 }
 
 const Joint& Case::joint(const std::string& name) const {
-  for (const Joint& j : joints)
-    if (j.name == name) return j;
-  throw std::out_of_range("no joint '" + name + "'");
+  const int i = joint_at_.find(joints, name);
+  if (i < 0) throw std::out_of_range("no joint '" + name + "'");
+  return joints[i];
 }
 
 int Case::body_index(const std::string& name) const {
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (bodies[i].name == name) return static_cast<int>(i);
-  return -1;
+  return name.empty() ? -1 : body_at_.find(bodies, name);
 }
 
 int Case::line_index(const std::string& name) const {
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    if (lines[i].name == name) return static_cast<int>(i);
-  throw std::out_of_range("no line '" + name + "'");
+  const int i = line_at_.find(lines, name);
+  if (i < 0) throw std::out_of_range("no line '" + name + "'");
+  return i;
 }
 
 const Line& Case::line(const std::string& name) const { return lines[line_index(name)]; }

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -95,20 +96,25 @@ std::string section_at(const Line& line, double at) {
 }
 
 void check_joints(const Case& c, const Issues& issue) {
+  struct Ends {
+    int all = 0, bending = 0;
+  };
+  std::map<std::string, Ends> joined;
+  for (const Line& l : c.lines) {
+    const auto add = [&](const End& e, const Section& s) {
+      if (e.kind != EndKind::joint) return;
+      Ends& at = joined[e.body];
+      ++at.all;
+      at.bending += c.line_type(s.type).kind == LineKind::beam;
+    };
+    add(l.end_a, l.sections.front());
+    add(l.end_b, l.sections.back());
+    if (l.end_a.kind == EndKind::joint && l.end_b.kind == EndKind::joint && l.end_a.body == l.end_b.body)
+      issue("lines." + l.name + ".end_b.joint", "both ends are at joint '{}'; a line goes somewhere",
+            l.end_a.body);
+  }
   for (const Joint& j : c.joints) {
-    int ends = 0, bending = 0;
-    for (const Line& l : c.lines) {
-      const auto here = [&](const End& e, const Section& s) {
-        if (e.kind != EndKind::joint || e.body != j.name) return 0;
-        bending += c.line_type(s.type).kind == LineKind::beam;
-        return 1;
-      };
-      const int of_line = here(l.end_a, l.sections.front()) + here(l.end_b, l.sections.back());
-      if (of_line == 2)
-        issue("lines." + l.name + ".end_b.joint", "both ends are at joint '{}'; a line goes somewhere",
-              j.name);
-      ends += of_line;
-    }
+    const auto& [ends, bending] = joined[j.name];
     const std::string key = "joints." + j.name;
     if (ends < 2) issue(key, "joins {} end of a line; it takes two", ends);
     if (bending > 1 && !j.rigid)

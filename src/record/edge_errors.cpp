@@ -40,6 +40,7 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
     : comm_(comm),
       case_(c),
       mesh_(mesh),
+      cut_(line_owners(mesh).cut),
       neighbours_(static_cast<size_t>(mesh.owned)),
       worst_(mesh.mesh->lines.size()),
       tension_(mesh.mesh->lines.size(), 0),
@@ -87,27 +88,28 @@ const model::LineType& EdgeErrors::type_at(int node) const {
   return case_.line_types[mesh_.mesh->elements[line.first_element + node - line.first_node].type];
 }
 
-std::vector<EdgeErrors::Turn> EdgeErrors::of_all_ranks(const std::vector<Turn>& mine) const {
-  std::vector<Turn> out = mine;
-  if (ranks_of(comm_) > 1) {
-    if (!on_any_rank(comm_, !mine.empty())) return {};
-    constexpr int kNumbers = 5;
-    std::vector<double> numbers, all;
-    for (const Turn& t : mine)
-      numbers.insert(numbers.end(), {static_cast<double>(t.node), t.angle, t.taken, t.tension, t.length});
-    GatherPlan(comm_, static_cast<int>(numbers.size())).gather(numbers.data(), all);
-    out.clear();
-    for (auto p = all.begin(); p != all.end(); p += kNumbers)
-      out.push_back({static_cast<int>(p[0]), p[1], p[2], p[3], p[4]});
-  }
-  std::sort(out.begin(), out.end(), [](const Turn& a, const Turn& b) { return a.node < b.node; });
-  return out;
+// Adds what other ranks have of lines that the partition cuts.
+std::vector<EdgeErrors::Turn> EdgeErrors::with_cut_lines(std::vector<Turn> turns) const {
+  if (cut_.empty()) return turns;
+  const auto cut = std::stable_partition(turns.begin(), turns.end(), [&](const Turn& t) {
+    return !std::binary_search(cut_.begin(), cut_.end(), mesh_.mesh->nodes[t.node].line);
+  });
+  if (!on_any_rank(comm_, cut != turns.end())) return turns;
+  std::vector<double> numbers, all;
+  for (auto t = cut; t != turns.end(); ++t)
+    numbers.insert(numbers.end(), {static_cast<double>(t->node), t->angle, t->taken, t->tension, t->length});
+  turns.erase(cut, turns.end());
+  GatherPlan(comm_, static_cast<int>(numbers.size())).gather(numbers.data(), all);
+  for (auto p = all.begin(); p != all.end(); p += 5)
+    turns.push_back({static_cast<int>(p[0]), p[1], p[2], p[3], p[4]});
+  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.node < b.node; });
+  return turns;
 }
 
 // The tensions on both sides of a volume differ by the sum of what the nodes between them take. Within the
 // stretch in contact the errors alternate from element to element, and only a share of them counts.
 void EdgeErrors::update(const Kinematics& at, const Values& values) {
-  const std::vector<Turn> all = of_all_ranks(turns(at, values));
+  const std::vector<Turn> all = with_cut_lines(turns(at, values));
   for (size_t i = 0; i < all.size();) {
     const int line = mesh_.mesh->nodes[all[i].node].line;
     double sum = 0, most = 0, tension = 0, passage = 0;
@@ -170,18 +172,30 @@ void EdgeErrors::declare(Declarations& to) {
 void EdgeErrors::step(const Snapshot& s) {
   if (force_ < 0 || friction_ < 0 || before_ < 0 || after_ < 0) return;
   update(s.at, {s.values[force_], s.values[friction_], s.values[before_], s.values[after_]});
-  for (size_t l = 0; l < worst_.size(); ++l) {
-    if (worst_[l].at.error <= kAgain * reported_[l]) continue;
-    std::string text = warning(static_cast<int>(l), tension_[l]);
-    if (text.empty()) continue;
-    reported_[l] = worst_[l].at.error;
-    new_warnings_.push_back(std::move(text));
-  }
+  const auto unreported = [&](size_t l) {
+    return worst_[l].at.error > kAgain * reported_[l] ? warning(static_cast<int>(l), tension_[l]) : "";
+  };
+  bool any = false;
+  for (size_t l = 0; l < worst_.size() && !any; ++l) any = !unreported(l).empty();
+  if (!on_any_rank(comm_, any)) return;
+  gather();
+  for (size_t l = 0; l < worst_.size(); ++l)
+    if (std::string text = unreported(l); !text.empty()) {
+      reported_[l] = worst_[l].at.error;
+      new_warnings_.push_back(std::move(text));
+    }
+}
+
+// Puts together what the ranks have so far.
+void EdgeErrors::gather() {
+  largest_of_ranks(comm_, worst_, [](const Worst& w) { return w.at.error; });
+  all_reduce(comm_, MPI_MAX, tension_);
 }
 
 std::vector<std::string> EdgeErrors::remarks() { return std::exchange(new_warnings_, {}); }
 
 std::vector<Finding> EdgeErrors::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
+  gather();
   std::vector<Finding> out;
   for (size_t i = 0; i < summary.size(); ++i)
     if (const io::SummaryRow& r = summary[i]; is_largest_tension(case_, r))

@@ -25,10 +25,14 @@ constexpr double kRecommendedInside = 0.37;
 double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
 constexpr double kRecommendedAtEnd = 2.1;
 
-int owned_line_nodes(const LocalMesh& mesh) {
-  int n = 0;
-  while (n < mesh.owned && mesh.mesh->nodes[mesh.global[n]].body < 0) ++n;
-  return n;
+constexpr size_t kNumbers = 8;  // of a node, that ranks exchange
+
+// The nodes of this rank of lines that the partition cuts.
+std::vector<int> cut_nodes(const LocalMesh& mesh, const std::vector<int>& cut) {
+  std::vector<int> out;
+  for (int n = 0; n < mesh.owned; ++n)
+    if (std::binary_search(cut.begin(), cut.end(), mesh.node(n).line)) out.push_back(n);
+  return out;
 }
 
 }  // namespace
@@ -38,31 +42,36 @@ ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMes
     : case_(c),
       mesh_(mesh),
       feeders_(feeders),
-      plan_(comm, owned_line_nodes(mesh)),
-      lines_(mesh.mesh->lines.size()) {
-  plan_.gather(mesh.global.data(), place_);
-}
+      comm_(comm),
+      owners_(line_owners(mesh)),
+      cut_nodes_(cut_nodes(mesh, owners_.cut)),
+      plan_(comm, static_cast<int>(kNumbers * cut_nodes_.size())),
+      lines_(mesh.mesh->lines.size()) {}
 
 const model::LineType& ElementErrors::type(const Element& e) const { return case_.line_types[e.type]; }
 
-std::vector<ElementErrors::At> ElementErrors::gathered(const Kinematics& at, const Values& values) const {
-  const size_t owned = owned_line_nodes(mesh_);
-  std::vector<double> mine(owned), all;
-  std::vector<At> out(place_.size());
-  const auto bring = [&](const auto& of, const auto& put) {
-    for (size_t n = 0; n < owned; ++n) mine[n] = of(n);
-    plan_.gather(mine.data(), all);
-    for (size_t k = 0; k < all.size(); ++k) put(out[place_[k]], all[k]);
-  };
-  const auto value = [](std::span<const double> of) {
-    return [of](size_t n) { return of.empty() ? 0 : of[n]; };
-  };
-  for (int k = 0; k < 3; ++k)
-    bring([&](size_t n) { return at.x[n][k]; }, [k](At& a, double v) { a.x[k] = v; });
-  bring(value(values.tension), [](At& a, double v) { a.tension = v; });
-  bring(value(values.moment), [](At& a, double v) { a.moment = std::isnan(v) ? 0 : std::abs(v); });
-  bring(value(values.pressed), [](At& a, double v) { a.pressed = v; });
-  bring([&](size_t n) { return values.carried[n] ? 1.0 : 0.0; }, [](At& a, double v) { a.carried = v > 0; });
+ElementErrors::At ElementErrors::node(size_t n, const Kinematics& at, const Values& values) const {
+  const auto value = [n](std::span<const double> of) { return of.empty() ? 0 : of[n]; };
+  const double moment = value(values.moment);
+  return {at.x[n], value(values.tension), std::isnan(moment) ? 0 : std::abs(moment), value(values.pressed),
+          values.carried[n]};
+}
+
+// The nodes of all lines that the partition cuts, in the order of the case, on all ranks.
+std::vector<ElementErrors::At> ElementErrors::of_cut_lines(const Kinematics& at, const Values& values) const {
+  std::vector<double> mine, all;
+  for (const int n : cut_nodes_) {
+    const At a = node(static_cast<size_t>(n), at, values);
+    mine.insert(mine.end(), {static_cast<double>(mesh_.global[n]), a.x.x(), a.x.y(), a.x.z(), a.tension,
+                             a.moment, a.pressed, a.carried ? 1.0 : 0.0});
+  }
+  plan_.gather(mine.data(), all);
+  std::vector<std::pair<int, At>> nodes;
+  for (auto v = all.begin(); v != all.end(); v += kNumbers)
+    nodes.push_back({static_cast<int>(v[0]), {Vec3(v[1], v[2], v[3]), v[4], v[5], v[6], v[7] > 0}});
+  std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<At> out;
+  for (const auto& [number, a] : nodes) out.push_back(a);
   return out;
 }
 
@@ -89,29 +98,48 @@ void ElementErrors::output(const Snapshot& s) {
 }
 
 std::vector<Finding> ElementErrors::findings(const std::vector<io::SummaryRow>& summary, const Audit&) {
-  const auto bent = [&](const std::string& line) {
-    for (const auto& r : summary)
-      if (r.line == line && r.quantity == "max bending moment") return r.value;
-    return HUGE_VAL;
-  };
+  for (Worst OfLine::*kind : {&OfLine::sag, &OfLine::bend, &OfLine::lift}) {
+    std::vector<Worst> all;
+    for (const OfLine& l : lines_) all.push_back(l.*kind);
+    largest_of_ranks(comm_, all, [](const Worst& w) { return w.error; });
+    for (size_t l = 0; l < lines_.size(); ++l) lines_[l].*kind = all[l];
+  }
+  std::vector<double> bent(lines_.size(), HUGE_VAL);
+  for (const io::SummaryRow& r : summary)
+    if (r.quantity == "max bending moment") bent[case_.line_index(r.line)] = r.value;
   std::vector<Finding> out;
   for (size_t i = 0; i < summary.size(); ++i)
     if (const io::SummaryRow& r = summary[i]; is_largest_tension(case_, r))
-      for (std::string& w : warnings(case_.line_index(r.line), r.value, bent(r.line)))
+      for (std::string& w : warnings(case_.line_index(r.line), r.value, bent[case_.line_index(r.line)]))
         out.push_back({std::move(w), i});
   return out;
 }
 
 void ElementErrors::update(const Kinematics& at, const Values& values) {
-  const std::vector<At> all = gathered(at, values);
   const auto inside = feeders_ ? feeders_->inside() : std::vector<std::array<int, 2>>(lines_.size());
-  for (size_t l = 0; l < lines_.size(); ++l) {
+  const auto update_line = [&](int l, const At* nodes_of_line) {
     const LineSpan& line = mesh_.mesh->lines[l];
-    const std::span<const At> nodes(all.data() + line.first_node, static_cast<size_t>(line.nodes));
+    const std::span<const At> nodes(nodes_of_line, static_cast<size_t>(line.nodes));
     const int first = inside[l][0], last = line.elements - inside[l][1];  // elements outside of feeders
     update_sag(line, nodes, first, last, at.time, lines_[l].sag);
     if (!(at.step > 0)) update_lifts(line, nodes, first, last, at.time, lines_[l].lift);
     if (!values.moment.empty()) update_bends(line, nodes, first, last, at.time, lines_[l].bend);
+  };
+  std::vector<At> nodes;
+  for (const int l : owners_.uncut) {
+    const LineSpan& line = mesh_.mesh->lines[l];
+    const auto first = static_cast<size_t>(mesh_.find(line.first_node));
+    nodes.clear();
+    for (size_t n = first; n < first + static_cast<size_t>(line.nodes); ++n)
+      nodes.push_back(node(n, at, values));
+    update_line(l, nodes.data());
+  }
+  if (owners_.cut.empty()) return;
+  nodes = of_cut_lines(at, values);
+  size_t first = 0;
+  for (const int l : owners_.cut) {
+    update_line(l, nodes.data() + first);
+    first += static_cast<size_t>(mesh_.mesh->lines[l].nodes);
   }
 }
 

@@ -54,10 +54,13 @@ void Folds::update(const Kinematics& at, std::span<const double> before, std::sp
   }
 }
 
-std::string Folds::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension) const {
-  Worst w = worst_[line];
-  if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
-  return advice::folded_peak(name, w);
+void Folds::gather(MPI_Comm comm) {
+  largest_of_ranks(comm, worst_, [](const Worst& w) { return w.tension; });
+}
+
+std::string Folds::warning(int line, const std::string& name, double largest_tension) const {
+  const Worst& w = worst_[line];
+  return w.tension > kSame * largest_tension ? advice::folded_peak(name, w) : "";
 }
 
 }  // namespace hawser::record

@@ -106,14 +106,22 @@ std::vector<Finding> LineExtremes::findings(const std::vector<io::SummaryRow>& s
 }
 
 std::vector<io::SummaryRow> LineExtremes::table() const {
-  std::vector<io::SummaryRow> rows;
+  struct Of {
+    Extreme at;
+    bool largest;
+  };
+  std::vector<Of> all;
   for (size_t l = 0; l < names_.size(); ++l)
-    for (const Quantity& q : quantities_) {
-      Extreme x = q.lines[l];
-      const double largest_by = !x.set ? -HUGE_VAL : q.largest ? x.value : -x.value;
-      if (broadcast_largest(comm_, largest_by, -HUGE_VAL, x))
+    for (const Quantity& q : quantities_) all.push_back({q.lines[l], q.largest});
+  largest_of_ranks(comm_, all, [](const Of& x) {
+    return !x.at.set ? -HUGE_VAL : x.largest ? x.at.value : -x.at.value;
+  });
+  std::vector<io::SummaryRow> rows;
+  auto of = all.begin();
+  for (size_t l = 0; l < names_.size(); ++l)
+    for (const Quantity& q : quantities_)
+      if (const Extreme& x = of++->at; x.set)
         rows.push_back({q.name, names_[l], x.value, q.unit, x.time, x.arc});
-    }
   return rows;
 }
 

@@ -109,13 +109,12 @@ PipePlaces PipeStrength::places(const Snapshot& s) const {
   if (!by_place_) return out;
   if (rollers_) out.supports = rollers_->carrying(s);
   if (!case_.environment.seabed.present) return out;
-  const std::vector<Touchdown> all = touchdowns_.find(s.at);
-  for (size_t l = 0; l < all.size(); ++l) {
-    const Touchdown& t = all[l];
-    std::array<double, 2>& lies = out.seabed.emplace_back(std::array{HUGE_VAL, -HUGE_VAL});
+  out.seabed.assign(mesh_.lines.size(), {HUGE_VAL, -HUGE_VAL});
+  for (const Touchdown& t : touchdowns_.find(s.at)) {
+    std::array<double, 2>& lies = out.seabed[t.line];
     if (!t.from_a && t.laid > 0) lies = {-HUGE_VAL, HUGE_VAL};  // from end to end
     if (!t.from_a) continue;
-    const double from = t.from_a->arc, to = t.from_b->arc, behind = mesh_.lines[l].length - to;
+    const double from = t.from_a->arc, to = t.from_b->arc, behind = mesh_.lines[t.line].length - to;
     // A line that lies up to one of its ends has one touchdown point.
     if (to > from)
       lies = {from, to};

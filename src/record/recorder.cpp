@@ -179,12 +179,11 @@ std::string Recorder::audit_warning() const {
   const int node = audit_.worst.node;
   const model::Case& c = subject_.model;
   std::string initial_velocity_key;
-  for (const model::Body& b : c.bodies) {
-    const advice::StartSpeeds speed = advice::start_speeds(c, b);
-    if (initial_velocity_key.empty() && speed.motion + speed.drift > 0)
+  const std::vector<advice::StartSpeeds> speeds = advice::start_speeds(c);
+  for (size_t b = 0; b < speeds.size() && initial_velocity_key.empty(); ++b)
+    if (speeds[b].motion + speeds[b].drift > 0)
       initial_velocity_key =
-          fmt::format("bodies.{}.{}", b.name, speed.motion > 0 ? "motion" : "motion.drift");
-  }
+          fmt::format("bodies.{}.{}", c.bodies[b].name, speeds[b].motion > 0 ? "motion" : "motion.drift");
   return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),
                         initial_velocity_key);
 }

@@ -85,10 +85,14 @@ void Snaps::update(double time, double h, std::span<const double> on_a, std::spa
   }
 }
 
-std::string Snaps::warning(MPI_Comm comm, int line, const std::string& name, double largest_tension,
-                           bool damped, bool fixed) const {
-  Worst w = worst_[line];
-  if (!broadcast_largest(comm, w.tension, kSame * largest_tension, w)) return {};
+void Snaps::gather(MPI_Comm comm) {
+  largest_of_ranks(comm, worst_, [](const Worst& w) { return w.tension; });
+}
+
+std::string Snaps::warning(int line, const std::string& name, double largest_tension, bool damped,
+                           bool fixed) const {
+  const Worst& w = worst_[line];
+  if (!(w.tension > kSame * largest_tension)) return {};
   const bool steps = w.angle > kResolved, elements = w.rate * w.passage > kResolved,
              sudden = w.tension - w.from > kSuddenRise * w.tension && w.within < echo_[line],
              crosswise = sudden && w.rate * w.across > kResolved;

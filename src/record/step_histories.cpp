@@ -23,24 +23,25 @@ TouchdownHistory::TouchdownHistory(const Subject& subject)
     : subject_(subject), touchdowns_(subject.comm(), subject.model, subject.local()) {}
 
 void TouchdownHistory::declare(Declarations& to) {
-  for (const model::Line& line : subject_.model.lines)
-    to.contents.series.push_back({line.name + " touchdown",
-                                  {{"end_a_arc_length", "m", 1},
-                                   {"end_a_position", "m", 3},
-                                   {"end_b_arc_length", "m", 1},
-                                   {"end_b_position", "m", 3},
-                                   {"laid_length", "m", 1}}});
+  io::ResultSeries series{"touchdown",
+                          {{"end_a_arc_length", "m", 1},
+                           {"end_a_position", "m", 3},
+                           {"end_b_arc_length", "m", 1},
+                           {"end_b_position", "m", 3},
+                           {"laid_length", "m", 1}}};
+  series.by_line = true;
+  to.contents.series.push_back(std::move(series));
 }
 
 void TouchdownHistory::rows(const Snapshot& s, Rows& to) {
+  std::vector<double>& row = to.emplace_back();
   for (const Touchdown& t : touchdowns_.find(s.at)) {
-    std::vector<double> row;
+    if (!owns_line(subject_.local(), t.line)) continue;
     for (const auto& p : {t.from_a, t.from_b}) {
       row.push_back(p ? p->arc : std::nan(""));
       for (int k = 0; k < 3; ++k) row.push_back(p ? p->position[k] : std::nan(""));
     }
     row.push_back(t.laid);
-    add_on_first(subject_, std::move(row), to);
   }
 }
 

@@ -27,15 +27,16 @@ void TensionPeaks::step(const Snapshot& s) {
 
 std::vector<Finding> TensionPeaks::findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
   const model::Case& c = subject_.model;
+  folds_.gather(subject_.comm());
+  snaps_.gather(subject_.comm());
   std::vector<Finding> out;
   for (size_t i = 0; i < summary.size(); ++i) {
     const io::SummaryRow& r = summary[i];
     if (!is_largest_tension(c, r)) continue;
     const int line = c.line_index(r.line);
-    std::string text = folds_.warning(subject_.comm(), line, r.line, r.value);
+    std::string text = folds_.warning(line, r.line, r.value);
     if (text.empty())
-      text =
-          snaps_.warning(subject_.comm(), line, r.line, r.value, !audit.note().empty(), c.dynamics.step > 0);
+      text = snaps_.warning(line, r.line, r.value, !audit.note().empty(), c.dynamics.step > 0);
     if (!text.empty()) out.push_back({std::move(text), i});
   }
   return out;

@@ -1,11 +1,13 @@
-// The class Touchdowns: every rank looks for the first change of contact from either end among its
-// elements; the few nodes about it are then sent to all, and the place is found from them.
+// The class Touchdowns: every rank looks for the first change of contact from either end of its lines; the
+// place is found from the few nodes about it. Of lines that the partition cuts the ranks add up what they
+// have.
 #include "hawser/record/touchdown.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "hawser/base/gather.hpp"
 #include "hawser/geometry/surface.hpp"
@@ -109,6 +111,13 @@ Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& loc
     : comm_(comm), bed_(c.environment.seabed), normal_(model::bed_normal(bed_)), local_(local) {
   if (!bed_.present) return;
   const Mesh& mesh = *local.mesh;
+  const LineOwners owners = line_owners(local);
+  cut_ = owners.cut.size();
+  lines_ = owners.cut;
+  lines_.insert(lines_.end(), owners.uncut.begin(), owners.uncut.end());
+  slot_.assign(mesh.lines.size(), -1);
+  for (size_t k = 0; k < lines_.size(); ++k) slot_[lines_[k]] = static_cast<int>(k);
+  std::sort(lines_.begin(), lines_.end());
   std::vector<double> touching;  // by line type
   for (const model::LineType& t : c.line_types) touching.push_back(model::touching_height(c, t));
   heights_.resize(local.chain);
@@ -143,9 +152,15 @@ Touchdowns::Above Touchdowns::above(size_t n, const Kinematics& at) const {
 std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
   const LocalMesh& local = local_;
   const Mesh& mesh = *local.mesh;
-  const size_t lines = mesh.lines.size();
-  std::vector<Touchdown> out(lines);
+  const size_t lines = lines_.size();
+  std::vector<Touchdown> out;
   if (!bed_.present) return out;
+  // Puts together what ranks have of lines that are cut, of which each has so many numbers.
+  const auto join = [&](MPI_Op op, auto& of, size_t numbers) {
+    if (cut_ == 0) return;
+    auto cut = std::span(of).first(cut_ * numbers);
+    all_reduce(comm_, op, cut);
+  };
   std::vector<double> gap(heights_.size());
   for (size_t n = 0; n < gap.size(); ++n)
     if (mesh.nodes[local.global[n]].body < 0) gap[n] = above(n, at).gap;
@@ -156,7 +171,7 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
   for (const LocalElement& e : local.elements) {
     if (!e.counted) continue;
     const Element& g = mesh.elements[e.global];
-    const size_t l = g.line;
+    const size_t l = slot_[g.line];
     const double a = gap[e.first], b = gap[e.second];
     if (lies(a) && lies(b)) laid[l] += g.length;
     if (lies(a) == lies(b)) continue;
@@ -164,8 +179,8 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
     first[2 * l] = std::min(first[2 * l], e.global);
     first[2 * l + 1] = std::min(first[2 * l + 1], -e.global);
   }
-  all_reduce(comm_, MPI_MIN, first);
-  all_reduce(comm_, MPI_SUM, laid);
+  join(MPI_MIN, first, 2);
+  join(MPI_SUM, laid, 1);
 
   // Gap and slope, then place of the nodes about each. The first sum shows which of its two nodes lies.
   std::vector<double> rows(2 * lines * 2 * kAbout * 5, 0);
@@ -188,17 +203,13 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
       std::copy(std::begin(values), std::end(values), row(k, i));
     }
   }
-  all_reduce(comm_, MPI_SUM, rows);
+  join(MPI_SUM, rows, 2 * 2 * kAbout * 5);
 
-  for (size_t k = 0; k < 2 * lines; ++k) {
-    if (first[k] == std::numeric_limits<int>::max()) continue;
+  // The point of the change of contact k; adds to what lies what the straight line of two gaps does not show.
+  const auto point = [&](size_t k) -> std::optional<TouchdownPoint> {
+    if (first[k] == std::numeric_limits<int>::max()) return {};
     const Element& e = mesh.elements[std::abs(first[k])];
     const LineSpan& span = mesh.lines[e.line];
-    Touchdown& t = out[e.line];
-    if (k % 2 == 1 && first[k] == -first[k - 1]) {  // the same place
-      t.from_b = t.from_a;
-      continue;
-    }
     const bool up = lies(row(k, kAbout - 1)[0]);  // the node towards A lies
     const Change change{up ? e.first : e.second, up ? 1 : -1};
     About n{};
@@ -214,11 +225,46 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
       n.two_sided[i] = node.two_sided;
     }
     const double s = beyond(n, e.beam);
-    (k % 2 == 0 ? t.from_a : t.from_b) =
-        place(n, s, std::clamp(mesh.nodes[change.first].arc + change.way * s, 0.0, span.length));
-    laid[e.line] += s - straight(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1]);
+    laid[k / 2] += s - straight(n.gap[1].value, n.gap[2].value, n.arc[2] - n.arc[1]);
+    return place(n, s, std::clamp(mesh.nodes[change.first].arc + change.way * s, 0.0, span.length));
+  };
+  for (const int line : lines_) {
+    const size_t k = slot_[line];
+    Touchdown& t = out.emplace_back();
+    t.line = line;
+    t.from_a = point(2 * k);
+    const bool same = first[2 * k + 1] == -first[2 * k];
+    t.from_b = same ? t.from_a : point(2 * k + 1);
+    t.laid = std::clamp(laid[k], 0.0, mesh.lines[line].length);
   }
-  for (size_t l = 0; l < lines; ++l) out[l].laid = std::clamp(laid[l], 0.0, mesh.lines[l].length);
+  return out;
+}
+
+std::vector<Touchdown> Touchdowns::of_all_lines(const Kinematics& at) const {
+  constexpr size_t kPoint = 5;  // numbers: whether there is one, arc length, position
+  std::vector<double> all(local_.mesh->lines.size() * (2 * kPoint + 1), 0);
+  for (const Touchdown& t : find(at)) {
+    if (!owns_line(local_, t.line)) continue;
+    double* to = all.data() + static_cast<size_t>(t.line) * (2 * kPoint + 1);
+    for (const auto& p : {t.from_a, t.from_b}) {
+      if (p) {
+        to[0] = 1;
+        to[1] = p->arc;
+        std::copy(p->position.begin(), p->position.end(), to + 2);
+      }
+      to += kPoint;
+    }
+    *to = t.laid;
+  }
+  all_reduce(comm_, MPI_SUM, all);
+  std::vector<Touchdown> out;
+  for (const double* from = all.data(); from != all.data() + all.size(); from += 2 * kPoint + 1) {
+    Touchdown& t = out.emplace_back();
+    t.line = static_cast<int>(out.size()) - 1;
+    if (from[0] > 0) t.from_a = {from[1], Vec3(from + 2)};
+    if (from[kPoint] > 0) t.from_b = {from[kPoint + 1], Vec3(from + kPoint + 2)};
+    t.laid = from[2 * kPoint];
+  }
   return out;
 }
 

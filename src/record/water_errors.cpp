@@ -152,10 +152,14 @@ std::vector<Finding> WaterErrors::findings(const std::vector<io::SummaryRow>&, c
 }
 
 std::vector<std::string> WaterErrors::warnings() const {
+  std::vector<Where> where;
+  for (const Group& g : groups_) where.push_back(g.where);
+  largest_of_ranks(comm_, where, [](const Where& w) { return w.error; });
   std::vector<std::pair<double, std::string>> found;  // largest part of the force first
-  for (const Group& g : groups_) {
-    Where w = g.where;
-    if (g.error <= g.bears() || !broadcast_largest(comm_, w.error, 0, w)) continue;
+  for (size_t i = 0; i < groups_.size(); ++i) {
+    const Group& g = groups_[i];
+    const Where& w = where[i];
+    if (g.error <= g.bears() || !(w.error > 0)) continue;
     const auto joined = std::count(group_.begin(), group_.end(), group_[w.line]);
     // Waves shorter than a line is thick are none of Morison's formula.
     const double sufficient = std::max(w.length / g.parts, std::min(w.diameter, w.length));

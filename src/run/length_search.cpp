@@ -76,7 +76,7 @@ AtRest at_rest(MPI_Comm comm, Simulation& sim) {
   }
   all_reduce(comm, MPI_SUM, out.ends);
   out.feeders = ends.at_feeders();
-  out.down = record::Touchdowns(comm, sim.model(), sim.local()).find(at);
+  out.down = record::Touchdowns(comm, sim.model(), sim.local()).of_all_lines(at);
   return out;
 }
 

@@ -95,20 +95,16 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
                                            std::vector<std::string>& details) {
   const model::BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return nullptr;
-  const int lines = static_cast<int>(c.lines.size());
+  const std::size_t lines = c.lines.size();
   std::vector<bool> takes_part;
   for (const model::Line& l : c.lines) takes_part.push_back(c.contact.takes_part(l));
   LinePairOptions options;
   options.candidates.excluded = excluded_pairs(c);
-  const auto& excluded = options.candidates.excluded;
-  size_t pairs = 0, wanted = 0;
-  for (int i = 0; i < lines; ++i)
-    for (int j = i; j < lines && takes_part[i]; ++j)
-      if (takes_part[j]) {
-        ++pairs;
-        wanted += !std::binary_search(excluded.begin(), excluded.end(), std::pair(i, j));
-      }
-  if (wanted == 0) return nullptr;
+  const auto taking = static_cast<std::size_t>(std::count(takes_part.begin(), takes_part.end(), true));
+  const auto excluded = std::count_if(
+      options.candidates.excluded.begin(), options.candidates.excluded.end(),
+      [&](const std::pair<int, int>& p) { return takes_part[p.first] && takes_part[p.second]; });
+  if (taking * (taking + 1) / 2 == static_cast<std::size_t>(excluded)) return nullptr;
   options.shared = shared_places(c, *mesh.mesh);
   options.whole = first_parts(c);
 

@@ -1,29 +1,85 @@
-// The class LineCandidates: elements of other ranks that may touch those of this one. Bounding boxes of
-// chunks of elements go to all ranks; elements go only to ranks with overlapping chunks.
+// The class LineCandidates: elements of other ranks that may touch those of this one. All ranks learn of each
+// the few regions that its elements are in; ranks whose regions overlap exchange boxes of chunks of elements,
+// and then the elements that are in reach of such a chunk.
 #include <algorithm>
-#include <map>
-#include <set>
+#include <array>
 
 #include "hawser/base/gather.hpp"
-#include "hawser/geometry/box_pairs.hpp"
+#include "hawser/geometry/box_tree.hpp"
 #include "hawser/system/line_candidates.hpp"
 
 namespace hawser {
 namespace {
 
-constexpr size_t kChunk = 64, kBox = 7, kAxis = 26;  // elements in a chunk; doubles of a box and of an axis
-constexpr int kTag = 73;
+constexpr size_t kChunk = 64, kRegions = 32;  // elements in a chunk; regions of a rank, at most
+constexpr size_t kBox = 6, kAxis = 26;        // doubles of a box and of an axis
+constexpr int kBoxTag = 73, kAxisTag = 74;
 
-std::vector<double> pack(const std::vector<SweptAxis>& own, const std::set<size_t>& chunks) {
-  std::vector<double> out;
-  for (size_t c : chunks)
-    for (size_t i = kChunk * c; i < std::min(kChunk * (c + 1), own.size()); ++i) {
-      out.push_back(own[i].element);
-      out.push_back(own[i].skin);
-      for (const auto* end : {&own[i].from, &own[i].to})
-        for (const Vec3& p : *end) out.insert(out.end(), p.begin(), p.end());
-    }
+void append(std::vector<double>& to, const Box& b) {
+  to.insert(to.end(), b.lo.begin(), b.lo.end());
+  to.insert(to.end(), b.hi.begin(), b.hi.end());
+}
+
+std::vector<Box> boxes_of(std::span<const double> numbers) {
+  std::vector<Box> out;
+  for (size_t i = 0; i < numbers.size(); i += kBox)
+    out.push_back({Vec3(numbers.data() + i), Vec3(numbers.data() + i + 3)});
   return out;
+}
+
+// Boxes of elements that follow each other; each ends with its line at the latest.
+std::vector<Box> chunks_of(const std::vector<SweptAxis>& own, std::span<const Box> of) {
+  std::vector<Box> out;
+  for (size_t i = 0, first = 0; i < own.size(); ++i) {
+    if (i == 0 || own[i].line != own[i - 1].line || i - first == kChunk) {
+      first = i;
+      out.emplace_back();
+    }
+    out.back().add(of[i]);
+  }
+  return out;
+}
+
+// A few boxes with all of these in them: the largest nodes of their tree are halved.
+std::vector<Box> regions_of(const std::vector<Box>& chunks) {
+  const BoxTree tree(chunks, {}, 1);
+  const auto nodes = tree.nodes();
+  std::vector<size_t> regions;
+  if (!tree.empty()) regions.push_back(0);
+  while (!regions.empty() && regions.size() < kRegions) {
+    const auto larger = [&](size_t a, size_t b) { return nodes[a].count < nodes[b].count; };
+    size_t& most = *std::max_element(regions.begin(), regions.end(), larger);
+    if (nodes[most].count == 1) break;
+    const size_t first = most + 1;
+    most = first;
+    regions.push_back(static_cast<size_t>(nodes[first].next));
+  }
+  std::vector<Box> out;
+  for (const size_t r : regions) out.push_back(nodes[r].box);
+  return out;
+}
+
+bool overlaps_any(const Box& box, std::span<const Box> others) {
+  return std::any_of(others.begin(), others.end(), [&](const Box& b) { return box.overlaps(b); });
+}
+
+// To and from each of these ranks, which do the same.
+std::vector<std::vector<double>> exchange(MPI_Comm comm, int tag, const std::vector<int>& ranks,
+                                          const std::vector<std::vector<double>>& out) {
+  std::vector<MPI_Request> requests(ranks.size());
+  for (size_t i = 0; i < ranks.size(); ++i)
+    MPI_Isend(out[i].data(), static_cast<int>(out[i].size()), MPI_DOUBLE, ranks[i], tag, comm, &requests[i]);
+  std::vector<std::vector<double>> in(ranks.size());
+  for (size_t i = 0; i < ranks.size(); ++i) {
+    MPI_Status status;
+    int count = 0;
+    MPI_Probe(ranks[i], tag, comm, &status);
+    MPI_Get_count(&status, MPI_DOUBLE, &count);
+    in[i].resize(static_cast<size_t>(count));
+    MPI_Recv(in[i].data(), count, MPI_DOUBLE, ranks[i], tag, comm, MPI_STATUS_IGNORE);
+  }
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  return in;
 }
 
 }  // namespace
@@ -32,67 +88,51 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) cons
   const int size = ranks_of(comm_), rank = rank_of(comm_);
   if (size == 1) return {};
   const std::vector<SweptAxis>& own = built_;
-  std::vector<double> mine;
-  for (size_t first = 0; first < own.size(); first += kChunk) {
-    const size_t last = std::min(first + kChunk, own.size());
-    Box b;
-    for (size_t i = first; i < last; ++i) b.add(of[i]);
-    mine.insert(mine.end(), b.lo.begin(), b.lo.end());
-    mine.insert(mine.end(), b.hi.begin(), b.hi.end());
-    mine.push_back(static_cast<double>(last - first));
-  }
-  const size_t me = rank;
-  const GatherPlan plan(comm_, static_cast<int>(mine.size()));
-  const std::vector<int>& starts = plan.starts();
-  std::vector<double> all;
-  plan.gather(mine.data(), all);
+  const std::vector<Box> chunks = chunks_of(own, of);
+  std::vector<Box> regions = regions_of(chunks);
+  std::vector<double> mine, all(kBox * kRegions * static_cast<size_t>(size));
+  regions.resize(kRegions);
+  for (const Box& b : regions) append(mine, b);
+  constexpr int kNumbers = static_cast<int>(kBox * kRegions);
+  MPI_Allgather(mine.data(), kNumbers, MPI_DOUBLE, all.data(), kNumbers, MPI_DOUBLE, comm_);
 
-  std::vector<Box> boxes(all.size() / kBox);
-  std::vector<size_t> of_rank(boxes.size());
-  for (size_t i = 0, r = 0; i < boxes.size(); ++i) {
-    while (kBox * i >= static_cast<size_t>(starts[r + 1])) ++r;
-    const double* d = all.data() + kBox * i;
-    boxes[i] = {Vec3(d[0], d[1], d[2]), Vec3(d[3], d[4], d[5])};
-    of_rank[i] = r;
+  // Ranks with regions that overlap those of this one, and of each the chunks of this one that are near.
+  std::vector<int> ranks;
+  std::vector<std::vector<double>> out;
+  for (int r = 0; r < size; ++r) {
+    if (r == rank) continue;
+    const std::vector<Box> others_boxes =
+        boxes_of(std::span<const double>(all).subspan(kBox * kRegions * static_cast<size_t>(r), kNumbers));
+    if (std::none_of(regions.begin(), regions.end(),
+                     [&](const Box& b) { return overlaps_any(b, others_boxes); }))
+      continue;
+    ranks.push_back(r);
+    out.emplace_back();
+    for (const Box& chunk : chunks)
+      if (overlaps_any(chunk, others_boxes)) append(out.back(), chunk);
   }
-  // By the other rank: chunks to send to it, and chunks to receive from it.
-  struct Trade {
-    std::set<size_t> give, take;
-    std::vector<double> out, in;
-  };
-  std::map<size_t, Trade> trades;
-  const size_t first = static_cast<size_t>(starts[me]) / kBox;
-  for (const auto& [i, j] : overlapping_pairs(boxes)) {
-    const size_t a = i, b = j;
-    if (of_rank[a] == of_rank[b]) continue;
-    if (of_rank[a] == me) {
-      trades[of_rank[b]].give.insert(a - first);
-      trades[of_rank[b]].take.insert(b);
-    }
-    if (of_rank[b] == me) {
-      trades[of_rank[a]].give.insert(b - first);
-      trades[of_rank[a]].take.insert(a);
+  const std::vector<std::vector<double>> near = exchange(comm_, kBoxTag, ranks, out);
+
+  for (size_t k = 0; k < ranks.size(); ++k) {
+    const std::vector<Box> others_boxes = boxes_of(near[k]);
+    const BoxTree tree(others_boxes);
+    out[k].clear();
+    for (size_t i = 0; i < own.size() && !tree.empty(); ++i) {
+      bool reached = false;
+      tree.walk([&](size_t node) { return !reached && tree.nodes()[node].box.overlaps(of[i]); },
+                [&](int item) { reached |= others_boxes[static_cast<size_t>(item)].overlaps(of[i]); });
+      if (!reached) continue;
+      out[k].push_back(own[i].element);
+      out[k].push_back(own[i].skin);
+      for (const auto* end : {&own[i].from, &own[i].to})
+        for (const Vec3& p : *end) out[k].insert(out[k].end(), p.begin(), p.end());
     }
   }
-  std::vector<MPI_Request> requests;
-  for (auto& [r, t] : trades) {
-    size_t elements = 0;
-    for (size_t c : t.take) elements += static_cast<size_t>(all[kBox * c + kBox - 1]);
-    t.in.resize(kAxis * elements);
-    t.out = pack(own, t.give);
-    const int other = static_cast<int>(r);
-    MPI_Irecv(t.in.data(), static_cast<int>(t.in.size()), MPI_DOUBLE, other, kTag, comm_,
-              &requests.emplace_back());
-    MPI_Isend(t.out.data(), static_cast<int>(t.out.size()), MPI_DOUBLE, other, kTag, comm_,
-              &requests.emplace_back());
-  }
-  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
-
-  std::vector<SweptAxis> out;
-  for (const auto& [r, t] : trades)
-    for (size_t i = 0; i < t.in.size(); i += kAxis) {
-      const double* d = t.in.data() + i;
-      SweptAxis& s = out.emplace_back(at_rest(static_cast<int>(d[0])));
+  std::vector<SweptAxis> others;
+  for (const std::vector<double>& in : exchange(comm_, kAxisTag, ranks, out))
+    for (size_t i = 0; i < in.size(); i += kAxis) {
+      const double* d = in.data() + i;
+      SweptAxis& s = others.emplace_back(at_rest(static_cast<int>(d[0])));
       s.skin = d[1];
       for (size_t k = 0; k < 4; ++k) {
         s.from[k] = Eigen::Map<const Vec3>(d + 2 + 3 * k);
@@ -102,11 +142,11 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) cons
   // Both ranks of an element that the partition cuts have sent it.
   const auto before = [](const SweptAxis& a, const SweptAxis& b) { return a.element < b.element; };
   const auto same = [](const SweptAxis& a, const SweptAxis& b) { return a.element == b.element; };
-  std::sort(out.begin(), out.end(), before);
-  out.erase(std::unique(out.begin(), out.end(), same), out.end());
-  std::erase_if(out,
+  std::sort(others.begin(), others.end(), before);
+  others.erase(std::unique(others.begin(), others.end(), same), others.end());
+  std::erase_if(others,
                 [&](const SweptAxis& s) { return std::binary_search(own.begin(), own.end(), s, before); });
-  return out;
+  return others;
 }
 
 }  // namespace hawser

@@ -21,9 +21,12 @@ System::System(MPI_Comm comm, LocalMesh mesh) : comm_(comm), mesh_(std::move(mes
   }
   exchange_ = GhostExchange(comm_, mesh_);
   size_arrays();
-  int lines = 1;
-  for (const Node& n : mesh_.mesh->nodes) lines = std::max(lines, n.line + 1);
-  sums_ = 2 * static_cast<size_t>(lines);
+  lines_ = 1;
+  for (const Node& n : mesh_.mesh->nodes) lines_ = std::max(lines_, static_cast<size_t>(n.line) + 1);
+  cut_ = line_owners(mesh_).cut;
+  for (int n = 0; n < mesh_.owned; ++n)
+    if (const int line = mesh_.node(n).line; own_lines_.empty() || own_lines_.back() != line)
+      own_lines_.push_back(line);
   tied_nodes_ = TiedNodes(mesh_, {}, {});
   for (const Element& e : mesh_.mesh->elements) longest_element_ = std::max(longest_element_, e.length);
   // The moment on a floating body is compared with a force times at least one metre.
@@ -186,35 +189,58 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
 }
 
 ResidualNorms System::norms(Vec r) const {
-  std::vector<double> s(2 * sums_, 0);  // sums of squares of residuals, then of their contributions
+  // Of each line the sums of squares of residual forces and moments, then of their contributions.
+  std::vector<double> s(4 * lines_, 0);
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r, &p));
   for (int b = 0; b < mesh_.owned_blocks; ++b) {
-    const size_t line = square_of_block_[b];
-    s[line] += p[3 * b] * p[3 * b] + p[3 * b + 1] * p[3 * b + 1] + p[3 * b + 2] * p[3 * b + 2];
-    s[sums_ + line] += squares_[b];
+    double* sum = s.data() + 4 * (square_of_block_[b] / 2) + square_of_block_[b] % 2;
+    sum[0] += p[3 * b] * p[3 * b] + p[3 * b + 1] * p[3 * b + 1] + p[3 * b + 2] * p[3 * b + 2];
+    sum[2] += squares_[b];
   }
   check(VecRestoreArrayRead(r, &p));
-  all_reduce(comm_, MPI_SUM, s);
-  ResidualNorms worst;
+  sum_cut_lines({s});
+  std::vector<ResidualNorms> worst(1);
   double most = -1;
-  for (size_t l = 0; l < sums_ / 2; ++l) {
-    const double* own = s.data() + 2 * l;
-    const double* scale = own + sums_;
-    const ResidualNorms n{rank_independent(std::sqrt(own[0])),
-                          rank_independent(std::sqrt(own[1])),
-                          rank_independent(std::sqrt(scale[0])),
-                          rank_independent(std::sqrt(scale[1])),
+  int line = 0;  // with the worst
+  for (const int l : own_lines_) {
+    const double* sum = s.data() + 4 * static_cast<size_t>(l);
+    const ResidualNorms n{rank_independent(std::sqrt(sum[0])),
+                          rank_independent(std::sqrt(sum[1])),
+                          rank_independent(std::sqrt(sum[2])),
+                          rank_independent(std::sqrt(sum[3])),
                           round_off_,
                           longest_element_,
-                          l < mesh_.mesh->lines.size() ? mesh_.mesh->lines[l].length : 1};
+                          l < std::ssize(mesh_.mesh->lines) ? mesh_.mesh->lines[l].length : 1};
     const double size = n.relative();
     if (size > most || !std::isfinite(size)) {
-      worst = n;
+      worst[0] = n;
       most = std::isfinite(size) ? size : HUGE_VAL;
+      line = l;
     }
   }
-  return worst;
+  largest_of_ranks(
+      comm_, worst, [most](const ResidualNorms&) { return most; }, line);
+  return worst[0];
+}
+
+// all: arrays with as many numbers of each line. Of the lines that the partition cuts every rank gets the
+// sums of what the ranks have; the numbers of others stay.
+void System::sum_cut_lines(std::initializer_list<std::span<double>> all) const {
+  if (cut_.empty()) return;
+  std::vector<double> sums;
+  const auto each = [&](const auto& what) {
+    for (const std::span<double> of : all)
+      for (const int l : cut_)
+        what(of.subspan(of.size() / lines_ * static_cast<size_t>(l), of.size() / lines_));
+  };
+  each([&](std::span<double> numbers) { sums.insert(sums.end(), numbers.begin(), numbers.end()); });
+  sum(sums);
+  auto from = sums.begin();
+  each([&](std::span<double> numbers) {
+    std::copy_n(from, numbers.size(), numbers.begin());
+    from += std::ssize(numbers);
+  });
 }
 
 namespace {

@@ -12,10 +12,11 @@ namespace hawser {
 void System::sum(std::span<double> values) const { all_reduce(comm_, MPI_SUM, values); }
 
 // Motion of the masses of each line in the state, with the energy of its impacts. The second half of the
-// result is the same with algorithmic accelerations as velocities. impacts: of this rank.
+// result is the same with algorithmic accelerations as velocities. impacts: of this rank. of_all: of lines of
+// other ranks as well.
 std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion& stored,
-                                        const std::vector<ImpactEvent>& impacts) const {
-  const size_t n = sums_ / 2;
+                                        const std::vector<ImpactEvent>& impacts, bool of_all) const {
+  const size_t n = lines_;
   std::vector<LineMotion> lines(2 * n);
   Kinematics accelerations = at;
   accelerations.v = stored.accelerations;
@@ -28,7 +29,11 @@ std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion
     if (s.other >= 0) lines[s.other].impact_energy += s.energy();
   }
   static_assert(sizeof(LineMotion) == 6 * sizeof(double));
-  sum({reinterpret_cast<double*>(lines.data()), 6 * lines.size()});
+  const std::span<double> numbers(reinterpret_cast<double*>(lines.data()), 6 * lines.size());
+  if (of_all)
+    sum(numbers);
+  else
+    sum_cut_lines({numbers.first(6 * n), numbers.last(6 * n)});
   return lines;
 }
 
@@ -45,12 +50,14 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   limit.longest = both[0];
   // The tolerance is also set if there is no impact yet: impacts that only the end of the step shows are
   // compared with it.
-  const std::vector<LineMotion> lines = motions(committed, stored, impacts.list);
-  const size_t n = lines.size() / 2;
+  const bool no_impact = both[1] > 0;
+  const std::vector<LineMotion> lines = motions(committed, stored, impacts.list, !no_impact);
+  const size_t n = lines_;
   energy_tolerance_ = energy_tolerance(std::span(lines).first(n));
   limit.longest = std::min(limit.longest, growth_limited_step(std::span(lines).last(n), energy_tolerance_,
                                                               stored.share, committed.step));
-  if (both[1] > 0) return limit;
+  all_reduce(comm_, MPI_MIN, limit.longest);
+  if (no_impact) return limit;
   const StepLimit impact_limited =
       impact_limited_step(impacts.list, energy_tolerance_, std::min(most, limit.longest),
                           [this](std::span<double> values) { sum(values); });
@@ -68,8 +75,9 @@ bool System::resolves_impacts(const Kinematics& trial) {
   int any[2] = {found.too_deep, !found.list.empty()};
   all_reduce(comm_, MPI_MAX, any);
   if (any[0]) return false;
-  return !any[1] ||
-         within_tolerance(found.list, energy_tolerance_, [this](std::span<double> values) { sum(values); });
+  if (!any[1]) return true;
+  all_reduce(comm_, MPI_MAX, energy_tolerance_);  // of lines of other ranks as well
+  return within_tolerance(found.list, energy_tolerance_, [this](std::span<double> values) { sum(values); });
 }
 
 Verdict System::check_step(const Kinematics& trial) const {

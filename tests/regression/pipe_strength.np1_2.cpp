@@ -97,7 +97,7 @@ TEST(PipeStrength, ConditionOnTheSeabed) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results plain = read(path + "/plain.h5"), uneven = read(path + "/uneven.h5");
   const PipeCodes by = codes();
-  const double touchdown = named(path + "/plain.h5", plain, "riser_touchdown", "end_a_arc_length").front();
+  const double touchdown = named(path + "/plain.h5", plain, "touchdown", "end_a_arc_length").front();
   EXPECT_GT(touchdown, 60);
   EXPECT_LT(touchdown, 120);
   for (size_t n = 5; n < 56; ++n) {

@@ -98,7 +98,7 @@ inline void run_on_one(const Run& r) {
 struct Results {
   std::vector<double> output_times, step_times;
   std::map<std::string, std::vector<double>> fields;  // outputs, then nodes, then components
-  std::map<std::string, std::vector<double>> series;  // steps, then columns
+  std::map<std::string, std::vector<double>> series;  // steps, then columns; of series by line, lines first
   std::map<std::string, size_t> columns;              // of series
   std::vector<double> summary;                        // value, time, arc length, row after row
   std::vector<double> clash_counts;                   // outputs, then ended and open; empty: no clash report
@@ -169,6 +169,12 @@ inline Results read(const std::string& path) {
       r.columns[name] = a.shape[1];
     }
   }
+  if (io::h5::exists(file, "line_series"))
+    for (const auto& name : names_in(file, "line_series")) {
+      const auto a = read_array(file, "line_series/" + name);
+      r.series[name] = take(a.values, a.shape[0], steps);
+      r.columns[name] = a.shape[1] * a.shape[2];
+    }
   if (io::h5::exists(file, io::kClashCounts)) {
     const auto a = read_array(file, io::kClashCounts);
     r.clash_counts = take(a.values, a.shape[0], outputs);
@@ -191,7 +197,8 @@ inline Results read(const std::string& path) {
 // The names of the columns of a series: texts of fixed length.
 inline std::vector<std::string> columns_of(const std::string& path, const std::string& series) {
   const auto file = io::h5::open_read(path);
-  const auto set = io::h5::open_dataset(file, "series/" + series);
+  const bool by_line = !io::h5::exists(file, "series/" + series);
+  const auto set = io::h5::open_dataset(file, (by_line ? "line_series/" : "series/") + series);
   const auto at = io::h5::own(H5Aopen(set, "columns", H5P_DEFAULT), H5Aclose, "columns");
   const auto type = io::h5::own(H5Aget_type(at), H5Tclose, "type");
   const auto space = io::h5::own(H5Aget_space(at), H5Sclose, "space");
@@ -203,6 +210,7 @@ inline std::vector<std::string> columns_of(const std::string& path, const std::s
   return names;
 }
 
+// Of a series by line that of the first line.
 inline std::vector<double> named(const std::string& path, const Results& r, const std::string& series,
                                  const std::string& column) {
   const auto names = columns_of(path, series);

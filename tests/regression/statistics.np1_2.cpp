@@ -121,10 +121,10 @@ TEST_F(StatisticsRanks, TouchdownPointsMove) {
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const std::string file = path + "/whole.h5";
   const Results r = read(file);
-  const auto arc = named(file, r, "chain_touchdown", "end_b_arc_length"),
-             laid = named(file, r, "chain_touchdown", "laid_length"),
-             x = named(file, r, "chain_touchdown", "end_b_position_x"),
-             z = named(file, r, "chain_touchdown", "end_b_position_z");
+  const auto arc = named(file, r, "touchdown", "end_b_arc_length"),
+             laid = named(file, r, "touchdown", "laid_length"),
+             x = named(file, r, "touchdown", "end_b_position_x"),
+             z = named(file, r, "touchdown", "end_b_position_z");
   ASSERT_EQ(arc.size(), r.step_times.size());
   const auto [least, most] = std::minmax_element(arc.begin(), arc.end());
   EXPECT_GT(*least, 60);

@@ -24,7 +24,7 @@ def as_read(value):
 def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statistics=None, case="hawser: 1\n",
                  attributes=None, ended=True, declared=None, stages=()):
     """lines: {name: arc lengths of its nodes}; fields: {name: (unit, outputs x all nodes (x 3))}; statistics: {field:
-    (unit, all nodes (x 3) x 6)}; series: (times, {name: ([columns], [units], steps x columns)}); declared: {field:
+    (unit, all nodes (x 3) x 6)}; series: (times, {name: ([columns], [units], steps (x lines) x columns)}); declared: {field:
     attributes that say how it is shown}. Without the field `position` nodes lie along x."""
     lines = lines or {"line": np.linspace(0, 10, 3)}
     fields = dict(fields or {})
@@ -61,7 +61,8 @@ def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statis
         if len(step_time):
             file["series/time"] = step_time
         for name, (columns, units, values) in tables.items():
-            file[f"series/{name}"] = values
-            file[f"series/{name}"].attrs.update({"name": name.encode(), "columns": [c.encode() for c in columns],
-                                                 "units": [u.encode() for u in units]})
+            place = f"line_series/{name}" if np.ndim(values) == 3 else f"series/{name}"
+            file[place] = values
+            file[place].attrs.update({"name": name.encode(), "columns": [c.encode() for c in columns],
+                                      "units": [u.encode() for u in units]})
     return path

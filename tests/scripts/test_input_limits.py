@@ -51,7 +51,7 @@ class Limits(unittest.TestCase):
         for file, output in (
             ("/dev/zero", "/dev/zero: is a device or a pipe, not a case file"),
             ("pipe", "pipe: is a device or a pipe, not a case file"),
-            ("sparse.yaml", "sparse.yaml: has 5e+04 MB, and a case file has 4 MB at most"),
+            ("sparse.yaml", "sparse.yaml: has 5e+04 MB, and a case file has 16 MB at most"),
         ):
             with self.subTest(file=file):
                 self.refused(file, output)

@@ -51,7 +51,7 @@ lines:
         for k, code in enumerate(codes):
             fields[code] = ("1", np.full((size, 11), 0.8 + 0.2 * (k > 0)))
         return Results(results_file(folder / name, time=time, lines={"riser": np.linspace(0, 100, 11)}, fields=fields,
-                                    series=(np.array(time), {"riser touchdown": (columns, ["m"] * 8, np.array([row] * size))}),
+                                    series=(np.array(time), {"touchdown": (columns, ["m"] * 8, np.array([[row]] * size))}),
                                     case=self.case % (kind, more)))
 
     def test_no_overbend_without_supports(self):

@@ -349,7 +349,8 @@ class Parts(unittest.TestCase):
         self.assertIn("60 m found by the target", self.words(results.path))
 
     def test_laid_lengths(self):
-        touchdown = {"riser touchdown": (["end_a_arc_length", "laid_length"], ["m", "m"], np.stack([TIME, 12.34 + TIME], axis=1))}
+        values = np.stack([TIME, 12.34 + TIME], axis=1)[:, None]
+        touchdown = {"touchdown": (["end_a_arc_length", "laid_length"], ["m", "m"], values)}
         force = np.zeros((len(TIME), len(ARC), 3))
         force[:, 3:8, 2] = 1  # nodes every 2 m
         path = self.file(series=(TIME, touchdown))
@@ -359,7 +360,7 @@ class Parts(unittest.TestCase):
         self.assertEqual(dict(zip(head, rows[0]))["on the seabed at the start [m]"], 12.34)
         self.assertEqual(dict(zip(head, rows[0]))["at the end [m]"], 12.34 + TIME[-1])
         with h5py.File(path, "a") as file:
-            del file["series/riser touchdown"]
+            del file["line_series/touchdown"]
         self.assertAlmostEqual(tables.of_lines(Results(path))[1][0][4], 8.0)
 
     def test_statistics_say_from_when(self):

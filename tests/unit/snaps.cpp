@@ -37,7 +37,7 @@ std::string warning(double half, int steps, double rest = 0, bool damped = false
     const std::vector<Snaps::OverVolume> over{{across, 1 + h * k - 1e-3}};
     snaps.update(1 + h * k, k == 0 ? 0 : h, tension, tension, over);
   }
-  return snaps.warning(MPI_COMM_SELF, 0, "sling", 1000, damped, true);
+  return snaps.warning(0, "sling", 1000, damped, true);
 }
 
 // cos(pi/4) is 71 %, cos(pi/8) 92 % of the top.
@@ -90,7 +90,7 @@ TEST(Snaps, NotOfWhatFalls) {
   snaps.update(0, 0, held, held);
   snaps.update(0.1, 0.1, held, held);
   snaps.update(0.2, 0.1, loose, loose);
-  EXPECT_EQ(snaps.warning(MPI_COMM_SELF, 0, "sling", 1000, true, true), "");
+  EXPECT_EQ(snaps.warning(0, "sling", 1000, true, true), "");
 }
 
 }  // namespace

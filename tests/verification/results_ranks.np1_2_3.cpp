@@ -41,12 +41,13 @@ std::string bytes_of(const std::string& path) {
 ResultContents contents() {
   ResultContents c;
   c.run = {"hawser: 1\ntitle: test\n", "test.yaml", "0.1.0", "-ksp_view", "2024-01-01T00:00:00Z", 1};
-  c.lines = {{"hose", 0, 23, {}}, {"mooring/1", 23, 7, {}}, {"mooring:1", 30, 11, {}}};
+  c.lines = {{"hose", 0, 25, {}}, {"mooring/1", 25, 5, {}}, {"mooring:1", 30, 11, {}}};
   for (auto& line : c.lines)
     for (int i = 0; i < line.nodes; ++i) line.arc.push_back(2.5 * i);
   c.fields = {{"position", "m", 3}, {"effective_tension", "N", 1}, {"bending_moment", "N m", 3}};
   c.series = {{"end A", {{"position", "m", 3}, {"effective_tension", "N", 1}}},
-              {"energy", {{"kinetic", "J", 1}}}};
+              {"energy", {{"kinetic", "J", 1}}},
+              {"touchdown", {{"arc_length", "m", 1}, {"position", "m", 3}}, true}};
   c.bodies = {"reel"};
   static const std::vector<Vec3> kDrum = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                  kFloor = {{-9, -9, -1}, {9, -9, -1}, {0, 9, -1}};
@@ -69,6 +70,8 @@ std::vector<int> owned_nodes(MPI_Comm comm, int total) {
   return owned;
 }
 
+double of_line(double t, size_t line, int column) { return t + 100. * static_cast<double>(line) + column; }
+
 double value(int output, int field, int node, int component) {
   return std::sin(1.0 + output) * 1e3 + field * 100 + node + component / 7.0;
 }
@@ -77,10 +80,13 @@ void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned,
   const auto& c = file.contents();
   for (int k = from; k < to; ++k) {
     for (int step = 0; step < 3; ++step) {
-      std::vector<std::vector<double>> rows(2);
+      std::vector<std::vector<double>> rows(3);
       const double t = k - 1 + (step + 1) / 3.0;
       if (rank_of(comm) == std::min(size_of(comm), 2) - 1) rows[0] = {t, 2 * t, 3 * t, 4 * t};
       if (rank_of(comm) == 0) rows[1] = {t * t};
+      for (size_t l = 0; l < c.lines.size(); ++l)
+        for (int i = 0; i < 4 && std::binary_search(owned.begin(), owned.end(), c.lines[l].first_node); ++i)
+          rows[2].push_back(of_line(t, l, i));
       file.append_series(t, rows);
     }
     std::vector<std::vector<double>> fields(c.fields.size());
@@ -248,6 +254,10 @@ TEST(ResultsRanks, EveryValueIsInItsPlace) {
       EXPECT_NEAR(time.values[i], -1 + (static_cast<double>(i) + 1) / 3, 1e-14);
       EXPECT_EQ(series.values[4 * i + 3], 4 * time.values[i]);
     }
+    const auto by_line = h5::read_array(file, "line_series/touchdown");
+    ASSERT_EQ(by_line.shape, (h5::Shape{24, 3, 4}));
+    for (size_t i = 0; i < by_line.values.size(); ++i)
+      EXPECT_EQ(by_line.values[i], of_line(time.values[i / 12], i / 4 % 3, static_cast<int>(i % 4)));
     const auto moved = h5::read_array(file, "volumes/drum/moved");
     // Vertex 1 is (1, 0, 0) in the body frame; about y by 0.7 rad, then moved by 7 along x.
     EXPECT_NEAR(moved.values[7 * 12 + 3], 7 + std::cos(0.7), 1e-6);
@@ -296,8 +306,9 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
   }
   if (rank_of(MPI_COMM_WORLD) == 0) {
     const auto a = h5::open_read(path), b = h5::open_read(straight);
-    for (const char* name : {"outputs/time", "fields/position", "fields/effective_tension", "series/time",
-                             "series/end_A", "series/energy", "bodies/rotation", "volumes/drum/moved"}) {
+    for (const char* name :
+         {"outputs/time", "fields/position", "fields/effective_tension", "series/time", "series/end_A",
+          "series/energy", "line_series/touchdown", "bodies/rotation", "volumes/drum/moved"}) {
       const auto p = h5::read_array(a, name), q = h5::read_array(b, name);
       EXPECT_EQ(p.shape, q.shape) << name;
       EXPECT_EQ(bits(p.values), bits(q.values)) << name;

@@ -115,7 +115,8 @@ inline Laid laid(const Setting& s) {
   out.T0 = T.front();
   out.H = T.back();
   out.M0 = kEI * kappa.front();
-  out.x_td = record::Touchdowns(PETSC_COMM_SELF, met.model, sim.local()).find(at).at(0).from_a->position.x();
+  out.x_td =
+      record::Touchdowns(PETSC_COMM_SELF, met.model, sim.local()).of_all_lines(at).at(0).from_a->position.x();
   const auto angle = [&](size_t n) {
     return std::atan2(at.x[n].x(), at.x[n].z() - kTop + kRadius) * 180 / M_PI;
   };

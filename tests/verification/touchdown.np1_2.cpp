@@ -36,7 +36,8 @@ Rest at_rest(const model::Case& c) {
   Simulation sim(PETSC_COMM_WORLD, c);
   sim.solve_statics();
   Rest out;
-  out.touchdown = record::Touchdowns(PETSC_COMM_WORLD, c, sim.local()).find(sim.state().view(0)).at(0);
+  out.touchdown =
+      record::Touchdowns(PETSC_COMM_WORLD, c, sim.local()).of_all_lines(sim.state().view(0)).at(0);
   return out;
 }
 

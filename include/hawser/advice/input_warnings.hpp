@@ -58,12 +58,12 @@ void warn_of_sea(const model::Case& c, std::vector<InputWarning>& out);
 // Time steps, times between outputs, and motions that begin with a jump of velocity.
 void warn_of_times(const model::Case& c, std::vector<InputWarning>& out);
 
-// m/s with which the prescribed motion and the drift of a body begin at t = 0, where its lines are at rest;
-// 0: no impact on them.
+// m/s with which the prescribed motion and the drift of each body begin at t = 0, where its lines are at
+// rest; 0: no impact on them.
 struct StartSpeeds {
   double motion = 0, drift = 0;
 };
-StartSpeeds start_speeds(const model::Case& c, const model::Body& body);
+std::vector<StartSpeeds> start_speeds(const model::Case& c);
 
 // Whether height and period of a sea are such as there are: what follows from others is not worth a note.
 bool possible(const model::Waves& waves);

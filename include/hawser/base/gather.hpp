@@ -90,6 +90,40 @@ bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
   return true;
 }
 
+// Of each of several things that of the rank where its value is largest, on all ranks; of equal ones that of
+// the smallest order. T: plain data. Collective: one reduction for all of them.
+template <class T, class Value>
+void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value, int order) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  if (ranks_of(comm) == 1) return;
+  struct Ranked {
+    double value;
+    int order;
+    T thing;
+  };
+  const auto put_larger = [](void* in, void* inout, int* n, MPI_Datatype*) {
+    const Ranked* a = static_cast<const Ranked*>(in);
+    Ranked* b = static_cast<Ranked*>(inout);
+    for (int i = 0; i < *n; ++i)
+      if (a[i].value > b[i].value || (a[i].value == b[i].value && a[i].order < b[i].order)) b[i] = a[i];
+  };
+  std::vector<Ranked> all;
+  for (const T& thing : of) all.push_back({value(thing), order, thing});
+  MPI_Op larger = MPI_OP_NULL;
+  MPI_Datatype type = MPI_DATATYPE_NULL;
+  MPI_Op_create(put_larger, 1, &larger);
+  MPI_Type_contiguous(sizeof(Ranked), MPI_BYTE, &type);
+  MPI_Type_commit(&type);
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), type, larger, comm);
+  MPI_Type_free(&type);
+  MPI_Op_free(&larger);
+  for (std::size_t i = 0; i < of.size(); ++i) of[i] = all[i].thing;
+}
+template <class T, class Value>
+void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value) {
+  largest_of_ranks(comm, of, value, rank_of(comm));
+}
+
 // Of each of several values the smallest of all ranks, and with it the numbers that belong to it there (of
 // the first rank of equal ones): numbers has as many for each value, value by value. Collective.
 inline void smallest_of_ranks(MPI_Comm comm, std::vector<double>& values, std::vector<double>& numbers) {

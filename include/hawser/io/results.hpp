@@ -40,10 +40,12 @@ using ResultField = Field;  // of columns name, unit and components alone
 // time, mean, standard deviation.
 inline constexpr int kStatistics = 6;
 
-// A named row of numbers at every step: a point of a line, or sums such as the energies.
+// A named row of numbers at every step: a point of a line, or sums such as the energies; or a table with a
+// row for each line.
 struct ResultSeries {
   std::string name;
   std::vector<ResultField> columns;
+  bool by_line = false;
 };
 
 struct BodyPose {
@@ -132,7 +134,8 @@ class ResultsFile {
   ~ResultsFile();  // collective; flushes nothing that was not accepted
 
   // One row of every series at an accepted step. values[s]: the columns of series s if this rank has
-  // them (one rank must), else empty. Kept in memory until the next output; no communication.
+  // them (one rank must), else empty; of a series by line the columns of each line whose first node this rank
+  // owns. Kept in memory until the next output; no communication.
   void append_series(double time, const std::vector<std::vector<double>>& values);
 
   // Node fields at `time` [s], owned nodes x components (those of bodies are excluded), in the order of

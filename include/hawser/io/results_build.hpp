@@ -47,7 +47,10 @@ std::vector<RowSet> row_sets(const ResultContents& contents);
 std::string field_place(const ResultField& field);
 std::string statistics_place(const ResultField& field);
 
-// "volumes/<name>" and "series/<name>", in the order of the contents.
+// Numbers in a row of a series.
+hsize_t numbers_in_row(const ResultSeries& series);
+
+// "volumes/<name>"; "series/<name>", or "line_series/<name>" of those by line: in the order of the contents.
 std::vector<std::string> volume_places(const ResultContents& contents);
 std::vector<std::string> series_places(const ResultContents& contents);
 
@@ -58,20 +61,5 @@ std::vector<std::string> series_places(const ResultContents& contents);
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
                    const std::string& from, const ResultCount& kept, long long clashes,
                    const ResultLast* last);
-
-// How far the file at `path` got. Serial. Throws InputError when it is no results file.
-struct ResultProgress {
-  ResultCount count;
-  std::vector<double> output_times, step_times;  // s, of the rows that count
-  ResultRoom room;                               // of the checkpoint slots; outputs and steps are left 0
-  long long sequence = 0;                        // of the newest checkpoint; 0: none
-  std::vector<long long> clashes;                // that had ended, at each output
-};
-ResultProgress read_progress(const std::string& path);
-
-// Of such times, in the dataset `name`, the rows up to the time `last` [s]. What a power cut has lost at the
-// end counts as later. Throws InputError when rows that should stay come after one that is not in its place.
-long long rows_until(const std::string& path, const std::string& name, const std::vector<double>& times,
-                     double last);
 
 }  // namespace hawser::io

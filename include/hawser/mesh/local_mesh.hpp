@@ -56,6 +56,15 @@ struct LocalMesh {
   }
 };
 
+// Lines by the ranks that own their nodes, ascending.
+struct LineOwners {
+  std::vector<int> cut;    // several ranks own nodes of it; the same on all ranks
+  std::vector<int> uncut;  // this rank owns all nodes
+};
+LineOwners line_owners(const LocalMesh& mesh);
+// Whether this rank owns the first node of a line: one rank does.
+bool owns_line(const LocalMesh& mesh, int line);
+
 // What a term keeps of an element, or null; `kept` lie in the order of LocalMesh::elements, each with its
 // element as `at`.
 template <class Kept>

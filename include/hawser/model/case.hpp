@@ -26,6 +26,7 @@
 #include "hawser/model/event.hpp"
 #include "hawser/model/feeder.hpp"
 #include "hawser/model/links.hpp"
+#include "hawser/model/name_index.hpp"
 #include "hawser/model/platform.hpp"
 #include "hawser/model/supports.hpp"
 #include "hawser/model/value.hpp"
@@ -420,6 +421,9 @@ struct Case {
     refuse(key, fmt::format(why, std::forward<First>(first), std::forward<More>(more)...));
   }
   bool floats(int body) const { return body >= 0 && bodies[body].mass.has_value(); }
+
+ private:
+  NameIndex type_at_, line_at_, body_at_, joint_at_;
 };
 
 }  // namespace hawser::model

@@ -26,7 +26,7 @@ class EdgeErrors : public Recording {
     std::span<const double> force, friction;  // N, of volumes, friction among it
     std::span<const double> before, after;    // N, effective tension on the side of end A and of end B
   };
-  // Collective.
+  // Collective: a few numbers a node that volumes press on, of lines that the partition cuts.
   void update(const Kinematics& at, const Values& values);
   // A sentence where the worst error so far [N] is more than is allowed of the given tension [N]; empty: it
   // is not.
@@ -50,17 +50,20 @@ class EdgeErrors : public Recording {
   };
   std::vector<Turn> turns(const Kinematics& at, const Values& values) const;
   const model::LineType& type_at(int node) const;  // of a node between two elements: of the one behind it
-  std::vector<Turn> of_all_ranks(const std::vector<Turn>& mine) const;
+  std::vector<Turn> with_cut_lines(std::vector<Turn> turns) const;
+  void gather();
 
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
+  std::vector<int> cut_;                // lines that the partition cuts
   std::vector<Neighbours> neighbours_;  // by owned node
   struct Worst {
     advice::LongElements at;
     double turn_of_element = 0;  // rad, at both ends of an element together
   };
-  std::vector<Worst> worst_;      // by line
+  // By line, as far as this rank has nodes of it or the ranks have put together what they have.
+  std::vector<Worst> worst_;
   std::vector<double> tension_;   // N, by line: the largest so far where volumes press
   std::vector<double> reported_;  // by line, N: the error that has been reported
   std::vector<Snaps::OverVolume> over_;

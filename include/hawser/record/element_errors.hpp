@@ -30,15 +30,15 @@ class ElementErrors : public Recording {
     std::span<const double> pressed;  // N, normal force of volumes
     std::vector<bool> carried;        // something touches the line there
   };
-  // Collective.
+  // Collective: a few numbers a node of lines that the partition cuts.
   void update(const Kinematics& at, const Values& values);
 
   void declare(Declarations& to) override;
   void output(const Snapshot& s) override;
   std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
-  // What may be wrong by more than a line bears, a sentence each: the largest tension [N] and moment [N m] of
-  // the run against which errors are judged.
+  // What may be wrong by more than a line of this rank bears, a sentence each: the largest tension [N] and
+  // moment [N m] of the run against which errors are judged.
   std::vector<std::string> warnings(int line, double largest_tension, double largest_moment) const;
 
  private:
@@ -51,7 +51,8 @@ class ElementErrors : public Recording {
     double tension = 0, moment = 0, pressed = 0;
     bool carried = false;
   };
-  std::vector<At> gathered(const Kinematics& at, const Values& values) const;
+  At node(size_t n, const Kinematics& at, const Values& values) const;
+  std::vector<At> of_cut_lines(const Kinematics& at, const Values& values) const;
   void update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
                   Worst& worst) const;
   void update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
@@ -63,9 +64,11 @@ class ElementErrors : public Recording {
   const model::Case& case_;
   const LocalMesh& mesh_;
   const Feeders* feeders_;
-  GatherPlan plan_;
-  std::vector<int> place_;  // node of the mesh, of each that is gathered
-  std::vector<OfLine> lines_;
+  MPI_Comm comm_;
+  LineOwners owners_;
+  std::vector<int> cut_nodes_;                     // of this rank, of lines that are cut
+  GatherPlan plan_;                                // of their numbers
+  std::vector<OfLine> lines_;                      // of lines of this rank and those that are cut
   int tension_ = -1, moment_ = -1, pressed_ = -1;  // among the fields
   std::vector<std::pair<int, int>> touches_;  // likewise with components: not zero where something touches
 };

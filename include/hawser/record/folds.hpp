@@ -24,9 +24,10 @@ class Folds {
   Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders);
   // By owned node: effective tension on the side of end A and of end B, N. After every step.
   void update(const Kinematics& at, std::span<const double> before, std::span<const double> after);
-  // That the largest tension [N] of a line is of such an element, in words; empty: it is not. Collective,
-  // with the same line on all ranks.
-  std::string warning(MPI_Comm comm, int line, const std::string& name, double largest_tension) const;
+  // After the last step: puts together what the ranks have. Collective.
+  void gather(MPI_Comm comm);
+  // That the largest tension [N] of a line is of such an element, in words; empty: it is not. After gather().
+  std::string warning(int line, const std::string& name, double largest_tension) const;
 
  private:
   struct Fold {

@@ -30,10 +30,11 @@ class Snaps {
   // the start. over: by line, the last contact with a volume; empty: there are no volumes.
   void update(double time, double h, std::span<const double> before, std::span<const double> after,
               std::span<const OverVolume> over = {});
+  // After the last step: puts together what the ranks have. Collective.
+  void gather(MPI_Comm comm);
   // That the largest tension [N] of a line is such a peak, in words; empty: it is not. damped: the run has
-  // taken much out of axial vibration; fixed: the user chose the step. Collective, with the same line on all
-  // ranks.
-  std::string warning(MPI_Comm comm, int line, const std::string& name, double largest_tension, bool damped,
+  // taken much out of axial vibration; fixed: the user chose the step. After gather().
+  std::string warning(int line, const std::string& name, double largest_tension, bool damped,
                       bool fixed) const;
 
  private:

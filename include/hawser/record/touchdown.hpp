@@ -18,6 +18,7 @@ struct TouchdownPoint {
 };
 
 struct Touchdown {
+  int line = 0;  // of the case
   // The first place from end A, and the first from end B, where contact of the line with the bed begins or
   // ends: the bed's force on it begins. Of a mooring line that lies from its anchor on
   // both are the same. Empty: the line lies from end to end, or nowhere.
@@ -25,8 +26,6 @@ struct Touchdown {
   double laid = 0;  // m, unstretched length that lies on the bed or below it
 };
 
-// Of every line of the case in its order, the same on all ranks.
-//
 // The gap is that of the axis less the height at which the bed's force begins (model/bed_touch.hpp): half the
 // contact diameter, and the smooth start of the force. Between two nodes of a beam it is the cubic of
 // their gaps and directions. A cable's elements are chords, whose slope to the bed grows linearly with the
@@ -39,8 +38,11 @@ class Touchdowns {
   // Case and mesh outlive this.
   Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
-  // at: an accepted state of local nodes. Collective: a few numbers a line.
+  // Of the lines that this rank owns or that the partition cuts, in the order of the case; none without a
+  // seabed. at: an accepted state of local nodes. Collective: a few numbers for each line that is cut.
   std::vector<Touchdown> find(const Kinematics& at) const;
+  // Of every line of the case in its order, the same on all ranks. Collective.
+  std::vector<Touchdown> of_all_lines(const Kinematics& at) const;
 
  private:
   struct Height {
@@ -59,6 +61,9 @@ class Touchdowns {
   Vec3 normal_;  // where it is a plane
   const LocalMesh& local_;
   std::vector<Height> heights_;  // of local nodes before LocalMesh::chain; none of bodies
+  size_t cut_ = 0;               // lines that the partition cuts
+  std::vector<int> lines_;       // those and the lines of this rank, ascending
+  std::vector<int> slot_;        // by line: its place among lines_ with the cut ones first; -1: not there
 };
 
 }  // namespace hawser::record

@@ -3,7 +3,9 @@
 
 #include <petscmat.h>
 
+#include <initializer_list>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "hawser/base/handle.hpp"
@@ -141,7 +143,8 @@ class System {
   void size_arrays();
   void sum(std::span<double> values) const;  // sums over the ranks, in place
   std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored,
-                                  const std::vector<ImpactEvent>& impacts) const;
+                                  const std::vector<ImpactEvent>& impacts, bool of_all) const;
+  void sum_cut_lines(std::initializer_list<std::span<double>> all) const;
   void reghost_ties();
   void with_frames(Couplings& c) const;
   // The blocks of the tangent in this rank's rows, sorted: row and column as local blocks. A node is coupled
@@ -175,7 +178,9 @@ class System {
   std::vector<Mat3> retraction_;      // of rotations
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
   std::vector<double> squares_;       // of the contributions to the last residual(), by block
-  size_t sums_ = 0;                   // number of sums (forces and moments by line)
+  size_t lines_ = 0;                  // lines, and a line for each node of a body
+  std::vector<int> cut_;              // lines of which several ranks own nodes; the same on all ranks
+  std::vector<int> own_lines_;        // lines of which this rank owns nodes
   // J by line, error of energy that impacts may cause in the coming step
   std::vector<double> energy_tolerance_;
   double round_off_ = 0, longest_element_ = 0;

@@ -98,10 +98,8 @@ class Model:
                 yield {"key": key, "name": text_of(volume.attrs.get("name", key)), "body": int(volume.attrs.get("body", -1))}
 
     def touchdowns(self):
-        """(line, place in the file of its history of touchdown points)."""
-        names = {self.results.series_name(key): key for key in self.results.series_names}
-        found = [(line, names.get(f"{line.name} touchdown")) for line in self.results.lines]
-        return [(line, key) for line, key in found if key and "end_a_position_x" in self.columns(key)["columns"]]
+        """Steps x lines x columns, the table of touchdown points, None where the file has none."""
+        return self.file.get("line_series/touchdown")
 
     def header(self):
         results = self.results
@@ -113,7 +111,7 @@ class Model:
             "duration": results.duration, "ended": results.ended,
             "lines": [{"name": line.name, "first": line.nodes.start, "nodes": line.nodes.stop - line.nodes.start} for line in results.lines],
             "fields": list(self.field_headers()), "bodies": results.bodies, "volumes": list(self.volume_headers()),
-            "touchdowns": [line.number for line, _ in self.touchdowns()],
+            "touchdowns": [line.number for line in results.lines] if self.touchdowns() is not None else [],
             "low": list(self.extent[0] - self.centre), "high": list(self.extent[1] - self.centre), "centre": list(self.centre),
             "sea": None if self.sea.level is None else
             {"level": self.sea.level - self.centre[2], "ramp": self.sea.ramp, "waves": not self.sea.still},
@@ -126,9 +124,9 @@ class Model:
         return found
 
     def columns(self, key):
-        series = self.results.file["series"][key].attrs
-        shown = [charts.shown(text_of(u)) for u in series["units"]]
-        return {"columns": [text_of(c) for c in series["columns"]], "units": [u for u, _ in shown], "factors": [f for _, f in shown]}
+        columns, units = self.results.series_columns(key)
+        shown = [charts.shown(unit) for unit in units]
+        return {"columns": columns, "units": [u for u, _ in shown], "factors": [f for _, f in shown]}
 
     def unknown_bed(self):
         return "seabed" in dictionary(self.results.keys.get("environment")) and self.bed is None
@@ -140,7 +138,7 @@ class Model:
         found += [f"statistics/{name}" for name in self.shown if self.with_statistics(name)]
         found += [f"volume/{v['key']}/{what}" for v in self.volume_headers() for what in ("vertices", "triangles")]
         moving = ["position"] + [f"field/{name}" for name in self.shown]
-        moving += ["pose"] * bool(self.results.bodies) + ["touchdown"] * bool(self.touchdowns())
+        moving += ["pose"] * bool(self.results.bodies) + ["touchdown"] * (self.touchdowns() is not None)
         return found + [f"{name}/{k}" for name in moving for k in parts]
 
     def block(self, name):
@@ -184,16 +182,15 @@ class Model:
 
     def touchdown(self, rows):
         """The points seen from both ends of each line, at the steps nearest to the outputs."""
-        time, found = self.results.step_time, []
-        if not len(time):
+        time, table = self.results.step_time, self.touchdowns()
+        if not len(time) or table is None:
             return None
         at = np.abs(time[None, :] - self.file["outputs/time"][: rows[-1] + 1][rows][:, None]).argmin(axis=1) if len(time) < 2000 else \
             np.clip(np.searchsorted(time, self.file["outputs/time"][: rows[-1] + 1][rows] - 1e-9), 0, len(time) - 1)
-        for _, key in self.touchdowns():
-            series = self.results.series_at(key)
-            for end in "ab":
-                found += [series.column(f"end_{end}_position_{axis}")[at] - self.centre[k] for k, axis in enumerate("xyz")]
-        return blocks.steps(np.stack(found, axis=1), self.step)
+        names = [text_of(column) for column in table.attrs["columns"]]
+        columns = [names.index(f"end_{end}_position_{axis}") for end in "ab" for axis in "xyz"]
+        found = np.stack([table[k][:, columns] for k in at]) - np.tile(self.centre, 2)
+        return blocks.steps(found.reshape(len(at), -1), self.step)
 
     def waves(self):
         components = self.sea.components

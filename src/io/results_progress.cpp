@@ -1,0 +1,67 @@
+// How far a results file got: its counter, the times of the rows that count, and what is damaged.
+#include "hawser/io/results_progress.hpp"
+
+#include <fmt/format.h>
+
+#include "hawser/base/error.hpp"
+#include "hawser/io/hdf5.hpp"
+
+namespace hawser::io {
+
+namespace {
+
+InputError damaged(const std::string& path, const std::string& what) {
+  return InputError("{} is damaged and cannot be continued: {}; go on in another file with -o", path, what);
+}
+
+// The rows that count of a column of times.
+std::vector<double> counted(const std::string& path, hid_t file, const std::string& name, long long rows) {
+  std::vector<double> times = h5::read_array(file, name).values;
+  if (rows < 0 || rows > static_cast<long long>(times.size()))
+    throw damaged(path, fmt::format("it counts {} rows of {}, which has {}", rows, name, times.size()));
+  times.resize(rows);
+  return times;
+}
+
+}  // namespace
+
+long long rows_until(const std::string& path, const std::string& name, const std::vector<double>& times,
+                     double last) {
+  size_t n = 0;
+  while (n < times.size() && times[n] <= last && (n == 0 || times[n] >= times[n - 1])) ++n;
+  for (size_t later = n; n > 0 && later < times.size(); ++later)
+    if (times[later] > times[n - 1] && times[later] <= last)
+      throw damaged(path, fmt::format("row {} of {} is {:g}, after {:g} and before {:g} s", n + 1, name,
+                                      times[n], times[n - 1], times[later]));
+  return static_cast<long long>(n);
+}
+
+ResultProgress read_progress(const std::string& path) {
+  const h5::Id file = h5::open_read(path);
+  if (!h5::exists(file, "written")) throw InputError(path + " is not a results file of hawser");
+  const h5::Id type = result_count_type();
+  const h5::Id count = h5::open_dataset(file, "written");
+  ResultProgress p;
+  h5::check(H5Dread(count, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &p.count), "counter");
+  p.output_times = counted(path, file, "outputs/time", p.count.outputs);
+  p.step_times = counted(path, file, "series/time", p.count.steps);
+  if (h5::exists(file, kClashCounts)) {
+    const h5::Array counts = h5::read_array(file, kClashCounts);
+    const hsize_t rows = h5::shape_of(h5::open_dataset(file, kClashesEnded))[0];
+    for (size_t i = 0; i < p.output_times.size(); ++i) {
+      const double n = counts.values[2 * i];
+      if (n < 0 || n > static_cast<double>(rows))
+        throw damaged(path, fmt::format("at output {} the count is {:g} clashes, but there are {} rows",
+                                        i + 1, n, rows));
+      p.clashes.push_back(static_cast<long long>(n));
+    }
+  }
+  if (!h5::exists(file, "checkpoint/1")) return p;
+  p.room.slot_doubles =
+      static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/values"))[0]);
+  p.room.slot_text = static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/index"))[0]);
+  p.sequence = checkpoint_sequence(path);
+  return p;
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+"""A farm of chains from anchors to floats with a prescribed motion, three to a float: its case, CPU time, calls of MPI.
+
+    tests/bench/farm.py case LINES OUTPUT.yaml
+    tests/bench/farm.py cost HAWSER --lines 1000 10000 --ranks 1 2
+    tests/bench/farm.py counts HAWSER --counter build/tests/libmpi_counts.so --lines 100 1000 --ranks 2 4 8
+"""
+import argparse
+import math
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+DEPTH, LENGTH, DISTANCE, RADIUS, SPACING = 200.0, 760.0, 700.0, 40.0, 1600.0  # m
+CHAINS = 3  # of a float
+HEAD = f"""hawser: 1
+title: Farm of {{lines}} chains
+environment:
+  water: {{{{density: 1025, depth: {DEPTH:g}}}}}
+  seabed: {{{{depth: {DEPTH:g}, friction: {{{{axial: 0.5, lateral: 0.5}}}}}}}}
+line_types:
+  chain: {{{{outer_diameter: 0.2, mass_per_length: 390, EA: 1.674 GN, bending: false, Cd_normal: 1.37, Cd_axial: 0.2}}}}
+bodies:
+{{bodies}}
+lines:
+{{chains}}
+statics: {{{{enabled: {{statics}}}}}}
+dynamics: {{{{duration: {{duration}}, step: {{step}}}}}}
+output: {{{{every: {{every}}}}}}
+"""
+# Functions of MPI that one rank calls without the others.
+ALONE = {"Send", "Isend", "Startall", "File_write_at", "File_read_at"}
+MOTION = "motion: {harmonic: {amplitude: [1, 0, 2], period: 10}, ramp: 10}"
+
+
+def farm(lines, elements=10, duration=2.0, step=0.1, every=1.0, statics=True):
+    """The text of the case file. Floats stand on a square grid, so far apart that their chains do not touch."""
+    floats = -(-lines // CHAINS)
+    columns = math.ceil(math.sqrt(floats))
+    bodies, chains = [], []
+    for i in range(floats):
+        x, y = SPACING * (i % columns), SPACING * (i // columns)
+        bodies.append(f"  float {i + 1}: {{position: [{x:g}, {y:g}, 0], {MOTION}}}")
+    for k in range(lines):
+        i, way = k // CHAINS, 2 * math.pi * (k % CHAINS) / CHAINS + 0.1
+        x, y = SPACING * (i % columns), SPACING * (i // columns)
+        c, s = math.cos(way), math.sin(way)
+        chains.append(
+            f"  chain {k + 1}: {{sections: [{{type: chain, length: {LENGTH:g}, elements: {elements}}}], "
+            f"end_a: {{anchor: [{x + (RADIUS + DISTANCE) * c:.6g}, {y + (RADIUS + DISTANCE) * s:.6g}, -{DEPTH:g}]}}, "
+            f"end_b: {{body: float {i + 1}, at: [{RADIUS * c:.6g}, {RADIUS * s:.6g}, 0]}}}}"
+        )
+    return HEAD.format(
+        lines=lines, bodies="\n".join(bodies), chains="\n".join(chains), duration=duration, step=step, every=every,
+        statics=str(statics).lower()
+    )
+
+
+def run(hawser, ranks, case, environment=None):
+    """CPU seconds of all ranks together. Ranks that share cores must not spin while they wait."""
+    words = [hawser, "run", str(case), "-q"]
+    if ranks > 1:
+        words = ["mpirun", "--oversubscribe", "-n", str(ranks), *words]
+    settings = {"OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_hwloc_base_binding_policy": "none", **(environment or {})}
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    done = subprocess.run(words, env={**os.environ, **settings}, capture_output=True, text=True, check=False)
+    if done.returncode:
+        sys.exit(f"{' '.join(words)}\n{done.stderr}")
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def counted(hawser, counter, ranks, case, folder):
+    """What the first rank of a run asks of MPI: {function: (calls, bytes)}."""
+    path = Path(folder) / "counts"
+    run(hawser, ranks, case, {"LD_PRELOAD": counter, "HAWSER_MPI_COUNTS": str(path)})
+    rows = [row.split() for row in Path(f"{path}.0").read_text("utf-8").splitlines()]
+    return {name: (int(calls), float(size)) for name, calls, size in rows}
+
+
+def collectives(counts):
+    """Calls and bytes of all collective functions."""
+    found = [count for name, count in counts.items() if name not in ALONE]
+    return sum(calls for calls, _ in found), sum(size for _, size in found)
+
+
+def print_cost(given, folder):
+    """By runs of one and of two spans of time with as many outputs, without statics and with."""
+    print("lines  ranks  CPU s of a rank: around the steps, statics, a step")
+    for lines in given.lines:
+        for ranks in given.ranks:
+            used = {}
+            for name, duration, statics in (("still", 1, False), ("one", 1, True), ("two", 2, True)):
+                case = Path(folder) / f"{name}.yaml"
+                case.write_text(farm(lines, given.elements, duration, 0.1, duration, statics), "utf-8")
+                used[name] = run(given.hawser, ranks, case) / ranks
+            steps = used["two"] - used["one"]
+            print(f"{lines:5}  {ranks:5}  {used['still'] - steps:.2f}  {used['one'] - used['still']:.2f}  {steps / 10:.4f}")
+
+
+def print_counts(given, folder):
+    print("lines  ranks  collective calls (bytes): a step, an output, the rest")
+    for lines in given.lines:
+        for ranks in given.ranks:
+            found = {}
+            for name, duration, every in (("one", 1, 1), ("two", 2, 2), ("outputs", 1, 0.1)):
+                case = Path(folder) / f"{name}.yaml"
+                case.write_text(farm(lines, given.elements, duration, 0.1, every), "utf-8")
+                found[name] = collectives(counted(given.hawser, given.counter, ranks, case, folder))
+            one, two, outputs = found["one"], found["two"], found["outputs"]
+            step = [(b - a) / 10 for a, b in zip(one, two)]
+            output = [(b - a) / 9 for a, b in zip(one, outputs)]
+            rest = [a - 10 * s for a, s in zip(one, step)]
+            print(f"{lines:5}  {ranks:5}  " + "  ".join(f"{n:.1f} ({size:.0f})" for n, size in (step, output, rest)))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    what = parser.add_subparsers(dest="what", required=True)
+    case = what.add_parser("case", help="write the case")
+    case.add_argument("lines", type=int)
+    case.add_argument("output", type=Path)
+    for name, text in (("cost", "measure CPU time"), ("counts", "count calls of MPI")):
+        measure = what.add_parser(name, help=text)
+        measure.add_argument("hawser")
+        measure.add_argument("--lines", type=int, nargs="+", default=[100, 1000])
+        measure.add_argument("--ranks", type=int, nargs="+", default=[1, 2])
+        if name == "counts":
+            measure.add_argument("--counter", required=True, help="libmpi_counts.so of the build")
+    for each in what.choices.values():
+        each.add_argument("--elements", type=int, default=10)
+    given = parser.parse_args()
+    if given.what == "case":
+        given.output.write_text(farm(given.lines, given.elements), "utf-8")
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        (print_cost if given.what == "cost" else print_counts)(given, folder)
+
+
+if __name__ == "__main__":
+    main()
