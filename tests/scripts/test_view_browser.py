@@ -235,6 +235,29 @@ class Drawn(unittest.TestCase):
                            "hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
         np.testing.assert_allclose(self.browser.value("window.pixels([30])[0]"), [150, 150, 150], atol=6)
 
+    def test_elements_of_less_than_a_pixel_are_joined_and_drawn_singly_from_near(self):
+        results = self.show(model(self.folder.name, 2, 3002, "fine.h5"))
+        value = self.browser.value
+        value(PIXELS)
+        value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = false; hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
+        nodes = list(range(100, 3000, 400))
+        tension = results.file["fields/effective_tension"][0][nodes]
+        low, high = (f(results.file["fields/effective_tension"][:]) for f in (np.min, np.max))
+        np.testing.assert_allclose(value(f"window.pixels({nodes})"), value(f"window.legend({list((tension - low) / (high - low))})"), atol=6)
+        stretches = "hawserView.scene.lines.mesh.geometry.drawRange.count / 6"
+        self.assertLess(value(stretches), 2 * 3001 / 3)
+        last = value("(() => {const {lines} = hawserView.scene, {count} = lines.mesh.geometry.drawRange; "
+                     "return [lines.faces.array[count - 1], 2 * (lines.placeOf[6003] - 1)]})()")
+        self.assertEqual(last[0], last[1])  # the end of the line
+        value("hawserView.scene.camera.zoom(200); hawserView.scene.draw()")
+        self.assertEqual(value(stretches), 2 * 3001)
+        edges = "hawserView.scene.draw(), hawserView.scene.bodies.volumes[0].mesh.children[0].visible"
+        value("hawserView.scene.shown.volumes = true;0")
+        self.assertTrue(value(edges))
+        value("hawserView.scene.camera.zoom(0.001)")
+        self.assertFalse(value(edges))
+        self.no_complaints()
+
     def test_without_webgl_there_is_a_sentence(self):
         page = Page("none")
         page.model(Results(model(self.folder.name)))

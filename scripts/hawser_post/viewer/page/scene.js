@@ -51,7 +51,7 @@ hawser.Scene = class {
 
   async load() {
     const {model, space} = this;
-    this.lines = new hawser.Lines(model, (await model.block("radius")).values);
+    this.lines = await hawser.Lines.of(model);
     this.bodies = new hawser.Bodies(model);
     this.sea = new hawser.Sea(model);
     this.marks = new hawser.Marks(model);
@@ -62,7 +62,7 @@ hawser.Scene = class {
 
   // Lines of another model in a colour of their own.
   async addLines(model, colour) {
-    const lines = new hawser.Lines(model, (await model.block("radius")).values, colour);
+    const lines = await hawser.Lines.of(model, colour);
     this.space.add(lines.mesh);
     return lines;
   }
@@ -142,11 +142,12 @@ hawser.Scene = class {
       lines.uniforms.pixel.value = this.camera.pixel();
       lines.uniforms.perspective.value = camera.isPerspectiveCamera ? 1 : 0;
       lines.uniforms.selected.value = this.selected;
+      lines.join(this.camera, this.renderer.getPixelRatio());
     }
     Object.assign(this.lines.uniforms.low, {value: this.colours.low});
     Object.assign(this.lines.uniforms.high, {value: this.colours.high});
     this.lines.uniforms.coloured.value = this.field ? 1 : 0;
-    this.bodies.show(this.shown.volumes);
+    this.bodies.show(this.shown.volumes, this.camera);
     if (this.sea.surface) this.sea.surface.visible = this.shown.sea;
     if (this.sea.bed) this.sea.bed.visible = this.shown.bed;
     this.marks.touchdowns.visible = this.shown.touchdowns && this.marks.shown > 0;
