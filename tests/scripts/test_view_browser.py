@@ -29,6 +29,10 @@ environment: {water: {depth: 30}, seabed: {depth: 30}}
 line_types: {hose: {outer_diameter: 0.4}}
 lines: {hose: {sections: [{type: hose, length: 60}]}, rope: {sections: [{type: hose, length: 60}]}}
 """
+PARTS = CASE.replace("lines: {hose: {sections", "lines: {hose: {masses: [{at: 30, mass: 100, volume: 8}, {at: end_b, mass: 100}], end_b: {joint: yoke}, sections") + """\
+joints: {yoke: {start: [400060, 0, -17]}}
+links: {tugger: {end_a: {anchor: [400000, 0, 0]}, end_b: {body: drum, at: [2, 1, 1]}}, tie: {end_a: {line: rope, at: 30}, end_b: {line: hose, at: end_a}}}
+"""
 PIXELS = """
 window.pixels = (nodes) => {
   const view = window.hawserView, {scene} = view, gl = scene.renderer.getContext();
@@ -234,6 +238,38 @@ class Drawn(unittest.TestCase):
         self.browser.value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = hawserView.scene.shown.sea = false;"
                            "hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
         np.testing.assert_allclose(self.browser.value("window.pixels([30])[0]"), [150, 150, 150], atol=6)
+
+    def test_links_masses_joints_and_forces_of_the_bed_are_drawn_at_their_places(self):
+        path = model(self.folder.name, name="parts.h5", case=PARTS)
+        with h5py.File(path, "r+") as file:
+            force = np.zeros_like(file["fields/position"][:])
+            force[:, 20:24] = [0, 0, 700.0]
+            file["fields/seabed_force"] = force
+            file["fields/seabed_force"].attrs["unit"] = b"N"
+        results = self.show(path)
+        value = self.browser.value
+        value("hawserView.player.show(5)")
+        centre = np.array(value("hawserView.model.header.centre"))
+        x = results.file["fields/position"][5]
+        drum = results.rotation(0, 5) @ [2, 1, 1] + results.file["bodies/position"][5, 0]
+        ends = np.array(value("hawserView.scene.springs().map(({a, b}) => [[a.x, a.y], [b.x, b.y]])"))
+        for link, places in enumerate(([[400000, 0, 0], drum], [x[61 + 30], x[0]])):
+            for end, place in zip(ends[link], places):
+                pixel = value(f"(() => {{const p = hawserView.scene.pixelOf(new THREE.Vector3(...{list(place - centre)})); return [p.x, p.y]}})()")
+                np.testing.assert_allclose(end, pixel, atol=0.1)
+        balls = value("hawserView.scene.marks.balls.map((b) => [b.kind, b.name, b.mesh.visible, ...b.mesh.position.toArray(), b.mesh.scale.x])")
+        self.assertEqual([ball[:3] for ball in balls], [["buoy", "", True], ["weight", "", True], ["joint", "yoke", True]])
+        np.testing.assert_allclose([ball[3:6] for ball in balls], [x[30] - centre, x[60] - centre, x[60] - centre], atol=1e-3)
+        self.assertAlmostEqual(balls[0][6], (6 / np.pi) ** (1 / 3), delta=1e-6)
+        # Forces of the bed are shown when they are asked for.
+        arrows = "hawserView.scene.marks.arrows.map((a) => [a.kind, a.largest, a.meshes[0].visible, a.meshes[0].count])"
+        self.assertEqual(value(arrows)[1][:3], ["bedForces", 700, False])
+        value("[...document.querySelectorAll('.hawser-view label')].find((l) => l.textContent.includes('Bed forces')).querySelector('input').click()")
+        self.browser.wait("hawserView.scene.marks.arrows[1].meshes[0].visible && hawserView.scene.marks.arrows[1].meshes[0].count")
+        self.assertEqual(value(arrows)[1], ["bedForces", 700, True, 4])
+        value("hawserView.scene.shown.parts = false; hawserView.scene.draw()")
+        self.assertFalse(any(value("hawserView.scene.marks.balls.map((b) => b.mesh.visible)")))
+        self.no_complaints()
 
     def test_elements_of_less_than_a_pixel_are_joined_and_drawn_singly_from_near(self):
         results = self.show(model(self.folder.name, 2, 3002, "fine.h5"))
