@@ -76,7 +76,8 @@ def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, 
     force = np.zeros_like(x)
     force[:, 10:14] = [0, 1e3, 2e3]
     fields = {"position": ("m", x), "effective_tension": ("N", tension), "contact_force": ("N", force)}
-    path = results_file(Path(folder) / name, t, {line: s for line in lines}, fields, case=case)
+    statistics = {"effective_tension": ("N", np.tile(np.mean(tension, axis=0)[:, None], 6))} if outputs > 1 else None
+    path = results_file(Path(folder) / name, t, {line: s for line in lines}, fields, case=case, statistics=statistics)
     with h5py.File(path, "r+") as file:
         file["bodies/name"] = [b"drum"]
         file["bodies/position"] = np.tile([400030.0, 4, -12], (outputs, 1, 1)) + t[:, None, None] * 0.1
@@ -178,6 +179,7 @@ class Drawn(unittest.TestCase):
 
     def test_contrast_is_that_of_wcag_aa(self):
         self.show(model(self.folder.name))
+        self.browser.wait("[...document.querySelectorAll('.legend span')].some((b) => b.textContent.includes('mean'))")
         low = self.browser.value("""(() => {
           const light = (c) => c.map((v) => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
             .reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);

@@ -58,7 +58,7 @@ def bed(sea, low, high):
     if not sea.bed:
         return None
     beyond = 0.3 * max(*(high - low), 1e-3)
-    count = 2 if sea.grid is None else BED_PLACES
+    count = 2 if sea.measured is None else BED_PLACES
     x, y = (np.linspace(low[k] - beyond, high[k] + beyond, count) for k in (0, 1))
     z = sea.seabed(*np.meshgrid(x, y))
     return (x, y, z) if np.isfinite(z).any() else None

@@ -105,7 +105,7 @@ class Model:
 
     def header(self):
         results = self.results
-        self.missing += [] if not self.unknown_bed() else ["The seabed is not drawn, as it is given as a mesh, or its grid was not found."]
+        self.missing += [] if not self.unknown_bed() else ["The seabed is not drawn, as its file was not found beside the case, or could not be read."]
         found = {
             "title": str(results.keys.get("title") or results.path.stem), "modes": results.modes,
             "times": [float(t) for t in self.file["outputs/time"][: self.rows[-1] + 1][self.rows]],

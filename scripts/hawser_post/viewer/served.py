@@ -1,6 +1,7 @@
 """What the server shows: results, which may grow while it does, or the start shape of a case until it has been run."""
 import hashlib
 import os
+import shlex
 import tempfile
 import threading
 import time
@@ -133,7 +134,8 @@ class Shown:
             messages = getattr(self.model, "check_notes", None)
             if messages is not None:
                 found["notes"] = notes.placed(self.model.results, messages)
-                found["missing"].append("This is the start shape, before statics; the results are shown when the case is run.")
+                command = shlex.join(["hawser", "run", str(self.case), *(word for change in self.changes for word in ("--set", change))])
+                found["missing"].append(f"This is the start shape, before statics. The results are shown here when the case is run in another terminal: {command}")
             return {**found, "served": True, "stamp": self.stamp, "storedHistories": self.kind == "run"}
 
     def status(self):

@@ -20,7 +20,9 @@ hawser.Scene = class {
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, context});
     this.renderer.setClearColor(SKY);
     this.space = new THREE.Scene();
-    this.space.add(new THREE.HemisphereLight(0xffffff, 0x9aa4ad, 0.85));
+    const sky = new THREE.HemisphereLight(0xffffff, 0x9aa4ad, 0.85);
+    sky.position.set(0, 0, 1);
+    this.space.add(sky);
     this.light = new THREE.DirectionalLight(0xffffff, 0.35);
     this.space.add(this.light);
     this.overlay = new hawser.Overlay(over);
