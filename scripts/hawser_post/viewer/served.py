@@ -29,7 +29,8 @@ class ServedModel(Model):
 
     def range_of(self, name):
         low, high = np.inf, -np.inf
-        for k in np.unique(np.linspace(0, len(self.rows) - 1, SAMPLE).astype(int)):
+        every_step = self.with_statistics(name) and not self.results.statistics_from  # but perhaps not the start
+        for k in np.unique(np.linspace(0, len(self.rows) - 1, 2 if every_step else SAMPLE).astype(int)):
             x = self.sizes(name, [self.rows[k]])
             low, high = (float(f(x, where=np.isfinite(x), initial=i)) for f, i in ((np.min, low), (np.max, high)))
         if self.with_statistics(name):

@@ -49,6 +49,7 @@ hawser.Controls = class {
     this.clock = hawser.make("span", {class: "clock"});
     const speed = hawser.choice("Speed", SPEEDS.map((s) => [s, `${s} ×`]), 1, (value) => {
       player.speed = Number(value);
+      this.view.speedChosen = true;
     });
     this.speed = speed.select;
     const bar = hawser.make("div", {class: "bar"}, this.play, back, on, this.slider, this.clock, speed.element);

@@ -24,6 +24,7 @@ hawser.follow = function (view, root) {
     controls.slider.max = header.times.length - 1;
     controls.time.hidden = header.times.length < 2;
     if (view.whole) view.limit(true);
+    if (!view.player.playing) view.pace();
     if (box.checked && atEnd && !view.player.playing) {
       await view.player.show(header.times.length - 1);
       await view.choose(view.chosen);
