@@ -3,8 +3,10 @@ used by keys; unusual results are shown."""
 import contextlib
 import io
 import os
+import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 
@@ -19,7 +21,8 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post import __main__ as post  # noqa: E402
 from hawser_post.page import Page  # noqa: E402
 from hawser_post.results import Results  # noqa: E402
-from hawser_post.viewer import libraries  # noqa: E402
+from hawser_post.viewer import libraries, served  # noqa: E402
+from hawser_post.viewer.server import Server  # noqa: E402
 
 FULL = bool(os.environ.get("HAWSER_FULL"))
 CASE = """\
@@ -306,6 +309,38 @@ class Drawn(unittest.TestCase):
         self.browser.open(file)
         self.browser.wait("window.hawserFailed")
         self.assertIn("no WebGL", self.browser.value("document.querySelector('.hawser-view').textContent"))
+
+    def test_a_run_is_followed_and_a_server_that_ends_is_reported(self):
+        path = model(self.folder.name, 100, name="runs.h5", case=CASE + "dynamics: {duration: 49.5 s}\n")
+        def written(count):  # as the program would: in a process of its own
+            subprocess.run([sys.executable, "-c", "import h5py, os, sys, time; file = h5py.File(sys.argv[1], 'r+', locking=False); "
+                            "file['written'][0] = (int(sys.argv[2]), 0); file.pop('summary', None); file.close(); "
+                            "os.utime(sys.argv[1], (time.time() + int(sys.argv[2]),) * 2)", str(path), str(count)], check=True)
+        written(20)
+        server = Server(served.Shown(path))
+        self.addCleanup(server.server_close)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.browser.open(server.address)
+        value, wait = self.browser.value, self.browser.wait
+        wait("window.hawserView && !document.querySelector('.hawser-view progress').parentNode.hidden")
+        self.assertEqual(value("[document.title, hawserView.scene.output, hawserView.player.speed]"), ["A hose on a drum - hawser view", 19, 1])
+        written(100)
+        wait("hawserView.scene.output === 99")
+        self.assertEqual(value("[hawserView.controls.slider.max, hawserView.player.speed]"), ["99", 2])
+        self.assertIn("49.5 s of 49.5 s", value("document.querySelector('.hawser-view progress').parentNode.textContent"))
+        # A speed that was chosen stays; a run may be taken back, by a restart.
+        value("(() => {const s = hawserView.controls.speed; s.value = '5'; s.dispatchEvent(new Event('change'))})()")
+        written(60)
+        wait("hawserView.scene.output === 59")
+        self.assertEqual(value("[hawserView.player.speed, hawserView.controls.clock.textContent]"), [5, "t = 29.50 s"])
+        self.no_complaints_of(server)
+        server.shutdown()
+        server.server_close()
+        wait("document.querySelector('.hawser-view .bar [role=status]').textContent === 'the server has ended'")
+
+    def no_complaints_of(self, server):
+        self.assertEqual(self.browser.complaints, [])
+        self.assertEqual([url for url in self.browser.requests if not url.startswith((server.address, "data:", "blob:"))], [])
 
     def test_figures_of_a_report_can_be_read_off_and_print_as_pictures(self):
         t = np.linspace(0, 20, 400)
