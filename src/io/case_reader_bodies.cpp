@@ -82,6 +82,8 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
   if (const Value* f = v.find("floating")) {
     if (const Value* w = f->find("in_water"))
       b.mass->in_water->added_mass += c.environment.water.density * b.mass->in_water->volume * vec(*w, "Ca");
+    if (const Value* w = f->find("wind")) read_flow_on_body(*w, source, *b.mass->wind);
+    if (const Value* w = f->find("current")) read_flow_on_body(*w, source, *b.mass->current);
     if (const Value* h = f->find("hydrodynamics")) {
       if (!(*f)["weight"].given) b.mass->weight = true;
       read_hydrodynamics(*h, source, b, c);

@@ -14,7 +14,8 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kOfPeriod = 100, kOfWaves = 75, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50;
+constexpr double kOfPeriod = 100, kOfWaves = 75, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50,
+                 kOfGust = 4;
 // What lines do by themselves, and drag, shortens what drives them to no less than this; the local error does
 // more.
 constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
@@ -288,6 +289,12 @@ LongestStep longest_step(const Case& c) {
   add_free_bodies(c, driven_by_motion ? kOfOwn : kOfFree, driven_by_motion ? own : afloat, own);
   add_spin(c, afloat);
   add_factor(c.environment.water.current.time_factor, "the current", to);
+  add_factor(c.environment.wind.time_factor, "the wind", to);
+  if (c.environment.wind.gusts != GustSpectrum::none) {
+    const bool blown =
+        std::any_of(c.bodies.begin(), c.bodies.end(), [](const Body& b) { return b.mass && b.mass->wind; });
+    if (blown) to.of(1 / kFastestGust / kOfGust, "a fourth of the shortest period of the gusts");
+  }
   add_ramps(c, to);
   to.of(c.output.every, "the time between outputs");
   to.of(c.dynamics.duration / kOfDuration, "a fiftieth of the duration");

@@ -183,6 +183,53 @@ Key body_hydrodynamics() {
       "([theory](../theory/platforms.md)); its `weight` acts");
 }
 
+// A table of coefficients of the flow, and what makes forces of them.
+Key flow_on_body(const char* name, std::optional<FlowOnBody> BodyMass::*field, std::vector<Key> more,
+                 const std::string& about) {
+  std::vector<Key> keys = {
+      text("file",
+           "text file beside the case: columns angle [deg], Cx, Cy, Cn; blanks or commas between, `#` starts "
+           "a "
+           "comment"),
+      list("rows", list("", number("", none), items(4, 4)), "the same, written here", items(2)),
+      word({"angles", &FlowOnBody::by_origin}, {{"to", false}, {"from", true}},
+           "what the angle is, anticlockwise from the body's x axis: where the flow goes to (0 pushes it "
+           "ahead), or "
+           "where it comes from",
+           or_else("to")),
+      number({"length", &FlowOnBody::length}, length, "L of the moment", above(0), required)};
+  for (Key& k : more) keys.push_back(std::move(k));
+  keys.push_back(vec3({"at", &FlowOnBody::at}, length,
+                      "point in the body's frame where the forces act and velocities count: midships",
+                      or_else(kZero)));
+  return map({name, field}, std::move(keys),
+             about +
+                 "F = rho/2 U² (Cx frontal_area, Cy lateral_area), moment about "
+                 "z rho/2 U² Cn lateral_area length, U and angle those of the relative flow "
+                 "([theory](../theory/wind-and-current.md))",
+             either({"file", "rows"}));
+}
+
+Key body_wind() {
+  return flow_on_body(
+      "wind", &BodyMass::wind,
+      {number({"frontal_area", &FlowOnBody::frontal}, area, "seen from ahead", above(0), required),
+       number({"lateral_area", &FlowOnBody::lateral}, area, "seen from the side", above(0), required),
+       number({"height", &FlowOnBody::height}, length,
+              "above the still water, of the wind that the table is for", above(0), or_else("10"))},
+      "the wind acts on it by coefficients in the form of OCIMF: ");
+}
+
+Key body_current() {
+  return flow_on_body(
+      "current", &BodyMass::current,
+      {number({"draught", &FlowOnBody::draught}, length,
+              "both areas are `length` times this, as OCIMF has them", above(0)),
+       number({"frontal_area", &FlowOnBody::frontal}, area, "instead of `draught`", above(0)),
+       number({"lateral_area", &FlowOnBody::lateral}, area, "instead of `draught`", above(0))},
+      "the current acts on it, and damps it where there is none: ");
+}
+
 Key body_loads() {
   return list({"loads", &BodyMass::loads},
               map("", {vec3({"force", &BodyLoad::force}, force, "force", or_else(kZero)),
@@ -218,7 +265,7 @@ Key floating() {
                    "springs against turning from there, axes of the body", at_least(0), or_else(kZero)),
               vec3({"turning_damping", &BodyMass::turning_damping}, turning_damping, "dampers beside them",
                    at_least(0), or_else(kZero)),
-              body_in_water(), body_hydrodynamics(), body_loads()},
+              body_in_water(), body_hydrodynamics(), body_wind(), body_current(), body_loads()},
              "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
              "prescribed");
 }

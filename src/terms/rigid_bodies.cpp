@@ -79,7 +79,8 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
 
 bool finds_rest(const model::Case& c, int body) {
   const model::BodyMass& m = *c.bodies[body].mass;
-  return m.hydrodynamics || !m.loads.empty() || in_lines_or_links(c, body) || floats_at_rest(c, m);
+  return m.hydrodynamics || m.wind || m.current || !m.loads.empty() || in_lines_or_links(c, body) ||
+         floats_at_rest(c, m);
 }
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
