@@ -1,8 +1,12 @@
-// What `hawser check` says of wind and current on a body.
+// What `hawser check` says of forces, wind and current on a body.
 #include "hawser/model/flow_on_body.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/math/broken_line.hpp"
 #include "hawser/model/case.hpp"
 
 namespace hawser::model {
@@ -32,6 +36,18 @@ std::string flow_text(const Case& c, const Body& b) {
   std::string s;
   const Wind& w = c.environment.wind;
   const BodyMass& m = *b.mass;
+  if (!m.loads.empty()) {
+    const auto varies =
+        std::count_if(m.loads.begin(), m.loads.end(), [](const BodyLoad& l) { return !l.table.empty(); });
+    Vec3 sum = Vec3::Zero();
+    for (const BodyLoad& l : m.loads) {
+      sum += l.force;
+      if (!l.table.empty()) sum += on_broken_line(l.table, 0).head<3>();
+    }
+    s += fmt::format("    loads: {}{}; at t = 0 their forces are ({:.4g}, {:.4g}, {:.4g}) kN\n",
+                     m.loads.size(), varies > 0 ? fmt::format(", of which {} by tables", varies) : "",
+                     sum.x() / 1000, sum.y() / 1000, sum.z() / 1000);
+  }
   if (m.wind)
     s += line("wind", *m.wind, w.density, w.speed * std::pow(m.wind->height / w.height, w.exponent),
               m.wind->height == w.height ? "" : fmt::format(" ({:g} m above the sea)", m.wind->height));

@@ -129,6 +129,24 @@ void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
         "a hundredth of the mean period of the time_factor of " + of);
 }
 
+// Forces on a body by time.
+void add_loads(const Body& b, Shortest& to) {
+  if (!b.mass) return;
+  for (const BodyLoad& load : b.mass->loads) {
+    if (load.table.empty()) continue;
+    std::vector<double> time;
+    std::vector<Vec3> force, moment;
+    for (const auto& [t, f] : load.table) {
+      time.push_back(t);
+      force.push_back(f.head<3>());
+      moment.push_back(f.tail<3>());
+    }
+    for (const std::vector<Vec3>& value : {force, moment})
+      to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()) / kOfPeriod,
+            "a hundredth of the mean period of a load of body " + b.name);
+  }
+}
+
 // N/m, by which lines that are taut at the start hold a body along themselves, the other end held.
 double taut_stiffness(const Case& c, const Body& b) {
   constexpr double kTaut = 1e-3;  // of its length, by which the chord of a taut line may be shorter
@@ -282,6 +300,7 @@ LongestStep longest_step(const Case& c) {
   double speed = waves.speed;
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(c, b, to));
+  for (const Body& b : c.bodies) add_loads(b, to);
   for (const Body& b : c.bodies) add_drag_of_body(b, c.environment, speed, drags);
   // Where nothing drives them, neither outputs nor the duration say how long their steps may be.
   Shortest afloat;

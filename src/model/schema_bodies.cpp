@@ -231,14 +231,24 @@ Key body_current() {
 }
 
 Key body_loads() {
-  return list({"loads", &BodyMass::loads},
-              map("", {vec3({"force", &BodyLoad::force}, force, "force", or_else(kZero)),
-                       vec3({"moment", &BodyLoad::moment}, moment, "moment", or_else(kZero)),
-                       vec3({"at", &BodyLoad::at}, length, "where the force acts, in the body's frame",
-                            or_else(kZero)),
-                       word({"axes", &BodyLoad::body_fixed}, {{"space", false}, {"body", true}},
-                            "of force and moment: they stay, or turn with the body", or_else("space"))}),
-              "constant forces on it, in statics too: thrust of a turbine or of thrusters");
+  return list(
+      {"loads", &BodyMass::loads},
+      map("",
+          {vec3({"force", &BodyLoad::force}, force, "force", or_else(kZero)),
+           vec3({"moment", &BodyLoad::moment}, moment, "moment", or_else(kZero)),
+           map("table",
+               {text("file",
+                     "text file beside the case: columns t [s], Fx, Fy, Fz [N] and, if it has moments, "
+                     "Mx, My, Mz [N m]; blanks or commas between, `#` starts a comment"),
+                list("rows", list("", number("", none), items(4, 7)),
+                     "the same, written here: `[[t, Fx, Fy, Fz], ...]`", items(2))},
+               "force and moment by time, added to the others: straight lines between the rows, "
+               "constant beyond them; in statics what they are at t = 0",
+               either({"file", "rows"})),
+           vec3({"at", &BodyLoad::at}, length, "where the force acts, in the body's frame", or_else(kZero)),
+           word({"axes", &BodyLoad::body_fixed}, {{"space", false}, {"body", true}},
+                "of force and moment: they stay, or turn with the body", or_else("space"))}),
+      "forces on it, in statics too: thrust of a turbine or of thrusters");
 }
 
 Key floating() {

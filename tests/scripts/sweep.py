@@ -166,7 +166,7 @@ VARIANTS = (
     {"lines.mooring.target": "{laid_length: 15}"},
     # Platforms.
     {"bodies.barge": "{position: [200, 0, 0], floating: {mass: 5e5, inertia: [2e7, 6e7, 7e7], centre_of_mass: [0, 0, 1], "
-     "loads: [{force: [100, 0, 0], moment: [0, 0, 10], at: [1, 0, 2], axes: body}], "
+     "loads: [{force: [100, 0, 0], moment: [0, 0, 10], at: [1, 0, 2], axes: body}, {table: {rows: [[0, 1, 0, 0], [10, 2, 0, 0]]}}], "
      "wind: {rows: [[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]], angles: to, frontal_area: 100, "
      "lateral_area: 200, length: 40, at: [0, 0, 10], height: 10}, current: {file: flow.txt, angles: to, length: 40, draught: 3, at: [0, 0, -2]}, "
      "hydrodynamics: {wamit: barge, length_scale: 10, body: 1, origin_in_file: [0, 0, 0], displaced_volume: 500, gravity_in_stiffness: false, "

@@ -21,7 +21,7 @@ struct FlowOnBody {
   double height = 10;               // m above the still water, of the wind of the coefficients
 };
 
-// What `hawser check` says of wind and current on a floating body, in lines.
+// What `hawser check` says of loads, wind and current on a floating body, in lines.
 std::string flow_text(const Case& c, const Body& b);
 
 }  // namespace hawser::model

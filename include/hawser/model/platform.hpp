@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/kernels/platform_hydrostatics.hpp"
@@ -33,9 +34,10 @@ struct BodyHydrodynamics {
   std::shared_ptr<const HydrodynamicData> data;
 };
 
-// A constant force on a floating body.
+// A force on a floating body, constant or with a part by time.
 struct BodyLoad {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
+  std::vector<std::pair<double, Vec6>> table;        // s; N, N m, added to them: straight lines between rows
   Vec3 at = Vec3::Zero();                            // m, body frame
   bool body_fixed = false;                           // axes of the body; else of space
 };
