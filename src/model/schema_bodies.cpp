@@ -161,6 +161,11 @@ Key body_hydrodynamics() {
             or_else_note("x and y of `position`, z of `origin_in_file`")),
        number({"heading_deg", &H::heading}, angle, "of the body there",
               or_else_note("that of `rotation_deg`")),
+       number({"follow_period", &H::follow}, time,
+              "waves meet it, and its coefficients have the axes, where its motion slower than this period "
+              "has it; 0: "
+              "at `place` and `heading_deg`, wherever it is",
+              at_least(0), or_else("100")),
        boolean({"excitation", &H::excitation}, "whether the waves of the case act on it", or_else("true")),
        word({"second_order", &H::second_order},
             {{"none", SecondOrder::none},

@@ -25,6 +25,12 @@ Wind wind_of(const model::Case& c) {
 }
 
 BodiesInFlow::BodiesInFlow(const model::Case& c, const LocalMesh& mesh) : sea_(sea_of(c)), wind_(wind_of(c)) {
+  origins_.resize(c.bodies.size());
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    if (!c.bodies[b].mass) continue;
+    if (c.bodies[b].mass->wind) origins_[b].push_back("wind");
+    if (c.bodies[b].mass->current) origins_[b].push_back("current");
+  }
   for (int n = 0; n < mesh.owned; ++n) {
     const int body = mesh.mesh->nodes[mesh.global[n]].body;
     if (body < 0) continue;
@@ -71,6 +77,18 @@ BodiesInFlow::Push BodiesInFlow::push(const Flow& f, const Kinematics& at) const
   const Vec3 c = relative_flow(f.data, s, velocity(f, at, s).velocity);
   const Vec3 by = flow_force(f.data, c.x(), c.y()).force;
   return {s.q * Vec3(by.x(), by.y(), 0), s.x + s.q * f.data.arm, Vec3(0, 0, by.z()), s.q};
+}
+
+std::vector<std::string> BodiesInFlow::origins(int body) const { return origins_[static_cast<size_t>(body)]; }
+
+std::vector<BodyForce> BodiesInFlow::forces_on(int body, const Kinematics& at) const {
+  std::vector<BodyForce> out;
+  for (const Flow& f : list_) {
+    if (f.body != body) continue;
+    const Push p = push(f, at);
+    out.push_back({p.force, p.turned * (f.data.arm.cross(p.turned.conjugate() * p.force) + p.moment)});
+  }
+  return out;
 }
 
 double BodiesInFlow::work(const Push& from, const Push& to) {

@@ -29,6 +29,7 @@ struct BodyHydrodynamics {
   double volume = 0;                  // m³ that it displaces where `place` has it; 0: that of its mass
   std::optional<Vec3> place;          // m, of its origin where motion is counted from
   std::optional<double> heading;      // rad, there
+  double follow = 100;                // s: waves and coefficients follow motion slower than this; 0: none
   Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // added, about its origin: N/m ... N m s
   Vec6 quadratic_damping = Vec6::Zero();                  // by freedom: N/(m/s)², N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;

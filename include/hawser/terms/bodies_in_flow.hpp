@@ -14,7 +14,10 @@ namespace hawser {
 
 Wind wind_of(const model::Case& c);
 
-class BodiesInFlow final : public ForceTerm, public RestrainedInStatics, public InCurrent {
+class BodiesInFlow final : public ForceTerm,
+                           public RestrainedInStatics,
+                           public InCurrent,
+                           public ActsOnBodies {
  public:
   // Of the bodies of the case that this rank owns.
   BodiesInFlow(const model::Case& c, const LocalMesh& mesh);
@@ -22,6 +25,9 @@ class BodiesInFlow final : public ForceTerm, public RestrainedInStatics, public 
   // In statics nothing flows past bodies that are held where they start (RigidBodies::hold).
   void hold(bool on) override { hold_ = on; }
   void scale_current(double factor) override { sea_.current_scale = factor; }
+
+  std::vector<std::string> origins(int body) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
 
   std::string_view name() const override { return "wind and current on bodies"; }
   void prepare(const Kinematics& committed, double h) override;
@@ -58,6 +64,7 @@ class BodiesInFlow final : public ForceTerm, public RestrainedInStatics, public 
 
   Sea sea_;
   Wind wind_;
+  std::vector<std::vector<std::string>> origins_;  // by body of the case
   std::vector<Flow> list_;
   bool hold_ = false;
 };
