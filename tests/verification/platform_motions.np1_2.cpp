@@ -147,6 +147,33 @@ bodies:
   EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].y(); }), way * std::sin(angle), 1e-5);
 }
 
+// Pushed along its bow, which points to 90 deg, a ship has the added mass of surge, 80 t beside 1000 t; with
+// coefficients that stay at a heading of 0 that of sway, 500 t. K(t) takes little in half a second.
+TEST(Platforms, AddedMassTurnsWithTheHeading) {
+  const std::string stem = ship_files("hawser_platform_pushed/ship");
+  for (const double follow : {100.0, 0.0}) {
+    const std::string text = fmt::format(
+        R"(hawser: 1
+environment: {{gravity: 10, water: {{density: 1000}}}}
+bodies:
+  ship:
+    rotation_deg: [0, 0, 90]
+    floating:
+      mass: 1e6
+      inertia: [1e8, 1e9, 1e9]
+      loads: [{{force: [1e6, 0, 0], axes: body}}]
+      hydrodynamics: {{wamit: {}, heading_deg: 0, follow_period: {}}}
+statics: false
+dynamics: {{duration: 0.5, step: 0.01, rho_infinity: 1}}
+)",
+        stem, follow);
+    const auto found = motion(io::read_case_text(text, testing::TempDir() + "pushed.yaml"), 0.5, 0.5);
+    const double exact = 0.5 * 1e6 / (follow > 0 ? 1.08e6 : 1.5e6) * 0.25;
+    EXPECT_NEAR(found.back()[0].y(), exact, 0.03 * exact) << follow;
+    EXPECT_NEAR(found.back()[0].x(), 0, 1e-9) << follow;
+  }
+}
+
 // A body that moves with a wave at 2 m/s meets it at w - k v: its heave is that of the frequency of
 // encounter, with the phase of where it is.
 TEST(Platforms, MovingBodyMeetsTheWaves) {
