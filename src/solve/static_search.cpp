@@ -22,7 +22,10 @@ constexpr double kFirstShift = 1e-3;
 constexpr double kSoft = 300, kStiffening = 30;
 constexpr int kHalvings = 30, kMaxEscapes = 3, kPolish = 4;
 constexpr double kNegative =
-    1e-7;                      // relative shift; eigenvalues of slack parts, only round-off, stay below it
+    1e-7;  // relative shift; eigenvalues of slack parts, only round-off, stay below it
+// Factor of a shortened step below which the energy may have a kink, the distance of its sides as a share of
+// the longest element, and the change of slope between them as a share of the slope at the state.
+constexpr double kShortened = 0.25, kWidth = 1e-8, kJump = 0.1;
 constexpr int kMostCut = 100;  // most steps of a descent that blocking lines may shorten
 
 }  // namespace
@@ -101,6 +104,8 @@ void StaticSearch::descend(double tolerance) {
   tolerance_ = tolerance;
   shift_ = kFirstShift;
   cut_ = 0;
+  least_ = HUGE_VAL;
+  sides_.clear();
   begun_ = report_.iterations;
   const SNESConvergedReason reason = solve();
   if (reason < 0)
@@ -110,12 +115,21 @@ void StaticSearch::descend(double tolerance) {
 SNESConvergedReason StaticSearch::check_step(int iteration) {
   const bool others = prepare();  // pairs of lines that may touch change with the state
   system_.residual(state_.view(0), r_.get());
-  if (others) report_.norms = system_.norms(r_.get());
+  if (others) {
+    report_.norms = system_.norms(r_.get());
+    sides_.clear();
+  }
   check(VecCopy(r_.get(), f_.get()));
   energy_ = potential(state_);
   report_.iterations = begun_ + iteration;
   if (settings_.progress) settings_.progress(report_);
+  least_ = std::min(least_, report_.norms.relative());
   if (report_.norms.small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
+  if (!sides_.empty()) {
+    sides_.evaluate(system_, state_, trial_);
+    system_.residual(state_.view(0), r_.get());
+    if (sides_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
+  }
   if (iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;
   const bool close = near(report_.norms);
   use_tangent(close, close && shift_ < 1e-5 ? 0 : shift_);
@@ -136,10 +150,13 @@ PetscErrorCode StaticSearch::search(SNESLineSearch search, void* self) {
 
 bool StaticSearch::advance(Vec y) {
   const bool close = exact_;
-  const double slope = downhill(y);
+  if (!sides_.empty()) sides_.combine(ksp_.get(), r_.get(), y);
+  double slope = downhill(y);
+  if (!sides_.empty()) slope = std::max(slope, sides_.slope(u_.get()));
   double factor = limit();
   const bool full = factor == 1;
-  bool taken = false, blocked = false;
+  bool taken = false, blocked = false, kink = false;
+  Bracket bracket{0, slope, 0, 0};
   int halvings = 0;
   for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
     step(factor);
@@ -154,14 +171,23 @@ bool StaticSearch::advance(Vec y) {
     // If the difference of the energies is lost in rounding, the trapezoidal rule on their slopes at both
     // ends of the step replaces it.
     const bool flat = std::abs(e - energy_) <= kRounding * std::abs(energy_);
-    const double rise = flat ? 0.5 * factor * (slope + slope_at_trial()) : e - energy_;
+    const double slope_there = slope_at_trial();
+    const double rise = flat ? 0.5 * factor * (slope + slope_there) : e - energy_;
     const bool down = slope < 0 && rise <= kArmijo * factor * slope;
-    if (down || (close && n.relative() < report_.norms.relative()) || n.small(tolerance_)) {
-      taken = true;
-      accept_trial();
-      report_.norms = n;
-    }
+    if (slope_there > 0)
+      bracket = {0, slope, factor, slope_there};
+    else if (factor < bracket.beyond)
+      bracket = {factor, slope_there, bracket.beyond, bracket.rises};
+    // Forces without a potential may raise the energy near the solution. The residual is then smaller than
+    // any before, so that the search cannot go round in a circle.
+    taken = down || (close && n.relative() < least_) || n.small(tolerance_);
+    if (taken) report_.norms = n;
   }
+  if (close && slope < 0 && bracket.rises > 0 && (!taken || factor <= kShortened))
+    kink = stop_at_kink(bracket, slope);
+  taken |= kink;
+  if (taken) accept_trial();
+  if (kink) residual();
   // If lines block step after step, they approach each other more and more, and there is no way on.
   if (!blocked) blocked_by_.clear();
   cut_ += blocked;
@@ -178,6 +204,29 @@ bool StaticSearch::advance(Vec y) {
                       1e-9, 1e7);
   if (!taken) shift_ *= 10;
   return taken;
+}
+
+bool StaticSearch::stop_at_kink(Bracket at, double slope) {
+  double far = 0;
+  for (const double x : local_) far = std::max(far, std::abs(x));
+  all_reduce(system_.comm(), MPI_MAX, far);
+  const double width = std::min(1e-3 * at.beyond, kWidth * length_ / far);
+  while (at.beyond - at.under > width) {
+    const double middle = 0.5 * (at.under + at.beyond);
+    step(middle);
+    system_.residual(trial_.view(0), r_.get());
+    const double there = slope_at_trial();
+    (there > 0 ? at.beyond : at.under) = middle;
+    (there > 0 ? at.rises : at.falls) = there;
+  }
+  const bool kink = at.rises - at.falls > kJump * std::abs(slope);
+  if (kink) {
+    std::vector<double> from_state(local_);
+    for (double& x : from_state) x *= at.beyond - at.under;
+    sides_.add(from_state, r_.get());
+    step(at.under);
+  }
+  return kink;
 }
 
 void StaticSearch::polish() {

@@ -8,6 +8,7 @@
 #include "hawser/solve/relaxation.hpp"
 #include "hawser/solve/static_trial.hpp"
 #include "hawser/solve/statics.hpp"
+#include "hawser/solve/kink.hpp"
 
 namespace hawser {
 
@@ -36,6 +37,13 @@ class StaticSearch : StaticTrial {
   // Moves the state along Newton's direction y as far as the energy or, near the solution, the residual
   // decreases. Returns whether it moved. Sets the reason if the search ends.
   bool advance(Vec y);
+  // Factors of the increment at which the energy falls and rises, and its slopes there.
+  struct Bracket {
+    double under = 0, falls = 0, beyond = 0, rises = 0;
+  };
+  // Searches the bracket for a kink of the energy. If there is one, sets trial_ and r_ to its near side and
+  // adds the other one to sides_. `slope` is the slope at the state. Returns whether there is one.
+  bool stop_at_kink(Bracket at, double slope);
   // Iterates down to round-off. What the tolerance leaves depends on the number of iterations, and that on
   // rounding and the number of ranks; it would be visible in a soft line beside stiff ones.
   void polish();
@@ -58,7 +66,9 @@ class StaticSearch : StaticTrial {
   const RelaxationSettings* relaxation_;
   StaticsReport report_;
   double tolerance_ = 0, energy_ = 0;  // tolerance of the residual; energy of the state, J
-  double shift_ = 0;                   // of the next iteration
+  double least_ = 0;                   // least relative residual of this descent
+  KinkSides sides_;
+  double shift_ = 0;  // of the next iteration
   bool exact_ = false;
   double used_ = 0;  // shift of the tangent
   Weights weights_;
