@@ -7,6 +7,7 @@
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/record/end_forces.hpp"
 #include "hawser/terms/bodies_in_flow.hpp"
 #include "hawser/terms/bodies_in_water.hpp"
 #include "hawser/terms/platform_water.hpp"
@@ -150,11 +151,21 @@ BodyStiffness HeldBodies::stiffness(int body) {
                         with_bodies(sim_, free_, with_mass(sim_.model())));
 }
 
+// Of elements in their middle, and at the ends, which carry the weight of half an element more.
 std::vector<double> HeldBodies::tensions() const {
+  const Kinematics at = sim_.state().view(0);
   std::vector<LineTension> of(sim_.mesh().lines.size());
-  sim_.structure().tensions(sim_.state().view(0), of);
+  sim_.structure().tensions(at, of);
   std::vector<double> out;
   for (const LineTension& t : of) out.push_back(t.tension);
+  record::EndForces ends(sim_.system());
+  const std::vector<Vec3> nothing(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero());
+  ends.evaluate(at, nothing);
+  for (const record::EndForces::Place& p : ends.places())
+    if (p.end >= 0) {
+      double& most = out[static_cast<size_t>(p.end / 2)];
+      most = std::max(most, p.at_end().tension());
+    }
   all_reduce(sim_.system().comm(), MPI_MAX, out);
   return out;
 }

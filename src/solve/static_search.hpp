@@ -5,10 +5,10 @@
 
 #include <string>
 
+#include "hawser/solve/kink.hpp"
 #include "hawser/solve/relaxation.hpp"
 #include "hawser/solve/static_trial.hpp"
 #include "hawser/solve/statics.hpp"
-#include "hawser/solve/kink.hpp"
 
 namespace hawser {
 

@@ -19,6 +19,7 @@ struct Mooring {
   double first;                           // deg, of the first line; the others 120 deg on
   double K[4];                            // N/m: 11, 33; N m/rad: 55, 66
   double K15;                             // N/rad
+  double tension;                         // N, at the fairlead
 };
 
 // Exact elastic catenaries, stiffness by fourth-order differences. OC3-Hywind and OC4-DeepCwind as published
@@ -35,7 +36,8 @@ constexpr Mooring kMoorings[] = {{"OC3",
                                   0.09,
                                   0,
                                   {41181.2, 11941.51, 3.107853e8, 1.156669e7},
-                                  -2815434},
+                                  -2815434,
+                                  911089},
                                  {"OC4",
                                   200,
                                   837.6,
@@ -47,7 +49,8 @@ constexpr Mooring kMoorings[] = {{"OC3",
                                   0.0766,
                                   180,
                                   {70836.05, 19140.47, 8.724075e7, 1.169702e8},
-                                  -107232},
+                                  -107232,
+                                  1105373},
                                  {"VolturnUS",
                                   200,
                                   837.6,
@@ -59,7 +62,8 @@ constexpr Mooring kMoorings[] = {{"OC3",
                                   0.333,
                                   180,
                                   {71891.38, 60742.61, 2.585912e8, 2.522924e8},
-                                  1144725}};
+                                  1144725,
+                                  2435560}};
 
 // x, y, z of the body's origin in the case; its centre of mass is away from that.
 model::Case moored(const Mooring& m, const Vec3& at, double turn_deg, int elements) {
@@ -109,6 +113,7 @@ TEST(BodyStiffness, OfPublishedMoorings) {
     double off = 0;
     for (int k = 0; k < 4; ++k) off = std::max(off, std::abs(at.K(which[k], which[k]) / m.K[k] - 1));
     off = std::max(off, std::abs(at.K(0, 4) / m.K15 - 1));
+    for (const double t : held.tensions()) EXPECT_NEAR(t, m.tension, 2e-3 * m.tension);
     printf("stiffness of %s: off by %.2e of the reference\n", m.name, off);
     EXPECT_LT(off, 0.01);
     for (const auto& [i, j] : {std::pair(1, 1), {3, 3}})
