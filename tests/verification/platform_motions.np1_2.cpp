@@ -290,5 +290,48 @@ dynamics: {{duration: 13, step: 0.1}}
   EXPECT_LT((rest - link).head<2>().norm(), 0.02 * of(4).head<2>().norm());
 }
 
+// A ship that turns in waves, wind and a current: stopped in the middle and gone on with, its slow heading,
+// memory, loads and forces by origin are those of the run that was not.
+TEST(Platforms, RestartGoesOnWithTheSlowHeading) {
+  const std::string path = runs::folder("platform_restart"), stem = ship_files("hawser_platform_kept/ship");
+  const std::string text = fmt::format(
+      R"(hawser: 1
+environment:
+  gravity: 10
+  water: {{density: 1000}}
+  current: {{speed: 0.5, direction_deg: 60}}
+  wind: {{speed: 20, direction_deg: 40, gusts: {{spectrum: api, ramp: 5}}}}
+  waves: {{jonswap: {{hs: 2, tp: 8, components: 40}}, ramp: 5}}
+bodies:
+  ship:
+    rotation_deg: [0, 0, 15]
+    floating:
+      mass: 1e6
+      inertia: [1e8, 1e9, 1e9]
+      angular_velocity: [0, 0, 0.02]
+      wind: {{frontal_area: 100, lateral_area: 900, length: 100, rows: [[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]]}}
+      current: {{draught: 5, length: 100, rows: [[0, 0.08, 0, 0], [60, 0.04, 0.6, 0.1], [120, -0.04, 0.6, -0.1], [180, -0.08, 0, 0]]}}
+      loads: [{{table: {{rows: [[0, 1e4, 0, 0], [20, 5e4, 2e4, 0]]}}}}]
+      hydrodynamics: {{wamit: {}, second_order: newman, follow_period: 30}}
+statics: false
+dynamics: {{duration: 20, step: 0.1}}
+output: {{every: 5, checkpoint_every: 10, history_every: 0.5, histories: [{{body: ship}}]}}
+)",
+      stem);
+  const std::string input = path + "/ship.yaml";
+  runs::write_case(input, text);
+  runs::run_on_all({input, path + "/whole.h5", "", 20});
+  runs::run_on_all({input, path + "/half.h5", "", 10});
+  runs::run_on_all({input, path + "/rest.h5", path + "/half.h5", 20});
+  if (rank_of(PETSC_COMM_WORLD) != 0) return;
+  const runs::Results whole = runs::read(path + "/whole.h5"), rest = runs::read(path + "/rest.h5");
+  ASSERT_EQ(whole.columns.at("ship"), 18u + 6 * 8);  // motion and force, then seven origins and the rest
+  for (size_t c = 0; c < whole.columns.at("ship"); ++c) {
+    const auto there = rest.column("ship", c), here = runs::tail(whole.column("ship", c), there);
+    ASSERT_GT(there.size(), 10u);
+    EXPECT_EQ(here, there) << c;
+  }
+}
+
 }  // namespace
 }  // namespace hawser::test::platform_motions
