@@ -102,7 +102,7 @@ def water_and_bed(axes, results, along, output):
         else:
             axes.plot(s, sea.surface(*place, time), color=SEA, lw=1.2)
     if sea.bed:
-        if sea.grid is None and not any(sea.plane[1:]):
+        if sea.measured is None and not any(sea.plane[1:]):
             axes.axhline(-sea.plane[0], color=BED, lw=1.6)
         else:
             axes.plot(s, sea.seabed(*place), color=BED, lw=1.6)

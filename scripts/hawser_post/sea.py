@@ -1,9 +1,7 @@
 """The surface of the sea and the seabed of a run, as heights over x and y: for pictures."""
-from pathlib import Path
-
 import numpy as np
-from scipy.interpolate import RegularGridInterpolator
 
+from .bed_files import surface_of
 from .results import dictionary
 
 
@@ -24,19 +22,19 @@ class Sea:
         if "waves/components" in results.file:
             self.components = results.file["waves/components"][:]
             self.level, self.ramp = float(results.file["waves/level"][0]), float(results.file["waves/ramp"][0])
-        self.plane = self.grid = None
+        self.plane = self.measured = None
         if "seabed" in environment:
             bed = dictionary(environment["seabed"])
-            if "grid" in bed:
-                self.grid = grid_of(results, dictionary(bed["grid"]))
-            elif "mesh" not in bed:
+            if "grid" in bed or "mesh" in bed:
+                self.measured = surface_of(results, bed)
+            else:
                 depth = bed.get("depth", water.get("depth"))  # below z = 0, as the solver takes both
                 slope, way = (np.radians(bed.get(k, 0.0)) for k in ("slope_deg", "slope_direction_deg"))
                 self.plane = None if depth is None else (depth, np.tan(slope) * np.cos(way), np.tan(slope) * np.sin(way))
 
     @property
     def bed(self):
-        return self.plane is not None or self.grid is not None
+        return self.plane is not None or self.measured is not None
 
     @property
     def still(self):
@@ -54,26 +52,9 @@ class Sea:
         return z + ramp_at(t, self.ramp) * raised
 
     def seabed(self, x, y):
-        """z [m]; NaN outside a measured grid."""
+        """z [m]; NaN outside a measured bed."""
         x, y = np.broadcast_arrays(np.asarray(x, float), y)
-        if self.grid is not None:
-            return self.grid(np.stack([x, y], axis=-1))
+        if self.measured is not None:
+            return self.measured(np.stack([x, y], axis=-1))
         depth, down_x, down_y = self.plane
         return -depth - down_x * x - down_y * y
-
-
-def grid_of(results, keys):
-    """Between the heights of the grid's file, beside the case file; None where it is not found or not a grid."""
-    path = Path(str(keys.get("file", "")))
-    for folder in (Path(results.attribute("case_path")).parent, results.path.parent):
-        try:
-            rows = np.loadtxt(folder / path)[:, :3]
-        except (OSError, ValueError, IndexError):
-            continue
-        xs, ys = np.unique(rows[:, 0]), np.unique(rows[:, 1])
-        if len(xs) < 2 or len(ys) < 2 or len(xs) * len(ys) != len(rows):
-            return None
-        z = np.empty((len(xs), len(ys)))
-        z[np.searchsorted(xs, rows[:, 0]), np.searchsorted(ys, rows[:, 1])] = rows[:, 2] * (-1 if keys.get("depths") else 1)
-        return RegularGridInterpolator((xs, ys), z, bounds_error=False)
-    return None

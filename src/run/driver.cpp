@@ -285,7 +285,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
           "\nstopped by a signal at t = {:.6g} of {:.6g} s: all this is of that time; --restart {} goes on\n",
           sim.dynamics().committed().s.time, end, recorder.file().path());
     fmt::print("\nresults: {}\n", recorder.file().path());
-    if (c.output.xdmf) fmt::print("view them: paraview {}\n", recorder.file().xdmf_path());
+    fmt::print("view them: hawser view {}\n", recorder.file().path());
+    if (c.output.xdmf) fmt::print("in ParaView: paraview {}\n", recorder.file().xdmf_path());
     std::fflush(stdout);
   }
   if (stopped) return kExitStopped;

@@ -29,7 +29,7 @@ struct Stretched {
   double stretch = 0;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
-    each("stretch", "m", self.stretch);
+    each("stretch", "1", self.stretch);
   }
 };
 struct Bent {

@@ -1,14 +1,21 @@
 """What `cmake --install` puts into a folder works after the folder has been moved: the program, its Python tools and
 its cases; manual page and completion are at the standard places. Program, CMake and Debian's changelog name one
 version."""
+import json
 import os
 import re
 import shutil
+import subprocess
+import sys
 import tempfile
 import unittest
+import urllib.request
 from pathlib import Path
 
 from support import ROOT, run
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from hawser_post.viewer import libraries  # noqa: E402
 
 HAWSER = Path(os.environ.get("HAWSER", ROOT / "build/hawser"))
 BUILD = HAWSER.parent
@@ -50,6 +57,22 @@ class Install(unittest.TestCase):
         self.assertIn("<svg", (case / "range.svg").read_text(encoding="utf-8"))
         tables = self.hawser("export", case / "hanging-line.h5").split()
         self.assertTrue(any(Path(t).is_file() for t in tables), tables)
+
+    @unittest.skipIf(libraries.missing(), libraries.missing())
+    def test_its_model_is_shown_to_a_browser(self):
+        env = {k: v for k, v in os.environ.items() if not k.startswith(("HAWSER", "PYTHON"))}
+        case = self.prefix / "share/hawser/cases/hanging-line/hanging-line.yaml"
+        with subprocess.Popen([self.prefix / "bin/hawser", "view", case, "--no-browser"], env={**env, "PYTHONUNBUFFERED": "1"},
+                              cwd=self.folder.name, stdout=subprocess.PIPE, text=True) as process:
+            self.addCleanup(process.kill)
+            self.assertIn("the start shape of", process.stdout.readline())
+            address = process.stdout.readline().strip()
+            with urllib.request.urlopen(address + "header", timeout=60) as answer:
+                self.assertEqual([line["name"] for line in json.load(answer)["lines"]], ["chain"])
+            for name in ("", "viewer.js", "view.css", "three.js", "block/position/0"):
+                with urllib.request.urlopen(address + name, timeout=60) as answer:
+                    self.assertGreater(len(answer.read()), 100, name)
+            process.kill()
 
     def test_without_the_python_tools_the_message_has_the_searched_folders(self):
         alone = Path(self.folder.name) / "alone/bin/hawser"

@@ -125,6 +125,22 @@ class Models(unittest.TestCase):
         self.assertEqual(header["times"][-1], results.time[-1])
         self.assertTrue(any(words.startswith("One in ") for words in header["missing"]), header["missing"])
 
+    def test_contact_forces_stay_in_a_page_that_has_not_all_fields(self):
+        # Of `velocity` (three components) there is no figure: it is the first to be excluded.
+        results = Results(large(self.folder.name, 60, 300, "some.h5"))
+        whole = sum(map(len, embedded.packed_model(results, 1e9)[1].values())) * 4 / 3
+        names = set(embedded.packed_model(results, whole - 1)[1])
+        self.assertEqual({"field/contact_force/0", "field/velocity/0"} & names, {"field/contact_force/0"})
+
+    def test_a_body_below_the_lines_is_in_the_picture(self):
+        path = large(self.folder.name, 3, 5, "load.h5")
+        with h5py.File(path, "r+") as file:
+            file["bodies/name"] = [b"load"]
+            file["bodies/position"] = np.tile([4000.0, 7, -150], (3, 1, 1))
+            file["bodies/rotation"] = np.tile([1.0, 0, 0, 0], (3, 1, 1))
+        low, high = Model(Results(path)).extent
+        self.assertEqual((low[2], high[1]), (-150, 7))
+
     def test_what_stands_in_a_page_cannot_end_its_script(self):
         embedded_text = embedded.json_of({"title": "</script><!-- x", "low": float("nan"), "n": np.int64(3)})
         self.assertNotIn("</", embedded_text)

@@ -3,8 +3,10 @@ used by keys; unusual results are shown."""
 import contextlib
 import io
 import os
+import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 
@@ -19,7 +21,8 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post import __main__ as post  # noqa: E402
 from hawser_post.page import Page  # noqa: E402
 from hawser_post.results import Results  # noqa: E402
-from hawser_post.viewer import libraries  # noqa: E402
+from hawser_post.viewer import libraries, served  # noqa: E402
+from hawser_post.viewer.server import Server  # noqa: E402
 
 FULL = bool(os.environ.get("HAWSER_FULL"))
 CASE = """\
@@ -28,6 +31,10 @@ title: A hose on a drum
 environment: {water: {depth: 30}, seabed: {depth: 30}}
 line_types: {hose: {outer_diameter: 0.4}}
 lines: {hose: {sections: [{type: hose, length: 60}]}, rope: {sections: [{type: hose, length: 60}]}}
+"""
+PARTS = CASE.replace("lines: {hose: {sections", "lines: {hose: {masses: [{at: 30, mass: 100, volume: 8}, {at: end_b, mass: 100}], end_b: {joint: yoke}, sections") + """\
+joints: {yoke: {start: [400060, 0, -17]}}
+links: {tugger: {end_a: {anchor: [400000, 0, 0]}, end_b: {body: drum, at: [2, 1, 1]}}, tie: {end_a: {line: rope, at: 30}, end_b: {line: hose, at: end_a}}}
 """
 PIXELS = """
 window.pixels = (nodes) => {
@@ -72,7 +79,8 @@ def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, 
     force = np.zeros_like(x)
     force[:, 10:14] = [0, 1e3, 2e3]
     fields = {"position": ("m", x), "effective_tension": ("N", tension), "contact_force": ("N", force)}
-    path = results_file(Path(folder) / name, t, {line: s for line in lines}, fields, case=case)
+    statistics = {"effective_tension": ("N", np.tile(np.mean(tension, axis=0)[:, None], 6))} if outputs > 1 else None
+    path = results_file(Path(folder) / name, t, {line: s for line in lines}, fields, case=case, statistics=statistics)
     with h5py.File(path, "r+") as file:
         file["bodies/name"] = [b"drum"]
         file["bodies/position"] = np.tile([400030.0, 4, -12], (outputs, 1, 1)) + t[:, None, None] * 0.1
@@ -174,6 +182,7 @@ class Drawn(unittest.TestCase):
 
     def test_contrast_is_that_of_wcag_aa(self):
         self.show(model(self.folder.name))
+        self.browser.wait("[...document.querySelectorAll('.legend span')].some((b) => b.textContent.includes('mean'))")
         low = self.browser.value("""(() => {
           const light = (c) => c.map((v) => (v /= 255) <= 0.03928 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4)
             .reduce((sum, v, k) => sum + v * [0.2126, 0.7152, 0.0722][k], 0);
@@ -235,6 +244,61 @@ class Drawn(unittest.TestCase):
                            "hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
         np.testing.assert_allclose(self.browser.value("window.pixels([30])[0]"), [150, 150, 150], atol=6)
 
+    def test_links_masses_joints_and_forces_of_the_bed_are_drawn_at_their_places(self):
+        path = model(self.folder.name, name="parts.h5", case=PARTS)
+        with h5py.File(path, "r+") as file:
+            force = np.zeros_like(file["fields/position"][:])
+            force[:, 20:24] = [0, 0, 700.0]
+            file["fields/seabed_force"] = force
+            file["fields/seabed_force"].attrs["unit"] = b"N"
+        results = self.show(path)
+        value = self.browser.value
+        value("hawserView.player.show(5)")
+        centre = np.array(value("hawserView.model.header.centre"))
+        x = results.file["fields/position"][5]
+        drum = results.rotation(0, 5) @ [2, 1, 1] + results.file["bodies/position"][5, 0]
+        ends = np.array(value("hawserView.scene.springs().map(({a, b}) => [[a.x, a.y], [b.x, b.y]])"))
+        for link, places in enumerate(([[400000, 0, 0], drum], [x[61 + 30], x[0]])):
+            for end, place in zip(ends[link], places):
+                pixel = value(f"(() => {{const p = hawserView.scene.pixelOf(new THREE.Vector3(...{list(place - centre)})); return [p.x, p.y]}})()")
+                np.testing.assert_allclose(end, pixel, atol=0.1)
+        balls = value("hawserView.scene.marks.balls.map((b) => [b.kind, b.name, b.mesh.visible, ...b.mesh.position.toArray(), b.mesh.scale.x])")
+        self.assertEqual([ball[:3] for ball in balls], [["buoy", "", True], ["weight", "", True], ["joint", "yoke", True]])
+        np.testing.assert_allclose([ball[3:6] for ball in balls], [x[30] - centre, x[60] - centre, x[60] - centre], atol=1e-3)
+        self.assertAlmostEqual(balls[0][6], (6 / np.pi) ** (1 / 3), delta=1e-6)
+        # Forces of the bed are shown when they are asked for.
+        arrows = "hawserView.scene.marks.arrows.map((a) => [a.kind, a.largest, a.meshes[0].visible, a.meshes[0].count])"
+        self.assertEqual(value(arrows)[1][:3], ["bedForces", 700, False])
+        value("[...document.querySelectorAll('.hawser-view label')].find((l) => l.textContent.includes('Bed forces')).querySelector('input').click()")
+        self.browser.wait("hawserView.scene.marks.arrows[1].meshes[0].visible && hawserView.scene.marks.arrows[1].meshes[0].count")
+        self.assertEqual(value(arrows)[1], ["bedForces", 700, True, 4])
+        value("hawserView.scene.shown.parts = false; hawserView.scene.draw()")
+        self.assertFalse(any(value("hawserView.scene.marks.balls.map((b) => b.mesh.visible)")))
+        self.no_complaints()
+
+    def test_elements_of_less_than_a_pixel_are_joined_and_drawn_singly_from_near(self):
+        results = self.show(model(self.folder.name, 2, 3002, "fine.h5"))
+        value = self.browser.value
+        value(PIXELS)
+        value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = false; hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
+        nodes = list(range(100, 3000, 400))
+        tension = results.file["fields/effective_tension"][0][nodes]
+        low, high = (f(results.file["fields/effective_tension"][:]) for f in (np.min, np.max))
+        np.testing.assert_allclose(value(f"window.pixels({nodes})"), value(f"window.legend({list((tension - low) / (high - low))})"), atol=6)
+        stretches = "hawserView.scene.lines.mesh.geometry.drawRange.count / 6"
+        self.assertLess(value(stretches), 2 * 3001 / 3)
+        last = value("(() => {const {lines} = hawserView.scene, {count} = lines.mesh.geometry.drawRange; "
+                     "return [lines.faces.array[count - 1], 2 * (lines.placeOf[6003] - 1)]})()")
+        self.assertEqual(last[0], last[1])  # the end of the line
+        value("hawserView.scene.camera.zoom(200); hawserView.scene.draw()")
+        self.assertEqual(value(stretches), 2 * 3001)
+        edges = "hawserView.scene.draw(), hawserView.scene.bodies.volumes[0].mesh.children[0].visible"
+        value("hawserView.scene.shown.volumes = true;0")
+        self.assertTrue(value(edges))
+        value("hawserView.scene.camera.zoom(0.001)")
+        self.assertFalse(value(edges))
+        self.no_complaints()
+
     def test_without_webgl_there_is_a_sentence(self):
         page = Page("none")
         page.model(Results(model(self.folder.name)))
@@ -245,6 +309,38 @@ class Drawn(unittest.TestCase):
         self.browser.open(file)
         self.browser.wait("window.hawserFailed")
         self.assertIn("no WebGL", self.browser.value("document.querySelector('.hawser-view').textContent"))
+
+    def test_a_run_is_followed_and_a_server_that_ends_is_reported(self):
+        path = model(self.folder.name, 100, name="runs.h5", case=CASE + "dynamics: {duration: 49.5 s}\n")
+        def written(count):  # as the program would: in a process of its own
+            subprocess.run([sys.executable, "-c", "import h5py, os, sys, time; file = h5py.File(sys.argv[1], 'r+', locking=False); "
+                            "file['written'][0] = (int(sys.argv[2]), 0); file.pop('summary', None); file.close(); "
+                            "os.utime(sys.argv[1], (time.time() + int(sys.argv[2]),) * 2)", str(path), str(count)], check=True)
+        written(20)
+        server = Server(served.Shown(path))
+        self.addCleanup(server.server_close)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.browser.open(server.address)
+        value, wait = self.browser.value, self.browser.wait
+        wait("window.hawserView && !document.querySelector('.hawser-view progress').parentNode.hidden")
+        self.assertEqual(value("[document.title, hawserView.scene.output, hawserView.player.speed]"), ["A hose on a drum - hawser view", 19, 1])
+        written(100)
+        wait("hawserView.scene.output === 99")
+        self.assertEqual(value("[hawserView.controls.slider.max, hawserView.player.speed]"), ["99", 2])
+        self.assertIn("49.5 s of 49.5 s", value("document.querySelector('.hawser-view progress').parentNode.textContent"))
+        # A speed that was chosen stays; a run may be taken back, by a restart.
+        value("(() => {const s = hawserView.controls.speed; s.value = '5'; s.dispatchEvent(new Event('change'))})()")
+        written(60)
+        wait("hawserView.scene.output === 59")
+        self.assertEqual(value("[hawserView.player.speed, hawserView.controls.clock.textContent]"), [5, "t = 29.50 s"])
+        self.no_complaints_of(server)
+        server.shutdown()
+        server.server_close()
+        wait("document.querySelector('.hawser-view .bar [role=status]').textContent === 'the server has ended'")
+
+    def no_complaints_of(self, server):
+        self.assertEqual(self.browser.complaints, [])
+        self.assertEqual([url for url in self.browser.requests if not url.startswith((server.address, "data:", "blob:"))], [])
 
     def test_figures_of_a_report_can_be_read_off_and_print_as_pictures(self):
         t = np.linspace(0, 20, 400)

@@ -214,7 +214,7 @@ class Cases(unittest.TestCase):
         self.addCleanup(shown.close)
         header = shown.header()
         self.assertEqual((shown.kind, len(header["times"]), header["fields"]), ("start", 1, []))
-        self.assertIn("start shape", header["missing"][-1])
+        self.assertRegex(header["missing"][-1], f"start shape.*: hawser run {case}$")
         x = blocks.unpacked(shown.block("position/0"))[0].reshape(3, -1).T + shown.model.centre
         np.testing.assert_allclose(x[[0, -1]], [[0, 0, -10], [480, 0, -100]], atol=2e-3)
         self.assertFalse((self.folder / "case.h5").exists())

@@ -33,16 +33,19 @@ def radii(results):
 
 
 def extent(results, rows, most=40):
-    """The least and the largest coordinates of the lines at up to `most` of these outputs, and of volumes near them."""
+    """The least and the largest coordinates of the lines at up to `most` of these outputs, and of volumes and bodies near them."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     rows = list(rows)
-    for row in {rows[int(k)] for k in np.linspace(0, len(rows) - 1, min(most, len(rows)))}:
+    sample = {rows[int(k)] for k in np.linspace(0, len(rows) - 1, min(most, len(rows)))}
+    for row in sample:
         x = results.file["fields/position"][row]
         x = x[np.isfinite(x).all(axis=-1)]
         if len(x):
             low, high = np.minimum(low, x.min(axis=0)), np.maximum(high, x.max(axis=0))
     reach = 0.75 * (high - low).max() if len(results.lines) else np.inf
-    for _, x, _ in results.volumes(0):
+    others = [x for _, x, _ in results.volumes(0)] + [results.file["bodies/position"][row] for row in sample if results.bodies]
+    for x in others:
+        x = x[np.isfinite(x).all(axis=-1)]
         if len(x):
             low, high = np.minimum(low, np.maximum(x.min(axis=0), low - reach)), np.maximum(high, np.minimum(x.max(axis=0), high + reach))
     if not np.all(np.isfinite(low)):
@@ -55,7 +58,7 @@ def bed(sea, low, high):
     if not sea.bed:
         return None
     beyond = 0.3 * max(*(high - low), 1e-3)
-    count = 2 if sea.grid is None else BED_PLACES
+    count = 2 if sea.measured is None else BED_PLACES
     x, y = (np.linspace(low[k] - beyond, high[k] + beyond, count) for k in (0, 1))
     z = sea.seabed(*np.meshgrid(x, y))
     return (x, y, z) if np.isfinite(z).any() else None

@@ -7,11 +7,11 @@ from .. import charts
 from ..layout import text_of
 from ..results import dictionary
 from ..sea import Sea
-from . import blocks, colours, geometry, notes
+from . import blocks, colours, geometry, notes, parts
 
 # Positions are kept to half of a millimetre; of models below 100 m to half of 10^-5 of their size, above 1000 m to half of 10^-6.
 FINEST, SMALL_SHARE, LARGE_SHARE = 1e-3, 1e-5, 1e-6
-ARROWS = ("contact_force", "line_contact_force")  # forces that are drawn at their nodes
+ARROWS = {"contact_force": "forces", "line_contact_force": "forces", "seabed_force": "bedForces"}  # that are drawn at their nodes, and with which others
 NOT_SHOWN = ("position", "axis_1", "axis_2", "mode_shape")
 MOST_WAVES = 200  # components of the surface
 MANY_POSES = 200_000  # numbers, from which on poses have single precision
@@ -84,7 +84,7 @@ class Model:
                 continue
             unit, factor = charts.shown(self.results.unit(name))
             yield {"name": name, "label": self.results.label(name), "unit": unit, "factor": factor, "low": found[0], "high": found[1],
-                   "vector": name in ARROWS and self.vector(name), "statistics": self.with_statistics(name)}
+                   "vector": name in ARROWS and self.vector(name), "arrows": ARROWS.get(name, ""), "statistics": self.with_statistics(name)}
 
     def with_statistics(self, name):
         """Whether the results say of a field what it was at every step."""
@@ -105,7 +105,7 @@ class Model:
 
     def header(self):
         results = self.results
-        self.missing += [] if not self.unknown_bed() else ["The seabed is not drawn, as it is given as a mesh, or its grid was not found."]
+        self.missing += [] if not self.unknown_bed() else ["The seabed is not drawn, as its file was not found beside the case, or could not be read."]
         found = {
             "title": str(results.keys.get("title") or results.path.stem), "modes": results.modes,
             "times": [float(t) for t in self.file["outputs/time"][: self.rows[-1] + 1][self.rows]],
@@ -117,6 +117,7 @@ class Model:
             "low": list(self.extent[0] - self.centre), "high": list(self.extent[1] - self.centre), "centre": list(self.centre),
             "sea": None if self.sea.level is None else
             {"level": self.sea.level - self.centre[2], "ramp": self.sea.ramp, "waves": not self.sea.still},
+            "links": parts.links(results, self.centre), "points": parts.points(results),
             "bed": self.bed is not None, "notes": notes.placed(results), "maps": colours.maps(),
             "histories": [{"name": results.series_name(key), "key": key, **self.columns(key)} for key in results.histories],
             "arcLength": "arc length from end A [m]", "missing": self.missing,

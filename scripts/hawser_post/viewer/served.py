@@ -1,6 +1,7 @@
 """What the server shows: results, which may grow while it does, or the start shape of a case until it has been run."""
 import hashlib
 import os
+import shlex
 import tempfile
 import threading
 import time
@@ -28,7 +29,8 @@ class ServedModel(Model):
 
     def range_of(self, name):
         low, high = np.inf, -np.inf
-        for k in np.unique(np.linspace(0, len(self.rows) - 1, SAMPLE).astype(int)):
+        every_step = self.with_statistics(name) and not self.results.statistics_from  # but perhaps not the start
+        for k in np.unique(np.linspace(0, len(self.rows) - 1, 2 if every_step else SAMPLE).astype(int)):
             x = self.sizes(name, [self.rows[k]])
             low, high = (float(f(x, where=np.isfinite(x), initial=i)) for f, i in ((np.min, low), (np.max, high)))
         if self.with_statistics(name):
@@ -133,7 +135,8 @@ class Shown:
             messages = getattr(self.model, "check_notes", None)
             if messages is not None:
                 found["notes"] = notes.placed(self.model.results, messages)
-                found["missing"].append("This is the start shape, before statics; the results are shown when the case is run.")
+                command = shlex.join(["hawser", "run", str(self.case), *(word for change in self.changes for word in ("--set", change))])
+                found["missing"].append(f"This is the start shape, before statics. The results are shown here when the case is run in another terminal: {command}")
             return {**found, "served": True, "stamp": self.stamp, "storedHistories": self.kind == "run"}
 
     def status(self):

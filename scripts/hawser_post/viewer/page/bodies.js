@@ -1,6 +1,30 @@
 // Volumes, which move with their bodies, and a cross for each body.
 
 const MOST_EDGES = 30000;  // triangles of a mesh whose edges are drawn
+const GREY = 0xb4bec8;
+const SMALL = 30;          // pixels: the radius of a volume below which they are not
+
+const FLAT_VERTEX = `
+varying vec3 place;
+#include <clipping_planes_pars_vertex>
+void main() {
+  vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * mvPosition;
+  place = mvPosition.xyz;
+  #include <clipping_planes_vertex>
+}`;
+
+// Each face has one normal, towards who looks: that of the plane in which neighbouring pixels lie.
+const FLAT_FRAGMENT = `
+uniform vec3 colour;
+varying vec3 place;
+#include <clipping_planes_pars_fragment>
+void main() {
+  #include <clipping_planes_fragment>
+  vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
+  float sky = 0.5 + 0.5 * dot(normal, viewMatrix[2].xyz);
+  gl_FragColor = vec4(colour * (0.5 + 0.35 * sky + 0.35 * max(normal.z, 0.0)), 1.0);
+}`;
 
 hawser.Bodies = class {
   constructor(model) {
@@ -9,8 +33,10 @@ hawser.Bodies = class {
     this.groups = model.header.bodies.map(() => new THREE.Group());
     for (const group of this.groups) this.root.add(group);
     this.volumes = [];
-    this.material = new THREE.MeshLambertMaterial({color: 0xb4bec8, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1,
-                                                   polygonOffsetUnits: 1});
+    const paint = {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1};
+    this.smooth = new THREE.MeshLambertMaterial({...paint, color: GREY});
+    this.flat = new THREE.ShaderMaterial({...paint, vertexShader: FLAT_VERTEX, fragmentShader: FLAT_FRAGMENT, clipping: true,
+                                          extensions: {derivatives: true}, uniforms: {colour: {value: new THREE.Color(GREY)}}});
     this.edge = new THREE.LineBasicMaterial({color: 0x5b6873});
   }
 
@@ -22,20 +48,21 @@ hawser.Bodies = class {
       geometry.setAttribute("position", new THREE.BufferAttribute(vertices.values, 3));
       geometry.setIndex(new THREE.BufferAttribute(triangles.values, 1));
       const flat = triangles.rows <= MOST_EDGES;
-      // Few large faces have a normal each.
-      const shown = flat ? geometry.toNonIndexed() : geometry;
-      shown.computeVertexNormals();
-      const mesh = new THREE.Mesh(shown, this.material);
+      // Few large faces have a normal each, which the picture computes.
+      const mesh = new THREE.Mesh(geometry, flat ? this.flat : this.smooth);
       if (flat) mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 25), this.edge));
+      else geometry.computeVertexNormals();
       geometry.computeBoundingSphere();
-      this.volumes.push({mesh, name: volume.name, middle: geometry.boundingSphere.center.clone(), body: volume.body});
+      const {center, radius} = geometry.boundingSphere;
+      this.volumes.push({mesh, name: volume.name, middle: center.clone(), radius, body: volume.body});
       (volume.body >= 0 ? this.groups[volume.body] : this.root).add(mesh);
     }
-    for (const group of this.groups) {
-      const cross = new THREE.AxesHelper(0.03 * size);
+    this.groups.forEach((group, k) => {
+      const radii = this.volumes.filter((volume) => volume.body === k).map((volume) => volume.radius);
+      const cross = new THREE.AxesHelper(Math.min(0.03 * size, ...radii.length ? [Math.max(...radii)] : []));
       cross.material.depthTest = false;
       group.add(cross);
-    }
+    });
   }
 
   // Poses between two outputs: position and rotation (w, x, y, z) of each body.
@@ -50,8 +77,12 @@ hawser.Bodies = class {
     this.root.updateMatrixWorld(true);
   }
 
-  show(volumes) {
-    for (const {mesh} of this.volumes) mesh.visible = volumes;
+  show(volumes, camera) {
+    const at = new THREE.Vector3();
+    for (const volume of this.volumes) {
+      volume.mesh.visible = volumes;
+      for (const edges of volume.mesh.children) edges.visible = volume.radius > SMALL * camera.pixelAt(this.middle(volume, at));
+    }
   }
 
   // Where the name of a volume stands.

@@ -97,9 +97,14 @@ hawser.Camera = class {
     return (camera.top - camera.bottom) / camera.zoom / Math.max(1, this.canvas.clientHeight);
   }
 
+  // m that a pixel is wide at a place.
+  pixelAt(place) {
+    const {camera} = this.now;
+    return camera === this.deep.camera ? this.pixel() * camera.position.distanceTo(place) : this.pixel();
+  }
+
   pixelAtTarget() {
-    const {camera, controls} = this.now;
-    return camera === this.deep.camera ? this.pixel() * camera.position.distanceTo(controls.target) : this.pixel();
+    return this.pixelAt(this.now.controls.target);
   }
 
   // Turns by angles (rad) about the vertical and towards it.

@@ -2,7 +2,7 @@
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const SIZES = [1, 2, 5, 10, 20, 50];
-const SHOWN = {names: "Names", volumes: "Volumes", sea: "Sea", bed: "Bed", touchdowns: "Touchdown points", forces: "Contact forces", notes: "Notes"};
+const SHOWN = {names: "Names", volumes: "Volumes", sea: "Sea", bed: "Bed", parts: "Links, masses, joints", touchdowns: "Touchdown points", forces: "Contact forces", bedForces: "Bed forces", notes: "Notes"};
 
 hawser.labelled = function (words, control) {
   return hawser.make("label", {}, `${words} `, control);
@@ -49,6 +49,7 @@ hawser.Controls = class {
     this.clock = hawser.make("span", {class: "clock"});
     const speed = hawser.choice("Speed", SPEEDS.map((s) => [s, `${s} ×`]), 1, (value) => {
       player.speed = Number(value);
+      this.view.speedChosen = true;
     });
     this.speed = speed.select;
     const bar = hawser.make("div", {class: "bar"}, this.play, back, on, this.slider, this.clock, speed.element);
@@ -59,6 +60,7 @@ hawser.Controls = class {
   lookBar() {
     const {view} = this;
     const {scene, model} = view;
+    const coloured = model.header.fields.length > 0;
     const fields = [["", "nothing"], ...model.header.fields.map((field) => [field.name, field.unit ? `${field.label} [${field.unit}]` : field.label])];
     const field = hawser.choice("Colour by", fields, view.field ? view.field.name : "", (name) => view.paint(name));
     const map = hawser.choice("Colours", model.header.maps.map((m) => [m.name, m.label]), scene.colours.chosen.name, (name) => scene.paintWith(name));
@@ -70,7 +72,8 @@ hawser.Controls = class {
     this.lineList = line.select;
     this.fieldList = field.select;
     this.mapList = map.select;
-    return hawser.make("div", {class: "bar"}, field.element, map.element, hawser.labelled("from", this.low), hawser.labelled("to", this.high), whole, line.element);
+    const colours = [field.element, map.element, hawser.labelled("from", this.low), hawser.labelled("to", this.high), whole];
+    return hawser.make("div", {class: "bar"}, ...(coloured ? colours : []), line.element);
   }
 
   viewBar() {
@@ -99,7 +102,7 @@ hawser.Controls = class {
   showBar() {
     const {scene} = this.view;
     const boxes = Object.entries(SHOWN).filter(([name]) => this.there(name)).map(([name, words]) => {
-      const box = hawser.make("input", {type: "checkbox", checked: true, onchange: () => {
+      const box = hawser.make("input", {type: "checkbox", checked: scene.shown[name], onchange: () => {
         scene.shown[name] = box.checked;
         scene.forget = true;
         this.view.player.show(this.view.player.output);
@@ -109,11 +112,16 @@ hawser.Controls = class {
     return hawser.make("div", {class: "bar"}, ...boxes);
   }
 
+  // Whether there are forces of a kind.
+  arrows(kind) {
+    return this.view.model.header.fields.some((field) => field.arrows === kind && field.high > 0);
+  }
+
   // Whether the model has what a box would hide.
   there(name) {
     const {header} = this.view.model;
     const has = {volumes: header.volumes.length, sea: header.sea, bed: header.bed, touchdowns: header.touchdowns.length,
-                 forces: header.fields.some((field) => field.vector), notes: header.notes.length};
+                 forces: this.arrows("forces"), bedForces: this.arrows("bedForces"), parts: header.links.length + header.points.length, notes: header.notes.length};
     return name === "names" || Boolean(has[name]);
   }
 

@@ -65,7 +65,7 @@ hawser.Curves = class {
       const n = this.main.header.nodes;
       ["least of the run", "mean", "largest of the run"].forEach((label, row) => {
         const y = this.envelope.values.subarray(row * n + this.line.first, row * n + this.line.first + this.line.nodes);
-        curves.push({label, colour: ["#6b7885", "#9aa4ad", "#6b7885"][row], dashed: row !== 1, x: now[0] ? now[0].x : [],
+        curves.push({label, colour: ["#5b6770", "#7a5a2e", "#5b6770"][row], dashed: row !== 1, x: now[0] ? now[0].x : [],
                      y: Float32Array.from(y, (v) => v / this.field.factor), wide: 1});
       });
     }

@@ -3,6 +3,7 @@
 
 const LEAST_WIDTH = 2.2;       // pixels
 const SELECTED_WIDTH = 6;
+const SHORT = 3;               // pixels of the picture: elements are joined up to this length
 
 const LINE_VERTEX = `
 attribute vec3 before, after;
@@ -43,8 +44,12 @@ void main() {
 const HIDDEN = 3e38;  // stands for what is no number
 
 hawser.Lines = class {
-  // `single`: a colour of all of them instead of colours of values.
-  constructor(model, radii, single) {
+  static async of(model, single) {
+    return new hawser.Lines(model, (await model.block("radius")).values, (await model.block("arc")).values, single);
+  }
+
+  // `arcs`: m, of the nodes from end A of their line; `single`: a colour of all of them instead of colours of values.
+  constructor(model, radii, arcs, single) {
     this.model = model;
     const {lines} = model.header;
     // Each line has one more place before its first node and behind its last.
@@ -55,9 +60,12 @@ hawser.Lines = class {
     this.placeOf = new Int32Array(model.header.nodes);
     const numbers = new Float32Array(2 * this.places);
     const sides = Float32Array.from({length: 2 * this.places}, (_, k) => (k % 2 ? 1 : -1));
+    this.longest = new Float32Array(lines.length);  // element of each line, m
+    this.strides = new Int32Array(lines.length).fill(1);
     let place = 0;
     lines.forEach((line, number) => {
       for (let i = 0; i < line.nodes; i++) {
+        if (i > 0) this.longest[number] = Math.max(this.longest[number], arcs[line.first + i] - arcs[line.first + i - 1]);
         this.placeOf[line.first + i] = place + 1 + i;
         this.radii.fill(radii[line.first + i], 2 * (place + 1 + i), 2 * (place + 1 + i) + 2);
       }
@@ -95,21 +103,38 @@ hawser.Lines = class {
     return geometry;
   }
 
-  // The stretches between nodes that have a place.
+  // The stretches between nodes that have a place; of a line whose elements are shorter than a pixel or two, of several elements.
   connect(lost) {
     let count = 0;
     const faces = this.faces.array;
-    for (const line of this.model.header.lines) {
+    this.model.header.lines.forEach((line, number) => {
       const first = this.placeOf[line.first];
-      for (let place = first; place + 1 < first + line.nodes; place++) {
-        if (lost && (lost[place] || lost[place + 1])) continue;
-        const k = 2 * (place - 1);
-        faces.set([k, k + 1, k + 2, k + 1, k + 3, k + 2], count);
+      const last = first + line.nodes - 1;
+      const stride = lost ? 1 : this.strides[number];
+      for (let place = first; place < last; place += stride) {
+        const next = Math.min(place + stride, last);
+        if (lost && (lost[place] || lost[next])) continue;
+        const [k, m] = [2 * (place - 1), 2 * (next - 1)];
+        faces.set([k, k + 1, m, k + 1, m + 1, m], count);
         count += 6;
       }
-    }
+    });
     this.mesh.geometry.setDrawRange(0, count);
     this.faces.needsUpdate = true;
+  }
+
+  // Joins elements that are short where they are seen from; `fine`: pixels of the picture in a pixel of the page.
+  join(camera, fine) {
+    const at = new THREE.Vector3();
+    let changed = false;
+    this.model.header.lines.forEach((line, number) => {
+      const pixels = [0, (line.nodes - 1) >> 1, line.nodes - 1].map((i) => camera.pixelAt(this.position(line.first + i, at)));
+      const elements = SHORT * Math.min(...pixels) / fine / this.longest[number];
+      const stride = elements >= 2 ? 2 ** Math.min(6, Math.floor(Math.log2(elements))) : 1;
+      changed = changed || stride !== this.strides[number];
+      this.strides[number] = stride;
+    });
+    if (changed && this.broken === false) this.connect(null);
   }
 
   material(single) {

@@ -1,20 +1,22 @@
-// Touchdown points, and forces of contact as arrows at the nodes they act on.
+// Touchdown points, forces of contact and of the bed as arrows at the nodes they act on, buoys, weights and joints.
 
-const MOST_ARROWS = 300;      // the largest
+const MOST_ARROWS = 300;      // of each kind, the largest
 const SMALLEST_ARROW = 0.02;  // of the largest force of the run: smaller ones are not drawn
 const LONGEST_ARROW = 80;      // pixels at the middle of the picture
+const ARROW_COLOURS = {forces: 0xa31515, bedForces: 0x6b4410};
+const POINT_COLOURS = {buoy: 0xe8912d, weight: 0x3a3f46, joint: 0x3a3f46};
+const LEAST_POINT = {buoy: 5, weight: 5, joint: 3.5};  // radius, pixels
 
 hawser.Marks = class {
   constructor(model) {
     this.model = model;
     this.root = new THREE.Group();
-    this.forces = model.header.fields.filter((field) => field.vector);
-    this.largest = Math.max(0, ...this.forces.map((field) => field.high));
-    this.addPoints(model.header.touchdowns.length * 2);
-    this.addArrows();
+    this.arrows = Object.keys(ARROW_COLOURS).map((kind) => this.arrowsOf(kind)).filter((arrows) => arrows.largest > 0);
+    this.addTouchdowns(model.header.touchdowns.length * 2);
+    this.addPoints();
   }
 
-  addPoints(count) {
+  addTouchdowns(count) {
     const geometry = new THREE.BufferGeometry();
     this.points = new Float32Array(3 * Math.max(1, count));
     geometry.setAttribute("position", new THREE.BufferAttribute(this.points, 3));
@@ -24,17 +26,42 @@ hawser.Marks = class {
     this.root.add(this.touchdowns);
   }
 
-  addArrows() {
-    const paint = new THREE.MeshBasicMaterial({color: 0xa31515});
+  // Arrows of the forces of one kind: the fields they are made of, the largest of the run, their drawings, and those of an output.
+  arrowsOf(kind) {
+    const fields = this.model.header.fields.filter((field) => field.vector && field.arrows === kind);
+    const paint = new THREE.MeshBasicMaterial({color: ARROW_COLOURS[kind]});
     const shaft = new THREE.CylinderBufferGeometry(0.018, 0.018, 0.75, 6).translate(0, 0.375, 0);
     const head = new THREE.ConeBufferGeometry(0.06, 0.25, 8).translate(0, 0.875, 0);
-    this.arrows = [shaft, head].map((geometry) => {
+    const meshes = [shaft, head].map((geometry) => {
       const mesh = new THREE.InstancedMesh(geometry, paint, MOST_ARROWS);
       mesh.frustumCulled = false;
       mesh.count = 0;
       this.root.add(mesh);
       return mesh;
     });
+    return {kind, fields, largest: Math.max(0, ...fields.map((field) => field.high)), meshes, found: []};
+  }
+
+  // Balls at buoys, weights and joints.
+  addPoints() {
+    const ball = new THREE.SphereBufferGeometry(1, 12, 8);
+    const paints = {};
+    this.balls = this.model.header.points.map((point) => {
+      const {kind} = point;
+      paints[kind] = paints[kind] || new THREE.MeshLambertMaterial({color: POINT_COLOURS[kind]});
+      const mesh = new THREE.Mesh(ball, paints[kind]);
+      this.root.add(mesh);
+      return {...point, mesh};
+    });
+  }
+
+  // Balls at their nodes, of their size or some pixels.
+  placePoints(lines, camera, visible) {
+    for (const {kind, node, radius, mesh} of this.balls) {
+      mesh.visible = visible;
+      lines.position(node, mesh.position);
+      mesh.scale.setScalar(Math.max(radius, LEAST_POINT[kind] * camera.pixelAt(mesh.position)));
+    }
   }
 
   // Touchdown points at an output: of each line six numbers, seen from its end A and from its end B.
@@ -52,38 +79,47 @@ hawser.Marks = class {
     this.shown = count;
   }
 
+  // Fields whose arrows are shown.
+  fields(shown) {
+    return this.arrows.filter(({kind}) => shown[kind]).flatMap(({fields}) => fields);
+  }
+
   // The largest forces at an output.
   push(output) {
     const n = this.model.header.nodes;
-    const found = [];
-    for (const field of this.forces) {
-      const f = this.model.at(`field/${field.name}`, output);
-      if (!f) continue;
-      for (let i = 0; i < n; i++) {
-        const size = Math.hypot(f[i], f[n + i], f[2 * n + i]);
-        if (size > SMALLEST_ARROW * this.largest) found.push({node: i, size, force: [f[i], f[n + i], f[2 * n + i]]});
+    for (const arrows of this.arrows) {
+      const found = [];
+      for (const field of arrows.fields) {
+        const f = this.model.at(`field/${field.name}`, output);
+        if (!f) continue;
+        for (let i = 0; i < n; i++) {
+          const size = Math.hypot(f[i], f[n + i], f[2 * n + i]);
+          if (size > SMALLEST_ARROW * arrows.largest) found.push({node: i, size, force: [f[i], f[n + i], f[2 * n + i]]});
+        }
       }
+      found.sort((a, b) => b.size - a.size);
+      found.length = Math.min(found.length, MOST_ARROWS);
+      arrows.found = found;
     }
-    found.sort((a, b) => b.size - a.size);
-    found.length = Math.min(found.length, MOST_ARROWS);
-    this.found = found;
   }
 
   // Their arrows; `pixel` is the length of a pixel in the middle of the picture.
-  place(lines, pixel) {
+  place(lines, pixel, shown) {
     const up = new THREE.Vector3(0, 1, 0);
     const [at, way, turn, scale, matrix] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Quaternion(), new THREE.Vector3(), new THREE.Matrix4()];
-    const found = this.found || [];
-    found.forEach(({node, size, force}, k) => {
-      const length = LONGEST_ARROW * pixel * size / this.largest;
-      turn.setFromUnitVectors(up, way.fromArray(force).normalize());
-      scale.setScalar(length);
-      matrix.compose(lines.position(node, at), turn, scale);
-      for (const mesh of this.arrows) mesh.setMatrixAt(k, matrix);
-    });
-    for (const mesh of this.arrows) {
-      mesh.count = found.length;
-      mesh.instanceMatrix.needsUpdate = true;
+    for (const {kind, meshes, found, largest} of this.arrows) {
+      for (const mesh of meshes) mesh.visible = shown[kind];
+      if (!shown[kind]) continue;
+      found.forEach(({node, size, force}, k) => {
+        turn.setFromUnitVectors(up, way.fromArray(force).normalize());
+        scale.setScalar(LONGEST_ARROW * pixel * size / largest);
+        matrix.compose(lines.position(node, at), turn, scale);
+        for (const mesh of meshes) mesh.setMatrixAt(k, matrix);
+      });
+      for (const mesh of meshes) {
+        mesh.count = found.length;
+        mesh.instanceMatrix.needsUpdate = true;
+      }
     }
   }
 };

@@ -1,6 +1,7 @@
 // What is written over the picture: names, legend, time, scale, axes and the numbers of notes.
 
 const INK = "#16202b";
+const SPRING = "#1d6b2f";
 const MOST_NAMES = 40;
 const MOST_WORDS = 500;  // kept as pictures
 
@@ -64,6 +65,25 @@ hawser.Overlay = class {
       if (!taken.every(free)) continue;
       taken.push({x: x + 6, y: y - 6, w, h});
       this.text(words, x + 6, y + 4);
+    }
+  }
+
+  // Links, [{a, b}] on the screen, as springs.
+  springs(links) {
+    const {pen} = this;
+    [pen.lineWidth, pen.strokeStyle, pen.lineJoin] = [2, SPRING, "round"];
+    for (const {a, b} of links) {
+      const length = Math.hypot(b.x - a.x, b.y - a.y);
+      const turns = Math.min(14, Math.max(2, Math.round(length / 12)));
+      const [across_x, across_y] = [-5 * (b.y - a.y) / (length || 1), 5 * (b.x - a.x) / (length || 1)];
+      pen.beginPath();
+      pen.moveTo(a.x, a.y);
+      for (let k = 0; k <= 2 * turns; k++) {
+        const [share, side] = [0.2 + 0.6 * k / (2 * turns), k % (2 * turns) === 0 ? 0 : k % 2 ? 1 : -1];
+        pen.lineTo(a.x + share * (b.x - a.x) + side * across_x, a.y + share * (b.y - a.y) + side * across_y);
+      }
+      pen.lineTo(b.x, b.y);
+      pen.stroke();
     }
   }
 

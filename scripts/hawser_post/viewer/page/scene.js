@@ -20,14 +20,16 @@ hawser.Scene = class {
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, context});
     this.renderer.setClearColor(SKY);
     this.space = new THREE.Scene();
-    this.space.add(new THREE.HemisphereLight(0xffffff, 0x9aa4ad, 0.85));
+    const sky = new THREE.HemisphereLight(0xffffff, 0x9aa4ad, 0.85);
+    sky.position.set(0, 0, 1);
+    this.space.add(sky);
     this.light = new THREE.DirectionalLight(0xffffff, 0.35);
     this.space.add(this.light);
     this.overlay = new hawser.Overlay(over);
     this.camera = new hawser.Camera(this.canvas, model.header, () => this.redraw());
     this.cuts = new hawser.Cuts(this.renderer, this.camera);
     this.colours = new hawser.Colours(model.header.maps);
-    this.shown = {names: true, volumes: true, sea: true, bed: true, touchdowns: true, forces: true, notes: true};
+    this.shown = {names: true, volumes: true, sea: true, bed: true, parts: true, touchdowns: true, forces: true, bedForces: false, notes: true};
     this.selected = -1;
     this.drawn = 0;
     this.output = 0;
@@ -51,7 +53,7 @@ hawser.Scene = class {
 
   async load() {
     const {model, space} = this;
-    this.lines = new hawser.Lines(model, (await model.block("radius")).values);
+    this.lines = await hawser.Lines.of(model);
     this.bodies = new hawser.Bodies(model);
     this.sea = new hawser.Sea(model);
     this.marks = new hawser.Marks(model);
@@ -62,7 +64,7 @@ hawser.Scene = class {
 
   // Lines of another model in a colour of their own.
   async addLines(model, colour) {
-    const lines = new hawser.Lines(model, (await model.block("radius")).values, colour);
+    const lines = await hawser.Lines.of(model, colour);
     this.space.add(lines.mesh);
     return lines;
   }
@@ -81,7 +83,7 @@ hawser.Scene = class {
     if (this.field) names.push(`field/${this.field.name}`);
     if (header.bodies.length) names.push("pose");
     if (header.touchdowns.length) names.push("touchdown");
-    if (this.shown.forces) names.push(...this.marks.forces.map((field) => `field/${field.name}`));
+    names.push(...this.marks.fields(this.shown).map((field) => `field/${field.name}`));
     return [...new Set(names)];
   }
 
@@ -98,7 +100,7 @@ hawser.Scene = class {
     }
     const poses = pair("pose");
     if (poses[0]) this.bodies.move(...poses, share);
-    if (output !== this.output || !this.marks.found || this.forget) {
+    if (output !== this.output || this.time === undefined || this.forget) {
       this.marks.touch(model.at("touchdown", output));
       this.marks.push(output);
       this.forget = false;
@@ -142,16 +144,17 @@ hawser.Scene = class {
       lines.uniforms.pixel.value = this.camera.pixel();
       lines.uniforms.perspective.value = camera.isPerspectiveCamera ? 1 : 0;
       lines.uniforms.selected.value = this.selected;
+      lines.join(this.camera, this.renderer.getPixelRatio());
     }
     Object.assign(this.lines.uniforms.low, {value: this.colours.low});
     Object.assign(this.lines.uniforms.high, {value: this.colours.high});
     this.lines.uniforms.coloured.value = this.field ? 1 : 0;
-    this.bodies.show(this.shown.volumes);
+    this.bodies.show(this.shown.volumes, this.camera);
     if (this.sea.surface) this.sea.surface.visible = this.shown.sea;
     if (this.sea.bed) this.sea.bed.visible = this.shown.bed;
     this.marks.touchdowns.visible = this.shown.touchdowns && this.marks.shown > 0;
-    for (const arrows of this.marks.arrows) arrows.visible = this.shown.forces;
-    if (this.shown.forces) this.marks.place(this.lines, this.camera.pixelAtTarget());
+    this.marks.place(this.lines, this.camera.pixelAtTarget(), this.shown);
+    this.marks.placePoints(this.lines, this.camera, this.shown.parts);
     this.light.position.copy(camera.position);
     this.renderer.render(this.space, camera);
     this.write();
@@ -177,6 +180,7 @@ hawser.Scene = class {
   write() {
     const {overlay} = this;
     overlay.clear();
+    if (this.shown.parts) overlay.springs(this.springs());
     if (this.shown.names) overlay.names(this.names());
     if (this.shown.notes) overlay.badges(this.badges());
     overlay.legend(this.colours, this.field);
@@ -184,8 +188,11 @@ hawser.Scene = class {
     overlay.axes(this.camera.camera);
     const when = this.model.header.modes ? `mode ${this.output}` : `t = ${this.time.toFixed(2)} s`;
     overlay.text(when, overlay.width - 14, 22, {align: "right", bold: true, size: 14});
-    if (this.shown.forces && this.marks.found?.length) {
-      overlay.text(`longest arrow: ${hawser.number(this.marks.largest / 1e3)} kN`, overlay.width - 14, 40, {align: "right"});
+    let below = 40;
+    for (const {kind, found, largest} of this.marks.arrows) {
+      if (!this.shown[kind] || !found.length) continue;
+      overlay.text(`longest arrow${kind === "forces" ? "" : " of the bed"}: ${hawser.number(largest / 1e3)} kN`, overlay.width - 14, below, {align: "right"});
+      below += 16;
     }
   }
 
@@ -197,11 +204,29 @@ hawser.Scene = class {
     };
     this.model.header.bodies.forEach((name, k) => add(name, this.bodies.groups[k].getWorldPosition(at)));
     this.model.header.lines.slice(0, MOST_NAMES).forEach((line) => add(line.name, this.lines.position(line.first + (line.nodes >> 1), at)));
+    if (this.shown.parts) {
+      for (const {name, a, b} of this.springs()) found.push({words: name, x: (a.x + b.x) / 2 + 6, y: (a.y + b.y) / 2});
+      for (const {name, node} of this.marks.balls) if (name) add(name, this.lines.position(node, at));
+    }
     if (!this.shown.volumes) return found;
     for (const volume of this.bodies.volumes.slice(0, MOST_NAMES)) {
       if (volume.name !== this.model.header.bodies[volume.body]) add(volume.name, this.bodies.middle(volume, at));
     }
     return found;
+  }
+
+  // Links as they are seen: name and both ends on the screen.
+  springs() {
+    const {lines, bodies} = this;
+    const placeOf = (end) => {
+      const at = new THREE.Vector3();
+      if (end.node !== undefined) return lines.position(end.node, at);
+      return end.body === undefined ? at.fromArray(end.place) : bodies.groups[end.body].localToWorld(at.fromArray(end.at));
+    };
+    return this.model.header.links.map(({name, ends}) => {
+      const [a, b] = ends.map((end) => this.pixelOf(placeOf(end)));
+      return {name, a, b};
+    }).filter(({a, b}) => a && b);
   }
 
   // Where a note belongs; null where it names no part of the model.
@@ -217,8 +242,8 @@ hawser.Scene = class {
       const place = this.placeOfNote(note, at);
       const pixel = place && this.pixelOf(place);
       if (!pixel) return;
-      const beside = found.filter((b) => Math.abs(b.x - pixel.x) < 4 && Math.abs(b.y - pixel.y) < 40).length;
-      found.push({number: k + 1, warning: note.kind === "warning", x: pixel.x, y: pixel.y - 20 * beside});
+      while (found.some((b) => Math.hypot(b.x - pixel.x, b.y - pixel.y) < 19)) pixel.y -= 20;
+      found.push({number: k + 1, warning: note.kind === "warning", ...pixel});
     });
     return found;
   }

@@ -1,6 +1,6 @@
 // The surface of the sea, with its waves, and the bed.
 
-const SEA_PLACES = {slow: 40, fast: 72};  // along a side
+const SEA_PLACES = {slow: 30, fast: 72};  // along a side
 const [TROUGH, CREST] = [[0.16, 0.42, 0.62], [0.62, 0.82, 0.95]];  // colours
 
 hawser.Sea = class {
@@ -62,8 +62,9 @@ hawser.Sea = class {
     for (let i = 0; i < whole.length; i += 3) if (known[whole[i]] && known[whole[i + 1]] && known[whole[i + 2]]) faces.push(...whole.slice(i, i + 3));
     geometry.setIndex(faces);
     geometry.computeVertexNormals();
-    this.bed = new THREE.Mesh(geometry, new THREE.MeshLambertMaterial({color: 0xcdb891, side: THREE.DoubleSide, polygonOffset: true,
-                                                                      polygonOffsetFactor: 2, polygonOffsetUnits: 2}));
+    const paint = {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2};
+    const plane = nx === 2 && ny === 2;  // needs no light
+    this.bed = new THREE.Mesh(geometry, plane ? new THREE.MeshBasicMaterial({...paint, color: 0xb5a27d}) : new THREE.MeshLambertMaterial({...paint, color: 0xcdb891}));
     if (known.every((k) => k)) this.bed.add(this.border(geometry, nx, ny, 0x8a6d3b));
     this.root.add(this.bed);
   }
@@ -71,22 +72,23 @@ hawser.Sea = class {
   addSurface(sea, waves) {
     const {low, high} = this.model.header;
     const beyond = 0.15 * Math.max(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    const count = waves.length ? (hawser.Scene.slow() ? SEA_PLACES.slow : SEA_PLACES.fast) : 2;
+    const most = hawser.Scene.slow() ? SEA_PLACES.slow : SEA_PLACES.fast;
+    const cell = (Math.max(high[0] - low[0], high[1] - low[1]) + 2 * beyond) / (most - 1);
+    const long = [];  // waves that are drawn
+    for (let k = 0; k + 5 < waves.length; k += 6) if (waves[k + 2] * cell <= Math.PI) long.push(waves.subarray(k, k + 6));
+    const count = long.length ? most : 2;
     const places = (a, b) => Float32Array.from({length: count}, (_, k) => a + (b - a) * k / (count - 1));
     const x = places(low[0] - beyond, high[0] + beyond);
     const y = places(low[1] - beyond, high[1] + beyond);
-    const cell = Math.max(x[1] - x[0], y[1] - y[0]);
     this.geometry = this.grid(x, y);
     this.geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(3 * count * count).fill(0.6), 3));
-    const colour = waves.length ? {vertexColors: THREE.VertexColors} : {color: 0x3f8fc4};
+    const colour = long.length ? {vertexColors: THREE.VertexColors} : {color: 0x3f8fc4};
     const paint = {...colour, transparent: true, opacity: 0.3, side: THREE.DoubleSide, depthWrite: false};
     this.surface = new THREE.Mesh(this.geometry, new THREE.MeshBasicMaterial(paint));
     this.surface.renderOrder = 2;
     this.components = [];
     const at = this.geometry.getAttribute("position");
-    for (let k = 0; k + 5 < waves.length; k += 6) {
-      const [a, omega, number, dx, dy, phase] = waves.subarray(k, k + 6);
-      if (number * cell > Math.PI) continue;  // shorter than two cells
+    for (const [a, omega, number, dx, dy, phase] of long) {
       const cosine = new Float32Array(at.count);
       const sine = new Float32Array(at.count);
       for (let i = 0; i < at.count; i++) {

@@ -41,8 +41,13 @@ hawser.View = class {
     await this.scene.bodies.load(this.scene.camera.size);
     await this.player.show(this.player.output);
     await this.choose(this.chosen);
+    this.pace();
+  }
+
+  // A run of minutes is played in a quarter of a minute or so.
+  pace() {
+    if (this.speedChosen) return;
     const {times} = this.model.header;
-    // A run of minutes is played in a quarter of a minute or so.
     const speed = SPEEDS.filter((s) => s <= Math.max(1, (times[times.length - 1] - times[0]) / 15)).pop();
     this.player.speed = speed;
     this.controls.speed.value = String(speed);
@@ -50,7 +55,7 @@ hawser.View = class {
 
   notes() {
     const {notes, missing} = this.model.header;
-    const list = hawser.make("ol", {class: "notes"});
+    const list = hawser.make("ol", {class: "notes", "aria-label": "Notes and warnings"});
     for (const note of notes) {
       const item = hawser.make("li", {class: note.kind}, note.text);
       const at = new THREE.Vector3();
@@ -222,6 +227,7 @@ hawser.start = async function (root) {
     view.ready = true;
     view.began = began;
     window.hawserView = view;
+    if (model.header.served) document.title = `${model.header.title} - hawser view`;
     if (hawser.follow) hawser.follow(view, root);
   } catch (error) {
     root.textContent = `The model is not shown in three dimensions: ${error.message || error}.`;
