@@ -1,4 +1,5 @@
-// What a case with platforms has that their coefficients cannot take, and inertia that no body has.
+// What a case with platforms has that their coefficients cannot take, inertia that no body has, wind without
+// a body in it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,10 +30,10 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
   const Water& w = c.environment.water;
   const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
   const auto flows = [](const CurrentRow& row) { return row.speed != 0; };
-  if (std::any_of(w.current.profile.begin(), w.current.profile.end(), flows))
+  if (!b.mass->current && std::any_of(w.current.profile.begin(), w.current.profile.end(), flows))
     out.push_back({key,
                    "the current acts on lines and not on this body, of which the coefficients are those of "
-                   "waves: a force of 'floating.loads' can stand for it",
+                   "waves: give its coefficients for it, 'floating.current'",
                    32});
   if (w.waves.kind == Waves::Kind::stokes && b.mass->hydrodynamics->excitation)
     out.push_back({key,
@@ -44,6 +45,10 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
 }  // namespace
 
 void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
+  const auto in_wind = [](const Body& b) { return b.mass && b.mass->wind; };
+  if (c.environment.wind.speed > 0 && std::none_of(c.bodies.begin(), c.bodies.end(), in_wind))
+    out.push_back({"environment.wind",
+                   "acts on no body and never on lines: give a body coefficients, 'floating.wind'", 34});
   for (const Body& b : c.bodies) {
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);

@@ -47,6 +47,8 @@ constexpr auto kRanges = std::to_array<Range>({
     {"environment.current.speed", 0, kMostCurrent, "currents at sea"},
     {"environment.current.profile[].speed", 0, kMostCurrent, "currents at sea"},
     {"environment.current.profile[].depth", 0, kDeepest, "the depth of the oceans"},
+    {"environment.wind.speed", 0, 100, "winds"},
+    {"environment.wind.density", 0.9, 1.6, "the density of air"},
     {"environment.waves.stokes.current", 0, kMostCurrent, "currents at sea"},
     {"environment.waves.jonswap.hs", 0.001, kHighestSea, "significant heights of seas"},
     {"environment.waves.jonswap.tp", kShortest, kLongestSea, "peak periods of seas"},

@@ -76,12 +76,36 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   check_coverage(v, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
 }
 
+// Rows of t, force and maybe moment.
+void read_load_table(const Value& table, const CaseSource& source, model::BodyLoad& load) {
+  const InputRows given = read_input_rows(table, source);
+  const auto& [at, rows] = given;
+  if (rows.size() < 2) model::refuse(at, "a table of forces needs at least 2 rows, found {}", rows.size());
+  const size_t columns = rows.front().size();
+  if (columns != 4 && columns != 7)
+    model::refuse(at, "a row has 4 numbers (t, Fx, Fy, Fz) or 7 (and Mx, My, Mz), found {}", columns);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double>& r = rows[i];
+    if (r.size() != columns)
+      model::refuse(at, "row {} has {} numbers, but row 1 has {}", i + 1, r.size(), columns);
+    check_time(given, i);
+    Vec6 force = Vec6::Zero();
+    for (size_t k = 1; k < columns; ++k) force[static_cast<Eigen::Index>(k) - 1] = r[k];
+    load.table.emplace_back(r[0], force);
+  }
+}
+
 }  // namespace
 
 void finish_body(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   if (const Value* f = v.find("floating")) {
     if (const Value* w = f->find("in_water"))
       b.mass->in_water->added_mass += c.environment.water.density * b.mass->in_water->volume * vec(*w, "Ca");
+    if (const Value* loads = f->find("loads"))
+      for (size_t i = 0; i < loads->items.size(); ++i)
+        if (const Value* t = loads->items[i].find("table")) read_load_table(*t, source, b.mass->loads[i]);
+    if (const Value* w = f->find("wind")) read_flow_on_body(*w, source, *b.mass->wind);
+    if (const Value* w = f->find("current")) read_flow_on_body(*w, source, *b.mass->current);
     if (const Value* h = f->find("hydrodynamics")) {
       if (!(*f)["weight"].given) b.mass->weight = true;
       read_hydrodynamics(*h, source, b, c);

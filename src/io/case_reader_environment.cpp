@@ -153,6 +153,8 @@ void finish_environment(const Value& v, const CaseSource& source, model::Environ
     if (!e.water.present) refuse(*c, "needs 'water' beside it");
     finish_current(*c, e.water.depth, source, e.water.current);
   }
+  if (const Value* w = v.find("wind"))
+    if (const Value* f = w->find("time_factor")) e.wind.time_factor = read_time_factor(*f, source);
   if (const Value* w = v.find("waves")) {
     if (!e.water.present) refuse(*w, "needs 'water' beside it");
     if (!(e.gravity > 0)) refuse(*w, "without gravity there are no waves: 'environment.gravity' is 0");

@@ -1,6 +1,8 @@
 // Motion of a point of a rigid body in axes that stay, its derivatives, and forces with a potential of it.
 #include "hawser/kernels/platform_frame.hpp"
 
+#include <cmath>
+
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -31,6 +33,34 @@ Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F)
   Mat6 K = Mat6::Zero();
   K.bottomRightCorner<3, 3>() = hat(r) * hat(Qt * F.head<3>()) + hat(Qt * F.tail<3>());
   return K;
+}
+
+Heading heading_of(const Quat& q) {
+  const Vec3 bow = q * Vec3::UnitX();
+  Heading out;
+  out.angle = std::atan2(bow.y(), bow.x());
+  // d bow = R (dphi x e_x) = R (0, dphi_z, -dphi_y).
+  const Vec3 by_z = q * Vec3::UnitY(), by_y = -(q * Vec3::UnitZ());
+  const double square = bow.head<2>().squaredNorm();
+  const auto slope = [&](const Vec3& d) { return (bow.x() * d.y() - bow.y() * d.x()) / square; };
+  out.by_turn = Vec3(0, slope(by_y), slope(by_z));
+  return out;
+}
+
+PlatformLoad turning_load(const TurningForce& F, const Vec3& r, const RigidBodyState& s) {
+  const Heading heading = heading_of(s.q);
+  const Mat3 H = exp_so3(heading.angle * Vec3::UnitZ()).toRotationMatrix();
+  Vec6 in_space, change = F.by_heading;
+  change.head<3>() += Vec3::UnitZ().cross(F.force.head<3>());
+  change.tail<3>() += Vec3::UnitZ().cross(F.force.tail<3>());
+  in_space << H * F.force.head<3>(), H * F.force.tail<3>();
+  change << H * change.head<3>().eval(), H * change.tail<3>().eval();
+  const PlatformMotion m = platform_motion(Mat3::Identity(), r, s);
+  PlatformLoad out;
+  out.f = -m.G.transpose() * in_space;
+  out.K = -platform_force_slope(m, r, in_space);
+  out.K.rightCols<3>() -= m.G.transpose() * change * heading.by_turn.transpose();
+  return out;
 }
 
 // P = [H^T, -Q hat(r); 0, T^-1(theta)] with T the right Jacobian: d theta = T^-1 d phi.

@@ -38,6 +38,15 @@ ComplexVec6 WaveForceTable::at(double omega, double direction) const {
                   frequency_place(omega_, omega));
 }
 
+ComplexVec6 WaveForceTable::by_direction(double omega, double direction) const {
+  const TablePlace row = direction_place(directions_, direction);
+  if (row.low == row.high) return ComplexVec6::Zero();
+  const TablePlace column = frequency_place(omega_, omega);
+  const ComplexVec6 change = bilinear(values_, omega_.size(), {row.high, row.high, 0}, column) -
+                             bilinear(values_, omega_.size(), {row.low, row.low, 0}, column);
+  return change / all_round(directions_[row.high] - directions_[row.low]);
+}
+
 DifferenceForceTable::DifferenceForceTable(std::vector<double> omega, std::vector<ComplexVec6> values)
     : omega_(std::move(omega)), values_(std::move(values)) {
   if (omega_.empty() || values_.size() != omega_.size() * omega_.size())
@@ -51,21 +60,48 @@ ComplexVec6 DifferenceForceTable::at(double first, double second) const {
 PlatformWaves::PlatformWaves(const std::vector<WaveComponent>& sea, double heading,
                              const WaveForceTable& first, const WaveForceTable& mean,
                              const DifferenceForceTable& difference, SecondOrder order)
-    : components_(sea) {
-  const auto n = static_cast<Eigen::Index>(sea.size());
-  Eigen::MatrixXd drift = Eigen::MatrixXd::Zero(6, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const WaveComponent& w = sea[static_cast<size_t>(i)];
-    const double direction = std::atan2(w.y, w.x) - heading;
-    first_.push_back(first.none() ? ComplexVec6(ComplexVec6::Zero())
-                                  : ComplexVec6(w.amplitude * first.at(w.omega, direction)));
-    if (order == SecondOrder::none) continue;
-    drift.col(i) = order == SecondOrder::full ? Vec6(difference.at(w.omega, w.omega).real())
-                                              : Vec6(mean.at(w.omega, direction).real());
-    mean_drift_ += w.amplitude * w.amplitude * drift.col(i);
+    : components_(sea),
+      first_table_(first),
+      mean_table_(mean),
+      difference_table_(difference),
+      order_(order),
+      heading_(heading) {
+  first_.assign(sea.size(), ComplexVec6::Zero());
+  if (order_ == SecondOrder::full) add_full();
+  turn_to(heading);
+}
+
+void PlatformWaves::turn_to(double heading) {
+  heading_ = heading;
+  const auto n = static_cast<Eigen::Index>(components_.size());
+  for (size_t i = 0; i < components_.size() && !first_table_.none(); ++i) {
+    const WaveComponent& w = components_[i];
+    first_[i] = w.amplitude * first_table_.at(w.omega, std::atan2(w.y, w.x) - heading);
   }
-  if (order == SecondOrder::newman) add_newman(drift);
-  if (order == SecondOrder::full) add_full(difference);
+  mean_drift_ = mean_drift(heading).force;
+  if (order_ != SecondOrder::newman) return;
+  Eigen::MatrixXd drift(6, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const WaveComponent& w = components_[static_cast<size_t>(i)];
+    drift.col(i) = mean_table_.at(w.omega, std::atan2(w.y, w.x) - heading).real();
+  }
+  modes_.clear();
+  add_newman(drift);
+}
+
+PlatformWaves::MeanDrift PlatformWaves::mean_drift(double heading) const {
+  MeanDrift out;
+  if (order_ == SecondOrder::none) return out;
+  for (const WaveComponent& w : components_) {
+    const double square = w.amplitude * w.amplitude, direction = std::atan2(w.y, w.x) - heading;
+    if (order_ == SecondOrder::full) {
+      out.force += square * difference_table_.at(w.omega, w.omega).real();
+      continue;
+    }
+    out.force += square * mean_table_.at(w.omega, direction).real();
+    out.by_heading -= square * mean_table_.by_direction(w.omega, direction).real();
+  }
+  return out;
 }
 
 // Newman (1974) in the form of Standing, Brendling and Wilson (1987): F_ij = sqrt(D_i D_j) where both have
@@ -86,14 +122,14 @@ void PlatformWaves::add_newman(const Eigen::MatrixXd& drift) {
 
 // sum_ij z_i conj(z_j) F_ij with z_i = a_i exp(i phase_i), F Hermitian: by its eigenvalues and -vectors
 // F = sum_m weight_m v_m v_m^H it is sum_m weight_m |sum_i v_mi z_i|². Modes that are small are excluded.
-void PlatformWaves::add_full(const DifferenceForceTable& table) {
+void PlatformWaves::add_full() {
   constexpr double kNegligible = 1e-4;
   const auto n = static_cast<Eigen::Index>(components_.size());
   std::vector<Eigen::MatrixXcd> F(6, Eigen::MatrixXcd::Zero(n, n));
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {
       const WaveComponent &a = components_[static_cast<size_t>(i)], &b = components_[static_cast<size_t>(j)];
-      const ComplexVec6 value = a.amplitude * b.amplitude * table.at(a.omega, b.omega);
+      const ComplexVec6 value = a.amplitude * b.amplitude * difference_table_.at(a.omega, b.omega);
       for (int freedom = 0; freedom < 6; ++freedom) F[static_cast<size_t>(freedom)](i, j) = value[freedom];
     }
   for (int freedom = 0; freedom < 6; ++freedom) {

@@ -66,7 +66,10 @@ double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
 }
 
 double load_power(const RigidBodyLoad& load, const RigidBodyState& s) {
-  if (!load.body_fixed) return load.moment.dot(s.q * s.w);
+  if (!load.body_fixed) {
+    const double moments = load.moment.dot(s.q * s.w);
+    return load.constant ? moments : moments + load.force.dot(s.v + s.q * s.w.cross(load.arm));
+  }
   return (s.q * load.force).dot(s.v) + (load.arm.cross(load.force) + load.moment).dot(s.w);
 }
 

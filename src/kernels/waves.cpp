@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "hawser/kernels/stokes_wave.hpp"
+#include "hawser/math/random.hpp"
 
 namespace hawser {
 
@@ -94,18 +95,6 @@ struct Grid {
   }
 };
 
-// splitmix64 (Steele, Lea and Flood 2014): uniform in (0, 1), the same everywhere.
-struct Random {
-  std::uint64_t state;
-  std::uint64_t bits() {
-    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  double next() { return (static_cast<double>(bits() >> 11) + 0.5) / 9007199254740992.0; }
-};
-
 // The angle off the mean direction that a share of the waves is to the right of, by cos^2s of half the angle.
 class Spreading {
  public:
@@ -161,10 +150,6 @@ WaveComponent component_of(double energy, double from, double to, double directi
   c.y = std::sin(direction);
   return c;
 }
-
-// The state walks by a constant, so that seeds that differ by little would give the same numbers, shifted:
-// the walk begins at a place that is itself drawn at random.
-Random random_of(std::uint64_t seed) { return {Random{seed}.bits()}; }
 
 }  // namespace
 

@@ -79,9 +79,18 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
   check_matrices(h, issue);
 }
 
+void check_flow(const Case& c, const Body& b, const Issues& issue) {
+  if (b.mass->wind && !c.environment.wind.present)
+    issue("wind", "there is no wind: give 'environment: {{wind: ...}}'");
+  if (b.mass->current && !c.environment.water.present)
+    issue("current", "there is no water: give 'environment: {{water: ...}}'");
+}
+
 }  // namespace
 
 void check_platforms(const Case& c, const Issues& issue) {
+  for (const Body& b : c.bodies)
+    if (b.mass) check_flow(c, b, issue.below("bodies." + b.name + ".floating"));
   for (const Body& b : c.bodies)
     if (b.mass && b.mass->hydrodynamics)
       check_platform(c, b, issue.below("bodies." + b.name + ".floating.hydrodynamics"));

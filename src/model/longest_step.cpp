@@ -14,7 +14,8 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kOfPeriod = 100, kOfWaves = 75, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50;
+constexpr double kOfPeriod = 100, kOfWaves = 75, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50,
+                 kOfGust = 4;
 // What lines do by themselves, and drag, shortens what drives them to no less than this; the local error does
 // more.
 constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
@@ -126,6 +127,24 @@ void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
   }
   to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()) / kOfPeriod,
         "a hundredth of the mean period of the time_factor of " + of);
+}
+
+// Forces on a body by time.
+void add_loads(const Body& b, Shortest& to) {
+  if (!b.mass) return;
+  for (const BodyLoad& load : b.mass->loads) {
+    if (load.table.empty()) continue;
+    std::vector<double> time;
+    std::vector<Vec3> force, moment;
+    for (const auto& [t, f] : load.table) {
+      time.push_back(t);
+      force.push_back(f.head<3>());
+      moment.push_back(f.tail<3>());
+    }
+    for (const std::vector<Vec3>& value : {force, moment})
+      to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()) / kOfPeriod,
+            "a hundredth of the mean period of a load of body " + b.name);
+  }
 }
 
 // N/m, by which lines that are taut at the start hold a body along themselves, the other end held.
@@ -281,6 +300,7 @@ LongestStep longest_step(const Case& c) {
   double speed = waves.speed;
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(c, b, to));
+  for (const Body& b : c.bodies) add_loads(b, to);
   for (const Body& b : c.bodies) add_drag_of_body(b, c.environment, speed, drags);
   // Where nothing drives them, neither outputs nor the duration say how long their steps may be.
   Shortest afloat;
@@ -288,6 +308,12 @@ LongestStep longest_step(const Case& c) {
   add_free_bodies(c, driven_by_motion ? kOfOwn : kOfFree, driven_by_motion ? own : afloat, own);
   add_spin(c, afloat);
   add_factor(c.environment.water.current.time_factor, "the current", to);
+  add_factor(c.environment.wind.time_factor, "the wind", to);
+  if (c.environment.wind.gusts != GustSpectrum::none) {
+    const bool blown =
+        std::any_of(c.bodies.begin(), c.bodies.end(), [](const Body& b) { return b.mass && b.mass->wind; });
+    if (blown) to.of(1 / kFastestGust / kOfGust, "a fourth of the shortest period of the gusts");
+  }
   add_ramps(c, to);
   to.of(c.output.every, "the time between outputs");
   to.of(c.dynamics.duration / kOfDuration, "a fiftieth of the duration");

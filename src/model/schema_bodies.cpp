@@ -161,6 +161,11 @@ Key body_hydrodynamics() {
             or_else_note("x and y of `position`, z of `origin_in_file`")),
        number({"heading_deg", &H::heading}, angle, "of the body there",
               or_else_note("that of `rotation_deg`")),
+       number({"follow_period", &H::follow}, time,
+              "waves meet it, and its coefficients have the axes, where its motion slower than this period "
+              "has it; 0: "
+              "at `place` and `heading_deg`, wherever it is",
+              at_least(0), or_else("100")),
        boolean({"excitation", &H::excitation}, "whether the waves of the case act on it", or_else("true")),
        word({"second_order", &H::second_order},
             {{"none", SecondOrder::none},
@@ -183,15 +188,72 @@ Key body_hydrodynamics() {
       "([theory](../theory/platforms.md)); its `weight` acts");
 }
 
+// A table of coefficients of the flow, and what makes forces of them.
+Key flow_on_body(const char* name, std::optional<FlowOnBody> BodyMass::*field, std::vector<Key> more,
+                 const std::string& about) {
+  std::vector<Key> keys = {
+      text("file",
+           "text file beside the case: columns angle [deg], Cx, Cy, Cn; blanks or commas between, `#` starts "
+           "a "
+           "comment"),
+      list("rows", list("", number("", none), items(4, 4)), "the same, written here", items(2)),
+      word({"angles", &FlowOnBody::by_origin}, {{"to", false}, {"from", true}},
+           "what the angle is, anticlockwise from the body's x axis: where the flow goes to (0 pushes it "
+           "ahead), or "
+           "where it comes from",
+           or_else("to")),
+      number({"length", &FlowOnBody::length}, length, "L of the moment", above(0), required)};
+  for (Key& k : more) keys.push_back(std::move(k));
+  keys.push_back(vec3({"at", &FlowOnBody::at}, length,
+                      "point in the body's frame where the forces act and velocities count: midships",
+                      or_else(kZero)));
+  return map({name, field}, std::move(keys),
+             about +
+                 "F = rho/2 U² (Cx frontal_area, Cy lateral_area), moment about "
+                 "z rho/2 U² Cn lateral_area length, U and angle those of the relative flow "
+                 "([theory](../theory/wind-and-current.md))",
+             either({"file", "rows"}));
+}
+
+Key body_wind() {
+  return flow_on_body(
+      "wind", &BodyMass::wind,
+      {number({"frontal_area", &FlowOnBody::frontal}, area, "seen from ahead", above(0), required),
+       number({"lateral_area", &FlowOnBody::lateral}, area, "seen from the side", above(0), required),
+       number({"height", &FlowOnBody::height}, length,
+              "above the still water, of the wind that the table is for", above(0), or_else("10"))},
+      "the wind acts on it by coefficients in the form of OCIMF: ");
+}
+
+Key body_current() {
+  return flow_on_body(
+      "current", &BodyMass::current,
+      {number({"draught", &FlowOnBody::draught}, length,
+              "both areas are `length` times this, as OCIMF has them", above(0)),
+       number({"frontal_area", &FlowOnBody::frontal}, area, "instead of `draught`", above(0)),
+       number({"lateral_area", &FlowOnBody::lateral}, area, "instead of `draught`", above(0))},
+      "the current acts on it, and damps it where there is none: ");
+}
+
 Key body_loads() {
-  return list({"loads", &BodyMass::loads},
-              map("", {vec3({"force", &BodyLoad::force}, force, "force", or_else(kZero)),
-                       vec3({"moment", &BodyLoad::moment}, moment, "moment", or_else(kZero)),
-                       vec3({"at", &BodyLoad::at}, length, "where the force acts, in the body's frame",
-                            or_else(kZero)),
-                       word({"axes", &BodyLoad::body_fixed}, {{"space", false}, {"body", true}},
-                            "of force and moment: they stay, or turn with the body", or_else("space"))}),
-              "constant forces on it, in statics too: thrust of a turbine or of thrusters");
+  return list(
+      {"loads", &BodyMass::loads},
+      map("",
+          {vec3({"force", &BodyLoad::force}, force, "force", or_else(kZero)),
+           vec3({"moment", &BodyLoad::moment}, moment, "moment", or_else(kZero)),
+           map("table",
+               {text("file",
+                     "text file beside the case: columns t [s], Fx, Fy, Fz [N] and, if it has moments, "
+                     "Mx, My, Mz [N m]; blanks or commas between, `#` starts a comment"),
+                list("rows", list("", number("", none), items(4, 7)),
+                     "the same, written here: `[[t, Fx, Fy, Fz], ...]`", items(2))},
+               "force and moment by time, added to the others: straight lines between the rows, "
+               "constant beyond them; in statics what they are at t = 0",
+               either({"file", "rows"})),
+           vec3({"at", &BodyLoad::at}, length, "where the force acts, in the body's frame", or_else(kZero)),
+           word({"axes", &BodyLoad::body_fixed}, {{"space", false}, {"body", true}},
+                "of force and moment: they stay, or turn with the body", or_else("space"))}),
+      "forces on it, in statics too: thrust of a turbine or of thrusters");
 }
 
 Key floating() {
@@ -218,7 +280,7 @@ Key floating() {
                    "springs against turning from there, axes of the body", at_least(0), or_else(kZero)),
               vec3({"turning_damping", &BodyMass::turning_damping}, turning_damping, "dampers beside them",
                    at_least(0), or_else(kZero)),
-              body_in_water(), body_hydrodynamics(), body_loads()},
+              body_in_water(), body_hydrodynamics(), body_wind(), body_current(), body_loads()},
              "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
              "prescribed");
 }

@@ -22,6 +22,20 @@ void friction_in_statics(Seabed& b, const Value& v) {
   b.as_laid = !v.is("none");
 }
 
+// Rows of t and factor of a flow.
+Key time_factor(const std::string& of) {
+  return map(
+      "time_factor",
+      {text("file",
+            "text file beside the case: columns t [s] and factor; blanks or commas between, `#` starts "
+            "a comment"),
+       rows("rows", "the same, written here: `[[t, factor], ...]`", items(2))},
+      "multiplies the " + of +
+          ", below 0 turning it round, beside `ramp`: straight lines between rows, constant beyond "
+          "them; in statics what it is at t = 0",
+      either({"file", "rows"}), or_else_note("1 at all times"));
+}
+
 Key current() {
   return map(
       {"current", within(&Environment::water, &Water::current)},
@@ -43,14 +57,7 @@ Key current() {
        number({"ramp", &Current::ramp}, time,
               "starts smoothly over this time in dynamics; 0: acts in statics already", at_least(0),
               or_else("0")),
-       map("time_factor",
-           {text("file",
-                 "text file beside the case: columns t [s] and factor; blanks or commas between, `#` starts "
-                 "a comment"),
-            rows("rows", "the same, written here: `[[t, factor], ...]`", items(2))},
-           "multiplies the current, below 0 turning it round, beside `ramp`: straight lines between rows, "
-           "constant beyond them; in statics what it is at t = 0",
-           either({"file", "rows"}), or_else_note("1 at all times"))},
+       time_factor("current")},
       "current; needs `water`", either({{{"speed", "exponent"}, {"speed"}}, "profile"}));
 }
 
@@ -155,6 +162,34 @@ Key waves() {
       either({"regular", "jonswap", "pierson_moskowitz", "spectrum", "components", "stokes"}));
 }
 
+Key wind() {
+  return map({"wind", &Environment::wind, set(&Environment::wind, &Wind::present, true)},
+             {number({"speed", &Wind::speed}, velocity, "mean of an hour at `height`", at_least(0), required),
+              number({"direction_deg", &Wind::direction}, angle, "where it goes to, anticlockwise from +x",
+                     or_else("0")),
+              number({"height", &Wind::height}, length, "above the still water, of `speed`", above(0),
+                     or_else("10")),
+              number({"exponent", &Wind::exponent}, none, "of the power law speed (z/height)^exponent",
+                     at_least(0), at_most(1), or_else_note("1/7")),
+              number({"density", &Wind::density}, density, "of the air", above(0), or_else("1.225")),
+              number({"ramp", &Wind::ramp}, time,
+                     "starts smoothly over this time in dynamics; 0: acts in statics already", at_least(0),
+                     or_else("0")),
+              time_factor("wind"),
+              map("gusts",
+                  {word({"spectrum", &Wind::gusts}, {{"iso", GustSpectrum::iso}, {"api", GustSpectrum::api}},
+                        "ISO 19901-1 (NPD), or API RP 2A of 1993", required),
+                   integer({"components", &Wind::components}, "how many frequencies they are made of",
+                           in_range(1, 20000), or_else("200")),
+                   integer({"seed", &Wind::seed},
+                           "of phases and frequencies: the same gusts on any machine and any number of ranks",
+                           in_range(0, 1e9), or_else("1")),
+                   number({"ramp", &Wind::gust_ramp}, time, "they grow smoothly over this time", at_least(0),
+                          or_else("60"))},
+                  "speed that varies along the wind, the same at all places, in dynamics")},
+             "wind: it acts on floating bodies with `wind` coefficients");
+}
+
 Key seabed() {
   return map(
       {"seabed", &Environment::seabed, set(&Environment::seabed, &Seabed::present, true)},
@@ -220,7 +255,7 @@ Key environment() {
   return map({"environment", &Case::environment},
              {number({"gravity", &Environment::gravity}, acceleration, "acts along -z", at_least(0),
                      or_else("9.80665")),
-              water(), current(), waves(), seabed()},
+              water(), current(), waves(), wind(), seabed()},
              "Surroundings.", or_else("{}"));
 }
 

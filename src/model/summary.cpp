@@ -229,6 +229,19 @@ void describe_sea(const Case& c, std::string& s) {
       s += fmt::format(", {} waves", v.rows.size());
     s += "\n";
   }
+  if (const Wind& wind = c.environment.wind; wind.present) {
+    s += fmt::format("wind: {:g} m/s at {:g} m, goes to {:g} deg", wind.speed, wind.height,
+                     wind.direction * 180 / M_PI);
+    if (wind.gusts != GustSpectrum::none) {
+      const double at_ten = wind.speed * std::pow(10 / wind.height, wind.exponent);
+      double energy = 0;
+      for (const Gust& g : gusts(wind.gusts, wind.speed, at_ten, wind.height, wind.components, wind.seed))
+        energy += 0.5 * g.amplitude * g.amplitude;
+      s += fmt::format(", gusts of {} components, seed {}, standard deviation {:.3g} m/s", wind.components,
+                       wind.seed, std::sqrt(energy));
+    }
+    s += "\n";
+  }
   const Seabed& b = c.environment.seabed;
   if (!b.present) return;
   if (b.surface)
@@ -324,6 +337,7 @@ std::string summary(const Case& c) {
   for (const Body& b : c.bodies) {
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(c, b));
     if (b.mass && b.mass->hydrodynamics) s += platform_text(c, b);
+    if (b.mass) s += flow_text(c, b);
   }
   describe_links(c, s);
   describe_supports(c, s);

@@ -52,6 +52,10 @@ void Histories::declare(Declarations& to) {
     Point p;
     if (!h.body.empty()) {
       p.body = c.body_index(h.body);
+      for (const std::string& origin : origins(p.body)) {
+        series.columns.push_back({origin + "_force", "N", 3});
+        series.columns.push_back({origin + "_moment", "N m", 3});
+      }
     } else if (!h.volume.empty()) {
       p.volume = h.volume;
       series.columns = kVolume;
@@ -174,6 +178,16 @@ std::vector<double> Histories::line_row(const Point& p, const Snapshot& s) const
   return row;
 }
 
+// What is left of the force of all is that of lines, links and contact.
+std::vector<std::string> Histories::origins(int body) const {
+  std::vector<std::string> out;
+  if (!subject_.model.floats(body)) return out;
+  for (const ActsOnBodies* term : subject_.system.with<ActsOnBodies>())
+    for (std::string& origin : term->origins(body)) out.push_back(std::move(origin));
+  if (!out.empty()) out.push_back("other");
+  return out;
+}
+
 // Empty on ranks that do not own the body.
 std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
   const auto p = body_pose(subject_.bodies, subject_.local(), body, at);
@@ -186,6 +200,19 @@ std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
   for (const Vec3& x :
        {p->position, log_so3(p->rotation), p->velocity, p->angular_velocity, force[0], force[1]})
     row.insert(row.end(), x.begin(), x.end());
+  if (origins(body).empty()) return row;
+  const auto add = [&row](const BodyForce& f) {
+    row.insert(row.end(), f.force.begin(), f.force.end());
+    row.insert(row.end(), f.moment.begin(), f.moment.end());
+  };
+  BodyForce rest{force[0], force[1]};
+  for (const ActsOnBodies* term : subject_.system.with<ActsOnBodies>())
+    for (const BodyForce& f : term->forces_on(body, at)) {
+      add(f);
+      rest.force -= f.force;
+      rest.moment -= f.moment;
+    }
+  add(rest);
   return row;
 }
 

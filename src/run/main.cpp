@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -20,10 +21,12 @@
 #include "hawser/base/singleton.hpp"
 #include "hawser/io/line_library.hpp"
 #include "hawser/io/write_error.hpp"
+#include "hawser/model/nearest.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/run/driver.hpp"
 #include "hawser/run/modes.hpp"
 #include "hawser/run/post.hpp"
+#include "hawser/run/stiffness.hpp"
 #include "hawser/run/usage.hpp"
 #include "hawser/run/version.hpp"
 
@@ -100,13 +103,47 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   return code;
 }
 
+// Three or six numbers with commas between, those that are missing 0. InputError for anything else.
+hawser::run::Offset numbers_of(const char* option, const std::string& text, size_t most) {
+  hawser::run::Offset out{};
+  size_t n = 0;
+  const char* at = text.c_str();
+  for (bool more = true; more && n < most; ++n) {
+    char* end = nullptr;
+    out[n] = std::strtod(at, &end);
+    if (end == at || !std::isfinite(out[n])) break;
+    more = *end == ',';
+    at = more ? end + 1 : end;
+  }
+  if (*at || (n != 3 && n != 6))
+    throw hawser::InputError(fmt::format("{} {}: give {} with commas between", option,
+                                         hawser::model::quote(text),
+                                         most == 3 ? "three numbers" : "three or six numbers"));
+  return out;
+}
+
+void read_places(const std::vector<std::string>& point, const std::vector<std::string>& offsets,
+                 double direction, hawser::run::StiffnessOptions& to) {
+  constexpr double kDegree = M_PI / 180;
+  if (!point.empty()) to.at = hawser::Vec3(numbers_of("--at", point.front(), 3).data());
+  for (const std::string& text : offsets) {
+    hawser::run::Offset offset = numbers_of("--offset", text, 6);
+    for (size_t k = 3; k < 6; ++k) offset[k] *= kDegree;
+    to.offsets.push_back(offset);
+  }
+  to.direction = direction * kDegree;
+}
+
 // The command line: commands, their options, and what was given.
 struct CommandLine {
   CLI::App cli{"hawser: nonlinear statics and dynamics of the lines of the sea, and their contact."};
-  CLI::App *run_command = nullptr, *modes_command = nullptr, *schema_command = nullptr,
-           *library_command = nullptr;
+  CLI::App *run_command = nullptr, *modes_command = nullptr, *stiffness_command = nullptr,
+           *schema_command = nullptr, *library_command = nullptr;
   RunOptions run;
   hawser::run::ModesOptions modes;
+  hawser::run::StiffnessOptions stiffness;
+  std::vector<std::string> point, offsets;  // numbers with commas between
+  double direction = 0;                     // deg
   std::vector<std::string> changes;
   bool in_vacuum = false;
   std::string check_path;
@@ -134,7 +171,7 @@ CommandLine::CommandLine() {
                           "results file, the run is continued in it");
   run_command
       ->add_option("--stop-at", run.stop_at, "End at this simulated time, s, if the case would go on longer")
-      ->check(hawser::run::positive_time());
+      ->check(hawser::run::positive("time above 0, in s"));
   run_command->add_flag("-q,--quiet", run.quiet, "Say nothing but errors");
   const auto add_set = [&](CLI::App* command) {
     command
@@ -159,6 +196,31 @@ CommandLine::CommandLine() {
   modes_command->add_flag("--without-added-mass", in_vacuum, "Without the added mass of the water");
   modes_command->add_flag("-q,--quiet", modes.quiet, "Say nothing but errors");
   add_set(modes_command);
+
+  stiffness_command = cli.add_subcommand(
+      "stiffness",
+      "Stiffness of the lines on a body at rest; force and tension over offsets, as a CSV file.");
+  stiffness_command->add_option("case", stiffness.case_path, "Case file")->required();
+  stiffness_command->add_option("--body", stiffness.body, "Of several bodies that lines are tied to");
+  stiffness_command
+      ->add_option("--at", point, "Point of the body that all is about, m, its frame (default 0,0,0)")
+      ->option_text("X,Y,Z")
+      ->expected(1);
+  stiffness_command
+      ->add_option("--offset", offsets,
+                   "Also away from rest by this, m, and rotation vector, deg, axes of space; repeatable")
+      ->option_text("X,Y,Z[,RX,RY,RZ]")
+      ->allow_extra_args(false);
+  stiffness_command->add_option("--to", stiffness.to, "Also in steps up to an offset of this, m")
+      ->check(hawser::run::positive("offset above 0, in m"));
+  stiffness_command->add_option("--direction", direction, "Of --to, deg, anticlockwise from +x")
+      ->capture_default_str();
+  stiffness_command->add_option("--steps", stiffness.steps, "Of --to")
+      ->check(hawser::run::whole_number(1, 10000))
+      ->capture_default_str();
+  stiffness_command->add_option("-o,--output", stiffness.output, "CSV file (default: <case>-stiffness.csv)");
+  stiffness_command->add_flag("-q,--quiet", stiffness.quiet, "Say nothing but errors");
+  add_set(stiffness_command);
 
   CLI::App* check_command =
       cli.add_subcommand("check", "Read and check a case, print what is in it, try how its run begins.");
@@ -233,10 +295,14 @@ int main(int argc, char** argv) {
     return 0;
   }
   line.run.options_text = line.modes.options_text = options;
-  line.run.changes = line.modes.changes = line.changes;
+  line.run.changes = line.modes.changes = line.stiffness.changes = line.changes;
   line.modes.added_mass = !line.in_vacuum;
   if (!petsc) begin();
   return guarded(*petsc, [&] {
+    if (*line.stiffness_command) {
+      read_places(line.point, line.offsets, line.direction, line.stiffness);
+      return hawser::run::stiffness(PETSC_COMM_WORLD, line.stiffness);
+    }
     if (!*line.run_command && !*line.modes_command)
       return line.json ? hawser::run::print_case(PETSC_COMM_WORLD, line.check_path, line.changes)
                        : hawser::run::check_case(PETSC_COMM_WORLD, line.check_path, line.ranks, !line.quick,

@@ -25,6 +25,7 @@
 #include "hawser/run/share_nodes.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
+#include "hawser/terms/bodies_in_flow.hpp"
 #include "hawser/terms/bodies_in_water.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/buried.hpp"
@@ -238,6 +239,9 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
     if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
                     [](const model::Body& b) { return b.mass && b.mass->in_water; }))
       add<BodiesInWater>(case_, local());
+    if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
+                    [](const model::Body& b) { return b.mass && (b.mass->wind || b.mass->current); }))
+      add<BodiesInFlow>(case_, local());
     if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
                     [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; }))
       add<PlatformWater>(system_->comm(), case_, local());

@@ -133,11 +133,11 @@ CLI::Validator whole_number(long least, long most) {
   return CLI::Validator(test, "");
 }
 
-CLI::Validator positive_time() {
-  const auto test = [](std::string& text) -> std::string {
+CLI::Validator positive(std::string what) {
+  const auto test = [what = std::move(what)](std::string& text) -> std::string {
     char* end = nullptr;
-    const double t = std::strtod(text.c_str(), &end);
-    return t > 0 && std::isfinite(t) && !*end ? "" : model::quote(text) + " is no time above 0, in s";
+    const double x = std::strtod(text.c_str(), &end);
+    return x > 0 && std::isfinite(x) && !*end ? "" : fmt::format("{} is no {}", model::quote(text), what);
   };
   return CLI::Validator(test, "");
 }

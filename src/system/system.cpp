@@ -69,9 +69,14 @@ void System::add(std::unique_ptr<ForceTerm> term) {
   check(PetscLogEventRegister(("J " + name).c_str(), id, &e.tangent));
   check(PetscLogEventRegister(("prepare " + name).c_str(), id, &e.prepare));
   if (limit_event_ < 0) check(PetscLogEventRegister("limit steps", id, &limit_event_));
+  take_roles(*term);
+  terms_.push_back(std::move(term));
+}
+
+void System::take_roles(ForceTerm& term) {
   const auto take = [&term](auto& list) {
     using Role = typename std::remove_reference_t<decltype(list)>::value_type;
-    if (const auto role = dynamic_cast<Role>(term.get())) list.push_back(role);
+    if (const auto role = dynamic_cast<Role>(&term)) list.push_back(role);
   };
   take(couple_nodes_);
   take(limit_steps_);
@@ -80,7 +85,22 @@ void System::add(std::unique_ptr<ForceTerm> term) {
   take(move_masses_);
   take(carry_tension_);
   take(scale_residuals_);
-  terms_.push_back(std::move(term));
+}
+
+void System::remove(const ForceTerm* term) {
+  const auto is_it = [term](const auto& t) { return t.get() == term; };
+  const auto found = std::find_if(terms_.begin(), terms_.end(), is_it);
+  if (found == terms_.end()) return;
+  events_.erase(events_.begin() + (found - terms_.begin()));
+  terms_.erase(found);
+  couple_nodes_.clear();
+  limit_steps_.clear();
+  raise_stiffness_.clear();
+  on_elements_.clear();
+  move_masses_.clear();
+  carry_tension_.clear();
+  scale_residuals_.clear();
+  for (const auto& t : terms_) take_roles(*t);
 }
 
 void System::tie(std::vector<TiedNode> nodes, BodyMotion motion) {

@@ -1,12 +1,12 @@
-// The class PlatformWater: forces and tangents of a group of platforms, their memory and their energy.
+// The class PlatformWater: forces and tangents of a group of platforms, their memory, slow poses and energy.
 #include "hawser/terms/platform_water.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "hawser/base/gather.hpp"
 #include "hawser/kernels/motion.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
@@ -65,7 +65,7 @@ Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& at) const
   Eigen::VectorXd out(6 * g.platforms.size());
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
-    out.segment<6>(6 * i) = platform_rate(p.potential.axes, p.arm, floating_state(at, p.local));
+    out.segment<6>(6 * i) = platform_rate(p.axes, p.arm, floating_state(at, p.local));
   }
   return out;
 }
@@ -86,7 +86,7 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   const Eigen::Index n = 6 * static_cast<Eigen::Index>(g.platforms.size());
   now.time = time;
   now.past = Eigen::VectorXd::Zero(n);
-  now.waves = Eigen::VectorXd::Zero(n);
+  now.first = now.second = Eigen::VectorXd::Zero(n);
   now.damping = Eigen::MatrixXd::Zero(n, n);
   g.known = true;
   const size_t entries = g.entries.size();
@@ -119,10 +119,13 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const Platform& p = g.platforms[i];
     if (p.waves.none()) continue;
-    const Vec3 origin = p.potential.place + p.potential.axes * p.file_origin;
+    const Vec3 place =
+        p.follow > 0 ? Vec3(p.slow.place + (time - g.slow_time) * p.slow.drift) : p.potential.place;
+    const Vec3 origin = place + p.axes * p.file_origin;
     const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
-    now.waves.segment<6>(6 * static_cast<Eigen::Index>(i)) =
-        ramp * f.first + ramp * ramp * f.slow + p.waves.mean_drift();
+    const auto first = 6 * static_cast<Eigen::Index>(i);
+    now.first.segment<6>(first) = ramp * f.first;
+    now.second.segment<6>(first) = ramp * ramp * f.slow + p.waves.mean_drift();
   }
   return now;
 }
@@ -143,12 +146,33 @@ void PlatformWater::damping(const Group& g, const AtTime& now, const Eigen::Vect
   }
 }
 
+void PlatformWater::turn(Platform& p) {
+  const double heading = p.slow.place.z();
+  p.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
+  if (!p.waves.none()) p.waves.turn_to(heading);
+}
+
+Vec3 PlatformWater::pose_of(const Platform& p, const RigidBodyState& s) {
+  const Vec3 origin = s.x + s.q * p.arm;
+  return {origin.x(), origin.y(), heading_of(s.q).angle};
+}
+
+void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
+  if (!(p.follow > 0)) return;
+  p.slow = SlowPose::at(pose_of(p, s));
+  turn(p);
+}
+
 // Where nothing went before, the memory begins with the velocity that there is.
 void PlatformWater::prepare(const Kinematics& committed, double h) {
   for (Group& g : groups_) {
     g.known = false;
     if (!g.here) continue;
+    if (!(committed.step > 0))
+      for (Platform& p : g.platforms) p.rest = floating_state(committed, p.local);
     if (committed.step > 0 || !(h > 0) || g.past.size() > 1) continue;
+    for (Platform& p : g.platforms) rest_at(p, floating_state(committed, p.local));
+    g.slow_time = committed.time;
     const Eigen::VectorXd rate = rates(g, committed);
     g.past.clear();
     add_past(g, committed.time, rate);
@@ -167,16 +191,17 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
     Eigen::MatrixXd by_rate = Eigen::MatrixXd::Zero(F.size(), F.size());
     for (size_t i = 0; i < n; ++i) {
       const Platform& p = g.platforms[i];
-      motion[i] = platform_motion(p.potential.axes, p.arm, floating_state(trial, p.local));
+      motion[i] = platform_motion(p.axes, p.arm, floating_state(trial, p.local));
       rate.segment<6>(6 * i) = motion[i].rate;
       acceleration.segment<6>(6 * i) = motion[i].acceleration;
     }
     if (trial.step > 0) {
       const AtTime& now = at_time(g, trial.time);
       damping(g, now, rate, F, assembler.needs_tangent() ? &by_rate : nullptr);
-      F -= now.waves;
+      F -= now.first + now.second;
     } else {
-      for (size_t i = 0; i < n; ++i) F.segment<6>(6 * i) -= g.platforms[i].waves.mean_drift();
+      for (size_t i = 0; i < n; ++i)
+        if (const Platform& p = g.platforms[i]; !(p.follow > 0)) F.segment<6>(6 * i) -= p.waves.mean_drift();
       if (g.harmonic_damping.size() > 0) by_rate = g.harmonic_damping;
     }
     F += g.added_mass * acceleration;
@@ -192,6 +217,11 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       assembler.add(blocks, f.data(), slope.data(), nullptr, nullptr);
       assembler.add(blocks, still.f.data(), still.K.data(), nullptr, nullptr);
       assembler.add(blocks, added.f.data(), added.K.data(), nullptr, nullptr);
+      if (!(trial.step > 0) && p.follow > 0 && !p.waves.none()) {
+        const PlatformWaves::MeanDrift mean = p.waves.mean_drift(heading_of(s.q).angle);
+        const PlatformLoad drift = turning_load({mean.force, mean.by_heading}, p.arm, s);
+        assembler.add(blocks, drift.f.data(), drift.K.data(), nullptr, nullptr);
+      }
       if (!assembler.needs_tangent()) continue;
       for (size_t j = 0; j < n; ++j) {
         const Mat6 A = motion[i].G.transpose() * g.added_mass.block<6, 6>(6 * i, 6 * j);
@@ -210,6 +240,8 @@ void PlatformWater::commit(const Kinematics& accepted) {
     if (!g.here) continue;
     if (!(accepted.step > 0)) {
       g.past.clear();
+      for (Platform& p : g.platforms) rest_at(p, floating_state(accepted, p.local));
+      g.slow_time = accepted.time;
       continue;
     }
     Eigen::VectorXd rate = rates(g, accepted);
@@ -224,6 +256,13 @@ void PlatformWater::commit(const Kinematics& accepted) {
     // Velocities from before the length of the memory have no force any more.
     const auto over = [&](const Past& p) { return p.time < accepted.time - g.memory.length(); };
     while (g.past.size() > 2 && over(g.past[1])) g.past.pop_front();
+    for (Platform& p : g.platforms) {
+      if (!(p.follow > 0)) continue;
+      const Vec3 pose = pose_of(p, floating_state(accepted, p.local));
+      p.slow = p.slow.after(pose, accepted.time - g.slow_time, p.follow);
+      turn(p);
+    }
+    g.slow_time = accepted.time;
     g.known = false;
   }
 }
@@ -237,7 +276,7 @@ std::vector<PlatformWater::Power> PlatformWater::powers(const Group& g, double t
   for (size_t i = 0; i < g.platforms.size(); ++i) {
     const auto first = 6 * static_cast<Eigen::Index>(i);
     const Vec6 own = rate.segment<6>(first);
-    out.push_back({force.segment<6>(first).dot(own), now.waves.segment<6>(first).dot(own)});
+    out.push_back({force.segment<6>(first).dot(own), (now.first + now.second).segment<6>(first).dot(own)});
   }
   return out;
 }
@@ -256,6 +295,7 @@ Energy PlatformWater::energy(const Kinematics& at) const {
       const RigidBodyState s = floating_state(at, p.local);
       e.potential += hydrostatic_pull(p.hydrostatics, p.arm, s).potential;
       e.potential += platform_pull(p.potential, p.arm, s).potential;
+      if (!(at.step > 0)) e.potential -= mean_work(p, s);
       e.damping += p.damping_work;
       e.work += p.wave_work;
       e.by_water += p.wave_work;
@@ -293,93 +333,6 @@ double PlatformWater::round_off(const Kinematics& at, double h) const {
       sum += std::pow(4 * eps * inertia * at.w[p.local].norm() / h, 2);
     }
   return sum;
-}
-
-namespace {
-
-struct KeptRate {
-  double time = 0;
-  Vec3 velocity = Vec3::Zero(), turning = Vec3::Zero();
-  template <class Self, class Each>
-  static void quantities(Self& self, Each&& each) {
-    each("time", "s", self.time);
-    each("velocity", "m/s", self.velocity);
-    each("rate of turning", "rad/s", self.turning);
-  }
-};
-
-struct KeptWork {
-  double damping = 0, waves = 0, damping_power = 0, wave_power = 0;
-  template <class Self, class Each>
-  static void quantities(Self& self, Each&& each) {
-    each("work of damping", "J", self.damping);
-    each("work of waves", "J", self.waves);
-    each("power of damping", "W", self.damping_power);
-    each("power of waves", "W", self.wave_power);
-  }
-};
-
-}  // namespace
-
-std::vector<HistoryKind> PlatformWater::history() const {
-  return {history_kind<KeptRate>("velocities of a platform"), history_kind<KeptWork>("sums of a platform")};
-}
-
-std::vector<HistoryRecord> PlatformWater::records(NodeRange of) const {
-  std::vector<HistoryRecord> out;
-  for (const Group& g : groups_)
-    for (size_t i = 0; i < g.platforms.size(); ++i) {
-      const Platform& p = g.platforms[i];
-      if (!p.owned || !of.has(p.node)) continue;
-      HistoryRecord rates{p.node, 0, {}, 0};
-      for (const Past& past : g.past) {
-        const Vec6 own = past.rate.segment<6>(6 * static_cast<Eigen::Index>(i));
-        put(KeptRate{past.time, own.head<3>(), own.tail<3>()}, rates.values);
-      }
-      out.push_back(std::move(rates));
-      const KeptWork work{p.damping_work, p.wave_work, p.power.damping, p.power.waves};
-      out.push_back(record_of(p.node, 0, work, 1));
-    }
-  return out;
-}
-
-void PlatformWater::restore(const std::vector<HistoryRecord>& records) {
-  for (Group& g : groups_) {
-    const auto n = static_cast<Eigen::Index>(g.platforms.size());
-    std::vector<double> past;  // of each state its time and the velocities, n times six
-    const size_t row = static_cast<size_t>(1 + 6 * n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      Platform& p = g.platforms[static_cast<size_t>(i)];
-      if (!p.owned) continue;
-      for (const HistoryRecord& r : records) {
-        if (r.node != p.node) continue;
-        if (r.kind == 1) {
-          const KeptWork kept = entry<KeptWork>(r);
-          p.damping_work = kept.damping;
-          p.wave_work = kept.waves;
-          p.power = {kept.damping_power, kept.wave_power};
-          continue;
-        }
-        const std::vector<KeptRate> kept = entries<KeptRate>(r);
-        past.resize(row * kept.size(), 0);
-        for (size_t k = 0; k < kept.size(); ++k) {
-          double* state = &past[row * k];
-          if (i == 0) state[0] = kept[k].time;
-          Eigen::Map<Vec6>(state + 1 + 6 * i) << kept[k].velocity, kept[k].turning;
-        }
-      }
-    }
-    unsigned long size = past.size();
-    MPI_Allreduce(MPI_IN_PLACE, &size, 1, MPI_UNSIGNED_LONG, MPI_MAX, comm_);
-    past.resize(size, 0);
-    if (size > 0) all_reduce(comm_, MPI_SUM, past);
-    g.past.clear();
-    g.known = false;
-    for (size_t k = 0; k < size; k += row) {
-      Eigen::VectorXd rate = Eigen::Map<const Eigen::VectorXd>(&past[k + 1], 6 * n);
-      add_past(g, past[k], std::move(rate));
-    }
-  }
 }
 
 }  // namespace hawser

@@ -24,7 +24,10 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.node = mesh_.mesh->body_node(body);
   p.arm = -m.centre;
   p.file_origin = -h.in_file;
-  p.potential.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
+  p.body = body;
+  p.potential.axes = p.axes = exp_so3(heading * Vec3::UnitZ()).toRotationMatrix();
+  p.follow = h.follow;
+  p.slow = SlowPose::at({b.position.x(), b.position.y(), heading});
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
   p.potential.stiffness = h.stiffness;
   p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);

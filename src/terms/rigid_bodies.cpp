@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/math/broken_line.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -79,7 +80,8 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
 
 bool finds_rest(const model::Case& c, int body) {
   const model::BodyMass& m = *c.bodies[body].mass;
-  return m.hydrodynamics || !m.loads.empty() || in_lines_or_links(c, body) || floats_at_rest(c, m);
+  return m.hydrodynamics || m.wind || m.current || !m.loads.empty() || in_lines_or_links(c, body) ||
+         floats_at_rest(c, m);
 }
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
@@ -98,7 +100,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     f.data.turning_stiffness = m.turning_stiffness;
     f.data.turning_damping = m.turning_damping;
     for (const model::BodyLoad& l : m.loads)
-      f.loads.push_back({l.force, l.moment, l.at - m.centre, l.body_fixed});
+      f.loads.push_back({{l.force, l.moment, l.at - m.centre, l.body_fixed, l.table.empty()}, l.table});
     f.rests = finds_rest(c, body);
     f.centre = m.centre;
     f.body = body;
@@ -107,6 +109,15 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     f.block = mesh.block[n];
     list_.push_back(f);
   }
+}
+
+RigidBodyLoad RigidBodies::Load::at(double time) const {
+  RigidBodyLoad out = constant;
+  if (table.empty()) return out;
+  const Vec6 more = on_broken_line(table, time);
+  out.force += more.head<3>();
+  out.moment += more.tail<3>();
+  return out;
 }
 
 // Of the centre of mass of a body that goes where its motion wants it.
@@ -126,11 +137,15 @@ void RigidBodies::powers(const Floating& f, const Kinematics& at, double& dampin
   // What holds it brings in: its force on the springs and dampers at their far end.
   const Vec6 force = rigid_body(f.data, s, r).held;
   work = -force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
-  for (const RigidBodyLoad& l : f.loads) work += load_power(l, s);
+  for (const Load& l : f.loads) work += load_power(l.at(at.time), s);
 }
 
 void RigidBodies::prepare(const Kinematics& committed, double) {
-  for (Floating& f : list_) powers(f, committed, f.damping_power, f.work_power);
+  for (Floating& f : list_) {
+    powers(f, committed, f.damping_power, f.work_power);
+    for (Load& l : f.loads)
+      l.at_start = load_potential(l.at(committed.time), floating_state(committed, f.node));
+  }
 }
 
 void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
@@ -138,7 +153,7 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
     const RigidBodyState s = floating_state(trial, f.node);
     RigidBodyResidual r = rigid_body(data(f), s, rest(f, trial.time));
     if (!hold_ || f.rests)
-      for (const RigidBodyLoad& l : f.loads) add_load(l, s, r);
+      for (const Load& l : f.loads) add_load(l.at(trial.time), s, r);
     const int blocks[2] = {f.block, f.block + 1};
     assembler.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
     if (hold_ && f.rests && assembler.needs_tangent()) {
@@ -158,7 +173,7 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const 
     if (f.body != body) continue;
     const RigidBodyState s = floating_state(at, f.node);
     RigidBodyResidual r = rigid_body(f.data, s, rest(f, at.time));
-    for (const RigidBodyLoad& l : f.loads) add_load(l, s, r);
+    for (const Load& l : f.loads) add_load(l.at(at.time), s, r);
     const Vec6 own = r.f();
     return {own.head<3>(), s.q * own.tail<3>()};
   }
@@ -166,8 +181,10 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const 
 }
 
 void RigidBodies::commit(const Kinematics& accepted) {
-  if (!(accepted.step > 0)) return;
   for (Floating& f : list_) {
+    for (Load& l : f.loads)
+      l.at_start = load_potential(l.at(accepted.time), floating_state(accepted, f.node));
+    if (!(accepted.step > 0)) continue;
     double damping = 0, work = 0;
     powers(f, accepted, damping, work);
     f.damping += 0.5 * accepted.step * (damping + f.damping_power);
@@ -183,11 +200,14 @@ Energy RigidBodies::energy(const Kinematics& at) const {
     const RigidBodyData d = data(f);
     e.strain += rigid_body_strain(d, s, rest(f, at.time));
     e.potential -= d.weight.dot(s.x);
-    for (const RigidBodyLoad& l : f.loads) {
-      e.potential += load_potential(l, s);
-      // Moments have none; in statics, whose search needs one, that of small rotations, and in motion they do
-      // work.
-      if (!(at.step > 0) && !l.body_fixed) e.potential -= l.moment.dot(log_so3(s.q));
+    for (const Load& load : f.loads) {
+      const RigidBodyLoad l = load.at(at.time);
+      if (l.constant) e.potential += load_potential(l, s);
+      if (at.step > 0 || l.body_fixed) continue;
+      // In statics, whose search needs a potential: that of small rotations, and of what changes by time from
+      // where the last iteration is. In motion they do work.
+      e.potential -= l.moment.dot(log_so3(s.q));
+      if (!l.constant) e.potential += load_potential(l, s) - load.at_start;
     }
     e.damping += f.damping;
     e.work += f.work;
@@ -199,7 +219,7 @@ double RigidBodies::dead_load() const {
   double sum = 0;
   for (const Floating& f : list_) {
     sum += f.data.weight.norm();
-    for (const RigidBodyLoad& l : f.loads) sum += l.force.norm();
+    for (const Load& l : f.loads) sum += l.at(0).force.norm();
   }
   return sum;
 }

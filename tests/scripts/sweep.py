@@ -33,7 +33,7 @@ TABLES = {
     "box.obj": "".join(f"v {x} {y} {z}\n" for z in (1, 3) for y in (-2, 2) for x in (-2, 2)) + "".join(
         f"f {a} {b} {c}\n" for a, b, c in ((1, 3, 4), (1, 4, 2), (5, 6, 8), (5, 8, 7), (1, 2, 6), (1, 6, 5), (3, 7, 8), (3, 8, 4),
                                            (1, 5, 7), (1, 7, 3), (2, 4, 8), (2, 8, 6))),
-    "two.txt": "0 1\n10 2\n", "motion.txt": "0 0 0 0\n5 0.1 0 0\n10 0 0 0\n", "spectrum.txt": "0.05 0\n0.1 4\n0.2 1\n",
+    "flow.txt": "0 0.8 0 0\n60 0.4 0.6 0.1\n120 -0.4 0.6 -0.1\n180 -0.8 0 0\n", "two.txt": "0 1\n10 2\n", "motion.txt": "0 0 0 0\n5 0.1 0 0\n10 0 0 0\n", "spectrum.txt": "0.05 0\n0.1 4\n0.2 1\n",
     "barge.1": "".join(f"{p} {k} {k} {a}{b}\n" for p, b in ((0, ""), (4, " 0.2"), (8, " 0.3"), (12, " 0.1")) for k, a in
                        ((1, 0.1), (2, 0.2), (3, 1.0), (4, 5.0), (5, 9.0), (6, 4.0))),
     "barge.hst": "3 3 0.2\n4 4 1.5\n5 5 8\n",
@@ -50,6 +50,8 @@ environment:
   gravity: 9.81
   water: {density: 1025, depth: 50, surface: 0}
   current: {speed: 0.5, direction_deg: 20, exponent: 0.2, ramp: 0, time_factor: {rows: [[0, 1], [10, 2]]}}
+  wind: {speed: 10, direction_deg: 0, height: 10, exponent: 0.1, density: 1.2, ramp: 0, time_factor: {rows: [[0, 1], [10, 2]]},
+         gusts: {spectrum: iso, components: 20, seed: 1, ramp: 1}}
   waves: {regular: {height: 2, period: 8, direction_deg: 0, phase_deg: 0}, ramp: 1, stretching: wheeler}
   seabed: {depth: 50, slope_deg: 1, slope_direction_deg: 0, normal_stiffness: {per_area: 1e5}, damping: 10, smoothing: 0.01,
            suction: {limit: 100, length: 0.1}, friction_in_statics: as_laid,
@@ -164,9 +166,11 @@ VARIANTS = (
     {"lines.mooring.target": "{laid_length: 15}"},
     # Platforms.
     {"bodies.barge": "{position: [200, 0, 0], floating: {mass: 5e5, inertia: [2e7, 6e7, 7e7], centre_of_mass: [0, 0, 1], "
-     "loads: [{force: [100, 0, 0], moment: [0, 0, 10], at: [1, 0, 2], axes: body}], "
+     "loads: [{force: [100, 0, 0], moment: [0, 0, 10], at: [1, 0, 2], axes: body}, {table: {rows: [[0, 1, 0, 0], [10, 2, 0, 0]]}}], "
+     "wind: {rows: [[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]], angles: to, frontal_area: 100, "
+     "lateral_area: 200, length: 40, at: [0, 0, 10], height: 10}, current: {file: flow.txt, angles: to, length: 40, draught: 3, at: [0, 0, -2]}, "
      "hydrodynamics: {wamit: barge, length_scale: 10, body: 1, origin_in_file: [0, 0, 0], displaced_volume: 500, gravity_in_stiffness: false, "
-     "place: [200, 0, 0], heading_deg: 0, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, 1], "
+     "place: [200, 0, 0], heading_deg: 0, follow_period: 60, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, 1], "
      "stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], damping: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]]}}}"},
     # Feeders, events, stages.
     {"lines.mooring.masses": "null", "lines.mooring.loads": "null", "bodies.clump": "null", "contact": "null", "output.clearances": "null",

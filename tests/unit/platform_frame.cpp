@@ -100,6 +100,39 @@ TEST(PlatformFrame, PullIsTheGradientOfItsPotentialWithItsTangent) {
   }
 }
 
+TEST(PlatformFrame, HeadingHasItsSlope) {
+  const Heading heading = heading_of(state().q);
+  using One = Eigen::Matrix<double, 1, 1>;
+  for (int k = 0; k < 3; ++k) {
+    const One found =
+        slope([&](const Vec6& u) { return One(heading_of(state(u).q).angle); }, Vec6(Vec6::Unit(3 + k)));
+    EXPECT_NEAR(heading.by_turn[k], found[0], 1e-9) << k;
+  }
+  EXPECT_NEAR(heading_of(exp_so3(Vec3(0, 0, 2.5))).angle, 2.5, 1e-14);
+}
+
+// Forces that depend on the heading, in its axes; equal forces where everything is turned.
+TEST(PlatformFrame, TurningLoadHasItsTangent) {
+  const auto F = [](double heading) {
+    TurningForce out;
+    for (int k = 0; k < 6; ++k) {
+      out.force[k] = (k + 1) * std::sin(2 * heading + k);
+      out.by_heading[k] = 2 * (k + 1) * std::cos(2 * heading + k);
+    }
+    return out;
+  };
+  const auto load = [&](const RigidBodyState& s) { return turning_load(F(heading_of(s.q).angle), kArm, s); };
+  const PlatformLoad here = load(state());
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 d = Vec6::Unit(k);
+    const Vec6 found = slope([&](const Vec6& u) { return load(state(u)).f; }, d);
+    EXPECT_LT((here.K * d - found).norm(), 1e-8 * here.K.norm()) << k;
+  }
+  RigidBodyState s;
+  const Vec6 level = turning_load(F(0), Vec3::Zero(), s).f;
+  EXPECT_LT((level + F(0).force).norm(), 1e-14);
+}
+
 TEST(PlatformFrame, LoadsHaveTheirTangent) {
   for (const bool body_fixed : {false, true}) {
     const RigidBodyLoad load{Vec3(3, -2, 5), Vec3(1, 4, -2), kArm, body_fixed};

@@ -105,5 +105,31 @@ TEST(PlatformWaves, NewmanIsTheDoubleSumOfRoots) {
   }
 }
 
+// A body that turns has the forces of one made at that heading, and its mean drift the slope of the table.
+TEST(PlatformWaves, TurnsToAnotherHeading) {
+  std::vector<ComplexVec6> values;
+  for (int k = 0; k < 24; ++k) {
+    values.emplace_back();
+    for (int i = 0; i < 6; ++i) values.back()[i] = Complex(std::sin(k + i), std::cos(2.0 * k - i));
+  }
+  const WaveForceTable table({0.4, 0.9, 1.4}, {0, 0.7, 1.5, 2.4, 3.3, 4.2, 5, 5.9}, values);
+  for (const SecondOrder order : {SecondOrder::mean, SecondOrder::newman}) {
+    PlatformWaves turned(sea(), 0.1, table, table, {}, order);
+    const PlatformWaves made(sea(), 2.2, table, table, {}, order);
+    EXPECT_GT((turned.at(3, 1, 2).first - made.at(3, 1, 2).first).norm(), 0.1);
+    turned.turn_to(2.2);
+    const auto a = turned.at(3, 1, 2), b = made.at(3, 1, 2);
+    EXPECT_LT((a.first - b.first).norm(), 1e-12);
+    EXPECT_LT((a.slow - b.slow).norm(), 1e-12);
+    EXPECT_LT((turned.mean_drift() - made.mean_drift()).norm(), 1e-12);
+    const double e = 1e-6;
+    const auto mean = turned.mean_drift(2.2);
+    const Vec6 found = (turned.mean_drift(2.2 + e).force - turned.mean_drift(2.2 - e).force) / (2 * e);
+    EXPECT_GT(mean.by_heading.norm(), 0.1);
+    EXPECT_LT((mean.by_heading - found).norm(), 1e-7 * found.norm());
+    EXPECT_LT((mean.force - made.mean_drift()).norm(), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace hawser::platform_waves_test

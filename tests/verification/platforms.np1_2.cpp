@@ -5,54 +5,17 @@
 #include <filesystem>
 #include <fstream>
 
-#include "../regression/runs.hpp"
-#include "hawser/base/gather.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
 #include "hawser/solve/natural_modes.hpp"
-#include "verification/dynamics_rig.hpp"
+#include "verification/platform_rig.hpp"
 
 namespace hawser::test::platforms {
 namespace {
 
+using platform_rig::coefficients;
+using platform_rig::motion;
 using run::Simulation;
-
-// Places of the bodies' nodes (the centre of mass) at the ends of steps.
-std::vector<std::vector<Vec3>> run(const model::Case& c, double until, double every) {
-  Simulation s(PETSC_COMM_WORLD, c);
-  if (c.statics.enabled) s.solve_statics();
-  Dynamics& d = s.dynamics();
-  d.start(s.state());
-  std::vector<std::vector<Vec3>> out;
-  const auto keep = [&](const Kinematics& at) {
-    auto& row = out.emplace_back();
-    for (size_t b = 0; b < c.bodies.size(); ++b) {
-      const int node = s.mesh().body_node(static_cast<int>(b)), local = s.local().find(node);
-      Vec3 x = s.local().owns(local) ? at.x[local] : Vec3(Vec3::Zero());
-      std::vector<double> all(x.begin(), x.end());
-      all_reduce(PETSC_COMM_WORLD, MPI_SUM, all);
-      row.push_back(Vec3(all.data()));
-    }
-  };
-  keep(d.kinematics());
-  integrate(d, until, every, [&](const StepInfo& i) {
-    if (std::abs(std::remainder(i.time, every)) < 1e-9) keep(d.kinematics());
-  });
-  return out;
-}
-
-// Files of a barge of little added mass and damping, and of that hydrostatic stiffness: their path without
-// endings.
-std::string coefficients(const std::string& name, const std::string& stiffness) {
-  const std::string stem = testing::TempDir() + name;
-  if (rank_of(PETSC_COMM_WORLD) == 0) {
-    std::filesystem::create_directories(std::filesystem::path(stem).parent_path());
-    std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";
-    std::ofstream(stem + ".hst") << stiffness;
-  }
-  MPI_Barrier(PETSC_COMM_WORLD);
-  return stem;
-}
 
 // A hemisphere of 5 m and 261.8 t in 1000 kg/m³ that starts 1 m above its rest, for 10 s.
 model::Case hemisphere(double step) {
@@ -79,7 +42,7 @@ TEST(Platforms, HemisphereDecays) {
   constexpr double kTime = 2.5;
   const double exact[] = {1, -0.798213175, 0.43444015, -0.144894465, -0.0327708241};
 
-  const auto found = run(hemisphere(0.02), 10, kTime);
+  const auto found = motion(hemisphere(0.02), 10, kTime);
   ASSERT_EQ(found.size(), 5u);
   for (size_t i = 0; i < found.size(); ++i) {
     printf("hemisphere at %4.1f s: %.6f m, exact %.6f m\n", kTime * static_cast<double>(i), found[i][0].z(),
@@ -167,7 +130,7 @@ statics: false
 dynamics: {{duration: 20, step: 0.02, rho_infinity: 1}}
 )",
                                        pair.stem);
-  const auto found = run(io::read_case_text(text, testing::TempDir() + "pair.yaml"), 20, 2);
+  const auto found = motion(io::read_case_text(text, testing::TempDir() + "pair.yaml"), 20, 2);
   const auto exact = pair_by_trapezoids(pair, {0.1, -0.05}, 20, 2);
   ASSERT_EQ(found.size(), exact.size());
   for (size_t i = 0; i < found.size(); ++i) {

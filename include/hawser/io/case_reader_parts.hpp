@@ -59,6 +59,9 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
 void read_motion_table(const model::Value& table, const CaseSource& source, model::TableMotion& m,
                        std::vector<std::string>& notes);
 
+// `wind` or `current` of a floating body: its table and areas.
+void read_flow_on_body(const model::Value& v, const CaseSource& source, model::FlowOnBody& f);
+
 // `environment`. notes: what is unusual about it, a sentence each.
 void finish_environment(const model::Value& v, const CaseSource& source, model::Environment& e,
                         std::vector<std::string>& notes);

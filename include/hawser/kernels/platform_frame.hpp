@@ -23,6 +23,25 @@ Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s);
 // d (G^T F) by increments of position and rotation at fixed F.
 Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F);
 
+// rad, of the body's x axis about the vertical against +x; its derivative by the material rotation.
+struct Heading {
+  double angle = 0;
+  Vec3 by_turn = Vec3::Zero();
+};
+Heading heading_of(const Quat& q);
+
+// A force and moment at the point of r whose components are in axes that are turned with the body's heading,
+// as the residual: minus what it does on the unknowns, and its derivative by increments of place and
+// rotation.
+struct TurningForce {
+  Vec6 force = Vec6::Zero(), by_heading = Vec6::Zero();  // N, N m, axes of the heading; by it, 1/rad
+};
+struct PlatformLoad {
+  Vec6 f = Vec6::Zero();
+  Mat6 K = Mat6::Zero();
+};
+PlatformLoad turning_load(const TurningForce& F, const Vec3& r, const RigidBodyState& s);
+
 // Forces with a potential of the displacement xi = (H^T (p - place), log(H^T R)):
 //   V = xi . C xi / 2
 // C: N/m, N, N m/rad, symmetric. On the unknowns they act as P^T C xi, with P = d xi / d (x, rotation).

@@ -26,6 +26,8 @@ class WaveForceTable {
   WaveForceTable(std::vector<double> omega, std::vector<double> directions, std::vector<ComplexVec6> values);
   bool none() const { return values_.empty(); }
   ComplexVec6 at(double omega, double direction) const;
+  // By the direction, 1/rad.
+  ComplexVec6 by_direction(double omega, double direction) const;
   double lowest() const { return omega_.front(); }
   double highest() const { return omega_.back(); }
   const std::vector<double>& directions() const { return directions_; }
@@ -61,8 +63,15 @@ class PlatformWaves {
                 const WaveForceTable& mean, const DifferenceForceTable& difference, SecondOrder order);
 
   bool none() const { return components_.empty(); }
+  // The body has turned to another heading [rad]: its forces from then on.
+  void turn_to(double heading);
   // Of the sea, at all times: N, N m; axes of the heading.
   const Vec6& mean_drift() const { return mean_drift_; }
+  // The same at any heading, and its derivative by that, axes of that heading.
+  struct MeanDrift {
+    Vec6 force = Vec6::Zero(), by_heading = Vec6::Zero();
+  };
+  MeanDrift mean_drift(double heading) const;
 
   struct Forces {
     Vec6 first = Vec6::Zero(), slow = Vec6::Zero();  // of second order without its mean
@@ -78,9 +87,13 @@ class PlatformWaves {
     std::vector<Complex> amplitude;
   };
   void add_newman(const Eigen::MatrixXd& drift);
-  void add_full(const DifferenceForceTable& table);
+  void add_full();
 
   std::vector<WaveComponent> components_;
+  WaveForceTable first_table_, mean_table_;
+  DifferenceForceTable difference_table_;
+  SecondOrder order_ = SecondOrder::none;
+  double heading_ = 0;
   std::vector<ComplexVec6> first_;  // times the amplitude of the component
   std::vector<Mode> modes_;
   Vec6 mean_drift_ = Vec6::Zero();

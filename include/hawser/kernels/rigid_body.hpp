@@ -45,16 +45,18 @@ struct RigidBodyResidual {
 // there are a kink of the energy: phi is the shortest rotation.
 RigidBodyResidual rigid_body(const RigidBodyData& body, const RigidBodyState& s, const RigidPose& rest);
 
-// A constant force and moment on it. In axes of space, or turning with the body; `arm` [m] of the force from
-// the centre of mass, body axes.
+// A force and moment on it. In axes of space, or turning with the body; `arm` [m] of the force from the
+// centre of mass, body axes.
 struct RigidBodyLoad {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
   Vec3 arm = Vec3::Zero();
   bool body_fixed = false;
+  bool constant = true;
 };
 // Adds what they have in `applied` and K: with F, N in body axes f = -R F, t = -(arm x F + N).
 void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResidual& to);
-// A force that stays has a potential, J. What follows the body and moments bring in power, W.
+// A constant force that stays has a potential, J. Moments, and what changes or follows the body, bring in
+// power, W.
 double load_potential(const RigidBodyLoad& load, const RigidBodyState& s);
 double load_power(const RigidBodyLoad& load, const RigidBodyState& s);
 

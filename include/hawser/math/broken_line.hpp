@@ -8,7 +8,8 @@
 namespace hawser {
 
 // Straight between the rows (place, value; places ascending, at least one row), constant beyond them.
-inline double on_broken_line(const std::vector<std::pair<double, double>>& rows, double place) {
+template <class Value>
+Value on_broken_line(const std::vector<std::pair<double, Value>>& rows, double place) {
   if (place <= rows.front().first) return rows.front().second;
   if (place >= rows.back().first) return rows.back().second;
   const auto after = std::upper_bound(rows.begin(), rows.end(), place,

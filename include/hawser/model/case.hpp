@@ -25,6 +25,7 @@
 #include "hawser/model/environment.hpp"
 #include "hawser/model/event.hpp"
 #include "hawser/model/feeder.hpp"
+#include "hawser/model/flow_on_body.hpp"
 #include "hawser/model/links.hpp"
 #include "hawser/model/name_index.hpp"
 #include "hawser/model/platform.hpp"
@@ -120,6 +121,7 @@ struct BodyMass {
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
   std::optional<BodyInWater> in_water;
   std::optional<BodyHydrodynamics> hydrodynamics;
+  std::optional<FlowOnBody> wind, current;
   std::vector<BodyLoad> loads;
 
   Mat3 tensor() const;  // kg m², of inertia and products

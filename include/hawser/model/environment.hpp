@@ -10,6 +10,7 @@
 #include "hawser/kernels/contact_force_table.hpp"
 #include "hawser/kernels/current.hpp"
 #include "hawser/kernels/waves.hpp"
+#include "hawser/kernels/wind.hpp"
 #include "hawser/model/contact_properties.hpp"
 
 namespace hawser {
@@ -82,9 +83,26 @@ struct Seabed {
   bool full = false;    // ... all of it as far as the tension goes, however little it was pulled
 };
 
+// Over the sea, on bodies with coefficients for it.
+struct Wind {
+  bool present = false;
+  double speed = 0;           // m/s, mean of an hour, at `height`
+  double direction = 0;       // rad
+  double height = 10;         // m above the still water
+  double exponent = 1.0 / 7;  // speed at z: times (z/height)^exponent
+  double density = 1.225;     // kg/m³
+  double ramp = 0;            // s, smooth start in dynamics; 0: acts from statics on
+  TimeFactor time_factor;     // multiplies it too
+  GustSpectrum gusts = GustSpectrum::none;
+  int components = 200;  // of the gusts
+  std::uint64_t seed = 1;
+  double gust_ramp = 60;  // s
+};
+
 struct Environment {
   double gravity = 9.80665;  // m/s², acts along -z
   Water water;
+  Wind wind;
   Seabed seabed;
 };
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/kernels/platform_hydrostatics.hpp"
@@ -28,14 +29,16 @@ struct BodyHydrodynamics {
   double volume = 0;                  // m³ that it displaces where `place` has it; 0: that of its mass
   std::optional<Vec3> place;          // m, of its origin where motion is counted from
   std::optional<double> heading;      // rad, there
+  double follow = 100;                // s: waves and coefficients follow motion slower than this; 0: none
   Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // added, about its origin: N/m ... N m s
   Vec6 quadratic_damping = Vec6::Zero();                  // by freedom: N/(m/s)², N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;
 };
 
-// A constant force on a floating body.
+// A force on a floating body, constant or with a part by time.
 struct BodyLoad {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
+  std::vector<std::pair<double, Vec6>> table;        // s; N, N m, added to them: straight lines between rows
   Vec3 at = Vec3::Zero();                            // m, body frame
   bool body_fixed = false;                           // axes of the body; else of space
 };

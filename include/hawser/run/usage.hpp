@@ -11,8 +11,9 @@ namespace hawser::run {
 // program's name) gave.
 std::string usage_error(const CLI::App& cli, const CLI::Error& error, const std::vector<std::string>& words);
 
-// Tests of an option's value, in words: a whole number in a range; a time in s above 0.
+// Tests of an option's value, in words: a whole number in a range; a number above 0, by what it is ("time
+// above 0, in s").
 CLI::Validator whole_number(long least, long most);
-CLI::Validator positive_time();
+CLI::Validator positive(std::string what);
 
 }  // namespace hawser::run

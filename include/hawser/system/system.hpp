@@ -70,6 +70,8 @@ class System {
   }
 
   void add(std::unique_ptr<ForceTerm> term);
+  // Deletes a term of its own; null: none.
+  void remove(const ForceTerm* term);
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
   // Asks the terms which nodes they couple in a coming step of h [s], and extends ghosts and pattern if they
@@ -140,6 +142,7 @@ class System {
   FieldRegistry fields() const;
 
  private:
+  void take_roles(ForceTerm& term);
   void size_arrays();
   void sum(std::span<double> values) const;  // sums over the ranks, in place
   std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored,

@@ -12,10 +12,12 @@
 #include "hawser/kernels/platform_hydrostatics.hpp"
 #include "hawser/kernels/platform_waves.hpp"
 #include "hawser/kernels/radiation_memory.hpp"
+#include "hawser/kernels/slow_pose.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/hydrodynamic_data.hpp"
 #include "hawser/system/depends_on_frequency.hpp"
 #include "hawser/system/force_term.hpp"
+#include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
 
 namespace hawser {
@@ -25,7 +27,8 @@ namespace hawser {
 class PlatformWater final : public ForceTerm,
                             public CouplesNodes,
                             public ScalesResiduals,
-                            public DependsOnFrequency {
+                            public DependsOnFrequency,
+                            public ActsOnBodies {
  public:
   PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
@@ -42,6 +45,8 @@ class PlatformWater final : public ForceTerm,
   // Added mass and damping of the rows next to it, straight between them; B = 0 at omega = 0 and beyond the
   // last row.
   void oscillate(double omega) override;
+  std::vector<std::string> origins(int body) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;
   // Collective: a rank has the records of its own bodies, and needs the velocities of all of a group.
@@ -53,9 +58,13 @@ class PlatformWater final : public ForceTerm,
     double damping = 0, waves = 0;  // W, taken out; brought in
   };
   struct Platform {
+    int body = 0;                          // of the case
     int node = 0, local = -1, block = -1;  // of the mesh; local ones
     bool owned = false;
-    Vec3 arm = Vec3::Zero();  // m, body's origin from the centre of mass, body axes
+    Mat3 axes = Mat3::Identity();  // H, of its coefficients, in a step
+    double follow = 0;             // s, period of the motion that these follow; 0: they stay
+    SlowPose slow;                 // of that motion, in the last accepted state
+    Vec3 arm = Vec3::Zero();       // m, body's origin from the centre of mass, body axes
     PlatformHydrostatics hydrostatics;
     PlatformPotential potential;  // of the stiffness that is added
     Mat6 damping = Mat6::Zero();
@@ -63,6 +72,7 @@ class PlatformWater final : public ForceTerm,
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
+    RigidBodyState rest;                     // of statics, in the last iteration
     Power power;                             // of the last accepted state
   };
   // Velocities of a group at the end of an accepted step, and their change over its length.
@@ -70,12 +80,20 @@ class PlatformWater final : public ForceTerm,
     double time = 0;
     Eigen::VectorXd rate, slope;
   };
+  // Takes axes and wave forces to the slow heading.
+  static void turn(Platform& p);
+  static Vec3 pose_of(const Platform& p, const RigidBodyState& s);
+  // The mean force of the waves at rest, its moment about the body's origin: axes of space.
+  static Vec6 mean_force(const Platform& p, const RigidBodyState& s);
+  // J, of that on the way from the last iteration of statics, which needs a potential.
+  static double mean_work(const Platform& p, const RigidBodyState& s);
+  static void rest_at(Platform& p, const RigidBodyState& s);
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
   // Forces at a time that do not depend on the trial state: of the waves, and of the memory of accepted
   // steps. The memory of the current step adds damping (rate - rate at its start).
   struct AtTime {
     double time = 0;
-    Eigen::VectorXd past, waves;
+    Eigen::VectorXd past, first, second;  // of waves of first and of second order
     Eigen::MatrixXd damping;
   };
   struct Group {
@@ -87,7 +105,8 @@ class PlatformWater final : public ForceTerm,
     std::shared_ptr<const model::HydrodynamicData> data;
     std::vector<int> rows;  // of the data's matrices
     std::deque<Past> past;
-    bool here = false;  // this rank owns one of its bodies
+    double slow_time = 0;  // s, of the slow poses
+    bool here = false;     // this rank owns one of its bodies
     mutable AtTime now;
     mutable bool known = false;
   };

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "hawser/kernels/rigid_body.hpp"
@@ -42,9 +43,15 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:
+  struct Load {
+    RigidBodyLoad constant;
+    std::vector<std::pair<double, Vec6>> table;  // added to it
+    double at_start = 0;                         // J, potential where the last accepted state is
+    RigidBodyLoad at(double time) const;
+  };
   struct Floating {
     RigidBodyData data;
-    std::vector<RigidBodyLoad> loads;
+    std::vector<Load> loads;
     Vec3 centre;                               // m, body frame
     int body = 0, node = 0;                    // of the case; local
     int block = 0, global = 0;                 // local block of the position; mesh node

@@ -2,6 +2,12 @@
 // equations. System::with() lists those who have a role.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "hawser/math/types.hpp"
+#include "hawser/state/kinematics.hpp"
+
 namespace hawser {
 
 class Feeders;
@@ -27,6 +33,21 @@ class InCurrent {
   virtual ~InCurrent() = default;
   // What the velocities of the case are multiplied by.
   virtual void scale_current(double factor) = 0;
+};
+
+// A force on a body by what it comes from: on its centre of mass and about it, axes of space.
+struct BodyForce {
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
+};
+
+// Acts on floating bodies and can state its forces.
+class ActsOnBodies {
+ public:
+  virtual ~ActsOnBodies() = default;
+  // What forces on a body of the case come from, the same on all ranks; none: it does not act on it.
+  virtual std::vector<std::string> origins(int body) const = 0;
+  // One for each of them, in an accepted state, on the rank that owns the body.
+  virtual std::vector<BodyForce> forces_on(int body, const Kinematics& at) const = 0;
 };
 
 // Acts on elements whose lengths feeders change.

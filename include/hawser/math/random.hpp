@@ -1,0 +1,24 @@
+// Random numbers that are the same on every machine.
+#pragma once
+
+#include <cstdint>
+
+namespace hawser {
+
+// splitmix64 (Steele, Lea and Flood 2014): uniform in (0, 1).
+struct Random {
+  std::uint64_t state;
+  std::uint64_t bits() {
+    std::uint64_t z = (state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  double next() { return (static_cast<double>(bits() >> 11) + 0.5) / 9007199254740992.0; }
+};
+
+// The state walks by a constant, so that seeds that differ by little would give the same numbers, shifted:
+// the walk begins at a place that is itself drawn at random.
+inline Random random_of(std::uint64_t seed) { return {Random{seed}.bits()}; }
+
+}  // namespace hawser

@@ -1,0 +1,72 @@
+// Wind and current on floating bodies by tables of coefficients. See docs/theory/wind-and-current.md.
+#pragma once
+
+#include <vector>
+
+#include "hawser/kernels/body_flow.hpp"
+#include "hawser/kernels/wind.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/run_roles.hpp"
+#include "hawser/terms/sea.hpp"
+
+namespace hawser {
+
+Wind wind_of(const model::Case& c);
+
+class BodiesInFlow final : public ForceTerm,
+                           public RestrainedInStatics,
+                           public InCurrent,
+                           public ActsOnBodies {
+ public:
+  // Of the bodies of the case that this rank owns.
+  BodiesInFlow(const model::Case& c, const LocalMesh& mesh);
+
+  // In statics nothing flows past bodies that are held where they start (RigidBodies::hold).
+  void hold(bool on) override { hold_ = on; }
+  void scale_current(double factor) override { sea_.current_scale = factor; }
+
+  std::vector<std::string> origins(int body) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
+
+  std::string_view name() const override { return "wind and current on bodies"; }
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  std::vector<HistoryKind> history() const override;
+  std::vector<HistoryRecord> records(NodeRange of) const override;
+  void restore(const std::vector<HistoryRecord>& records) override;
+
+ private:
+  // Force at the point of the coefficients, where that is and how the body is turned.
+  struct Push {
+    Vec3 force = Vec3::Zero(), place = Vec3::Zero();  // N, m, space axes
+    Vec3 moment = Vec3::Zero();                       // N m, body axes
+    Quat turned = Quat::Identity();
+  };
+  struct Flow {
+    BodyFlow data;
+    bool air = false;                     // else water
+    double height = 0;                    // m above the still water, of the wind that the coefficients mean
+    int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
+    int body = 0;                         // of the case
+    bool rests = false;
+    Push push;  // of the last accepted state; in statics of the last iteration
+    bool pushed = false;
+    double work = 0;  // J, over the accepted steps
+  };
+  void add(const model::Case& c, int body, int node, const LocalMesh& mesh, bool air);
+  FlowVelocity velocity(const Flow& f, const Kinematics& at, const RigidBodyState& s) const;
+  Push push(const Flow& f, const Kinematics& at) const;
+  static double work(const Push& from, const Push& to);
+  bool idle(const Flow& f) const { return hold_ && !f.rests; }
+
+  Sea sea_;
+  Wind wind_;
+  std::vector<std::vector<std::string>> origins_;  // by body of the case
+  std::vector<Flow> list_;
+  bool hold_ = false;
+};
+
+}  // namespace hawser

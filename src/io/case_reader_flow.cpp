@@ -1,0 +1,128 @@
+// Tables of coefficients of wind and current on bodies.
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/io/case_values.hpp"
+
+namespace hawser::io {
+
+using model::refuse;
+using model::Value;
+
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+constexpr double kSame = 1e-6;     // deg
+constexpr double kWideGap = 60;    // deg between rows, beyond which straight lines hide a side
+constexpr double kRounded = 1e-6;  // of coefficients that are to be equal or zero
+
+struct Row {
+  double angle = 0;  // deg
+  Vec3 C = Vec3::Zero();
+};
+
+std::vector<Row> rows_of(const InputRows& given) {
+  const auto& [at, rows] = given;
+  if (rows.size() < 2) refuse(at, "a table of coefficients needs at least 2 rows, found {}", rows.size());
+  std::vector<Row> out;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double>& r = rows[i];
+    if (r.size() != 4)
+      refuse(at, "a row has 4 numbers (angle, Cx, Cy, Cn), but row {} has {}", i + 1, r.size());
+    if (i > 0 && !(r[0] > rows[i - 1][0]))
+      refuse(at, "angles must increase, but row {} has {:g} deg after {:g} deg", i + 1, r[0], rows[i - 1][0]);
+    out.push_back({r[0], Vec3(r[1], r[2], r[3])});
+  }
+  if (const double span = out.back().angle - out.front().angle; span > 360 + kSame)
+    refuse(at, "the rows go over {:g} deg, more than once round", span);
+  return out;
+}
+
+double largest(const std::vector<Row>& rows) {
+  double size = 0;
+  for (const Row& r : rows) size = std::max(size, r.C.cwiseAbs().maxCoeff());
+  return size;
+}
+
+// Rows of 0 to 180 deg (or of the other side) get the other side, as in a mirror.
+bool mirror(const Value& at, std::vector<Row>& rows) {
+  const double first = rows.front().angle, last = rows.back().angle;
+  if (std::abs(last - first - 180) > kSame || std::abs(std::remainder(first, 180)) > kSame) return false;
+  for (const Row* r : {&rows.front(), &rows.back()})
+    if (r->C.tail<2>().cwiseAbs().maxCoeff() > kRounded * largest(rows))
+      refuse(
+          at,
+          "rows of one side are mirrored for the other, so that Cy and Cn at {:g} deg are 0, found {:g} and "
+          "{:g}: give rows all round, of 0 to 360 deg, of a body whose sides differ",
+          r->angle, r->C.y(), r->C.z());
+  for (size_t i = rows.size() - 1; i-- > 1;)
+    rows.push_back({2 * last - rows[i].angle, Vec3(rows[i].C.x(), -rows[i].C.y(), -rows[i].C.z())});
+  return true;
+}
+
+void close_round(const Value& at, std::vector<Row>& rows) {
+  const double span = rows.back().angle - rows.front().angle;
+  if (std::abs(span - 360) > kSame) return;
+  const Vec3 a = rows.front().C, b = rows.back().C;
+  if ((a - b).cwiseAbs().maxCoeff() > kRounded * largest(rows))
+    refuse(at, "the rows of {:g} and {:g} deg are of one direction and differ", rows.front().angle,
+           rows.back().angle);
+  rows.pop_back();
+}
+
+void check_gaps(const Value& at, const std::vector<Row>& rows) {
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const double here = rows[i].angle,
+                 next = i + 1 < rows.size() ? rows[i + 1].angle : rows.front().angle + 360;
+    if (next - here > kWideGap + kSame)
+      refuse(at,
+             "there is no row between {:g} and {:g} deg: rows go all round, or from 0 to 180 deg for a body "
+             "whose sides are mirror images",
+             here, next);
+  }
+}
+
+// A flow pushes a body along with it.
+void check_signs(const Value& at, const model::FlowOnBody& f) {
+  for (const double angle : {0.0, 90.0, 180.0, 270.0}) {
+    Vec3 C, slope;
+    f.coefficients.at(angle * kDegree, C, slope);
+    const int axis = angle == 0 || angle == 180 ? 0 : 1;
+    const double along = angle < 180 ? C[axis] : -C[axis];
+    if (along < 0)
+      refuse(
+          at,
+          "where the flow goes to {:g} deg, {}, C{} = {:g} pushes the body against it: are the angles those "
+          "'{}' which it {}? Then give 'angles: {}'",
+          angle,
+          angle == 0     ? "ahead"
+          : angle == 180 ? "astern"
+          : angle == 90  ? "to port"
+                         : "to starboard",
+          axis == 0 ? 'x' : 'y', C[axis], f.by_origin ? "to" : "from", f.by_origin ? "goes" : "comes",
+          f.by_origin ? "to" : "from");
+  }
+}
+
+}  // namespace
+
+void read_flow_on_body(const Value& v, const CaseSource& source, model::FlowOnBody& f) {
+  const InputRows given = read_input_rows(v, source);
+  std::vector<Row> rows = rows_of(given);
+  f.rows = static_cast<int>(rows.size());
+  f.mirrored = mirror(given.at, rows);
+  close_round(given.at, rows);
+  check_gaps(given.at, rows);
+  std::vector<FlowCoefficients::Row> out;
+  for (const Row& r : rows) out.push_back({(r.angle + (f.by_origin ? 180 : 0)) * kDegree, r.C});
+  f.coefficients = FlowCoefficients(std::move(out));
+  check_signs(given.at, f);
+  if (v.has("draught") && (v.has("frontal_area") || v.has("lateral_area")))
+    refuse(v["draught"], "makes both areas: give it, or 'frontal_area' and 'lateral_area'");
+  if (f.draught > 0) f.frontal = f.lateral = f.length * f.draught;
+  if (!(f.frontal > 0 && f.lateral > 0))
+    model::refuse_key(v, v.where + (f.frontal > 0 ? ".lateral_area" : ".frontal_area"),
+                      "required key is missing: both areas, or 'draught'");
+}
+
+}  // namespace hawser::io

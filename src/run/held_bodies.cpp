@@ -1,0 +1,173 @@
+// The class HeldBodies: bodies that stand where they are put, what is tied to them in balance.
+#include "hawser/run/held_bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/record/end_forces.hpp"
+#include "hawser/terms/bodies_in_flow.hpp"
+#include "hawser/terms/bodies_in_water.hpp"
+#include "hawser/terms/platform_water.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser::run {
+namespace {
+
+// Of the shortest line, by which its end is moved at once.
+constexpr double kStep = 0.005;
+
+// With these bodies of the case.
+std::vector<TiedNode> with_bodies(const Simulation& sim, std::vector<TiedNode> all,
+                                  const std::vector<int>& bodies) {
+  for (const int b : bodies) {
+    const int n = sim.local().find(sim.mesh().body_node(b));
+    if (n < 0) continue;
+    TiedNode held;
+    held.node = n;
+    held.body = b;
+    held.at = sim.model().bodies[static_cast<size_t>(b)].mass->centre;
+    held.rotation_mask = 7;
+    all.push_back(held);
+  }
+  return all;
+}
+
+std::vector<int> with_mass(const model::Case& c) {
+  std::vector<int> out;
+  for (size_t b = 0; b < c.bodies.size(); ++b)
+    if (c.bodies[b].mass) out.push_back(static_cast<int>(b));
+  return out;
+}
+
+}  // namespace
+
+void hold_body(Simulation& sim, int body) {
+  System& system = sim.system();
+  const RigidPose start = sim.bodies().pose(body, 0);
+  const BodyMotion before = system.tied_nodes().motion();
+  system.tie(with_bodies(sim, system.tied_nodes().list(), {body}),
+             [=](int b, double time) { return b == body ? start : before(b, time); });
+}
+
+HeldBodies::HeldBodies(Simulation& sim)
+    : sim_(sim), poses_(std::make_shared<std::vector<RigidPose>>(sim.model().bodies.size())) {
+  System& system = sim_.system();
+  const model::Case& c = sim_.model();
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    if (!c.bodies[b].mass) continue;
+    std::vector<double> pose(7, 0);
+    if (const auto here = sim_.body_pose(static_cast<int>(b), sim_.state().view(0))) {
+      Eigen::Map<Vec3>(pose.data()) = here->position;
+      Eigen::Map<Eigen::Vector4d>(pose.data() + 3) = here->rotation.coeffs();
+    }
+    all_reduce(system.comm(), MPI_SUM, pose);
+    RigidPose& p = (*poses_)[b];
+    p.position = Vec3(pose.data());
+    p.rotation = Quat(Eigen::Vector4d(pose.data() + 3)).normalized();
+  }
+  for (const ForceTerm* term :
+       std::initializer_list<const ForceTerm*>{system.find<RigidBodies>(), system.find<BodiesInWater>(),
+                                               system.find<BodiesInFlow>(), system.find<PlatformWater>()})
+    system.remove(term);
+  for (const TiedNode& tied : system.tied_nodes().list())
+    if (sim_.local().node(tied.node).body < 0) free_.push_back(tied);
+  motion_ = [poses = poses_, before = BodyMotion(system.tied_nodes().motion()), &c](int body, double time) {
+    return c.bodies[static_cast<size_t>(body)].mass ? (*poses)[static_cast<size_t>(body)]
+                                                    : before(body, time);
+  };
+  system.tie(with_bodies(sim_, free_, with_mass(c)), motion_);
+}
+
+void HeldBodies::solve() { sim_.solve_statics(); }
+
+// The steps in which the ends of lines are moved: a share of the shortest line.
+double HeldBodies::longest_step(int body) const {
+  const model::Case& c = sim_.model();
+  double shortest = HUGE_VAL;
+  for (const model::Line& line : c.lines)
+    for (const model::End* e : {&line.end_a, &line.end_b})
+      if (e->kind == model::EndKind::body && c.body_index(e->body) == body)
+        shortest = std::min(shortest, model::length_of(line));
+  return kStep * shortest;
+}
+
+// Nodes of lines go along with the ends that move, by their share of the length.
+void HeldBodies::move(int body, const RigidPose& there) {
+  const model::Case& c = sim_.model();
+  const LocalMesh& local = sim_.local();
+  RigidPose& here = (*poses_)[static_cast<size_t>(body)];
+  const auto way = [&](const model::End& e) {
+    const bool moves = e.kind == model::EndKind::body && c.body_index(e.body) == body;
+    return moves ? Vec3(there.to_space(e.at) - here.to_space(e.at)) : Vec3(Vec3::Zero());
+  };
+  State& state = sim_.state();
+  for (int n = 0; n < local.nodes(); ++n) {
+    const Node& node = local.node(n);
+    const auto i = static_cast<size_t>(n);
+    if (node.body == body) {
+      state.x[i] = there.to_space(c.bodies[static_cast<size_t>(body)].mass->centre);
+      state.q[i] = there.rotation;
+    }
+    if (node.body >= 0 || node.line < 0) continue;
+    const model::Line& line = c.lines[static_cast<size_t>(node.line)];
+    const double share =
+        std::clamp(node.arc / sim_.mesh().lines[static_cast<size_t>(node.line)].length, 0.0, 1.0);
+    state.x[i] += (1 - share) * way(line.end_a) + share * way(line.end_b);
+  }
+  here = there;
+  sim_.system().tied_nodes().follow(state);
+}
+
+void HeldBodies::put(int body, const RigidPose& there) {
+  const model::Case& c = sim_.model();
+  const RigidPose from = pose(body);
+  double way = 0;
+  for (const model::Line& line : c.lines)
+    for (const model::End* e : {&line.end_a, &line.end_b})
+      if (e->kind == model::EndKind::body && c.body_index(e->body) == body)
+        way = std::max(way, (there.to_space(e->at) - from.to_space(e->at)).norm());
+  const Vec3 turn = log_so3(from.rotation.conjugate() * there.rotation);
+  const int steps = std::max(1, static_cast<int>(std::ceil(way / longest_step(body))));
+  for (int k = 1; k <= steps; ++k) {
+    const double share = static_cast<double>(k) / steps;
+    RigidPose next = there;
+    if (k < steps) {
+      next.position = from.position + share * (there.position - from.position);
+      next.rotation = from.rotation * exp_so3(share * turn);
+    }
+    move(body, next);
+    solve();
+  }
+}
+
+BodyStiffness HeldBodies::stiffness(int body) {
+  System& system = sim_.system();
+  system.couple(sim_.state().view(0), 0);
+  system.spread(sim_.state());
+  return body_stiffness(system, sim_.state().view(0), sim_.mesh().body_node(body), free_,
+                        with_bodies(sim_, free_, with_mass(sim_.model())));
+}
+
+// Of elements in their middle, and at the ends, which carry the weight of half an element more.
+std::vector<double> HeldBodies::tensions() const {
+  const Kinematics at = sim_.state().view(0);
+  std::vector<LineTension> of(sim_.mesh().lines.size());
+  sim_.structure().tensions(at, of);
+  std::vector<double> out;
+  for (const LineTension& t : of) out.push_back(t.tension);
+  record::EndForces ends(sim_.system());
+  const std::vector<Vec3> nothing(static_cast<size_t>(sim_.local().nodes()), Vec3::Zero());
+  ends.evaluate(at, nothing);
+  for (const record::EndForces::Place& p : ends.places())
+    if (p.end >= 0) {
+      double& most = out[static_cast<size_t>(p.end / 2)];
+      most = std::max(most, p.at_end().tension());
+    }
+  all_reduce(sim_.system().comm(), MPI_MAX, out);
+  return out;
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,214 @@
+// The tables of `hawser stiffness`: the matrix at rest, forces and tensions over offsets, and the file of all
+// of it.
+#include "hawser/run/stiffness.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/io/write_error.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/nearest.hpp"
+#include "hawser/run/events.hpp"
+#include "hawser/run/held_bodies.hpp"
+#include "hawser/run/run_parts.hpp"
+#include "hawser/run/volumes.hpp"
+
+namespace hawser::run {
+namespace {
+
+struct Row {
+  Offset offset{};
+  Vec6 force = Vec6::Zero();  // of the lines on the body: N, N m, about the point, axes of space
+  Mat6 K = Mat6::Zero();
+  std::vector<double> tensions;  // N, by line
+};
+
+// Those that lines are tied to.
+std::vector<std::string> carriers(const model::Case& c) {
+  std::vector<std::string> out;
+  for (const model::Body& b : c.bodies) {
+    const auto here = [&b](const model::End& e) {
+      return e.kind == model::EndKind::body && e.body == b.name;
+    };
+    if (std::any_of(c.lines.begin(), c.lines.end(),
+                    [&](const model::Line& l) { return here(l.end_a) || here(l.end_b); }))
+      out.push_back(b.name);
+  }
+  return out;
+}
+
+int chosen_body(const model::Case& c, const std::string& name) {
+  const std::vector<std::string> all = carriers(c);
+  if (all.empty())
+    throw InputError(c.path + ": no line is tied to a body, so that none has a stiffness of lines");
+  if (name.empty() && all.size() > 1)
+    throw InputError(fmt::format("{}: lines are tied to {}: choose one of them by --body", c.path,
+                                 model::enumerate(all, "and")));
+  const std::string& wanted = name.empty() ? all.front() : name;
+  if (std::find(all.begin(), all.end(), wanted) == all.end())
+    throw InputError(fmt::format("{}: no line is tied to a body {}, but to {}", c.path, model::quote(wanted),
+                                 model::enumerate(all, "and")));
+  const int body = c.body_index(wanted);
+  if (c.bodies[static_cast<size_t>(body)].on)
+    throw InputError(fmt::format("{}: body {} rides on a line", c.path, wanted));
+  return body;
+}
+
+std::vector<Offset> offsets_of(const StiffnessOptions& o) {
+  std::vector<Offset> out{Offset{}};
+  out.insert(out.end(), o.offsets.begin(), o.offsets.end());
+  for (int k = 1; o.to > 0 && k <= o.steps; ++k) {
+    const double way = o.to * k / o.steps;
+    const auto part = [way](double share) { return std::abs(share) < 1e-15 ? 0 : way * share; };
+    out.push_back({part(std::cos(o.direction)), part(std::sin(o.direction)), 0, 0, 0, 0});
+  }
+  return out;
+}
+
+constexpr double kDegree = M_PI / 180;
+
+bool write(const std::string& path, const model::Case& c, const std::vector<Row>& rows) {
+  std::string s =
+      "x offset [m],y offset [m],z offset [m],rx offset [deg],ry offset [deg],rz offset [deg],Fx [N],Fy "
+      "[N],Fz "
+      "[N],Mx [N m],My [N m],Mz [N m]";
+  for (int i = 1; i <= 6; ++i)
+    for (int j = 1; j <= 6; ++j)
+      s += fmt::format(",K{}{} [{}]", i, j, i <= 3 ? (j <= 3 ? "N/m" : "N/rad") : (j <= 3 ? "N" : "N m/rad"));
+  for (const model::Line& line : c.lines) s += ",tension of " + line.name + " [N]";
+  s += "\n";
+  for (const Row& r : rows) {
+    std::string row;
+    for (size_t k = 0; k < 6; ++k)
+      row += fmt::format("{}{:.10g}", k > 0 ? "," : "", r.offset[k] / (k < 3 ? 1 : kDegree));
+    for (const double x : r.force) row += fmt::format(",{:.10g}", x);
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < 6; ++j) row += fmt::format(",{:.10g}", r.K(i, j));
+    for (const double t : r.tensions) row += fmt::format(",{:.10g}", t);
+    s += row + "\n";
+  }
+  std::ofstream file(path, std::ios::binary);
+  file << s;
+  file.close();
+  return !file.fail();
+}
+
+std::string matrix_text(const Mat6& K) {
+  const double most[2] = {K.topLeftCorner<3, 3>().cwiseAbs().maxCoeff(),
+                          K.bottomRightCorner<3, 3>().cwiseAbs().maxCoeff()};
+  std::string s = fmt::format("{:>4}", "");
+  for (const char* name : {"x", "y", "z", "rx", "ry", "rz"}) s += fmt::format(" {:>12}", name);
+  s += "\n";
+  const char* names[] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+  for (int i = 0; i < 6; ++i) {
+    s += fmt::format("{:>4}", names[i]);
+    for (int j = 0; j < 6; ++j) {
+      // What is rounding beside the diagonal is printed as 0.
+      const double rounding = 1e-9 * std::sqrt(most[i / 3] * most[j / 3]);
+      s += fmt::format(" {:>12.5g}", std::abs(K(i, j)) < rounding ? 0.0 : K(i, j));
+    }
+    s += "\n";
+  }
+  return s;
+}
+
+// kN; what is rounding beside the tension is 0.
+double in_kN(double x, double tension) { return std::abs(x) < 1e-9 * tension ? 0 : x / 1000; }
+
+std::string table(const model::Case& c, const std::vector<Row>& rows) {
+  std::string s = fmt::format("{:>10} {:>10} {:>12} {:>12} {:>12} {:>14}  {}\n", "x [m]", "y [m]", "Fx [kN]",
+                              "Fy [kN]", "Fz [kN]", "tension [kN]", "of line");
+  for (const Row& r : rows) {
+    const auto most = std::max_element(r.tensions.begin(), r.tensions.end());
+    s +=
+        fmt::format("{:>10.4g} {:>10.4g} {:>12.6g} {:>12.6g} {:>12.6g} {:>14.6g}  {}\n", r.offset[0],
+                    r.offset[1], in_kN(r.force[0], *most), in_kN(r.force[1], *most), in_kN(r.force[2], *most),
+                    *most / 1000, c.lines[static_cast<size_t>(most - r.tensions.begin())].name);
+  }
+  return s;
+}
+
+// A body without mass stands where its motion has it at t = 0: it becomes one that can be held elsewhere.
+model::Case with_mass(model::Case c, int body) {
+  model::Body& b = c.bodies[static_cast<size_t>(body)];
+  if (b.mass) return c;
+  b.mass.emplace();
+  b.mass->mass = 1;
+  b.mass->inertia = Vec3::Ones();
+  return c;
+}
+
+}  // namespace
+
+int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
+  const int rank = rank_of(comm);
+  Progress progress(rank == 0 && !o.quiet);
+  model::Case c = io::read_case(o.case_path, read_progress(progress), comm, o.changes);
+  const int body = chosen_body(c, o.body);
+  const std::filesystem::path beside(c.path);
+  const std::string path = o.output.empty()
+                               ? (beside.parent_path() / (beside.stem().string() + "-stiffness.csv")).string()
+                               : std::filesystem::absolute(o.output).string();
+  if (std::filesystem::path(path).extension() != ".csv")
+    throw InputError(path + ": a table of stiffnesses is a CSV file: give its name the ending .csv");
+  if (!c.statics.enabled)
+    throw InputError(c.path + ": statics: the stiffness is that at rest, which this case does not compute");
+  std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
+  c = with_targets_met(comm, std::move(c), volumes, progress);
+  const bool floats = c.bodies[static_cast<size_t>(body)].mass.has_value();
+  c = with_mass(std::move(c), body);
+  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
+  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
+  for (const auto& w : sim.warnings()) progress.print("warning: " + w);
+  Events events(comm, sim);
+  if (!floats) hold_body(sim, body);
+  solve_statics(sim, events, progress);
+  HeldBodies held(sim);
+  const RigidPose rest = held.pose(body);
+
+  std::vector<Row> rows;
+  for (const Offset& offset : offsets_of(o)) {
+    RigidPose there = rest;
+    there.position += Vec3(offset.data());
+    there.rotation = (exp_so3(Vec3(offset.data() + 3)) * rest.rotation).normalized();
+    // An offset is that of the point, about which the body turns.
+    there.position += rest.rotation * o.at - there.rotation * o.at;
+    if (!rows.empty()) held.put(body, there);
+    const BodyStiffness s = held.stiffness(body);
+    const Vec3 arm = there.rotation * (o.at - c.bodies[static_cast<size_t>(body)].mass->centre);
+    const BodyStiffness at_point = about_point(s, arm, there.rotation.toRotationMatrix());
+    rows.push_back({offset, -at_point.f, at_point.K, held.tensions()});
+  }
+  progress.end();
+  if (on_any_rank(comm, rank == 0 && !write(path, c, rows)))
+    throw io::WriteError(io::cannot_write(path, std::strerror(errno)));
+  if (rank == 0 && !o.quiet) {
+    const Vec3 point = rest.to_space(o.at), turned = log_so3(rest.rotation) / kDegree;
+    fmt::print(
+        "\nbody {} at rest: point ({:.4f}, {:.4f}, {:.4f}) m, rotation vector ({:.4f}, {:.4f}, {:.4f}) deg\n",
+        c.bodies[static_cast<size_t>(body)].name, point.x(), point.y(), point.z(), turned.x(), turned.y(),
+        turned.z());
+    const double most = *std::max_element(rows.front().tensions.begin(), rows.front().tensions.end());
+    Vec6 f = rows.front().force;
+    for (double& x : f) x = in_kN(x, most);
+    fmt::print(
+        "lines on it, about that point: force ({:.5g}, {:.5g}, {:.5g}) kN, moment ({:.5g}, {:.5g}, {:.5g}) "
+        "kN m\n",
+        f[0], f[1], f[2], f[3], f[4], f[5]);
+    fmt::print("stiffness of the lines [N/m, N/rad; N, N m/rad]:\n{}", matrix_text(rows.front().K));
+    if (rows.size() > 1) fmt::print("\nother degrees of freedom held:\n{}", table(c, rows));
+    fmt::print("\nstiffness table: {}\n", path);
+  }
+  return 0;
+}
+
+}  // namespace hawser::run

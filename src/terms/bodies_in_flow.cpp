@@ -1,0 +1,172 @@
+// The class BodiesInFlow: wind and current at floating bodies, their forces and their work.
+#include "hawser/terms/bodies_in_flow.hpp"
+
+#include <cmath>
+
+#include "hawser/math/so3.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser {
+
+Wind wind_of(const model::Case& c) {
+  const model::Wind& w = c.environment.wind;
+  Wind out;
+  out.mean = w.speed * Vec3(std::cos(w.direction), std::sin(w.direction), 0);
+  out.height = w.height;
+  out.exponent = w.exponent;
+  out.density = w.density;
+  out.ramp = w.ramp;
+  out.factor = w.time_factor;
+  const double at_ten = w.speed * std::pow(10 / w.height, w.exponent);
+  out.gusts = gusts(w.gusts, w.speed, at_ten, w.height, w.components, w.seed);
+  out.gust_ramp = w.gust_ramp;
+  return out;
+}
+
+BodiesInFlow::BodiesInFlow(const model::Case& c, const LocalMesh& mesh) : sea_(sea_of(c)), wind_(wind_of(c)) {
+  origins_.resize(c.bodies.size());
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    if (!c.bodies[b].mass) continue;
+    if (c.bodies[b].mass->wind) origins_[b].push_back("wind");
+    if (c.bodies[b].mass->current) origins_[b].push_back("current");
+  }
+  for (int n = 0; n < mesh.owned; ++n) {
+    const int body = mesh.mesh->nodes[mesh.global[n]].body;
+    if (body < 0) continue;
+    if (c.bodies[body].mass->wind) add(c, body, n, mesh, true);
+    if (c.bodies[body].mass->current) add(c, body, n, mesh, false);
+  }
+}
+
+void BodiesInFlow::add(const model::Case& c, int body, int node, const LocalMesh& mesh, bool air) {
+  const model::BodyMass& m = *c.bodies[body].mass;
+  const model::FlowOnBody& given = air ? *m.wind : *m.current;
+  Flow& f = list_.emplace_back();
+  f.data.coefficients = given.coefficients;
+  f.data.density = air ? wind_.density : sea_.density;
+  f.data.frontal = given.frontal;
+  f.data.lateral = given.lateral;
+  f.data.length = given.length;
+  f.data.arm = given.at - m.centre;
+  f.air = air;
+  f.height = given.height;
+  f.node = node;
+  f.block = mesh.block[node];
+  f.global = mesh.global[node];
+  f.body = body;
+  f.rests = finds_rest(c, body);
+}
+
+// Gusts act in dynamics only.
+FlowVelocity BodiesInFlow::velocity(const Flow& f, const Kinematics& at, const RigidBodyState& s) const {
+  FlowVelocity out;
+  if (f.air) {
+    out.velocity = wind_.steady(f.height, at.time);
+    if (at.step > 0) out.velocity += wind_.gust(at.time);
+    return out;
+  }
+  const Water still = sea_.still_at((s.x + s.q * f.data.arm).z(), at.time);
+  out.velocity = still.velocity;
+  out.by_height = still.by_height;
+  return out;
+}
+
+BodiesInFlow::Push BodiesInFlow::push(const Flow& f, const Kinematics& at) const {
+  const RigidBodyState s = floating_state(at, f.node);
+  const Vec3 c = relative_flow(f.data, s, velocity(f, at, s).velocity);
+  const Vec3 by = flow_force(f.data, c.x(), c.y()).force;
+  return {s.q * Vec3(by.x(), by.y(), 0), s.x + s.q * f.data.arm, Vec3(0, 0, by.z()), s.q};
+}
+
+std::vector<std::string> BodiesInFlow::origins(int body) const { return origins_[static_cast<size_t>(body)]; }
+
+std::vector<BodyForce> BodiesInFlow::forces_on(int body, const Kinematics& at) const {
+  std::vector<BodyForce> out;
+  for (const Flow& f : list_) {
+    if (f.body != body) continue;
+    const Push p = push(f, at);
+    out.push_back({p.force, p.turned * (f.data.arm.cross(p.turned.conjugate() * p.force) + p.moment)});
+  }
+  return out;
+}
+
+double BodiesInFlow::work(const Push& from, const Push& to) {
+  const Vec3 turn = log_so3(from.turned.conjugate() * to.turned);
+  return 0.5 * ((from.force + to.force).dot(to.place - from.place) + (from.moment + to.moment).dot(turn));
+}
+
+void BodiesInFlow::prepare(const Kinematics& committed, double h) {
+  Kinematics now = committed;
+  if (!(now.step > 0)) now.step = h;
+  for (Flow& f : list_)
+    if (!(committed.step > 0) || !f.pushed) {
+      f.push = push(f, now);
+      f.pushed = true;
+    }
+}
+
+void BodiesInFlow::evaluate(const Kinematics& trial, Assembler& assembler) {
+  for (const Flow& f : list_) {
+    if (idle(f)) continue;
+    const RigidBodyState s = floating_state(trial, f.node);
+    const BodyFlowResidual r = body_flow(f.data, s, velocity(f, trial, s));
+    const int blocks[2] = {f.block, f.block + 1};
+    assembler.add(blocks, r.f.data(), r.K.data(), r.C.data(), nullptr);
+  }
+}
+
+void BodiesInFlow::commit(const Kinematics& accepted) {
+  for (Flow& f : list_) {
+    const Push now = push(f, accepted);
+    if (accepted.step > 0 && f.pushed) f.work += work(f.push, now);
+    f.push = now;
+    f.pushed = true;
+  }
+}
+
+// In statics forces without a potential are given the work they do on the way from the last iteration.
+Energy BodiesInFlow::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Flow& f : list_) {
+    e.work += f.work;
+    e.by_water += f.work;
+    if (!idle(f) && !(at.step > 0) && f.pushed) e.potential -= work(f.push, push(f, at));
+  }
+  return e;
+}
+
+namespace {
+
+struct FlowWork {
+  double work = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("work", "J", self.work);
+  }
+};
+
+}  // namespace
+
+std::vector<HistoryKind> BodiesInFlow::history() const {
+  return {history_kind<FlowWork>("wind on a body"), history_kind<FlowWork>("current on a body")};
+}
+
+std::vector<HistoryRecord> BodiesInFlow::records(NodeRange of) const {
+  std::vector<HistoryRecord> out;
+  for (const Flow& f : list_)
+    if (of.has(f.global)) out.push_back(record_of(f.global, 0, FlowWork{f.work}, f.air ? 0 : 1));
+  return out;
+}
+
+// A state that is gone on from has been looked at already.
+void BodiesInFlow::restore(const std::vector<HistoryRecord>& records) {
+  for (Flow& f : list_) {
+    f.work = 0;
+    f.pushed = false;
+    for (const HistoryRecord& r : records)
+      if (r.node == f.global && r.kind == (f.air ? 0 : 1)) f.work = entry<FlowWork>(r).work;
+  }
+}
+
+}  // namespace hawser

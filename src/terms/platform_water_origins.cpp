@@ -1,0 +1,72 @@
+// The class PlatformWater: its forces on a body by what they come from.
+#include "hawser/math/so3.hpp"
+#include "hawser/terms/platform_water.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser {
+
+Vec6 PlatformWater::mean_force(const Platform& p, const RigidBodyState& s) {
+  if (p.waves.none()) return Vec6::Zero();
+  const double heading = heading_of(s.q).angle;
+  const Mat3 H = p.follow > 0 ? Mat3(exp_so3(heading * Vec3::UnitZ()).toRotationMatrix()) : p.axes;
+  const Vec6 F = p.follow > 0 ? p.waves.mean_drift(heading).force : p.waves.mean_drift();
+  Vec6 out;
+  out << H * F.head<3>(), H * F.tail<3>();
+  return out;
+}
+
+double PlatformWater::mean_work(const Platform& p, const RigidBodyState& s) {
+  if (p.waves.none()) return 0;
+  const Vec6 mean = 0.5 * (mean_force(p, p.rest) + mean_force(p, s));
+  const Vec3 way = s.x + s.q * p.arm - p.rest.x - p.rest.q * p.arm;
+  return mean.head<3>().dot(way) + mean.tail<3>().dot(log_so3(s.q * p.rest.q.conjugate()));
+}
+
+std::vector<std::string> PlatformWater::origins(int body) const {
+  for (const Group& g : groups_)
+    for (const Platform& p : g.platforms)
+      if (p.body == body) return {"hydrostatic", "radiation", "added", "wave", "drift"};
+  return {};
+}
+
+// Radiation: added mass and memory, or the damping of the files in a harmonic motion; added: the matrices of
+// stiffness and damping that the case adds.
+std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) const {
+  for (const Group& g : groups_) {
+    if (!g.here) continue;
+    for (size_t i = 0; i < g.platforms.size(); ++i) {
+      const Platform& p = g.platforms[i];
+      if (p.body != body) continue;
+      const auto first = 6 * static_cast<Eigen::Index>(i);
+      const RigidBodyState s = floating_state(at, p.local);
+      const PlatformMotion m = platform_motion(p.axes, p.arm, s);
+      const auto of_unknowns = [&s](const Vec6& f) { return BodyForce{-f.head<3>(), -(s.q * f.tail<3>())}; };
+      const auto by_rate = [&](const Vec6& F) { return of_unknowns(m.G.transpose() * F); };
+      const Vec6 still = hydrostatic_pull(p.hydrostatics, p.arm, s).f;
+      const Vec6 pull = platform_pull(p.potential, p.arm, s).f;
+      if (!(at.step > 0)) {
+        const Vec6 mean = mean_force(p, s);
+        const BodyForce drift{mean.head<3>(), mean.tail<3>() + (s.q * p.arm).cross(mean.head<3>())};
+        return {of_unknowns(still), {}, of_unknowns(pull), {}, drift};
+      }
+      const Eigen::VectorXd rate = rates(g, at);
+      Eigen::VectorXd acceleration(rate.size()), force;
+      for (size_t j = 0; j < g.platforms.size(); ++j) {
+        const Platform& other = g.platforms[j];
+        acceleration.segment<6>(6 * static_cast<Eigen::Index>(j)) =
+            platform_motion(other.axes, other.arm, floating_state(at, other.local)).acceleration;
+      }
+      const AtTime& now = at_time(g, at.time);
+      damping(g, now, rate, force, nullptr);
+      const Vec6 own = rate.segment<6>(first);
+      const Vec6 dampers = p.damping * own + p.quadratic.cwiseProduct(own.cwiseAbs()).cwiseProduct(own);
+      const Vec6 radiation =
+          force.segment<6>(first) - dampers + (g.added_mass * acceleration).segment<6>(first);
+      return {of_unknowns(still), by_rate(radiation), of_unknowns(pull + m.G.transpose() * dampers),
+              by_rate(-now.first.segment<6>(first)), by_rate(-now.second.segment<6>(first))};
+    }
+  }
+  return {};
+}
+
+}  // namespace hawser

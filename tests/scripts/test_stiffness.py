@@ -1,0 +1,75 @@
+"""hawser stiffness and its figure, as a user runs them: one chain on a vessel, on one and two ranks."""
+import csv
+import os
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from support import ROOT, run
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+OPTIONS = ("--direction", "180", "--to", "6", "--steps", "3", "--at", "40,0,-10")
+
+
+def table(path):
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    return rows[0], np.array([[float(x) for x in row] for row in rows[1:]])
+
+
+class Stiffness(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.case = self.folder / "mooring-2.yaml"
+        shutil.copy(ROOT / "docs/tutorial/mooring-2.yaml", self.case)
+
+    def test_table_on_ranks_and_figure(self):
+        done = run(HAWSER, "stiffness", self.case, *OPTIONS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("body vessel at rest: point (40.0000, 0.0000, -10.0000) m", done.stdout)
+        head, values = table(self.folder / "mooring-2-stiffness.csv")
+        self.assertEqual(head[:3], ["x offset [m]", "y offset [m]", "z offset [m]"])
+        self.assertEqual(head[12], "K11 [N/m]")
+        self.assertEqual(head[-1], "tension of mooring [N]")
+        self.assertTrue(np.allclose(values[:, 0], [0, -2, -4, -6]))
+        # At the fairlead itself the line has a force and hardly a moment, and pulls as its tension.
+        force, tension = values[:, 6:9], values[:, -1]
+        self.assertTrue(np.allclose(np.linalg.norm(force, axis=1), tension, rtol=5e-3))
+        self.assertLess(np.abs(values[:, 9:12]).max(), 1e-6 * tension.max())
+        self.assertTrue((np.diff(tension) > 0).all())
+        # The stiffness is the slope of the force: its mean over a step by Simpson's rule from three of them. That of the
+        # touchdown goes up and down by a per cent as elements of 5 m leave the bed.
+        K11 = values[:, 12]
+        by_force = (force[2, 0] - force[0, 0]) / 4
+        self.assertAlmostEqual(by_force / ((K11[0] + 4 * K11[1] + K11[2]) / 6), 1, delta=1e-2)
+        done = run("mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "2", HAWSER, "stiffness", self.case, *OPTIONS,
+                   "-o", self.folder / "two.csv")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        other = table(self.folder / "two.csv")[1]
+        self.assertLess(np.abs(other - values).max() / np.abs(values).max(), 1e-6)
+        done = run(HAWSER, "plot", self.folder / "mooring-2-stiffness.csv", "offsets")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "mooring-2-stiffness-offsets.png").stat().st_size > 10000)
+
+    def test_sentences(self):
+        for words, complaint in [
+            (("stiffness", self.case, "--body", "ship"), "no line is tied to a body 'ship', but to vessel"),
+            (("stiffness", self.case, "--offset", "1,2"), "--offset '1,2': give three or six numbers with commas between"),
+            (("stiffness", self.case, "--to", "-3"), "'-3' is no offset above 0, in m"),
+            (("stiffness", self.case, "-o", "x.txt"), "give its name the ending .csv"),
+            (("stiffness", ROOT / "docs/tutorial/mooring-1.yaml"), "no line is tied to a body"),
+            (("plot", self.case, "offsets"), "is no table of hawser stiffness"),
+        ]:
+            with self.subTest(words=words):
+                done = run(HAWSER, *words)
+                self.assertNotEqual(done.returncode, 0)
+                self.assertIn(complaint, done.stderr)
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,52 @@
+// Runs of floating bodies and files of coefficients for them.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "../regression/runs.hpp"
+#include "hawser/base/gather.hpp"
+#include "verification/dynamics_rig.hpp"
+
+namespace hawser::test::platform_rig {
+
+// Places of the bodies' nodes (the centre of mass) at the ends of steps.
+inline std::vector<std::vector<Vec3>> motion(const model::Case& c, double until, double every) {
+  run::Simulation s(PETSC_COMM_WORLD, c);
+  if (c.statics.enabled) s.solve_statics();
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  std::vector<std::vector<Vec3>> out;
+  const auto keep = [&](const Kinematics& at) {
+    auto& row = out.emplace_back();
+    for (size_t b = 0; b < c.bodies.size(); ++b) {
+      const int node = s.mesh().body_node(static_cast<int>(b)), local = s.local().find(node);
+      Vec3 x = s.local().owns(local) ? at.x[local] : Vec3(Vec3::Zero());
+      std::vector<double> all(x.begin(), x.end());
+      all_reduce(PETSC_COMM_WORLD, MPI_SUM, all);
+      row.push_back(Vec3(all.data()));
+    }
+  };
+  keep(d.kinematics());
+  integrate(d, until, every, [&](const StepInfo& i) {
+    if (std::abs(std::remainder(i.time, every)) < 1e-9) keep(d.kinematics());
+  });
+  return out;
+}
+
+// Files of a barge of little added mass and damping, and of that hydrostatic stiffness: their path without
+// endings.
+inline std::string coefficients(const std::string& name, const std::string& stiffness) {
+  const std::string stem = testing::TempDir() + name;
+  if (rank_of(PETSC_COMM_WORLD) == 0) {
+    std::filesystem::create_directories(std::filesystem::path(stem).parent_path());
+    std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";
+    std::ofstream(stem + ".hst") << stiffness;
+  }
+  MPI_Barrier(PETSC_COMM_WORLD);
+  return stem;
+}
+
+}  // namespace hawser::test::platform_rig
