@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/math/symmetric.hpp"
@@ -42,6 +43,31 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
                    33});
 }
 
+// Degrees of the widest gap between neighbouring directions [rad, in [0, 2 pi), increasing]; 0 for one or
+// none.
+double widest_gap(const std::vector<double>& directions) {
+  if (directions.size() < 2) return 0;
+  double most = directions.front() + 2 * M_PI - directions.back();
+  for (size_t i = 1; i < directions.size(); ++i) most = std::max(most, directions[i] - directions[i - 1]);
+  return most * 180 / M_PI;
+}
+
+void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kWide = 60;  // deg
+  const auto& h = *b.mass->hydrodynamics;
+  if (!(h.follow > 0) || !h.excitation || c.environment.water.waves.kind == Waves::Kind::none) return;
+  if (h.data->excitation.empty()) return;
+  const double gap = widest_gap(h.data->excitation[static_cast<size_t>(h.body - 1)].directions());
+  if (gap <= kWide) return;
+  out.push_back(
+      {"bodies." + b.name + ".floating.hydrodynamics.follow_period",
+       fmt::format("the wave forces turn with the slow heading of the body, but the files have no direction "
+                   "within {:.0f} deg: give files all round if the body yaws towards that gap, or "
+                   "'follow_period: 0'",
+                   gap),
+       35});
+}
+
 }  // namespace
 
 void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
@@ -53,6 +79,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);
     warn_of_sea_of_platform(c, b, out);
+    warn_of_directions(c, b, out);
   }
 }
 

@@ -29,7 +29,7 @@ std::vector<Row> rows_of(const InputRows& given) {
     const std::vector<double>& r = rows[i];
     if (r.size() != 4)
       refuse(at, "a row has 4 numbers (angle, Cx, Cy, Cn), but row {} has {}", i + 1, r.size());
-    if (i > 0 && !(r[0] > rows[i - 1][0]))
+    if (i > 0 && !(r[0] > rows[i - 1][0] + kSame))
       refuse(at, "angles must increase, but row {} has {:g} deg after {:g} deg", i + 1, r[0], rows[i - 1][0]);
     out.push_back({r[0], Vec3(r[1], r[2], r[3])});
   }

@@ -41,7 +41,8 @@ Heading heading_of(const Quat& q) {
   out.angle = std::atan2(bow.y(), bow.x());
   // d bow = R (dphi x e_x) = R (0, dphi_z, -dphi_y).
   const Vec3 by_z = q * Vec3::UnitY(), by_y = -(q * Vec3::UnitZ());
-  const double square = bow.head<2>().squaredNorm();
+  // A body whose bow points straight up or down has no heading; it then keeps its direction.
+  const double square = std::max(bow.head<2>().squaredNorm(), 1e-6);
   const auto slope = [&](const Vec3& d) { return (bow.x() * d.y() - bow.y() * d.x()) / square; };
   out.by_turn = Vec3(0, slope(by_y), slope(by_z));
   return out;

@@ -35,6 +35,14 @@ std::vector<TiedNode> with_bodies(const Simulation& sim, std::vector<TiedNode> a
   return all;
 }
 
+// What is tied, without bodies with mass. Its nodes are those of the present ghosts.
+std::vector<TiedNode> without_bodies(Simulation& sim) {
+  std::vector<TiedNode> out;
+  for (const TiedNode& tied : sim.system().tied_nodes().list())
+    if (sim.local().node(tied.node).body < 0) out.push_back(tied);
+  return out;
+}
+
 std::vector<int> with_mass(const model::Case& c) {
   std::vector<int> out;
   for (size_t b = 0; b < c.bodies.size(); ++b)
@@ -72,13 +80,11 @@ HeldBodies::HeldBodies(Simulation& sim)
        std::initializer_list<const ForceTerm*>{system.find<RigidBodies>(), system.find<BodiesInWater>(),
                                                system.find<BodiesInFlow>(), system.find<PlatformWater>()})
     system.remove(term);
-  for (const TiedNode& tied : system.tied_nodes().list())
-    if (sim_.local().node(tied.node).body < 0) free_.push_back(tied);
   motion_ = [poses = poses_, before = BodyMotion(system.tied_nodes().motion()), &c](int body, double time) {
     return c.bodies[static_cast<size_t>(body)].mass ? (*poses)[static_cast<size_t>(body)]
                                                     : before(body, time);
   };
-  system.tie(with_bodies(sim_, free_, with_mass(c)), motion_);
+  system.tie(with_bodies(sim_, without_bodies(sim_), with_mass(c)), motion_);
 }
 
 void HeldBodies::solve() { sim_.solve_statics(); }
@@ -147,8 +153,9 @@ BodyStiffness HeldBodies::stiffness(int body) {
   System& system = sim_.system();
   system.couple(sim_.state().view(0), 0);
   system.spread(sim_.state());
-  return body_stiffness(system, sim_.state().view(0), sim_.mesh().body_node(body), free_,
-                        with_bodies(sim_, free_, with_mass(sim_.model())));
+  const std::vector<TiedNode> free = without_bodies(sim_);
+  return body_stiffness(system, sim_.state().view(0), sim_.mesh().body_node(body), free,
+                        with_bodies(sim_, free, with_mass(sim_.model())));
 }
 
 // Of elements in their middle, and at the ends, which carry the weight of half an element more.

@@ -3,6 +3,7 @@
 
 #include <petscksp.h>
 
+#include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 
@@ -26,6 +27,16 @@ Vec6 values(MPI_Comm comm, Vec v, const std::vector<PetscInt>& rows) {
   if (!rows.empty()) check(VecGetValues(v, 6, rows.data(), x.data()));
   all_reduce(comm, MPI_SUM, x);
   return Eigen::Map<const Vec6>(x.data());
+}
+
+// Sets what is held to zero.
+void clear_held(const System& system, Vec v) {
+  const auto& held = system.tied_nodes().held();
+  PetscScalar* x = nullptr;
+  check(VecGetArray(v, &x));
+  for (size_t i = 0; i < 3 * static_cast<size_t>(system.mesh().owned_blocks); ++i)
+    if (held[i / 3] >> (i % 3) & 1) x[i] = 0;
+  check(VecRestoreArray(v, &x));
 }
 
 void set(Vec v, const std::vector<PetscInt>& rows, const Vec6& x) {
@@ -79,8 +90,14 @@ BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node
     set(total.get(), rows, Vec6::Unit(k));
     check(MatMult(whole.get(), total.get(), push.get()));
     check(VecScale(push.get(), -1));
-    set(push.get(), rows, Vec6::Zero());
+    clear_held(system, push.get());
     check(KSPSolve(solver.get(), push.get(), answer.get()));
+    KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+    check(KSPGetConvergedReason(solver.get(), &reason));
+    if (reason < 0)
+      throw SolveError(
+          "the stiffness of the mooring is singular: a part of a line has none at rest against its own "
+          "motion");
     check(VecAXPY(total.get(), 1, answer.get()));
     check(MatMult(whole.get(), total.get(), push.get()));
     out.K.col(k) = values(comm, push.get(), rows);

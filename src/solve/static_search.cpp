@@ -115,10 +115,9 @@ void StaticSearch::descend(double tolerance) {
 SNESConvergedReason StaticSearch::check_step(int iteration) {
   const bool others = prepare();  // pairs of lines that may touch change with the state
   system_.residual(state_.view(0), r_.get());
-  if (others) {
-    report_.norms = system_.norms(r_.get());
-    sides_.clear();
-  }
+  if (others) report_.norms = system_.norms(r_.get());
+  if (others || layout_ != sides_layout_) sides_.clear();
+  sides_layout_ = layout_;
   check(VecCopy(r_.get(), f_.get()));
   energy_ = potential(state_);
   report_.iterations = begun_ + iteration;
@@ -155,7 +154,7 @@ bool StaticSearch::advance(Vec y) {
   if (!sides_.empty()) slope = std::max(slope, sides_.slope(u_.get()));
   double factor = limit();
   const bool full = factor == 1;
-  bool taken = false, blocked = false, kink = false;
+  bool taken = false, blocked = false;
   Bracket bracket{0, slope, 0, 0};
   int halvings = 0;
   for (; halvings < kHalvings && !taken; ++halvings, factor *= taken ? 1 : 0.5) {
@@ -183,11 +182,12 @@ bool StaticSearch::advance(Vec y) {
     taken = down || (close && n.relative() < least_) || n.small(tolerance_);
     if (taken) report_.norms = n;
   }
-  if (close && slope < 0 && bracket.rises > 0 && (!taken || factor <= kShortened))
-    kink = stop_at_kink(bracket, slope);
+  const bool search = close && slope < 0 && bracket.rises > 0 && (!taken || factor <= kShortened);
+  const bool kink = search && stop_at_kink(bracket, slope);
+  if (search && taken && !kink) step(factor);  // back to the trial before the search
   taken |= kink;
   if (taken) accept_trial();
-  if (kink) residual();
+  if (search) residual();
   // If lines block step after step, they approach each other more and more, and there is no way on.
   if (!blocked) blocked_by_.clear();
   cut_ += blocked;

@@ -68,7 +68,8 @@ class StaticSearch : StaticTrial {
   double tolerance_ = 0, energy_ = 0;  // tolerance of the residual; energy of the state, J
   double least_ = 0;                   // least relative residual of this descent
   KinkSides sides_;
-  double shift_ = 0;  // of the next iteration
+  int sides_layout_ = 0;  // layout_ of the vectors in sides_
+  double shift_ = 0;      // of the next iteration
   bool exact_ = false;
   double used_ = 0;  // shift of the tangent
   Weights weights_;

@@ -62,6 +62,7 @@ SNESConvergedReason StaticTrial::solve() {
 }
 
 void StaticTrial::build() {
+  ++layout_;
   u_ = system_.create_vector();
   check(VecDuplicate(u_.get(), r_.out()));
   J_ = system_.create_matrix();

@@ -80,7 +80,8 @@ bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
 
 bool finds_rest(const model::Case& c, int body) {
   const model::BodyMass& m = *c.bodies[body].mass;
-  return m.hydrodynamics || m.wind || m.current || !m.loads.empty() || in_lines_or_links(c, body) ||
+  const bool held_in_flow = (m.wind || m.current) && m.stiffness.head<2>().minCoeff() > 0;
+  return m.hydrodynamics || held_in_flow || !m.loads.empty() || in_lines_or_links(c, body) ||
          floats_at_rest(c, m);
 }
 

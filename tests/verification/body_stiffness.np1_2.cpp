@@ -138,6 +138,27 @@ TEST(BodyStiffness, TurnsWithTheMooring) {
   EXPECT_LT((R * a.K * R.transpose() - b.K).cwiseAbs().maxCoeff(), 1e-6 * a.K.cwiseAbs().maxCoeff());
 }
 
+// A spring to another body that is held: its stiffness along it, none across.
+TEST(BodyStiffness, OfALinkToAnotherBody) {
+  const std::string text = R"(hawser: 1
+bodies:
+  a: {position: [0, 0, 0], floating: {mass: 1000, inertia: [1000, 1000, 1000]}}
+  b: {position: [10, 0, 0], floating: {mass: 1000, inertia: [1000, 1000, 1000]}}
+links:
+  spring: {end_a: {body: a, at: [0, 0, 0]}, end_b: {body: b, at: [0, 0, 0]}, stiffness: 1.0e5}
+)";
+  const model::Case c = io::read_case_text(text, testing::TempDir() + "linked.yaml");
+  Simulation s(PETSC_COMM_WORLD, c);
+  run::hold_body(s, 0);
+  run::hold_body(s, 1);
+  HeldBodies held(s);
+  for (const int body : {0, 1}) {
+    const BodyStiffness at = held.stiffness(body);
+    EXPECT_NEAR(at.K(0, 0), 1e5, 1e-3);
+    EXPECT_NEAR(at.K(1, 1), 0, 1e-3);
+  }
+}
+
 // At an offset with rotations, where the matrix is not symmetric: differences of forces and moments about the
 // moved point.
 TEST(BodyStiffness, IsTheDerivativeOfForcesAtAnOffset) {

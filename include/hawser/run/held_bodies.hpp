@@ -35,7 +35,6 @@ class HeldBodies {
 
   Simulation& sim_;
   std::shared_ptr<std::vector<RigidPose>> poses_;  // by body of the case
-  std::vector<TiedNode> free_;                     // all that is tied, without the bodies
   BodyMotion motion_;
 };
 
