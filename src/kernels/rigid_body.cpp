@@ -65,6 +65,14 @@ double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
   return load.body_fixed ? 0 : -load.force.dot(s.x + s.q * load.arm);
 }
 
+// F·(dx + dR arm) + M·theta, theta the rotation vector of the way in space.
+double load_work(const RigidBodyLoad& load, const RigidBodyState& start, const RigidBodyState& s) {
+  const Vec3 theta = start.q * log_so3(start.q.conjugate() * s.q);
+  const Vec3 way = s.x - start.x + s.q * load.arm - start.q * load.arm;
+  if (load.body_fixed) return (start.q * load.force).dot(way) + (start.q * load.moment).dot(theta);
+  return load.moment.dot(theta) + (load.constant ? 0 : load.force.dot(way));
+}
+
 double load_power(const RigidBodyLoad& load, const RigidBodyState& s) {
   if (!load.body_fixed) {
     const double moments = load.moment.dot(s.q * s.w);

@@ -211,11 +211,14 @@ CommandLine::CommandLine() {
                    "Also away from rest by this, m, and rotation vector, deg, axes of space; repeatable")
       ->option_text("X,Y,Z[,RX,RY,RZ]")
       ->allow_extra_args(false);
-  stiffness_command->add_option("--to", stiffness.to, "Also in steps up to an offset of this, m")
-      ->check(hawser::run::positive("offset above 0, in m"));
+  CLI::Option* to =
+      stiffness_command->add_option("--to", stiffness.to, "Also in steps up to an offset of this, m")
+          ->check(hawser::run::positive("offset above 0, in m"));
   stiffness_command->add_option("--direction", direction, "Of --to, deg, anticlockwise from +x")
+      ->needs(to)
       ->capture_default_str();
   stiffness_command->add_option("--steps", stiffness.steps, "Of --to")
+      ->needs(to)
       ->check(hawser::run::whole_number(1, 10000))
       ->capture_default_str();
   stiffness_command->add_option("-o,--output", stiffness.output, "CSV file (default: <case>-stiffness.csv)");

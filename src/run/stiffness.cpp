@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
@@ -75,12 +76,27 @@ std::vector<Offset> offsets_of(const StiffnessOptions& o) {
 }
 
 constexpr double kDegree = M_PI / 180;
+constexpr std::string_view kHead = "x offset [m],y offset [m],z offset [m],rx offset [deg]";
+
+// A file that the case reads, or that is no such table, is not replaced.
+void check_output(const std::string& path, const std::vector<std::string>& inputs) {
+  std::error_code error;
+  for (const std::string& input : inputs)
+    if (std::filesystem::equivalent(path, input, error))
+      throw InputError("cannot write the table to {}: the case reads it; give another file with -o", path);
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kHead.size(), ' ');
+  if (file && !(file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead))
+    throw InputError(
+        "cannot write the table to {}: there is a file that is no table of stiffnesses; move it away, or "
+        "give "
+        "another file with -o",
+        path);
+}
 
 bool write(const std::string& path, const model::Case& c, const std::vector<Row>& rows) {
-  std::string s =
-      "x offset [m],y offset [m],z offset [m],rx offset [deg],ry offset [deg],rz offset [deg],Fx [N],Fy "
-      "[N],Fz "
-      "[N],Mx [N m],My [N m],Mz [N m]";
+  std::string s(kHead);
+  s += ",ry offset [deg],rz offset [deg],Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]";
   for (int i = 1; i <= 6; ++i)
     for (int j = 1; j <= 6; ++j)
       s += fmt::format(",K{}{} [{}]", i, j, i <= 3 ? (j <= 3 ? "N/m" : "N/rad") : (j <= 3 ? "N" : "N m/rad"));
@@ -160,6 +176,7 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
                                : std::filesystem::absolute(o.output).string();
   if (std::filesystem::path(path).extension() != ".csv")
     throw InputError(path + ": a table of stiffnesses is a CSV file: give its name the ending .csv");
+  on_root(comm, [&] { check_output(path, c.inputs); });
   if (!c.statics.enabled)
     throw InputError(c.path + ": statics: the stiffness is that at rest, which this case does not compute");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));

@@ -144,8 +144,7 @@ void RigidBodies::powers(const Floating& f, const Kinematics& at, double& dampin
 void RigidBodies::prepare(const Kinematics& committed, double) {
   for (Floating& f : list_) {
     powers(f, committed, f.damping_power, f.work_power);
-    for (Load& l : f.loads)
-      l.at_start = load_potential(l.at(committed.time), floating_state(committed, f.node));
+    f.start = floating_state(committed, f.node);
   }
 }
 
@@ -182,10 +181,8 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const 
 }
 
 void RigidBodies::commit(const Kinematics& accepted) {
+  if (!(accepted.step > 0)) return;
   for (Floating& f : list_) {
-    for (Load& l : f.loads)
-      l.at_start = load_potential(l.at(accepted.time), floating_state(accepted, f.node));
-    if (!(accepted.step > 0)) continue;
     double damping = 0, work = 0;
     powers(f, accepted, damping, work);
     f.damping += 0.5 * accepted.step * (damping + f.damping_power);
@@ -204,11 +201,9 @@ Energy RigidBodies::energy(const Kinematics& at) const {
     for (const Load& load : f.loads) {
       const RigidBodyLoad l = load.at(at.time);
       if (l.constant) e.potential += load_potential(l, s);
-      if (at.step > 0 || l.body_fixed) continue;
-      // In statics, whose search needs a potential: that of small rotations, and of what changes by time from
-      // where the last iteration is. In motion they do work.
-      e.potential -= l.moment.dot(log_so3(s.q));
-      if (!l.constant) e.potential += load_potential(l, s) - load.at_start;
+      // The search of statics needs a potential: that of the forces at the last iteration. In motion they do
+      // work.
+      if (hold_) e.potential -= load_work(l, f.start, s);
     }
     e.damping += f.damping;
     e.work += f.work;

@@ -63,5 +63,29 @@ bodies:
   EXPECT_NEAR(of([&](size_t n) { return log_so3(s.state().q[n]).z(); }), 25e-5, 1e-10);
 }
 
+// Of a body on springs: F/k at rest, along its own axes if they turn with it; a moment stores no energy that
+// motion would lack.
+TEST(BodyLoads, StaticsOfMomentsAndTurningForces) {
+  const std::string text = R"(hawser: 1
+bodies:
+  float:
+    rotation_deg: [0, 0, 30]
+    floating:
+      mass: 1000
+      inertia: [400, 400, 400]
+      stiffness: [1e4, 1e4, 1e4]
+      turning_stiffness: [1e5, 1e5, 1e5]
+      loads: [{force: [100, 0, 0], axes: body}, {moment: [0, 0, 2000]}]
+)";
+  Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "float.yaml"));
+  s.solve_statics();
+  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
+  const double angle = M_PI / 6 + 0.02;
+  EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].x(); }), 0.01 * std::cos(angle), 1e-9);
+  EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].y(); }), 0.01 * std::sin(angle), 1e-9);
+  EXPECT_NEAR(of([&](size_t n) { return log_so3(s.state().q[n]).z(); }), angle, 1e-9);
+  EXPECT_NEAR(of([&](size_t) { return s.system().energy(s.state().view(0)).potential; }), 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace hawser::test::body_loads

@@ -59,6 +59,9 @@ void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResid
 // power, W.
 double load_potential(const RigidBodyLoad& load, const RigidBodyState& s);
 double load_power(const RigidBodyLoad& load, const RigidBodyState& s);
+// J, work on the way from `start` to s of what has no potential, which keeps there the force and moment in
+// space that it has at `start`.
+double load_work(const RigidBodyLoad& load, const RigidBodyState& start, const RigidBodyState& s);
 
 // J: kinetic, and stored by the springs.
 double rigid_body_kinetic(const RigidBodyData& body, const RigidBodyState& s);

@@ -46,7 +46,6 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   struct Load {
     RigidBodyLoad constant;
     std::vector<std::pair<double, Vec6>> table;  // added to it
-    double at_start = 0;                         // J, potential where the last accepted state is
     RigidBodyLoad at(double time) const;
   };
   struct Floating {
@@ -56,6 +55,7 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
     int body = 0, node = 0;                    // of the case; local
     int block = 0, global = 0;                 // local block of the position; mesh node
     bool rests = false;                        // finds its own rest
+    RigidBodyState start;                      // at the last prepare()
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
 
