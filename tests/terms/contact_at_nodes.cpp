@@ -24,6 +24,7 @@ struct Model {
     mesh.lines = {{0, 2, 0, 1, 1, "line"}};
     local.mesh = &mesh;
     local.owned = 2;
+    local.owner = {0, 0};
     local.global = {0, 1};
     local.block = {0, 1};
     local.owned_blocks = 2;

@@ -21,6 +21,7 @@ double pull(double ramp, double time, double step) {
   local.mesh = &mesh;
   local.owned = 2;
   local.owned_blocks = 2;
+  local.owner = {0, 0};
   local.global = local.block = local.global_block = {0, 1};
   local.elements = {{0, 1, 0, false}};
   model::Case c;

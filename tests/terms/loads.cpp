@@ -27,6 +27,7 @@ LocalMesh local_mesh(const Mesh& mesh) {
   LocalMesh l;
   l.mesh = &mesh;
   l.owned = 3;
+  l.owner = {0, 0, 0};
   l.global = {0, 1, 2};
   l.block = {0, 2, 4};
   l.owned_blocks = 5;
