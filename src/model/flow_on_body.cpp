@@ -22,9 +22,8 @@ std::string line(const char* what, const FlowOnBody& f, double density, double s
   }
   const double pressure = 0.5 * density * speed * speed;
   return fmt::format(
-      "    {} by {} rows{}{}: at {:.4g} m/s{} it has at most {:.4g} kN along, {:.4g} kN across and {:.4g} kN "
-      "m of "
-      "yaw\n",
+      "    {} by {} rows{}{}: at {:.4g} m/s{} it has at most {:.4g} kN along, {:.4g} kN across and "
+      "{:.4g} kN m of yaw\n",
       what, f.rows, f.by_origin ? ", by where it comes from" : ", by where it goes to",
       f.mirrored ? ", mirrored" : "", speed, of, pressure * f.frontal * most.x() / 1000,
       pressure * f.lateral * most.y() / 1000, pressure * f.lateral * f.length * most.z() / 1000);

@@ -193,9 +193,8 @@ Key flow_on_body(const char* name, std::optional<FlowOnBody> BodyMass::*field, s
                  const std::string& about) {
   std::vector<Key> keys = {
       text("file",
-           "text file beside the case: columns angle [deg], Cx, Cy, Cn; blanks or commas between, `#` starts "
-           "a "
-           "comment"),
+           "text file beside the case: columns angle [deg], Cx, Cy, Cn; blanks or commas between, "
+           "`#` starts a comment"),
       list("rows", list("", number("", none), items(4, 4)), "the same, written here", items(2)),
       word({"angles", &FlowOnBody::by_origin}, {{"to", false}, {"from", true}},
            "what the angle is, anticlockwise from the body's x axis: where the flow goes to (0 pushes it "

@@ -89,15 +89,18 @@ HeldBodies::HeldBodies(Simulation& sim)
 
 void HeldBodies::solve() { sim_.solve_statics(); }
 
-// The steps in which the ends of lines are moved: a share of the shortest line.
-double HeldBodies::longest_step(int body) const {
+// Steps in which no end of a line on the body moves by more than a share of the shortest of these lines.
+int HeldBodies::steps_to(int body, const RigidPose& there) const {
   const model::Case& c = sim_.model();
-  double shortest = HUGE_VAL;
+  const RigidPose& from = pose(body);
+  double shortest = HUGE_VAL, way = 0;
   for (const model::Line& line : c.lines)
     for (const model::End* e : {&line.end_a, &line.end_b})
-      if (e->kind == model::EndKind::body && c.body_index(e->body) == body)
+      if (e->kind == model::EndKind::body && c.body_index(e->body) == body) {
         shortest = std::min(shortest, model::length_of(line));
-  return kStep * shortest;
+        way = std::max(way, (there.to_space(e->at) - from.to_space(e->at)).norm());
+      }
+  return std::max(1, static_cast<int>(std::ceil(way / (kStep * shortest))));
 }
 
 // Nodes of lines go along with the ends that move, by their share of the length.
@@ -128,15 +131,9 @@ void HeldBodies::move(int body, const RigidPose& there) {
 }
 
 void HeldBodies::put(int body, const RigidPose& there) {
-  const model::Case& c = sim_.model();
   const RigidPose from = pose(body);
-  double way = 0;
-  for (const model::Line& line : c.lines)
-    for (const model::End* e : {&line.end_a, &line.end_b})
-      if (e->kind == model::EndKind::body && c.body_index(e->body) == body)
-        way = std::max(way, (there.to_space(e->at) - from.to_space(e->at)).norm());
   const Vec3 turn = log_so3(from.rotation.conjugate() * there.rotation);
-  const int steps = std::max(1, static_cast<int>(std::ceil(way / longest_step(body))));
+  const int steps = steps_to(body, there);
   for (int k = 1; k <= steps; ++k) {
     const double share = static_cast<double>(k) / steps;
     RigidPose next = there;

@@ -88,9 +88,8 @@ void check_output(const std::string& path, const std::vector<std::string>& input
   std::string head(kHead.size(), ' ');
   if (file && !(file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead))
     throw InputError(
-        "cannot write the table to {}: there is a file that is no table of stiffnesses; move it away, or "
-        "give "
-        "another file with -o",
+        "cannot write the table to {}: there is a file that is no table of stiffnesses; move it away, "
+        "or give another file with -o",
         path);
 }
 

@@ -126,7 +126,6 @@ SNESConvergedReason StaticSearch::check_step(int iteration) {
   if (report_.norms.small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   if (!sides_.empty()) {
     sides_.evaluate(system_, state_, trial_);
-    system_.residual(state_.view(0), r_.get());
     if (sides_.norms(system_, f_.get()).small(tolerance_)) return SNES_CONVERGED_FNORM_RELATIVE;
   }
   if (iteration >= settings_.max_iterations) return SNES_DIVERGED_MAX_IT;

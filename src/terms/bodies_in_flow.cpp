@@ -159,7 +159,7 @@ std::vector<HistoryRecord> BodiesInFlow::records(NodeRange of) const {
   return out;
 }
 
-// A state that is gone on from has been looked at already.
+// prepare() evaluates the forces of the restored state again.
 void BodiesInFlow::restore(const std::vector<HistoryRecord>& records) {
   for (Flow& f : list_) {
     f.work = 0;

@@ -29,14 +29,13 @@ dynamics: {duration: 6, step: 0.01, rho_infinity: 1}
   Dynamics& d = s.dynamics();
   d.start(s.state());
   integrate(d, 6, 6, [](const StepInfo&) {});
-  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
   const double exact = 800 * 64.0 / (6 * 4000) + 800 * 16.0 / 8000 * 2 + 0.5 * 0.8 * 4, speed = 1.6 + 1.6;
-  EXPECT_NEAR(of([&](size_t n) { return d.kinematics().x[n].x(); }), exact, 1e-5 * exact);
-  EXPECT_NEAR(of([&](size_t n) { return d.kinematics().x[n].y(); }), 0.5 * exact, 1e-5 * exact);
-  EXPECT_NEAR(of([&](size_t n) { return d.kinematics().v[n].x(); }), speed, 1e-6 * speed);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.kinematics().x[n].x(); }), exact, 1e-5 * exact);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.kinematics().x[n].y(); }), 0.5 * exact, 1e-5 * exact);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return d.kinematics().v[n].x(); }), speed, 1e-6 * speed);
   const double kinetic = 0.5 * 1000 * speed * speed * 1.25;
   const auto energy = [&](double Energy::*part) {
-    return of([&](size_t) { return s.system().energy(d.kinematics()).*part; });
+    return from_owner(s, [&](size_t) { return s.system().energy(d.kinematics()).*part; });
   };
   EXPECT_NEAR(energy(&Energy::work), kinetic, 1e-4 * kinetic);
   EXPECT_NEAR(energy(&Energy::kinetic), kinetic, 1e-4 * kinetic);
@@ -57,10 +56,9 @@ bodies:
 )";
   Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "float.yaml"));
   s.solve_statics();
-  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
-  EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].x(); }), 0.04, 1e-9);
-  EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].y(); }), 0.03, 1e-9);
-  EXPECT_NEAR(of([&](size_t n) { return log_so3(s.state().q[n]).z(); }), 25e-5, 1e-10);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].x(); }), 0.04, 1e-9);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].y(); }), 0.03, 1e-9);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return log_so3(s.state().q[n]).z(); }), 25e-5, 1e-10);
 }
 
 // Of a body on springs: F/k at rest, along its own axes if they turn with it; a moment stores no energy that
@@ -79,12 +77,11 @@ bodies:
 )";
   Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "float.yaml"));
   s.solve_statics();
-  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
   const double angle = M_PI / 6 + 0.02;
-  EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].x(); }), 0.01 * std::cos(angle), 1e-9);
-  EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].y(); }), 0.01 * std::sin(angle), 1e-9);
-  EXPECT_NEAR(of([&](size_t n) { return log_so3(s.state().q[n]).z(); }), angle, 1e-9);
-  EXPECT_NEAR(of([&](size_t) { return s.system().energy(s.state().view(0)).potential; }), 0, 1e-9);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].x(); }), 0.01 * std::cos(angle), 1e-9);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].y(); }), 0.01 * std::sin(angle), 1e-9);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return log_so3(s.state().q[n]).z(); }), angle, 1e-9);
+  EXPECT_NEAR(from_owner(s, [&](size_t) { return s.system().energy(s.state().view(0)).potential; }), 0, 1e-9);
 }
 
 }  // namespace

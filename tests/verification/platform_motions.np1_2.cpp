@@ -18,6 +18,12 @@ using platform_rig::coefficients;
 using platform_rig::motion;
 using run::Simulation;
 
+// Coefficients of wind and of current of a ship.
+constexpr const char* kWind =
+    "[[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]]";
+constexpr const char* kCurrent =
+    "[[0, 0.08, 0, 0], [60, 0.04, 0.6, 0.1], [120, -0.04, 0.6, -0.1], [180, -0.08, 0, 0]]";
+
 // Coefficients of a ship by formulas: wave forces and mean drift by direction every 30 deg.
 std::string ship_files(const std::string& name) {
   const std::string stem = testing::TempDir() + name;
@@ -74,8 +80,8 @@ bodies:
       mass: 1e6
       centre_of_mass: [2, 0, 2]
       inertia: [1e8, 1e9, 1e9]
-      wind: {{frontal_area: 100, lateral_area: 900, length: 100, rows: [[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]]}}
-      current: {{draught: 5, length: 100, rows: [[0, 0.08, 0, 0], [60, 0.04, 0.6, 0.1], [120, -0.04, 0.6, -0.1], [180, -0.08, 0, 0]]}}
+      wind: {{frontal_area: 100, lateral_area: 900, length: 100, rows: {13}}}
+      current: {{draught: 5, length: 100, rows: {14}}}
       hydrodynamics:
         wamit: {0}
         second_order: newman
@@ -87,7 +93,7 @@ statics: false
 dynamics: {{duration: 20, step: 0.1}}
 )",
       stem, 2 * M_PI / 0.8, turn_deg + 0.4 * 180 / M_PI, phase, at.x(), at.y(), turn_deg + 15, turn_deg - 70,
-      turn_deg + 130, place.x(), place.y(), turn_deg, follow);
+      turn_deg + 130, place.x(), place.y(), turn_deg, follow, kWind, kCurrent);
   const auto found = motion(io::read_case_text(text, testing::TempDir() + "turned.yaml"), 20, 5);
   std::vector<Vec3> out;
   for (const auto& row : found) out.push_back(R.transpose() * (row[0] - place));
@@ -140,11 +146,10 @@ bodies:
       stem);
   Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "rest.yaml"));
   s.solve_statics();
-  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
   const double way = 0.5 * 4 * 1000 * 10 / 2e4, angle = 100 * M_PI / 180;
-  EXPECT_NEAR(of([&](size_t n) { return heading_of(s.state().q[n]).angle; }), angle, 1e-6);
-  EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].x(); }), way * std::cos(angle), 1e-5);
-  EXPECT_NEAR(of([&](size_t n) { return s.state().x[n].y(); }), way * std::sin(angle), 1e-5);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return heading_of(s.state().q[n]).angle; }), angle, 1e-6);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].x(); }), way * std::cos(angle), 1e-5);
+  EXPECT_NEAR(from_owner(s, [&](size_t n) { return s.state().x[n].y(); }), way * std::sin(angle), 1e-5);
 }
 
 // Pushed along its bow, which points to 90 deg, a ship has the added mass of surge, 80 t beside 1000 t; with
@@ -233,7 +238,7 @@ bodies:
       mass: 1e6
       centre_of_mass: [2, 0, 2]
       inertia: [1e8, 1e9, 1e9]
-      wind: {{frontal_area: 100, lateral_area: 900, length: 100, at: [0, 0, 12], rows: [[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]]}}
+      wind: {{frontal_area: 100, lateral_area: 900, length: 100, at: [0, 0, 12], rows: {}}}
       hydrodynamics:
         wamit: {}
         second_order: newman
@@ -243,7 +248,7 @@ links:
 statics: false
 dynamics: {{duration: 13, step: 0.1}}
 )",
-      stem);
+      kWind, stem);
   Simulation s(PETSC_COMM_WORLD, io::read_case_text(text, testing::TempDir() + "origins.yaml"));
   Dynamics& d = s.dynamics();
   d.start(s.state());
@@ -309,15 +314,15 @@ bodies:
       mass: 1e6
       inertia: [1e8, 1e9, 1e9]
       angular_velocity: [0, 0, 0.02]
-      wind: {{frontal_area: 100, lateral_area: 900, length: 100, rows: [[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]]}}
-      current: {{draught: 5, length: 100, rows: [[0, 0.08, 0, 0], [60, 0.04, 0.6, 0.1], [120, -0.04, 0.6, -0.1], [180, -0.08, 0, 0]]}}
+      wind: {{frontal_area: 100, lateral_area: 900, length: 100, rows: {}}}
+      current: {{draught: 5, length: 100, rows: {}}}
       loads: [{{table: {{rows: [[0, 1e4, 0, 0], [20, 5e4, 2e4, 0]]}}}}]
       hydrodynamics: {{wamit: {}, second_order: newman, follow_period: 30}}
 statics: false
 dynamics: {{duration: 20, step: 0.1}}
 output: {{every: 5, checkpoint_every: 10, history_every: 0.5, histories: [{{body: ship}}]}}
 )",
-      stem);
+      kWind, kCurrent, stem);
   const std::string input = path + "/ship.yaml";
   runs::write_case(input, text);
   runs::run_on_all({input, path + "/whole.h5", "", 20});

@@ -177,9 +177,8 @@ bodies:
   const model::Case c = io::read_case_text(text, testing::TempDir() + "barge.yaml");
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
-  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
-  const double middle = of([&](size_t n) { return s.state().x[n].z(); });
-  const double pitch = of([&](size_t n) { return log_so3(s.state().q[n]).y(); });
+  const double middle = from_owner(s, [&](size_t n) { return s.state().x[n].z(); });
+  const double pitch = from_owner(s, [&](size_t n) { return log_so3(s.state().q[n]).y(); });
   EXPECT_NEAR(middle - 2 * std::cos(pitch), -2000.0 / 2e6, 1e-8);
   EXPECT_NEAR(pitch, 2000 * 10 / (4e7 - 1e6 * 10 * 2), 1e-8);
 }
@@ -208,9 +207,8 @@ bodies:
   const model::Case c = io::read_case_text(text, testing::TempDir() + "ship.yaml");
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
-  const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
   for (int k = 0; k < 3; ++k)
-    EXPECT_NEAR(of([&](size_t n) { return log_so3(s.state().q[n])[k]; }), k == 2 ? 1 : 0, 1e-10) << k;
+    EXPECT_NEAR(from_owner(s, [&](size_t n) { return log_so3(s.state().q[n])[k]; }), k == 2 ? 1 : 0, 1e-10) << k;
 }
 
 // A float of 1000 kg with A = 800 - 300 omega, B = 50 omega and C chosen so that omega = 0.8:

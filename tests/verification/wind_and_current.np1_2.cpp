@@ -60,11 +60,12 @@ TEST(WindAndCurrent, StaticsHasTheReferenceForces) {
                                   f.heading, f.flow),
                       "statics: {tolerance: 1e-12}\n"));
     s.solve_statics();
-    const auto of = [&](auto&& what) { return from_owner(s, [&](size_t n) { return what(n); }); };
     for (int k = 0; k < 2; ++k)
-      EXPECT_NEAR(1e6 * of([&](size_t n) { return s.state().x[n][k]; }), f.force[k], 5e-7 * f.force.norm())
+      EXPECT_NEAR(1e6 * from_owner(s, [&](size_t n) { return s.state().x[n][k]; }), f.force[k],
+                  5e-7 * f.force.norm())
           << k;
-    const double turned = of([&](size_t n) { return log_so3(s.state().q[n]).z(); }) - f.heading * M_PI / 180;
+    const double turned =
+        from_owner(s, [&](size_t n) { return log_so3(s.state().q[n]).z(); }) - f.heading * M_PI / 180;
     EXPECT_NEAR(1e15 * turned, f.force.z(), 1e-5 * std::abs(f.force.z()));
   }
 }

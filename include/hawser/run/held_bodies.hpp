@@ -31,7 +31,7 @@ class HeldBodies {
 
  private:
   void move(int body, const RigidPose& there);
-  double longest_step(int body) const;
+  int steps_to(int body, const RigidPose& there) const;
 
   Simulation& sim_;
   std::shared_ptr<std::vector<RigidPose>> poses_;  // by body of the case

@@ -75,8 +75,8 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   bool hold_ = false;
 };
 
-// Whether statics looks for the rest of a body: it carries ends of lines or links, or lines can touch it, or
-// it floats in water and no current takes it away.
+// Whether statics finds the rest of a body: it is a platform, has loads, carries lines or links or can be
+// touched by lines, or springs hold it in wind and current, or it floats in water where no current moves it.
 bool finds_rest(const model::Case& c, int body);
 // Where the centre of mass of a floating body starts, and its velocities (w in body axes).
 RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest);
