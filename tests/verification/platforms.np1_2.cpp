@@ -208,7 +208,8 @@ bodies:
   Simulation s(PETSC_COMM_WORLD, c);
   s.solve_statics();
   for (int k = 0; k < 3; ++k)
-    EXPECT_NEAR(from_owner(s, [&](size_t n) { return log_so3(s.state().q[n])[k]; }), k == 2 ? 1 : 0, 1e-10) << k;
+    EXPECT_NEAR(from_owner(s, [&](size_t n) { return log_so3(s.state().q[n])[k]; }), k == 2 ? 1 : 0, 1e-10)
+        << k;
 }
 
 // A float of 1000 kg with A = 800 - 300 omega, B = 50 omega and C chosen so that omega = 0.8:
