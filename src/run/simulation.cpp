@@ -90,7 +90,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
                       std::vector<std::string>& notes) {
   model::Volume& v = volume.settings;
   AutomaticStiffness best;
-  double mass = 0, most = 0;
+  double mass = 0, radius = 0, most = 0;
   for (const Element& e : mesh.elements) {
     const auto& t = c.line_types[e.type];
     StiffnessDemand d;
@@ -98,6 +98,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
     d.weight = t.mass_per_length * c.environment.gravity;
     d.length = mesh.lines[e.line].length;
     d.EA = t.EA;
+    if (t.kind == model::LineKind::beam) d.EI = std::min(t.EI2, t.EI3);
     d.bend = bending_radius(v, d.radius);
     d.allowed_penetration = v.allowed_penetration;
     const AutomaticStiffness s = automatic_contact_stiffness(d);
@@ -105,10 +106,14 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
     if (s.per_length > best.per_length) {
       best = s;
       mass = t.mass_per_length;
+      radius = d.radius;
     }
   }
   v.basis = model::StiffnessBasis::per_length;
   v.normal_stiffness = best.per_length;
+  // A long ramp is for damping: steps of an impact do not resolve its work. Statics needs a short one at
+  // edges.
+  if (v.smoothing < 0 && !(v.relative_damping > 0)) v.smoothing = 2e-5 * radius;
   volume.automatic = true;
   volume.most = std::max(most, best.per_length);
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;

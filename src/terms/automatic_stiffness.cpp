@@ -28,17 +28,20 @@ std::string number(double v) {
 }  // namespace
 
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
-  const double hanging = d.weight * d.length, tension = std::max(hanging, 1e-4 * d.EA);
-  const double bend = d.bend > 0 ? d.bend : std::max(d.radius, kLeast);
+  const bool hangs = d.weight > 0;
+  const double tension = hangs ? d.weight * d.length : 1e-4 * d.EA;
+  const double shape = d.bend > 0 ? d.bend : std::max(d.radius, kLeast),
+               stiff = tension > 0 ? 2 * std::sqrt(d.EI / tension) : 0, bend = std::max(shape, stiff);
   const double allowed = d.allowed_penetration > 0 ? d.allowed_penetration : kAllowedPenetration * d.radius;
   const double pressure = d.weight + tension / bend;
   return {pressure / allowed,
           "a tension of " + number(tension) + " N (" +
-              (hanging >= 1e-4 * d.EA ? "the line's weight" : "1e-4 of its EA, more than its weight") +
+              (hangs ? "the line's weight" : "1e-4 of its EA, as it has no weight") +
               ") bent to a radius of " + number(bend) + " m (" +
-              (d.bend >= kMost ? "no larger one is trusted"
-               : d.bend > 0    ? "that of the shape"
-                               : "as that of the volume is not known") +
+              (stiff > shape     ? "the smallest to which it bends the line's EI over an edge"
+               : d.bend >= kMost ? "no larger one is trusted"
+               : d.bend > 0      ? "that of the shape"
+                                 : "as that of the volume is not known") +
               ") and the line's weight of " + number(d.weight) + " N/m press in by " +
               (d.allowed_penetration > 0 ? "the allowed " : "0.5 % of the line's radius, ") +
               number(allowed) + " m"};

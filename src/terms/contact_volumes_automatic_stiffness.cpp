@@ -19,11 +19,14 @@ constexpr double kImpactDepth = 0.5;
 // Of the period of the mass on its spring: shorter steps follow an impact, and what is deep in them is the
 // impact's.
 constexpr double kFollowing = 2;
+// Unless it is so many times deeper than what is allowed, and inertia takes no more than the rest of
+// kPressed, which an impact of the mass of 100 elements does.
+constexpr double kDeepInAnImpact = 10, kPressed = 0.99;
 // Most that what presses raises a stiffness in a step: what grows faster is an impact.
 constexpr double kMostInAStep = 4;
 
 // A raise is solved again with, and what it is for moves with it: less than this is left.
-constexpr double kWorthIt = 1.05;
+constexpr double kWorthIt = 1.05, kLeastInAStep = 1.06;
 
 }  // namespace
 
@@ -48,9 +51,12 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
   // Of the stiffness that the step began with.
   const double period = contact_period(law.stiffness * committed_[k] / now, p.mass);
   const bool resolves_impact = step > 0 && p.mass > 0 && step < kFollowing * period;
-  if (!resolves_impact && p.static_share * p.depth > (step > 0 ? kMoving : 1) * allowed) {
-    const double pressed = now * p.static_share * p.depth / (kRaisedTo * allowed);
-    want = step > 0 ? std::min(pressed, kMostInAStep * committed_[k]) : pressed;
+  const bool pressed = !resolves_impact || p.static_share > kPressed;
+  const double most_depth = allowed * (resolves_impact ? kDeepInAnImpact : step > 0 ? kMoving : 1);
+  if (pressed && p.static_share * p.depth > most_depth) {
+    const double most = resolves_impact ? std::max(1 + step / period, kLeastInAStep) : kMostInAStep;
+    want = now * p.static_share * p.depth / (kRaisedTo * allowed);
+    if (step > 0) want = std::min(want, most * committed_[k]);
   }
   // u sqrt(m/k) is how deep an impact goes. What is in the spring already comes out of it no faster than in a
   // part of the period: to raise the stiffness then would only load the spring.

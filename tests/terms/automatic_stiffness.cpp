@@ -10,7 +10,7 @@ namespace {
 TEST(ContactStiffness, Automatic) {
   // A hose of 250 m, 273.4 kg/m, 0.85 m: its hanging tension bent to 1 m presses in by 0.5 % of its radius.
   const double weight = 273.4 * 9.80665;
-  StiffnessDemand d{0.425, weight, 250, 9.505e8, 0, 0};
+  StiffnessDemand d{0.425, weight, 250, 9.505e8, 0, 0, 0};
   const AutomaticStiffness a = automatic_contact_stiffness(d);
   EXPECT_NEAR(a.per_length * 0.005 * 0.425, weight * 251, 1e-6);
   EXPECT_NE(a.reason.find("weight"), std::string::npos);
@@ -30,6 +30,22 @@ TEST(ContactStiffness, Automatic) {
   EXPECT_EQ(bending_radius(drum, d.radius), 0);
   // 273.4 kg on 1e6 N/m.
   EXPECT_NEAR(contact_period(1e6, 273.4), 0.10389, 1e-5);
+}
+
+// A pipe of 4 m, 200 x 10 mm: its weight of 1.84 kN bends it to no less than 2 sqrt(EI/T) = 111 m, on a mesh
+// as on a drum. Its EA matters only without weight.
+TEST(ContactStiffness, OfAStiffPipe) {
+  const double weight = 460, tension = 4 * weight;
+  StiffnessDemand d{0.1, weight, 4, 1.256e9, 5.7e6, 0, 0};
+  const double bend = 2 * std::sqrt(5.7e6 / tension);
+  EXPECT_NEAR(bend, 111.3, 0.1);
+  EXPECT_NEAR(automatic_contact_stiffness(d).per_length * 0.005 * 0.1, weight + tension / bend, 1e-6);
+  EXPECT_NE(automatic_contact_stiffness(d).reason.find("EI over an edge"), std::string::npos);
+  d.bend = 4;
+  EXPECT_NEAR(automatic_contact_stiffness(d).per_length * 0.005 * 0.1, weight + tension / bend, 1e-6);
+  d.weight = 0;
+  EXPECT_NEAR(automatic_contact_stiffness(d).per_length * 0.005 * 0.1,
+              1.256e5 / (2 * std::sqrt(5.7e6 / 1.256e5)), 1e-6);
 }
 
 // By its weight a line is pressed in by 0.5 % of its radius, by 1 % of its EA bent to its radius by a

@@ -14,7 +14,7 @@ struct StiffnessDemand {
   double radius = 0;               // m, half the contact diameter
   double weight = 0;               // N/m, of the line
   double length = 0;               // m, of the line
-  double EA = 0;                   // N
+  double EA = 0, EI = 0;           // N, N m²
   double bend = 0;                 // m, smallest radius the axis is bent to; 0: not known
   double allowed_penetration = 0;  // m; 0: 0.5 % of the radius
 };
@@ -24,8 +24,9 @@ struct AutomaticStiffness {
   std::string reason;     // for the user, no full stop
 };
 
-// Lets the line's own weight and its hanging tension, bent to the radius, press in by what is allowed. Where
-// that radius is not known it is taken as the larger of 1 m and the line's; very light lines use 1e-4 EA.
+// Lets the line's own weight and its hanging tension T, bent to the radius, press in by what is allowed.
+// Where that radius is not known it is taken as the larger of 1 m and the line's. None is smaller than 2
+// sqrt(EI/T), to which T bends the line over an edge. T of a line without weight is 1e-4 EA.
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
 
 // N/m², beyond which an automatic stiffness is not raised: all of the line's EA, bent as sharply as its own
