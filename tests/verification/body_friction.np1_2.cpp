@@ -1,0 +1,162 @@
+// Friction of bodies on each other: closed forms of crates, balls and bars on slopes, momentum of two bodies.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hawser/io/case_reader.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/run/volumes.hpp"
+#include "support/rig.hpp"
+#include "verification/dynamics_rig.hpp"
+
+namespace hawser::test::body_friction {
+namespace {
+
+constexpr double kGravity = 9.80665;
+
+struct Motion {
+  std::vector<RigidPose> end;  // of the bodies
+  double friction = 0;         // J, dissipated
+};
+
+Motion run(const std::string& yaml) {
+  const model::Case c = io::read_case_text(yaml, "bodies.yaml");
+  const auto volumes = run::load_volumes(c);
+  run::Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes));
+  if (c.statics.enabled) s.solve_statics();
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  integrate(d, c.dynamics.duration, c.dynamics.duration, [](const StepInfo&) {});
+  Motion m;
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    std::vector<double> of(13, 0);
+    const auto pose = s.body_pose(static_cast<int>(b), d.kinematics());
+    if (pose) {
+      Eigen::Map<Vec3>(of.data()) = pose->position;
+      Eigen::Map<Eigen::Vector4d>(of.data() + 3) = pose->rotation.coeffs();
+      Eigen::Map<Vec3>(of.data() + 7) = pose->velocity;
+      Eigen::Map<Vec3>(of.data() + 10) = pose->angular_velocity;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, of.data(), 13, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+    RigidPose& p = m.end.emplace_back();
+    p.position = Eigen::Map<Vec3>(of.data());
+    p.rotation = Quat(Eigen::Map<Eigen::Vector4d>(of.data() + 3)).normalized();
+    p.velocity = Eigen::Map<Vec3>(of.data() + 7);
+    p.angular_velocity = Eigen::Map<Vec3>(of.data() + 10);
+  }
+  m.friction = s.system().energy(d.kinematics()).friction;
+  MPI_Allreduce(MPI_IN_PLACE, &m.friction, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  return m;
+}
+
+// A body on a plane that falls by `slope` [rad] towards x, at rest on it. height [m] of its frame above it.
+std::string on_slope(double slope, double friction, const std::string& shape, const std::string& basis,
+                     double height, const std::string& inertia, double duration, bool statics = false) {
+  const double s = std::sin(slope), c = std::cos(slope);
+  return fmt::format(R"(hawser: 1
+bodies:
+  load:
+    position: [{:.12f}, 0, {:.12f}]
+    rotation_deg: [0, {:.12f}, 0]
+    floating: {{mass: 600, inertia: {}, weight: true}}
+volumes:
+  slope: {{shape: {{plane: {{point: [0, 0, 0], normal: [{:.15f}, 0, {:.15f}]}}}}, friction: {}}}
+  load: {{shape: {}, body: load, normal_stiffness: {{{}}}, relative_damping: 0.3}}
+statics: {}
+dynamics: {{duration: {}}}
+)",
+                     height * s, height * c, slope * 180 / M_PI, inertia, s, c, friction, shape, basis,
+                     statics ? "{contact_friction: true}" : "false", duration);
+}
+
+constexpr const char* kBox = "{box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}";
+constexpr const char* kBoxInertia = "[20, 52, 68]";
+
+double down(const Motion& m, double slope) {
+  return m.end[0].position.dot(Vec3(std::cos(slope), 0, -std::sin(slope)));
+}
+
+// Corners, edges and faces hold a box up to the slope arctan(mu), and beyond let it go with
+// g (sin - mu cos).
+TEST(BodyFriction, BoxOnASlope) {
+  const double mu = 0.4, limit = std::atan(mu);
+  for (const char* basis : {"per_point: 1.0e7", "per_length: 1.0e7", "per_area: 5.0e7"}) {
+    const auto moved = [&](double slope, double duration) {
+      return down(run(on_slope(slope, mu, kBox, basis, 0.1, kBoxInertia, duration)), slope);
+    };
+    EXPECT_LT(std::abs(moved(limit - 0.1 * M_PI / 180, 3)), 1e-3) << basis;
+    const double over = limit + 0.1 * M_PI / 180, slow = kGravity * (std::sin(over) - mu * std::cos(over));
+    EXPECT_NEAR(moved(over, 3), 0.5 * slow * 9, 0.02 * slow * 9 + 1e-3) << basis;
+    const double slope = 35 * M_PI / 180, a = kGravity * (std::sin(slope) - mu * std::cos(slope));
+    EXPECT_NEAR(moved(slope, 2), 2 * a, 0.005 * 2 * a) << basis;
+  }
+}
+
+// What the friction takes is what the fall gives and the motion does not have.
+TEST(BodyFriction, WorkOnASlope) {
+  const double mu = 0.4, slope = 35 * M_PI / 180;
+  for (const char* basis : {"per_point: 1.0e7", "per_length: 1.0e7"}) {
+    const Motion m = run(on_slope(slope, mu, kBox, basis, 0.1, kBoxInertia, 2));
+    const double work = 600 * kGravity * mu * std::cos(slope) * down(m, slope);
+    EXPECT_NEAR(m.friction, work, 0.005 * work) << basis;
+  }
+}
+
+// A ball rolls with g sin / (1 + 2/5) while mu > 2/7 tan, else it slides with g (sin - mu cos) and is turned
+// by 5/2 mu g cos / r; a bar likewise with J = m r²/2: g sin / (1 + 1/2).
+TEST(BodyFriction, BallsAndBarsRoll) {
+  const double r = 0.5, slope = 30 * M_PI / 180, g = kGravity;
+  const auto check = [&](const char* shape, const char* basis, double inertia, double mu) {
+    const double share = inertia / (600 * r * r), rolling = g * std::sin(slope) / (1 + share);
+    const bool rolls = mu > std::tan(slope) * share / (1 + share);
+    const double a = rolls ? rolling : g * (std::sin(slope) - mu * std::cos(slope)),
+                 turn = rolls ? a / r : mu * g * std::cos(slope) / (share * r);
+    const Motion m = run(on_slope(slope, mu, shape, basis, r, fmt::format("[60, {0}, 60]", inertia), 1));
+    const std::string what = fmt::format("{}, mu {}", shape, mu);
+    EXPECT_NEAR(down(m, slope), 0.5 * a, 0.005 * a) << what;
+    EXPECT_NEAR(m.end[0].angular_velocity.y(), turn, 0.005 * turn) << what;
+  };
+  for (const double mu : {0.6, 0.1}) {
+    check("{sphere: {centre: [0, 0, 0], radius: 0.5}}", "per_point: 1.0e7", 60, mu);
+    check("{capsule: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}", "per_length: 1.0e7", 75, mu);
+    check("{capsule: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}", "per_point: 1.0e7", 75, mu);
+  }
+}
+
+// A slab thrown onto a free block takes it along: momentum stays, both end with one velocity, and friction
+// takes the energy of the motion against each other.
+TEST(BodyFriction, SlabOnABlock) {
+  const Motion m = run(R"(hawser: 1
+environment: {gravity: 0}
+bodies:
+  block: {position: [0, 0, 0], floating: {mass: 900, inertia: [2000, 2000, 2000]}}
+  slab:
+    position: [0, 0, 0.6]
+    floating: {mass: 300, inertia: [26, 58, 68], velocity: [2, 0, 0]}
+    loads: [{force: [0, 0, -3000]}]
+  anvil: {position: [0, 0, -0.5]}
+volumes:
+  block: {shape: {box: {centre: [0, 0, 0], size: [6, 2, 1]}}, body: block, normal_stiffness: {per_area: 1.0e7}}
+  slab: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}, body: slab, normal_stiffness: {per_point: 1.0e7}, friction: 0.3, relative_damping: 0.5}
+  anvil: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}}, body: anvil}
+statics: false
+dynamics: {duration: 2}
+)");
+  const Vec3 momentum = 900 * m.end[0].velocity + 300 * m.end[1].velocity;
+  EXPECT_NEAR(momentum.x(), 600, 1e-6);
+  EXPECT_NEAR(m.end[0].velocity.x(), 0.5, 0.002);
+  EXPECT_NEAR(m.end[1].velocity.x(), 0.5, 0.002);
+  EXPECT_NEAR(m.friction, 450, 5);
+}
+
+// With friction in statics a crate on a slope rests where it was put.
+TEST(BodyFriction, CrateRestsInStatics) {
+  const double slope = 20 * M_PI / 180;
+  const Motion m = run(on_slope(slope, 0.5, kBox, "per_point: 1.0e7", 0.1, kBoxInertia, 2, true));
+  EXPECT_LT(std::abs(down(m, slope)), 1e-3);
+  EXPECT_LT(m.end[0].velocity.norm(), 1e-3);
+}
+
+}  // namespace
+}  // namespace hawser::test::body_friction
