@@ -207,6 +207,13 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   if (touching) (*touching)[volumes_[pair.a].skeleton.features.index(e)] = std::move(points);
 }
 
+bool BodyContactTerm::driven(const Pair& pair, const Both& at) const {
+  const auto moves = [&](size_t volume, const BodyFrame& f) {
+    return bodies_of_volumes_[volume].global < 0 && !(f.v.isZero(0) && f.w.isZero(0));
+  };
+  return moves(pair.a, at.A) || moves(pair.b, at.B);
+}
+
 ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, const SkeletonPart& part,
                                        double xi, ContactRates* rates) const {
   const Vec3 y = place(part, xi), slope = pair.at.turn() * (part.to - part.from);
@@ -304,7 +311,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!p.here) continue;
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
     const bool tangent = assembler.needs_tangent();
-    const Sum s = contact(p, both(p, trial), {true, tangent, false}, friction_of(p));
+    const Sum s = contact(p, both(p, trial), {true, tangent, false}, friction_in(p, trial.step));
     if (!s.active) continue;
     // Rows and columns of bodies with unknowns.
     const Eigen::Index first = a.global < 0 ? 6 : 0, count = a.global < 0 || b.global < 0 ? 6 : 12;
@@ -331,9 +338,10 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.at) + s.potential;
     p.damping_power = s.damping_power;
-    const FrictionLaw friction = friction_of(p);
-    p.work_power =
-        s.active && friction.active() ? contact(p, p.at, {true}, friction).work_power : s.work_power;
+    p.work_power = s.work_power;
+    const FrictionLaw friction = friction_in(p, h);
+    if (s.active && friction.active() && driven(p, p.at))
+      p.work_power = contact(p, p.at, {true}, friction).work_power;
   }
   if (h > 0) check_overlap(committed.time);
 }
@@ -342,7 +350,7 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
     if (!p.here) continue;
     const Both now = both(p, accepted);
-    const FrictionLaw friction = friction_of(p);
+    const FrictionLaw friction = friction_in(p, accepted.step);
     TouchingPoints touching;
     const Sum s = contact(p, now, {true}, friction, friction.active() ? &touching : nullptr);
     if (accepted.step > 0)
@@ -405,7 +413,10 @@ std::vector<HistoryRecord> BodyContactTerm::records(NodeRange of) const {
     if (p.counted && of.has(node)) out.push_back(record_of(node, key, p));
     for (const PairBody* body : {&a, &b}) {
       if (p.touching.empty() || !owned(*body) || !of.has(body->global)) continue;
-      HistoryRecord r{body->global, key, {}, 1};
+      HistoryRecord r;
+      r.node = body->global;
+      r.key = key;
+      r.kind = 1;
       for (const auto& [feature, points] : p.touching)
         for (const AxisContactPoint& c : points) put(FeaturePoint{feature, c}, r.values);
       out.push_back(std::move(r));

@@ -37,7 +37,8 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   if (!mode_.convex) trial.curvature = at.curvature;
   if (mode_.moves) trial.velocity = speed;
   trial.lever = radius;
-  const BallContact c = ball_contact(law, start, trial, turned_, mode_.tangent);
+  const BallContact c = radius > 0 ? ball_contact(law, start, trial, turned_, mode_.tangent)
+                                   : BallContact{volume_contact(law, start, trial, mode_.tangent)};
   AxisContactPoint point(c, trial.normal);
   point.weight = weight;
   point.gap = trial.gap;
@@ -52,8 +53,9 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   force_ += f;
   moment_ += touch.cross(f);
   if (!mode_.tangent) return point;
-  const Mat3 b = hat(arm), m = hat(touch), sinks = radius * hat(f) * trial.curvature;
-  Mat3 K = -weight * c.by_point, by_turn = -K * b - weight * c.by_turn * turned_by_turn_;
+  const Mat3 b = hat(arm), m = hat(touch);
+  Mat3 K = -weight * c.by_point, by_turn = -K * b;
+  if (radius > 0) by_turn -= weight * c.by_turn * turned_by_turn_;
   if (mode_.moves && (law.normal.damping > 0 || law.friction.blends())) {
     const Mat3 C = -weight * c.by_velocity, Cb = C * b;
     const Mat3 by_spin = C * hat(surface_turning_);
@@ -66,10 +68,14 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   }
   K_.topLeftCorner<3, 3>() += K;
   K_.topRightCorner<3, 3>() += by_turn;
-  K_.bottomLeftCorner<3, 3>() += m * K + sinks;
-  K_.bottomRightCorner<3, 3>() += m * by_turn - sinks * b;
-  // The arm turns with the body.
-  if (!mode_.convex) K_.bottomRightCorner<3, 3>() += m * hat(f) + radius * hat(f) * hat(trial.normal);
+  K_.bottomLeftCorner<3, 3>() += m * K;
+  K_.bottomRightCorner<3, 3>() += m * by_turn;
+  if (mode_.convex) return point;
+  K_.bottomRightCorner<3, 3>() += m * hat(f);  // the arm turns with the body
+  if (!(radius > 0)) return point;
+  const Mat3 sinks = radius * hat(f) * trial.curvature;
+  K_.bottomLeftCorner<3, 3>() += sinks;
+  K_.bottomRightCorner<3, 3>() += radius * hat(f) * hat(trial.normal) - sinks * b;
   return point;
 }
 

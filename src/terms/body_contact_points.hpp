@@ -1,6 +1,6 @@
 // Forces of a surface, with friction, on points and balls fixed to a body that moves against it, summed into
-// one force and one moment on that body with their exact tangent. Faces are cut into thousands of such points, so all is summed in the
-// axes of the surface, and brought to the body's unknowns once.
+// one force and one moment on that body with their exact tangent. Faces are cut into thousands of such
+// points, so all is summed in the axes of the surface, and brought to the body's unknowns once.
 #pragma once
 
 #include "hawser/kernels/rigid_body.hpp"

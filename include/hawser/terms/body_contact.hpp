@@ -22,7 +22,6 @@
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
-#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
@@ -47,7 +46,7 @@ struct BodyVolume {
   BodySkeleton skeleton;
 };
 
-class BodyContactTerm final : public ForceTerm, public CouplesNodes, public LimitsSteps, public HasFriction {
+class BodyContactTerm final : public ForceTerm, public CouplesNodes, public LimitsSteps {
  public:
   // volumes: all of the case, in its order. Pairs are those of model::body_pairs. comm: of all ranks.
   BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
@@ -69,7 +68,6 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   std::vector<HistoryKind> history() const override;
   std::vector<HistoryRecord> records(NodeRange of) const override;
   void restore(const std::vector<HistoryRecord>& records) override;
-  void enable_friction(bool on) override { friction_on_ = on; }
 
   // SolveError where two volumes are far deeper in each other than corners and edges have met. Collective.
   void watch(const Kinematics& at);
@@ -157,7 +155,10 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void contact_of_edge(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
                        const AxisContactMode& mode, const FrictionLaw& friction, double* f, double* K,
                        double* C, Sum& sum, TouchingPoints* points) const;
-  FrictionLaw friction_of(const Pair& pair) const { return friction_on_ ? pair.friction : FrictionLaw(); }
+  // Whether the motion of one of the bodies is prescribed, and not rest.
+  bool driven(const Pair& pair, const Both& at) const;
+  // Of a step of length h; none in statics.
+  static FrictionLaw friction_in(const Pair& pair, double h) { return h > 0 ? pair.friction : FrictionLaw(); }
   // What friction starts from at a place of a part that touches in a trial.
   ContactStart start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
                         ContactRates* rates) const;
@@ -190,7 +191,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   std::vector<PairBody> bodies_of_volumes_;  // likewise
   std::vector<Pair> pairs_;
   std::vector<std::string> names_;  // of volumes, with their bodies
-  bool coupled_ = false, friction_on_ = true;
+  bool coupled_ = false;
 };
 
 }  // namespace hawser
