@@ -353,9 +353,10 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
     const FrictionLaw friction = friction_in(p, accepted.step);
     TouchingPoints touching;
     const Sum s = contact(p, now, {true}, friction, friction.active() ? &touching : nullptr);
-    if (accepted.step > 0)
+    if (accepted.step > 0) {
       p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
-    p.touching = std::move(touching);
+      p.touching = std::move(touching);
+    }
     if (!p.counted) continue;
     p.depth = std::max(p.depth, s.depth);
     p.potential = s.potential;

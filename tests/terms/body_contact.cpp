@@ -258,6 +258,21 @@ TEST(BodyContactTerm, TangentsWithFriction) {
       }
 }
 
+// The slip of what sticks is of the history: a restart knows it.
+TEST(BodyContactTerm, SlipIsKept) {
+  for (const TouchCase& c : touch_cases()) {
+    BodyModel first(c, -5e-3, true, 0.1, friction(0.4, 1)), second(c, -5e-3, true, 0.1, friction(0.4, 1));
+    const State s = state_of(first.system->mesh(), first.trial);
+    first.system->commit(s.view(first.trial.h));
+    second.contact->restore(first.contact->save());
+    for (BodyModel* m : {&first, &second}) m->system->prepare(s.view(m->trial.h), m->trial.h);
+    const std::vector<double> expected = residual(*first.system, s, first.trial.h),
+                              restored = residual(*second.system, s, second.trial.h);
+    for (size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(restored[i], expected[i], 1e-12 * std::abs(expected[i])) << c.name << ", " << i;
+  }
+}
+
 // The coefficient falls with the speed of sliding.
 TEST(BodyContactTerm, TangentsWithFrictionThatFalls) {
   model::Friction law = friction(0.4, 1e-3);

@@ -94,16 +94,19 @@ TEST(BodyFriction, BoxOnASlope) {
       const double height = 0.1 + gap_at_rest(slope, count);
       return down(run(on_slope(slope, mu, kBox, basis, height, kBoxInertia, duration)), slope);
     };
-    EXPECT_LT(std::abs(moved(limit - 0.1 * M_PI / 180, 2)), 1e-3) << basis;
+    EXPECT_LT(std::abs(moved(limit - 0.1 * M_PI / 180, 1)), 1e-3) << basis;
     const double over = limit + 0.1 * M_PI / 180, slow = kGravity * (std::sin(over) - mu * std::cos(over));
-    EXPECT_NEAR(moved(over, 2), 2 * slow, 0.2 * 2 * slow) << basis;
+    EXPECT_NEAR(moved(over, 1), 0.5 * slow, 0.3 * 0.5 * slow) << basis;
     const double slope = 35 * M_PI / 180, a = kGravity * (std::sin(slope) - mu * std::cos(slope));
-    EXPECT_NEAR(moved(slope, 1), 0.5 * a, 0.005 * 0.5 * a) << basis;
+    EXPECT_NEAR(moved(slope, 0.5), 0.125 * a, 0.005 * 0.125 * a) << basis;
   }
 }
 
 // Faces, whose thousands of points take time, for a short while.
 TEST(BodyFriction, FaceOnASlope) {
+  int size = 0;
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  if (size > 1) GTEST_SKIP() << "long; on 1 rank";
   const double mu = 0.4, slope = 35 * M_PI / 180, a = kGravity * (std::sin(slope) - mu * std::cos(slope));
   const Motion m =
       run(on_slope(slope, mu, kBox, "per_area", 0.1 + gap_at_rest(slope, 0.6), kBoxInertia, 0.05));
@@ -115,7 +118,7 @@ TEST(BodyFriction, WorkOnASlope) {
   const double mu = 0.4, slope = 35 * M_PI / 180;
   for (const auto& [basis, count] : {std::pair("per_point", kCorners), {"per_length", kEdges}}) {
     const double height = 0.1 + gap_at_rest(slope, count);
-    const Motion m = run(on_slope(slope, mu, kBox, basis, height, kBoxInertia, 1));
+    const Motion m = run(on_slope(slope, mu, kBox, basis, height, kBoxInertia, 0.5));
     const double work = kMass * kGravity * mu * std::cos(slope) * down(m, slope);
     EXPECT_NEAR(m.friction, work, 0.005 * work) << basis;
   }
