@@ -170,7 +170,7 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   if (points.empty()) return;
   Stencil stencil;
   stencil.blocks = 2;
-  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, y - at.A.centre, at.A.R, at.A.w});
+  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, {y - at.A.centre, at.A.R, at.A.w}});
   contact.to_blocks(stencil, f, K, C);
   sum.active = true;
   for (const AxisContactPoint& p : points) {
