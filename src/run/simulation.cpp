@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <type_traits>
 #include <utility>
 
 #include "hawser/advice/statics.hpp"
