@@ -34,10 +34,10 @@ BezierAxis AxisShape::bezier() const {
 
 void AxisShape::attach(Stencil& to, size_t first_turn) const {
   for (size_t k = 0; k < 2; ++k) {
-    to.add({to.blocks++, -1, {}, {}, {}});
+    to.add({to.blocks++, -1, {}});
     if (count_ == 2) continue;
-    to.turns[first_turn + k] = {-1, to.blocks, {}, R_[k], {}};
-    to.add({-1, to.blocks++, length_ * c_, R_[k], w_[k]});
+    to.turns[first_turn + k] = {-1, to.blocks, {.R = R_[k]}};
+    to.add({-1, to.blocks++, {length_ * c_, R_[k], w_[k]}});
   }
 }
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <type_traits>
 #include <utility>
 
 #include "hawser/advice/statics.hpp"
@@ -124,7 +123,6 @@ template <class Term, class... From>
 Term* Simulation::add(From&&... from) {
   auto term = std::make_unique<Term>(std::forward<From>(from)...);
   Term* out = term.get();
-  if constexpr (std::is_base_of_v<FedByFeeders, Term>) out->fed_by(feeders_);
   system_->add(std::move(term));
   return out;
 }
@@ -134,13 +132,9 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
                        std::vector<BodySkeleton> skeletons)
     : case_(c), mesh_(std::make_unique<Mesh>(build_mesh(c))), bodies_(std::make_shared<Bodies>(c.bodies)) {
   distribute(comm);
-  // The feeders commit last, so they are the last term: all others keep in a step the lengths that acted in
-  // it, on every rank.
-  std::unique_ptr<Feeders> feeders;
   if (std::any_of(case_.lines.begin(), case_.lines.end(),
                   [](const auto& l) { return l.end_a.feed || l.end_b.feed; }))
-    feeders = std::make_unique<Feeders>(local(), case_);
-  feeders_ = feeders.get();
+    feeders_ = add<Feeders>(local(), case_);
   add_line_terms();
   StartShape start = start_shape(case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
@@ -155,11 +149,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   add_seabed(at, held);
   add_contact(at, held, surfaces);
   add_bodies(std::move(surfaces), std::move(skeletons));
-  if (auto between = make_line_pairs(comm, case_, local(), details_)) {
-    between->fed_by(feeders_);
-    system_->add(std::move(between));
-  }
-  if (feeders) system_->add(std::move(feeders));
+  if (auto between = make_line_pairs(comm, case_, local(), details_)) system_->add(std::move(between));
 
   state_ = std::move(start.state);
   any_laid_ = start.any_laid;

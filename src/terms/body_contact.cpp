@@ -194,8 +194,8 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   if (points.empty()) return;
   Stencil stencil;
   stencil.blocks = 2;
-  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, y - at.A.centre, at.A.R, at.A.w});
-  for (size_t i = 0; i < 2; ++i) stencil.turns[i] = {-1, 1, Vec3::Zero(), at.A.R, at.A.w};
+  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, {y - at.A.centre, at.A.R, at.A.w}});
+  for (size_t i = 0; i < 2; ++i) stencil.turns[i] = {-1, 1, {Vec3::Zero(), at.A.R, at.A.w}};
   contact.to_blocks(stencil, f, K, C);
   sum.active = true;
   for (const AxisContactPoint& p : points) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/inertia_round_off.hpp"
 
 namespace hawser {
@@ -100,7 +99,7 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
 }
 
 void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
-  update_from_feeders(trial, false);
+  update_from_feeders(&FedLine::predicted);
   update_water(trial);
   const bool tangent = assembler.needs_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
@@ -177,7 +176,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
     start_time_ = committed.time;
     wave_known_ = false;
   }
-  update_from_feeders(committed, true);
+  update_from_feeders(&FedLine::length);
   // Where no step went before, waves act from here on, and accelerations have jumped.
   const bool begins = !(committed.step > 0);
   if (begins || flow_.place.empty() || feeders_) {
@@ -188,7 +187,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {
-  update_from_feeders(accepted, true);
+  update_from_feeders(&FedLine::length);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
   Flow now = flow(accepted);
   if (accepted.step > 0 && !flow_.place.empty()) work_ += work(flow_, now);

@@ -28,9 +28,9 @@ void Hydrodynamics::group() {
 }
 
 // An idle element has no length for what is computed in fours.
-void Hydrodynamics::update_from_feeders(const Kinematics& at, bool now) {
+void Hydrodynamics::update_from_feeders(double FedLine::*length) {
   if (!feeders_) return;
-  feeders_->update_lengths(pieces_, at, now);
+  feeders_->update_lengths(mesh_, length, pieces_);
   for (Four& q : fours_)
     for (int lane = 0; lane < 4; ++lane) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[lane])];
@@ -53,10 +53,10 @@ double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
   before.q = was.q;
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
-    const auto rest = feeders_->element_state(p.at.global, at, true);
-    if (!rest || rest->before == rest->length) continue;
+    const FedLine* fed = feeders_->find(p.at.global);
+    if (!fed || fed->before == fed->length) continue;
     WaterSection s = p.section;
-    s.length = rest->before;
+    s.length = fed->before;
     for (const Kinematics& k : {before, at}) {
       const WaterEnds e = ends(p, k, calm, calm);
       sum += 0.5 * (water_potential(p.section, e, p.beam) - water_potential(s, e, p.beam));

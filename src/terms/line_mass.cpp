@@ -85,12 +85,8 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
   return sum;
 }
 
-void LineMassTerm::update_from_feeders(const Kinematics& at, bool now) {
-  if (feeders_) feeders_->update_lengths(pieces_, at, now);
-}
-
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  update_from_feeders(trial, false);
+  if (feeders_) feeders_->update_lengths(mesh_, &FedLine::predicted, pieces_);
   double f[12], K[144], C[144], M[144];
   for (const Piece& p : pieces_) {
     if (p.idle) continue;
@@ -123,7 +119,7 @@ void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, do
 }
 
 void LineMassTerm::prepare(const Kinematics& committed, double) {
-  update_from_feeders(committed, true);
+  if (feeders_) feeders_->update_lengths(mesh_, &FedLine::length, pieces_);
   if (ramped_.empty()) return;
   committed_.x.assign(committed.x.begin(), committed.x.end());
   committed_.q.assign(committed.q.begin(), committed.q.end());
@@ -131,7 +127,7 @@ void LineMassTerm::prepare(const Kinematics& committed, double) {
 }
 
 void LineMassTerm::commit(const Kinematics& accepted) {
-  update_from_feeders(accepted, true);
+  if (feeders_) feeders_->update_lengths(mesh_, &FedLine::length, pieces_);
   if (ramped_.empty() || committed_.x.size() != accepted.x.size()) return;
   Kinematics before;
   before.x = committed_.x;

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 
-#include "hawser/terms/feeders.hpp"
-
 namespace hawser {
 
 double deepest_of(const std::vector<LinePairHistory>& points) {
@@ -64,7 +62,7 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   start_.resize(n);
   fed_end_.assign(n, -1);
   for (size_t i = 0; i < n && feeders_; ++i)
-    fed_end_[i] = feeders_->fed_end(segment(static_cast<int>(i)).global);
+    if (const FedLine* fed = feeders_->find(segment(static_cast<int>(i)).global)) fed_end_[i] = fed->at_b;
   for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
   rods_ = rods(committed);
   for (Pair& p : pairs_) {

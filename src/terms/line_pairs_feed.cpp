@@ -1,7 +1,6 @@
 // The part of LinePairs that knows of lines that are paid out and hauled in: where the material of the
 // element at a feeder's feed point was at the start of the step, and what the feeder does on it. See
 // docs/theory/line-line.md.
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {

@@ -4,7 +4,6 @@
 
 #include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/element_axis.hpp"
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
@@ -81,7 +80,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
   const ContactSegment& s = this->segment(segment);
   AxisEnds out = element_axis(at, element(s.global), s.first, s.second);
-  if (fed_end(segment) >= 0) out.length = feeders_->element_state(s.global, at, false)->length;
+  if (fed_end(segment) >= 0) out.length = feeders_->find(s.global)->predicted;
   return out;
 }
 

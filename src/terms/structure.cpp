@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "hawser/model/case.hpp"
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_sections.hpp"
 
 namespace hawser {
@@ -108,10 +107,19 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
 StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
   for (const Element& e : mesh.mesh->elements) yields_ |= c.line_types[e.type].plastic_bending != nullptr;
+  // Sections inside feeders have never been bent. A line of several types that yields cannot be fed.
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const bool at_b : {false, true}) {
+      if (!c.lines[l].end(at_b).feed) continue;
+      FedBends& fed = fed_.emplace_back();
+      const Element& e = mesh.mesh->elements[mesh.mesh->lines[l].first_element];
+      if (const auto& plastic = c.line_types[e.type].plastic_bending)
+        fed.inside.assign(2 * kBendingPlaces * plastic->memory(), 0);
+    }
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  update_from_feeders(trial);
+  update_from_feeders(trial.step);
   const CableStep step{trial.step, trial.mean.filter};
   // With a weight of 1 (statics, start of the motion; StepMean) cables have the force at the state itself.
   const bool in_step = trial.mean.weight != 1;
@@ -297,7 +305,7 @@ double StructureTerm::bend(const Kinematics& at) {
 void StructureTerm::prepare(const Kinematics& committed, double h) {
   // In statics every section is bent from its initial history in one go. The result is stored when motion
   // begins; it is not work of the motion.
-  update_from_feeders(committed);
+  update_from_feeders(committed.step);
   if (h > 0 && !(committed.step > 0) && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
@@ -308,7 +316,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
 }
 
 void StructureTerm::commit(const Kinematics& accepted) {
-  update_from_feeders(accepted, true);
+  update_from_feeders(accepted.step, true);
   if (accepted.step > 0) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
@@ -325,11 +333,8 @@ void StructureTerm::commit(const Kinematics& accepted) {
   if (accepted.step > 0 && !set_.empty()) {
     if (feeders_) feeders_->add_work(fed_work(accepted));
     for (const Beam& b : beams_)
-      if (const auto rest = feeders_ && b.section.plastic
-                                ? feeders_->element_state(b.at.global, accepted, true)
-                                : std::nullopt;
-          rest && rest->feeder >= 0)
-        keep_hauled_in(b, rest->feeder, rest->before, rest->length);
+      if (const FedLine* fed = feeders_ && b.section.plastic ? feeders_->find(b.at.global) : nullptr)
+        keep_hauled_in(b, *fed);
     damping_ += bend(accepted);
   }
   if (!damped_) return;

@@ -10,17 +10,17 @@
 
 namespace hawser::run {
 
-// Pairs of Mesh::elements that may touch in the start shape, of lines that feel each other. Local: every rank
-// makes the whole shape, the same on each.
-std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh& mesh, const Bodies& bodies);
+// Pairs of Mesh::nodes with forces between them, beside those of elements and ties: bodies that radiate on
+// each other, ends of links, nodes of elements that may touch in the start shape. Local: every rank makes the
+// whole shape, the same on each.
+std::vector<std::pair<int, int>> coupled_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies);
 
 // Lines that may touch themselves, in order. Cut in two, such a line, once it is wound on itself, would share
 // about every node that lies on another turn, and the tangent would cost several times what it costs on one
 // rank.
 std::vector<int> uncut_lines(const model::Case& c);
 
-// Owner of every node, as partition() says: elements that may touch at the start rather land on one rank,
-// whole_lines() are not cut.
+// Owner of every node, by partition(): coupled_nodes() rather land on one rank, uncut_lines() are not cut.
 std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
 
 }  // namespace hawser::run

@@ -12,6 +12,7 @@
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/line_pair.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/line_candidates.hpp"
 #include "hawser/terms/active_contact.hpp"
@@ -20,8 +21,6 @@
 #include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
-
-class Feeders;
 
 struct LinePairOptions {
   // Laws by pair of lines (indices, the smaller first); `general` for all others. Stiffness is N/m² or N/m³
@@ -48,14 +47,12 @@ class LinePairs final : public ForceTerm,
                         public CouplesNodes,
                         public LimitsSteps,
                         public HasFriction,
-                        public FedByFeeders {
+                        public ActsOnFedLines {
  public:
   // elements: one for each of Mesh::elements; radius 0 takes no part. std::invalid_argument for settings that
   // make no sense. Collective.
   LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
             LinePairOptions options);
-
-  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
 
   // Where lines share a place, and how far from it they do not touch.
   const SharedPlaces& shared() const { return shared_; }
@@ -213,7 +210,6 @@ class LinePairs final : public ForceTerm,
   std::vector<Account> accounts_;  // by owned node
   Deepest deepest_;
   bool friction_on_ = true;
-  Feeders* feeders_ = nullptr;
 };
 
 }  // namespace hawser
