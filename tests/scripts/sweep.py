@@ -339,8 +339,12 @@ class Checker:
             self.process = None
 
 
+# What a run writes, by the case's `output.file` or without it, and what it prints.
+RESULTS = ("out.", "case.h5", "case.xdmf", "said.txt")
+
+
 def state(folder):
-    return {file.name: file.read_bytes() for file in folder.iterdir() if not file.name.startswith(("out.", "said.txt"))}
+    return {file.name: file.read_bytes() for file in folder.iterdir() if not file.name.startswith(RESULTS)}
 
 
 def run_wrong(program, folder):
@@ -356,8 +360,7 @@ def run_wrong(program, folder):
         return f"run: not one sentence: {stderr[:400]!r}"
     if done.returncode in (0, 4) and stderr:
         return f"run: on stderr {stderr[:400]!r}"
-    after = state(folder)
-    if any(after.get(name) != content for name, content in before.items()):
+    if state(folder) != before:
         return "run: a file is other than before"
     return ""
 
