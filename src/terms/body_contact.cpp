@@ -152,7 +152,7 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
     return surface.query(pose.to_body(shape.point(xi)), within);
   };
   ContactQuadrature found;
-  const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
+  auto gap = axis_distance(surface, pose, shape, contact_distance);
   found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
                    [&](double xi) { return query(xi, contact_distance); });
   if (found.quadrature.empty()) return;

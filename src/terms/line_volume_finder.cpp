@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace hawser {
@@ -147,8 +146,8 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
   const AxisShape& start = pair.start.shape;
   std::vector<ClearancePoint> places;
   Gap gap(*this, pair, 0, start, pair.start.pose, places);
-  *pair.before = contact_intervals(
-      std::ref(gap), {start.slope_bound(), pair.contact_distance, start.bend_bound()}, pair.levels + kCloser);
+  *pair.before = contact_intervals(gap, {start.slope_bound(), pair.contact_distance, start.bend_bound()},
+                                   pair.levels + kCloser);
   return *pair.before;
 }
 
@@ -163,9 +162,8 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
   const int levels = touched_all_along(pair, group) ? panel_levels(pair.length, pair.radius) : pair.levels;
   std::vector<ContactInterval> intervals;
   if (near)
-    intervals =
-        contact_intervals(std::ref(gap), {shape.slope_bound(), pair.contact_distance, shape.bend_bound()},
-                          levels, middles(inactive_intervals(before)));
+    intervals = contact_intervals(gap, {shape.slope_bound(), pair.contact_distance, shape.bend_bound()},
+                                  levels, middles(inactive_intervals(before)));
   // The distance to one facet group is no bound for the others.
   if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
