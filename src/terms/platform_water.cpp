@@ -18,7 +18,6 @@ void add_coupling(Assembler& assembler, int row, int column, const Mat6& K, cons
     const int blocks[2] = {row, row + 1};
     return assembler.add(blocks, nullptr, K.data(), C.data(), M.data());
   }
-  using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
   const auto beside = [](const Mat6& m) {
     Mat12 both = Mat12::Zero();
     both.topRightCorner<6, 6>() = m;
