@@ -13,9 +13,9 @@
 #include "hawser/kernels/line_pair.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/system/line_candidates.hpp"
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
+#include "hawser/terms/line_candidates.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/run_roles.hpp"
 

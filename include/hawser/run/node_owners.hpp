@@ -1,4 +1,4 @@
-// How the nodes of a case are shared out to ranks.
+// Which rank owns each node of a case.
 #pragma once
 
 #include <utility>
@@ -10,8 +10,8 @@
 
 namespace hawser::run {
 
-// Pairs of Mesh::elements that may touch in the start shape, of lines that feel each other. Local: every rank
-// makes the whole shape, the same on each.
+// Pairs of Mesh::elements that may touch in the start shape, of lines with contact between them. Local: every
+// rank makes the whole shape, the same on each.
 std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh& mesh, const Bodies& bodies);
 
 // Lines that may touch themselves, in order. Cut in two, such a line, once it is wound on itself, would share
@@ -20,7 +20,7 @@ std::vector<std::pair<int, int>> near_elements(const model::Case& c, const Mesh&
 std::vector<int> uncut_lines(const model::Case& c);
 
 // Owner of every node, as partition() says: elements that may touch at the start rather land on one rank,
-// whole_lines() are not cut.
-std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
+// uncut_lines() are not cut.
+std::vector<int> node_owners(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
 
 }  // namespace hawser::run
