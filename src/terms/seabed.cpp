@@ -58,13 +58,13 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
 // follows no path. The range is 1 % longer than that of suction, so that a point beyond it is released in
 // spite of round-off.
 double SeabedTerm::suction_range(const Point& p, double step) const {
-  if (!(step > 0) || !suction_ || !history(p).held) return 0;
-  return std::max(0.0, 1.01 * law(p).suction.length - history(p).deepest - law(p).law.normal.smoothing);
+  if (!(step > 0) || !suction_ || !landed(p).held) return 0;
+  return std::max(0.0, 1.01 * law(p).suction.length - landed(p).deepest - law(p).law.normal.smoothing);
 }
 
 Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) const {
-  if (!(step > 0) || !suction_ || !history(p).held) return {};
-  return pull_of(law(p).suction, history(p).deepest + trial.gap);
+  if (!(step > 0) || !suction_ || !landed(p).held) return {};
+  return pull_of(law(p).suction, landed(p).deepest + trial.gap);
 }
 
 PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
@@ -85,7 +85,7 @@ ContactStart SeabedTerm::start(const Point& p) const {
     // The gap at the start is 0, so that all of the displacement from the laid place counts as slip.
     return {from.place, 0, s.direction, from.slip, from.normal};
   }
-  return {s.point, s.gap, s.direction, history(p).slip, history(p).normal};
+  return {s.point, s.gap, s.direction, landed(p).slip, landed(p).normal};
 }
 
 // Statics calls this before every iteration. A laid line keeps the place from which its friction is counted.
@@ -165,11 +165,11 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 // The soil holds a point that goes deeper than ever since it landed, and releases it when it is lifted by
 // more than the suction length. When the point has left the bed, its depth is forgotten. In statics a point
 // is held if it lies in the soil.
-void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) const {
+void SeabedTerm::hold(const Point& p, double gap, bool moves, LandedPoint& next) const {
   if (!(law(p).suction.limit > 0)) return;
   if (moves) {
-    next.deepest = history(p).deepest;
-    next.held = history(p).held;
+    next.deepest = landed(p).deepest;
+    next.held = landed(p).held;
   }
   if (-gap > next.deepest) {
     next.deepest = -gap;
@@ -185,10 +185,10 @@ void SeabedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;
     const PointContact c = contact(p, accepted, false, at);
-    const History& last = history(p);
-    History next;
+    const LandedPoint& last = landed(p);
+    LandedPoint next;
     if (c.normal.elastic > 0) {
-      next = History(c, at.normal);
+      next = LandedPoint(c, at.normal);
       next.active = true;
     }
     if (const double pulled = pull(p, at, accepted.step).force; pulled > 0) {
@@ -210,18 +210,18 @@ void SeabedTerm::commit(const Kinematics& accepted) {
   }
 }
 
-void SeabedTerm::remember(Point& p, const History& h) {
+void SeabedTerm::remember(Point& p, const LandedPoint& h) {
   if (p.touch < 0 && vacant_.empty()) {
     // A capacity of twice the size would take as much memory as everything else that is kept of the points.
-    const size_t n = histories_.size();
-    if (n == histories_.capacity()) histories_.reserve(n + n / 8 + 16);
+    const size_t n = landed_.size();
+    if (n == landed_.capacity()) landed_.reserve(n + n / 8 + 16);
     p.touch = static_cast<int>(n);
-    histories_.emplace_back();
+    landed_.emplace_back();
   } else if (p.touch < 0) {
     p.touch = vacant_.back();
     vacant_.pop_back();
   }
-  histories_[p.touch] = h;
+  landed_[p.touch] = h;
 }
 
 // In statics the energy is that of the trial, because the line search reduces it.
@@ -232,7 +232,7 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
   for (const Point& p : points_) {
     if (!p.counted) continue;
     if (at.step > 0) {
-      e.strain += history(p).potential;
+      e.strain += landed(p).potential;
       continue;
     }
     ContactTrial trial;
@@ -246,13 +246,13 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
 Vec3 SeabedTerm::node_force(int node) const {
   Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
-    if (const double part = share(p, node); part > 0) sum += part * history(p).force;
+    if (const double part = share(p, node); part > 0) sum += part * landed(p).force;
   return sum;
 }
 
 int SeabedTerm::active_count() const {
   return static_cast<int>(std::count_if(points_.begin(), points_.end(),
-                                        [this](const Point& p) { return p.counted && history(p).active; }));
+                                        [this](const Point& p) { return p.counted && landed(p).active; }));
 }
 
 }  // namespace hawser
