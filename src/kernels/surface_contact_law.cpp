@@ -38,6 +38,8 @@ PointState<Dual> dual(const ContactTrial& t, const NormalForce& n) {
 
 }  // namespace
 
+// F = N(g, g') n + T(s, N): normal force and friction, with n = n(y), dn/dy = H and g' = n.u
+// (docs/theory/contact.md). By y: n (N_g n + N_g' H u)' + N H of the normal force, by u: N_g' n n'.
 PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                             bool derivatives) {
   PointContact r;
