@@ -54,22 +54,10 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
-// Suction acts only on a point that the soil held at the start of the step. It does not act in statics, which
-// follows no path. The range is 1 % longer than that of suction, so that a point beyond it is released in
-// spite of round-off.
-double SeabedTerm::suction_range(const Point& p, double step) const {
-  if (!(step > 0) || !suction_ || !landed(p).held) return 0;
-  return std::max(0.0, 1.01 * law(p).suction.length - landed(p).deepest - law(p).law.normal.smoothing);
-}
-
-Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) const {
-  if (!(step > 0) || !suction_ || !landed(p).held) return {};
-  return pull_of(law(p).suction, landed(p).deepest + trial.gap);
-}
-
 PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
                                  bool convex) const {
-  const bool touches = locate(p, of_nodes(p, at.x), suction_range(p, at.step), t);
+  const double beyond = suction_range(law(p).suction, soil(p, at.step)) - law(p).law.normal.smoothing;
+  const bool touches = locate(p, of_nodes(p, at.x), std::max(0.0, beyond), t);
   if (convex) t.curvature.setZero();
   if (!touches) return {};
   if (at.step > 0) t.velocity = of_nodes(p, at.v);
@@ -148,7 +136,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       if (friction_ == Friction::pressed) add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
     const PointContact c = contact(p, trial, needs_tangent, at, convex);
-    const Pull pulled = pull(p, at, trial.step);
+    const Pull pulled = pull_of(law(p).suction, soil(p, trial.step), at.gap);
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!needs_tangent) {
@@ -160,23 +148,6 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
                C = -c.by_velocity;
     add(p, residual, &K, trial.step > 0 ? &C : nullptr, assembler);
   }
-}
-
-// The soil holds a point that goes deeper than ever since it landed, and releases it when it is lifted by
-// more than the suction length. When the point has left the bed, its depth is forgotten. In statics a point
-// is held if it lies in the soil.
-void SeabedTerm::hold(const Point& p, double gap, bool moves, LandedPoint& next) const {
-  if (!(law(p).suction.limit > 0)) return;
-  if (moves) {
-    next.deepest = landed(p).deepest;
-    next.held = landed(p).held;
-  }
-  if (-gap > next.deepest) {
-    next.deepest = -gap;
-    next.held = true;
-  }
-  if (next.deepest + gap >= law(p).suction.length) next.held = false;
-  if (!next.held && gap >= 0) next.deepest = 0;
 }
 
 // Evaluates contact again at the accepted state. Energies are integrated by the trapezoidal rule over the
@@ -191,19 +162,20 @@ void SeabedTerm::commit(const Kinematics& accepted) {
       next = LandedPoint(c, at.normal);
       next.active = true;
     }
-    if (const double pulled = pull(p, at, accepted.step).force; pulled > 0) {
+    const SuctionState was = soil(p, accepted.step);
+    if (const double pulled = pull_of(law(p).suction, was, at.gap).force; pulled > 0) {
       next.normal = at.normal;
       next.force -= pulled * at.normal;
       next.damping_force -= pulled;
     }
-    hold(p, at.gap, accepted.step > 0, next);
-    if (p.counted && accepted.step > 0 && (next.active || last.active || last.held)) {
+    next.soil = suction_after(law(p).suction, was, at.gap);
+    if (p.counted && accepted.step > 0 && (next.active || last.active || last.soil.held)) {
       const Vec3 moved = of_nodes(p, accepted.x) - starts_[place(p)].point;
       account_.friction -= 0.5 * (next.friction + last.friction).dot(moved);
       account_.damping -=
           0.5 * (next.damping_force * next.normal + last.damping_force * last.normal).dot(moved);
     }
-    if (next.active || next.held || next.deepest != 0)
+    if (next.active || next.soil.held || next.soil.deepest != 0)
       remember(p, next);
     else if (p.touch >= 0)
       vacant_.push_back(std::exchange(p.touch, -1));

@@ -89,17 +89,15 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
  private:
   struct LandedPoint : SurfaceContactPoint {
     using SurfaceContactPoint::SurfaceContactPoint;
-    bool active = false, held = false;
-    // `deepest`: largest depth since the point landed [m]. `held`: the soil holds the point until it is
-    // lifted too far.
-    double deepest = 0;
+    bool active = false;
+    SuctionState soil;
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
       SurfaceContactPoint::quantities(self, each, "N", "J");
       each("touches", "", self.active);
-      each("deepest", "m", self.deepest);
-      each("held by suction", "", self.held);
+      each("deepest", "m", self.soil.deepest);
+      each("held by suction", "", self.soil.held);
     }
   };
   // J, dissipated so far at the points that this rank counts. The work of suction counts as damping.
@@ -176,10 +174,10 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   // convex: without the geometric stiffness of a curved bed, which is negative over a mound.
   PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
                        bool convex = false) const;
-  // m, how far suction reaches above the gap at which springs begin to touch.
-  double suction_range(const Point& p, double step) const;
-  Pull pull(const Point& p, const ContactTrial& trial, double step) const;
-  void hold(const Point& p, double gap, bool moves, LandedPoint& next) const;
+  // Of a point at the start of a step. Suction does not act in statics, which follows no path.
+  SuctionState soil(const Point& p, double step) const {
+    return step > 0 && suction_ ? landed(p).soil : SuctionState{};
+  }
 
   const LocalMesh& mesh_;
   Plane plane_;
