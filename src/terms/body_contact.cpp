@@ -156,17 +156,12 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
                    [&](double xi) { return query(xi, contact_distance); });
   if (found.quadrature.empty()) return;
-  AxisContact contact(shape, pose,
-                      {e.radius,
-                       weight,
-                       [&](const ContactPanel&) {
-                         return ContactLaw{pair.law, {}};
-                       },
-                       [&](const ContactPanel&, double xi) { return query(xi, contact_distance + 1e-9); },
-                       {}},
-                      mode);
+  const auto law = [&](const ContactPanel&) { return ContactLaw{pair.law, {}}; };
+  const auto beyond = [&](const ContactPanel&, double xi) { return query(xi, contact_distance + 1e-9); };
+  const auto start = [](const ContactPanel&, double, ContactRates*) { return ContactStart{}; };
+  AxisContact contact(shape, pose, e.radius, weight, mode);
   std::vector<AxisContactPoint> points;
-  contact.add(found, &points);
+  contact.add(found, {law, beyond, start}, &points);
   if (points.empty()) return;
   Stencil stencil;
   stencil.blocks = 2;
