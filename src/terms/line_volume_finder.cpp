@@ -99,6 +99,7 @@ bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const
   if (!is_clear(pair, shape, pose)) return false;
   pair.found.clear();
   pair.near = {};
+  pair.evaluation = LineVolumePair::Evaluation::none;
   return true;
 }
 
@@ -208,12 +209,14 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
 const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
   if (clear(pair, shape, pose)) return pair.found;
-  if (pair.found.of.same_configuration(shape, pose)) {
+  const bool same = pair.found.of.same_configuration(shape, pose);
+  if (!pair.found.of.same_motion(shape, pose)) pair.evaluation = LineVolumePair::Evaluation::none;
+  if (!same) pair.found.clear();
+  pair.found.of = {true, shape, pose};
+  if (same) {
     pair.asked = pair.asked_by_search;
     return pair.found;
   }
-  pair.found.clear();
-  pair.found.of = {true, shape, pose};
   pair.near = {};
   if (pair.several) find_facet_groups(pair, shape, pose);
   for (int w = 0; w < pair.facet_groups(); ++w)

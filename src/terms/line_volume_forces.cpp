@@ -33,8 +33,7 @@ AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
   AxisContact c(shape, pose, pair.radius, pair.length, mode, rolls(pair, shape));
   pair.evaluated.clear();
   c.add(pair.found, {law, query, start}, mode.tangent ? nullptr : &pair.evaluated);
-  pair.evaluated_at = {!mode.tangent, shape, pose};
-  pair.evaluated_in_motion = mode.moves;
+  pair.evaluation = mode.tangent ? Pair::Evaluation::none : Pair::evaluation_of(mode.moves);
   return c;
 }
 
