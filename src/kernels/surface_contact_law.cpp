@@ -75,6 +75,8 @@ void add_friction(const ContactLaw& law, const ContactStart& start, const Contac
   r.force += r.friction;
 }
 
+// F = N(g, g') n, with n = n(y), dn/dy = H and g' = n.u (docs/theory/contact.md). By y: n (N_g n + N_g' H u)'
+// + N H, by u: N_g' n n'.
 PointContact without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
   PointContact r;
   const Vec3& n = trial.normal;

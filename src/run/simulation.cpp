@@ -21,7 +21,7 @@
 #include "hawser/model/switched.hpp"
 #include "hawser/record/support_rollers.hpp"
 #include "hawser/run/line_pairs.hpp"
-#include "hawser/run/share_nodes.hpp"
+#include "hawser/run/node_owners.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/bodies_in_flow.hpp"
@@ -160,7 +160,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 // The mesh over the ranks.
 void Simulation::distribute(MPI_Comm comm) {
   const int rank = rank_of(comm), size = ranks_of(comm);
-  const std::vector<int> owner = share_nodes(case_, *mesh_, *bodies_, size);
+  const std::vector<int> owner = node_owners(case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
     notes_.push_back(advice::one_rank_has_all());

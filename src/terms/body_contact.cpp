@@ -176,21 +176,18 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   if (friction.active() && e.radius > 0)
     rolls.emplace().ends.fill(axis_roll(Quat(pair.at.turn()), Quat(at.turn()), (e.to - e.from).normalized()));
   ContactQuadrature found;
-  const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
+  auto gap = axis_distance(surface, pose, shape, contact_distance);
   found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
                    [&](double xi) { return query(xi, contact_distance); });
   if (found.quadrature.empty()) return;
-  AxisContact contact(
-      shape, pose,
-      {e.radius, weight,
-       [&](const ContactPanel&) {
-         return ContactLaw{pair.law, friction};
-       },
-       [&](const ContactPanel&, double xi) { return query(xi, contact_distance + 1e-9); },
-       [&](const ContactPanel&, double xi, ContactRates* rates) { return start_of(pair, at, e, xi, rates); }},
-      mode, rolls);
+  const auto law = [&](const ContactPanel&) { return ContactLaw{pair.law, friction}; };
+  const auto beyond = [&](const ContactPanel&, double xi) { return query(xi, contact_distance + 1e-9); };
+  const auto start = [&](const ContactPanel&, double xi, ContactRates* rates) {
+    return start_of(pair, at, e, xi, rates);
+  };
+  AxisContact contact(shape, pose, e.radius, weight, mode, rolls);
   std::vector<AxisContactPoint> points;
-  contact.add(found, &points);
+  contact.add(found, {law, beyond, start}, &points);
   if (points.empty()) return;
   Stencil stencil;
   stencil.blocks = 2;

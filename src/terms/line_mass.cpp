@@ -87,22 +87,25 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
 
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   if (feeders_) feeders_->update_lengths(mesh_, &FedLine::predicted, pieces_);
-  double f[12], K[144], C[144], M[144];
   for (const Piece& p : pieces_) {
     if (p.idle) continue;
     const Vec3 w = load(p, trial.time);
     const int a = mesh_.block[p.at.first], b = mesh_.block[p.at.second], blocks[] = {a, a + 1, b, b + 1};
     if (!p.beam) {
       const size_t i = p.at.first, j = p.at.second;
+      Vec6 f;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
-      assembler.add_masses(a, b, f, m.own, m.shared);
+      assembler.add_masses(a, b, f.data(), m.own, m.shared);
     } else if (assembler.needs_tangent()) {
+      Vec12 f;
+      Mat12 K, C, M;
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
-      assembler.add(blocks, f, K, C, M);
+      assembler.add(blocks, f.data(), K.data(), C.data(), M.data());
     } else {
+      Vec12 f;
       beam_mass_force(p.section, ends(p, trial), w, f);
-      assembler.add(blocks, f, nullptr, nullptr, nullptr);
+      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
     }
   }
 }
@@ -110,12 +113,15 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   const Piece* p = of_element(pieces_, e);
   if (!p || p->idle) return;
-  double own[12];
-  if (p->beam)
+  if (p->beam) {
+    Vec12 own;
     beam_mass_force(p->section, ends(*p, at), load(*p, at.time), own);
-  else
+    add_ends(own, f);
+  } else {
+    Vec6 own;
     cable_mass_force(p->section, at.a[e.first], at.a[e.second], load(*p, at.time), own);
-  add_ends(own, p->beam, f);
+    add_ends(own, f);
+  }
 }
 
 void LineMassTerm::prepare(const Kinematics& committed, double) {

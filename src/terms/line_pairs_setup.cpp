@@ -98,15 +98,15 @@ bool LinePairs::joint(int element, int end) const {
 
 int LinePairs::active_count() const {
   return static_cast<int>(
-      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.counted && p.history; }));
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.counted && p.points; }));
 }
 
 double LinePairs::normal_force() const {
-  return sum(all, [](const LinePairHistory& h) { return h.normal_force; });
+  return sum(all, [](const LinePairContactPoint& h) { return h.normal_force; });
 }
 
 double LinePairs::friction_force() const {
-  return sum(all, [](const LinePairHistory& h) { return h.friction.norm(); });
+  return sum(all, [](const LinePairContactPoint& h) { return h.friction.norm(); });
 }
 
 }  // namespace hawser

@@ -62,13 +62,13 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
 void LineVolumeContact::renew_laws() {
   for (Pair& pair : pairs_) {
     pair.laws = laws(pair);
-    pair.evaluated_at.known = false;
+    pair.evaluation = Pair::Evaluation::none;
   }
 }
 
 void LineVolumeContact::enable_friction(bool on) {
   friction_on_ = on;
-  for (Pair& pair : pairs_) pair.evaluated_at.known = false;
+  for (Pair& pair : pairs_) pair.evaluation = Pair::Evaluation::none;
 }
 
 void LineVolumeContact::prepare(const Kinematics& committed, double h) {

@@ -124,35 +124,37 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   // With a weight of 1 (statics, start of the motion; StepMean) cables have the force at the state itself.
   const bool in_step = trial.mean.weight != 1;
   if (assembler.needs_tangent()) {
-    double f[12], K[144], C[144];
+    Vec12 f;
+    Mat12 K, C;
     for (const Beam& b : beams_) {
       if (b.idle) continue;
-      beam_tangent(b.section, b.reference, ends(b, trial), assembler.convex(), f, K, C);
-      assembler.add(b.blocks, f, K, b.section.beta > 0 ? C : nullptr, nullptr);
+      beam_tangent(b.section, b.reference, ends(b, trial), assembler.convex(), f, K, &C);
+      assembler.add(b.blocks, f.data(), K.data(), b.section.beta > 0 ? C.data() : nullptr, nullptr);
     }
     for (const Cable& c : cables_) {
-      CablePull o;
+      CableTension o;
       const CableEnds e = ends(c, trial);
       if (in_step) {
-        cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
+        cable_mean_tension(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
-      cable_pull(c.section, e, assembler.weights().stiffer, o);
+      cable_tension(c.section, e, assembler.weights().stiffer, o);
       assembler.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
   }
-  double f[12];
+  Vec12 f;
   for (const Beam& b : beams_) {
     if (b.idle) continue;
     beam_force(b.section, b.reference, ends(b, trial), f);
-    assembler.add(b.blocks, f, nullptr, nullptr, nullptr);
+    assembler.add(b.blocks, f.data(), nullptr, nullptr, nullptr);
   }
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);
-    const Vec3 pull = in_step ? cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
-                              : cable_pull(c.section, e);
+    const Vec3 pull =
+        in_step ? cable_mean_tension(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
+                : cable_tension(c.section, e);
     // Outside a step `pull` is no mean. With the weight of 1 it enters the residual unchanged; it also enters
     // mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
@@ -358,15 +360,12 @@ Energy StructureTerm::energy(const Kinematics& at) const {
 void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;
-    double own[12];
+    Vec12 own;
     beam_force(b->section, b->reference, ends(*b, at), own);
-    for (int i = 0; i < 12; ++i) f[i] += own[i];
+    add_ends(own, f);
   } else if (const Cable* c = of_element(cables_, e)) {
-    const Vec3 pull = cable_pull(shown(*c, at), ends(*c, at));
-    for (int i = 0; i < 3; ++i) {
-      f[i] -= pull[i];
-      f[6 + i] += pull[i];
-    }
+    const Vec3 pull = cable_tension(shown(*c, at), ends(*c, at));
+    add_ends((Vec6() << -pull, pull).finished(), f);
   }
 }
 

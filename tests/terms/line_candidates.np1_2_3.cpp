@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hawser/mesh/partition.hpp"
-#include "hawser/run/share_nodes.hpp"
+#include "hawser/run/node_owners.hpp"
 #include "support/tangle.hpp"
 #include "support/taylor.hpp"
 

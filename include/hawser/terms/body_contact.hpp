@@ -25,9 +25,6 @@
 
 namespace hawser {
 
-using Vec12 = Eigen::Matrix<double, 12, 1>;
-using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
-
 // Where a rigid body is and how it moves: of the point its unknowns belong to, which is at `centre` in the
 // frame of its shapes. Places y are in that frame.
 struct BodyFrame {

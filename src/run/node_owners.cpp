@@ -1,13 +1,13 @@
 // What the partition of the mesh needs to know of the case: which nodes are coupled, by links, by the sea or
 // by contact in the start shape, and which lines may touch themselves and so stay on one rank.
-#include "hawser/run/share_nodes.hpp"
+#include "hawser/run/node_owners.hpp"
 
 #include <algorithm>
 
 #include "hawser/mesh/partition.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/solve/start_shape.hpp"
-#include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/line_candidates.hpp"
 
 namespace hawser::run {
 
@@ -50,7 +50,7 @@ std::vector<int> uncut_lines(const model::Case& c) {
   return whole;
 }
 
-std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
+std::vector<int> node_owners(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
   return partition(mesh, ranks, coupled_nodes(c, mesh, bodies), uncut_lines(c));
 }

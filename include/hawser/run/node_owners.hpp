@@ -1,4 +1,4 @@
-// How the nodes of a case are shared out to ranks.
+// Which rank owns each node of a case.
 #pragma once
 
 #include <utility>
@@ -21,6 +21,6 @@ std::vector<std::pair<int, int>> coupled_nodes(const model::Case& c, const Mesh&
 std::vector<int> uncut_lines(const model::Case& c);
 
 // Owner of every node, by partition(): coupled_nodes() rather land on one rank, uncut_lines() are not cut.
-std::vector<int> share_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
+std::vector<int> node_owners(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
 
 }  // namespace hawser::run
