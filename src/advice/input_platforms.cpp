@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/math/angle_gap.hpp"
 #include "hawser/math/symmetric.hpp"
 
 namespace hawser::advice {
@@ -43,21 +44,13 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
                    33});
 }
 
-// Degrees of the widest gap between neighbouring directions [rad, in [0, 2 pi), increasing]; 0 for one or
-// none.
-double widest_gap(const std::vector<double>& directions) {
-  if (directions.size() < 2) return 0;
-  double most = directions.front() + 2 * M_PI - directions.back();
-  for (size_t i = 1; i < directions.size(); ++i) most = std::max(most, directions[i] - directions[i - 1]);
-  return most * 180 / M_PI;
-}
-
 void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kWide = 60;  // deg
   const auto& h = *b.mass->hydrodynamics;
   if (!(h.follow > 0) || !h.excitation || c.environment.water.waves.kind == Waves::Kind::none) return;
   if (h.data->excitation.empty()) return;
-  const double gap = widest_gap(h.data->excitation[static_cast<size_t>(h.body - 1)].directions());
+  const std::vector<double>& directions = h.data->excitation[static_cast<size_t>(h.body - 1)].directions();
+  const double gap = directions.size() < 2 ? 0 : widest_gap(directions, 2 * M_PI).width() * 180 / M_PI;
   if (gap <= kWide) return;
   out.push_back(
       {"bodies." + b.name + ".floating.hydrodynamics.follow_period",

@@ -93,15 +93,15 @@ void warn_of_outputs(const Case& c, const Period& drive, std::vector<InputWarnin
 }
 
 // Speed of a body's origin and, by its turning, of the ends that are tied to it [m/s].
-double speed_at(const std::vector<const End*>& ends, const RigidMotion& motion, double t) {
+double speed_at(const std::vector<EndAtBody>& ends, const RigidMotion& motion, double t) {
   const RigidPose p = motion.at(t);
   double most = p.velocity.norm();
-  for (const End* e : ends) most = std::max(most, p.velocity_at(p.to_space(e->at)).norm());
+  for (const EndAtBody& e : ends) most = std::max(most, p.velocity_at(p.to_space(e.end.at)).norm());
   return most;
 }
 
 // The speed with which a motion begins at t = 0 [m/s], 0 where that is little beside what follows.
-double jump(const Case& c, const Body& b, const std::vector<const End*>& ends) {
+double jump(const Case& c, const Body& b, const std::vector<EndAtBody>& ends) {
   const RigidMotion motion = rigid_motion(b);
   const double first = speed_at(ends, motion, 0);
   if (!(first > kLeastJump)) return 0;
@@ -114,7 +114,7 @@ double jump(const Case& c, const Body& b, const std::vector<const End*>& ends) {
 
 bool always_jumps(const TableMotion& t) { return t.between == BetweenRows::linear && !t.time.empty(); }
 
-StartSpeeds start_speeds_of(const Case& c, const Body& b, const std::vector<const End*>& ends) {
+StartSpeeds start_speeds_of(const Case& c, const Body& b, const std::vector<EndAtBody>& ends) {
   StartSpeeds out;
   if (b.mass || b.on || !c.statics.enabled) return out;
   // Straight lines between rows jump at all of them, and rows of waves are given with their ramp.
@@ -135,12 +135,8 @@ StartSpeeds start_speeds_of(const Case& c, const Body& b, const std::vector<cons
 }  // namespace
 
 std::vector<StartSpeeds> start_speeds(const Case& c) {
-  std::vector<std::vector<const End*>> ends(c.bodies.size());
-  for (const Line& line : c.lines)
-    for (const End* e : {&line.end_a, &line.end_b})
-      if (const int b = e->kind == EndKind::body ? c.body_index(e->body) : -1; b >= 0) ends[b].push_back(e);
   std::vector<StartSpeeds> out;
-  for (std::size_t b = 0; b < ends.size(); ++b) out.push_back(start_speeds_of(c, c.bodies[b], ends[b]));
+  for (const Body& b : c.bodies) out.push_back(start_speeds_of(c, b, line_ends_at(c, b)));
   return out;
 }
 

@@ -8,27 +8,16 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/model/json_string.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::io {
 namespace {
 
+using model::json_string;
 using model::Key;
 using model::Value;
 using Kind = Value::Kind;
-
-std::string quoted(std::string_view text) {
-  std::string s = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\')
-      s += {'\\', c};
-    else if (static_cast<unsigned char>(c) < 0x20)
-      s += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
-    else
-      s += c;
-  }
-  return s + "\"";
-}
 
 // The elements of an array or an object.
 class Elements {
@@ -38,7 +27,7 @@ class Elements {
     if (text_.size() > 1) text_ += ", ";
     text_ += json;
   }
-  void add(std::string_view name, const std::string& json) { add(quoted(name) + ": " + json); }
+  void add(std::string_view name, const std::string& json) { add(json_string(name) + ": " + json); }
   std::string closed() { return std::move(text_) + (text_.front() == '[' ? ']' : '}'); }
 
  private:
@@ -47,12 +36,12 @@ class Elements {
 
 std::string texts(const std::vector<std::string>& words) {
   Elements all('[');
-  for (const std::string& w : words) all.add(quoted(w));
+  for (const std::string& w : words) all.add(json_string(w));
   return all.closed();
 }
 
 std::string as_given(const Value& v) {
-  if (v.kind == Kind::scalar) return quoted(v.text);
+  if (v.kind == Kind::scalar) return json_string(v.text);
   if (v.kind == Kind::null) return "null";
   Elements all(v.kind == Kind::list ? '[' : '{');
   for (std::size_t i = 0; i < v.items.size(); ++i) {
@@ -95,7 +84,7 @@ std::string as_read(const Value& v) {
     case Key::Type::boolean:
       return v.number != 0 ? "true" : "false";
     default:
-      return quoted(v.text);
+      return json_string(v.text);
   }
 }
 
@@ -130,8 +119,8 @@ std::string properties(const model::LineType& t) {
 
 std::string case_json(const model::Case& c) {
   Elements all('{');
-  all.add("file", quoted(c.path));
-  all.add("results", quoted(c.output.file));
+  all.add("file", json_string(c.path));
+  all.add("results", json_string(c.output.file));
   all.add("inputs", texts(c.inputs));
   if (c.tree) {
     all.add("given", as_given(*c.tree));

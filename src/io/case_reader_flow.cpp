@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hawser/io/case_values.hpp"
+#include "hawser/math/angle_gap.hpp"
 
 namespace hawser::io {
 
@@ -71,15 +72,14 @@ void close_round(const Value& at, std::vector<Row>& rows) {
 }
 
 void check_gaps(const Value& at, const std::vector<Row>& rows) {
-  for (size_t i = 0; i < rows.size(); ++i) {
-    const double here = rows[i].angle,
-                 next = i + 1 < rows.size() ? rows[i + 1].angle : rows.front().angle + 360;
-    if (next - here > kWideGap + kSame)
-      refuse(at,
-             "there is no row between {:g} and {:g} deg: rows go all round, or from 0 to 180 deg for a body "
-             "whose sides are mirror images",
-             here, next);
-  }
+  std::vector<double> angles;
+  for (const Row& r : rows) angles.push_back(r.angle);
+  const AngleGap gap = widest_gap(angles, 360);
+  if (gap.width() > kWideGap + kSame)
+    refuse(at,
+           "there is no row between {:g} and {:g} deg: rows go all round, or from 0 to 180 deg for a body "
+           "whose sides are mirror images",
+           gap.from, gap.to);
 }
 
 // A flow pushes a body along with it.

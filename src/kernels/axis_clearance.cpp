@@ -132,7 +132,7 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
   return best;
 }
 
-std::optional<AxisToSurface> nearest_to(const DistanceField& field, const BezierAxis& axis, double within,
+std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& axis, double within,
                                         int levels) {
   struct Place {
     double xi = 0, distance = 0, slope = 0;

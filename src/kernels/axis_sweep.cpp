@@ -36,7 +36,7 @@ std::array<Piece, 2> halves(const Piece& p) {
 
 }  // namespace
 
-bool goes_through(const DistanceField& field, const BezierAxis& from, const BezierAxis& to, double radius,
+bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis& to, double radius,
                   bool pressed) {
   if (!(from.farthest_distance(to) > radius)) return false;
   std::vector<Piece> pieces{{{from, to}}};

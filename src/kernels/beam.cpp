@@ -12,7 +12,9 @@ namespace {
 
 using namespace beam_local;
 
-inline void force(const Local& o, const BeamReference& r, double* f) {
+// f_x2 = -f_x1 = R n,  f_theta1 = B q + Psi1' m,  f_theta2 = B' q + Psi2' m,  q = n x y
+// (docs/theory/beam.md#force).
+inline void force(const Local& o, const BeamReference& r, Vec12& f) {
   const Row q = cross(o.n, o.y);
   const Row fd = times(o.Rm, o.n);
   Vec3 f1 = vec(times(o.B, q) + left(o.m, o.Psi1));
@@ -29,7 +31,7 @@ inline void force(const Local& o, const BeamReference& r, double* f) {
   }
 }
 
-// Hessian of a_k = 2 y_k/(l + y1).
+// Hessian of a_k = 2 y_k/(l + y1), k = 2, 3.
 inline Mat slope_hessian(const Local& o, double a, Row da) {
   const double is = 1 / (o.l + o.y[0]), c = a * is / o.l;
   return outer(c * o.d, o.d) - identity(c) - outer(is * da, o.g) - outer(is * o.g, da);
@@ -40,7 +42,7 @@ struct Blocks {
   Mat dd, d1, d2, one_d, one_one, one_two, two_d, two_one, two_two;
 };
 
-inline void expand(const Local& o, const BeamReference& r, const Blocks& b, double* K) {
+inline void expand(const Local& o, const BeamReference& r, const Blocks& b, Mat12& to) {
   const Mat Rt = transpose(o.Rm);
   const Mat dd = o.Rm * b.dd * Rt;
   Mat d1 = o.Rm * b.d1, d2 = o.Rm * b.d2, a = b.one_d * Rt, c = b.two_d * Rt;
@@ -56,23 +58,22 @@ inline void expand(const Local& o, const BeamReference& r, const Blocks& b, doub
     m21 = A * m21 * At;
     m22 = A * m22 * At;
   }
-  const auto put = [K](int i, int j, const Mat& m) { store(m, K + 36 * i + 3 * j, 12); };
-  put(0, 0, dd);
-  put(0, 2, -dd);
-  put(2, 0, -dd);
-  put(2, 2, dd);
-  put(0, 1, -d1);
-  put(2, 1, d1);
-  put(0, 3, -d2);
-  put(2, 3, d2);
-  put(1, 0, -a);
-  put(1, 2, a);
-  put(3, 0, -c);
-  put(3, 2, c);
-  put(1, 1, m11);
-  put(1, 3, m12);
-  put(3, 1, m21);
-  put(3, 3, m22);
+  put(to, 0, 0, dd);
+  put(to, 0, 2, -dd);
+  put(to, 2, 0, -dd);
+  put(to, 2, 2, dd);
+  put(to, 0, 1, -d1);
+  put(to, 2, 1, d1);
+  put(to, 0, 3, -d2);
+  put(to, 2, 3, d2);
+  put(to, 1, 0, -a);
+  put(to, 1, 2, a);
+  put(to, 3, 0, -c);
+  put(to, 3, 2, c);
+  put(to, 1, 1, m11);
+  put(to, 1, 3, m12);
+  put(to, 3, 1, m21);
+  put(to, 3, 3, m22);
 }
 
 // Derivative of (I -+ hat/2 + eta hat²) m with respect to psi; `sign` is that of the hat term.
@@ -157,14 +158,14 @@ ByLength with_bends(const BeamSection& s, const BeamReference& r, const Local& o
 
 }  // namespace
 
-HAWSER_CLONES void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* f) {
+HAWSER_CLONES void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, Vec12& f) {
   Local o;
   kinematics(s, r, e, s.beta > 0, o);
   force(o, r, f);
 }
 
 HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool convex,
-                                double* f, double* K, double* C) {
+                                Vec12& f, Mat12& K, Mat12* C) {
   Local o;
   const bool damped = s.beta > 0;
   kinematics(s, r, e, damped, o);
@@ -258,7 +259,7 @@ HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, co
     v.two_d = T2 * g.Gyy + Psi2t * Gpy;
     v.two_one = T2 * c1 + Psi2t * p1;
     v.two_two = T2 * c2 + Psi2t * p2;
-    expand(o, r, v, C);
+    expand(o, r, v, *C);
   }
 }
 

@@ -62,6 +62,7 @@ struct Bending {
   double energy = 0, g[4] = {}, H[4][4] = {};
 };
 
+// M(kappa) in the direction of the curvature: by kappa M' along it and M/kappa across it.
 inline BendingMoment by_table(const BeamSection& s, double c2, double c3) {
   const double c = std::hypot(c2, c3), linear = s.EI2 - s.moment->initial();
   const ResponseCurve::Value v = s.moment->at(c);
@@ -132,6 +133,13 @@ inline void axial_by_table(const BeamSection& s, Local& o) {
   o.axial_energy = share * v.energy;
 }
 
+// The strain and the potential W(y, psi) in the mean frame R (docs/theory/beam.md#potential), with l = |y|
+// and a_k = 2 y_k/(l + y1):
+//   eps = l/L - 1 + (a2² + a3²)/10 + (psi2² + psi3²)/24 - eps0,
+//   W   = 1/2 EA L eps² + 1/2 k3 a2² + 1/2 k2 a3² + 1/2 (psi - psi0)' D (psi - psi0),
+//   k_i = 12 EI_i/(L (1 + P_i)),  P_i = 12 EI_i/(GA L²),  D = diag(GJ, EI2, EI3)/L,
+//   n   = N L eps_y + k3 a2 da2 + k2 a3 da3,  m = N L eps_psi + D (psi - psi0),  N = EA eps;
+// with damping each strain e stands for e + beta e'.
 inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool rates,
                        Local& o) {
   Quat q1 = e.q1, q2 = e.q2;

@@ -35,6 +35,8 @@ Whole whole(const BodyInWater& b, const RigidBodyState& s, const Water& centre, 
 
 }  // namespace
 
+// f_b = F [rho g V e_z + rho V a_w + R A R' (a_w - a_b)]      at b: buoyancy, Froude-Krylov, added mass
+// f_d = F R (|u| c o u),  u = R' (u_w - v_d)                  at d: drag (docs/theory/bodies-in-water.md)
 BodyWaterForce body_water_force(const BodyInWater& b, const RigidBodyState& s, const Water& centre,
                                 const Water& drag) {
   const double wet = even_wetting(depth(b, s, centre.surface)).share;
@@ -42,6 +44,11 @@ BodyWaterForce body_water_force(const BodyInWater& b, const RigidBodyState& s, c
   return {wet * (s.q * o.at_centre), wet * (s.q * o.at_drag)};
 }
 
+// With F = 1, r_b = R' f_b = q + A e, r_d = R' f_d, g = alpha x b + w x (w x b), D = |u| diag(c) + (c o u)
+// u'/|u|:
+//   dr_b = [q^ + A (e + g)^] theta + A [(w x b)^ + w^ b^] dw + A [b^ dalpha - R' da]
+//   dr_d = D [(u + w x d)^ theta + d^ dw - R' dv + R' u_w,z (dz + (d x R' e_z).theta)]
+//   dF   = -F'/(H/2) (dz + (b x R' e_z).theta)
 void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& centre, const Water& drag,
                 bool tangent, bool convex, BodyWaterResidual& out) {
   using Columns = Eigen::Matrix<double, 3, 6>;  // position, rotation

@@ -1,6 +1,6 @@
-// The cable element: tension and tangent at one instant (`cable_pull`: statics, output), and the
-// energy-conserving mean tension over a time step (`cable_mean`) with damping, with numerical damping of
-// axial vibrations that are too fast for the step, and with changes between taut and slack.
+// The cable element: tension and tangent at one instant (`cable_tension`: statics, output), and the
+// energy-conserving mean tension over a time step (`cable_mean_tension`) with damping, with numerical damping
+// of axial vibrations that are too fast for the step, and with changes between taut and slack.
 #include "hawser/kernels/cable.hpp"
 
 #include <algorithm>
@@ -54,7 +54,8 @@ struct Mean {
   double grown = 0;                            // change of the taut part of the strain in the step
 };
 
-// Mean of the elastic tension between two strains, and its derivative by the second.
+// Mean of the elastic tension between two strains, (V1 - V0)/(l1 - l0), its derivative by the second, and the
+// share s of the path on which the element is taut. For a linear cable the mean is 1/2 k (p0 + p1) s.
 struct Elastic {
   double mean, slope, share;  // share of the strain's change over which the element is taut
 };
@@ -83,6 +84,9 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
   return {mean, (end - mean) / strain_change, share};
 }
 
+// S = T* n, n = (d0 + d1)/(l0 + l1) (docs/theory/time-integration.md#cables), with
+//   T* = (V1 - V0)/(l1 - l0) + EA beta*/h (p1 - p0)/L + chi EA/L (dp - s dp') >= 0.
+// `grown` is dp/L = (p1 - p0)/L, `stretch` is min(1, h/h') dp'/L.
 Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& chord) {
   Mean o;
   o.l = chord.norm();
@@ -127,14 +131,14 @@ CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, do
   return o;
 }
 
-Vec3 cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                const Vec3& x2) {
+Vec3 cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                        const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
   return m.tension * m.n;
 }
 
-void cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                const Vec3& x2, CablePull& out) {
+void cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                        const Vec3& x2, CableTension& out) {
   const Mean m = mean_of(s, from, step, x2 - x1);
   const double across = m.tension > 0 ? m.tension / (from.length + m.l) : 0;
   out.force = m.tension * m.n;
@@ -170,12 +174,12 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
           fed};
 }
 
-Vec3 cable_pull(const CableSection& s, const CableEnds& e) {
+Vec3 cable_tension(const CableSection& s, const CableEnds& e) {
   const Local o = local(s, e);
   return o.tension * o.t;
 }
 
-void cable_pull(const CableSection& s, const CableEnds& e, double slack, CablePull& out) {
+void cable_tension(const CableSection& s, const CableEnds& e, double slack, CableTension& out) {
   const Local o = local(s, e);
   out.force = o.tension * o.t;
   const bool taut = o.tension > 0;

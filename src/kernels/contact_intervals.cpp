@@ -18,7 +18,7 @@ constexpr int kFiner = 4;  // further halvings where contact is not excluded
 
 class Scan {
  public:
-  Scan(const AxisGapFunction& gap, const AxisBounds& bounds, std::vector<ContactInterval>& out)
+  Scan(AxisGapFunction gap, const AxisBounds& bounds, std::vector<ContactInterval>& out)
       : gap_(gap), bounds_(bounds), slope_bound_(bounds.slope), out_(out) {}
 
   void piece(double a, const AxisGap& A, double b, const AxisGap& B, int levels) {
@@ -153,7 +153,7 @@ class Scan {
     return x;
   }
 
-  const AxisGapFunction& gap_;
+  AxisGapFunction gap_;
   AxisBounds bounds_;
   double slope_bound_;
   std::vector<ContactInterval>& out_;
@@ -174,8 +174,8 @@ std::vector<InactiveInterval> inactive_intervals(const std::vector<ContactInterv
   return out;
 }
 
-std::vector<ContactInterval> contact_intervals(const AxisGapFunction& gap, const AxisBounds& bounds,
-                                               int levels, const std::vector<double>& places) {
+std::vector<ContactInterval> contact_intervals(AxisGapFunction gap, const AxisBounds& bounds, int levels,
+                                               const std::vector<double>& places) {
   std::vector<ContactInterval> out;
   const double half = 0.5 * bounds.slope;
   const AxisGap M = gap(0.5, half);

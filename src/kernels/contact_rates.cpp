@@ -36,7 +36,6 @@ Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const
   PointState<Dual> there;
   there.gap = dual(trial.gap, gap_rate);
   there.force = dual(N.force, N_rate);
-  there.roll = dual(trial.roll, by.roll);
   there.lever = trial.lever;
   there.point = dual(trial.point, by.point);
   there.normal = dual(n, n_rate);
@@ -44,6 +43,7 @@ Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const
   const ContactStartOf<Dual> from{dual(start.point, by.start_point), dual(start.gap, by.start_gap),
                                   dual(start.tangent, by.start_tangent), dual(start.slip, by.start_slip),
                                   dual(start.normal, by.start_normal)};
+  there.turn = from.tangent * dual(trial.roll, by.roll);
   return normal_part + rate(point_friction(law, from, there).force);
 }
 

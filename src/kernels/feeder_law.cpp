@@ -10,7 +10,7 @@ namespace hawser {
 
 // g(L) = (L - from) / (h k) - (T(L) - T0), without the first part where the tension is kept exactly, grows
 // with L.
-FedElement feed_step(const std::function<FedPull(double)>& pull, const FeedLaw& law, double from, double h) {
+FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, double from, double h) {
   constexpr int kMost = 200;          // iterations
   constexpr double kShortest = 1e-6;  // of the length at the start
   if (!(h > 0)) return {from, 0};

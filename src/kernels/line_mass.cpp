@@ -10,7 +10,9 @@ namespace {
 
 using namespace wide;
 
-// Hermite mass and load in (x1, L t1, x2, L t2), per m L and per w L.
+// F = M (a1, L t1'', a2, L t2'') - load,  t'' = Q g,  g = alpha x c + w x (w x c); on a position F_x, on a
+// rotation L c x Q' F_t + J alpha + w x J w (docs/theory/beam.md#mass). Hermite mass and load in (x1, L t1,
+// x2, L t2), per m L and per w L.
 constexpr double kMass[4][4] = {{156. / 420, 22. / 420, 54. / 420, -13. / 420},
                                 {22. / 420, 4. / 420, 13. / 420, -3. / 420},
                                 {54. / 420, 13. / 420, 156. / 420, -22. / 420},
@@ -69,7 +71,7 @@ inline void kinematics(const MassSection& s, const MassEnds& e, const Vec3& dead
   o.back[1] = left(o.F[3], o.R[1]);
 }
 
-inline void force(const MassSection& s, const Local& o, const Mat& J, double* f) {
+inline void force(const MassSection& s, const Local& o, const Mat& J, Vec12& f) {
   for (int i = 0; i < 2; ++i) {
     const Row m = s.length * cross(o.c, o.back[i]) + times(J, o.alpha[i]) + cross(o.w[i], o.spin[i]);
     for (int k = 0; k < 3; ++k) {
@@ -81,15 +83,15 @@ inline void force(const MassSection& s, const Local& o, const Mat& J, double* f)
 
 }  // namespace
 
-HAWSER_CLONES void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, double* f) {
+HAWSER_CLONES void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, Vec12& f) {
   Local o;
   const Mat J = rotary(s);
   kinematics(s, e, load, J, o);
   force(s, o, J, f);
 }
 
-HAWSER_CLONES void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, double* f,
-                                     double* K, double* C, double* M) {
+HAWSER_CLONES void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, Vec12& f,
+                                     Mat12& K, Mat12& C, Mat12& M) {
   Local o;
   const Mat J = rotary(s);
   kinematics(s, e, load, J, o);
@@ -107,7 +109,6 @@ HAWSER_CLONES void beam_mass_tangent(const MassSection& s, const MassEnds& e, co
     W[i] = given ? zero : times_hat(R, -rate) - times_hat(times_hat(R, o.w[i]), o.c);
     A[i] = times_hat(R, -o.c);
   }
-  const auto put = [](double* to, int i, int j, const Mat& m) { store(m, to + 36 * i + 3 * j, 12); };
   for (int i = 0; i < 2; ++i) {
     const Mat row = L * hat_times(o.c, transpose(o.R[i]));  // tangent force to moment
     for (int j = 0; j < 2; ++j) {
@@ -162,11 +163,11 @@ CableMass cable_mass(const MassSection& s) {
   return {5 * twelfth, twelfth};
 }
 
-void cable_mass_force(const MassSection& s, const Vec3& a1, const Vec3& a2, const Vec3& load, double* f) {
+void cable_mass_force(const MassSection& s, const Vec3& a1, const Vec3& a2, const Vec3& load, Vec6& f) {
   const double m = cable_mass(s).shared;
   const Vec3 half = (0.5 * s.length) * load;
-  Eigen::Map<Vec3>(f + 0) = m * (5 * a1 + a2) - half;
-  Eigen::Map<Vec3>(f + 3) = m * (a1 + 5 * a2) - half;
+  f.head<3>() = m * (5 * a1 + a2) - half;
+  f.tail<3>() = m * (a1 + 5 * a2) - half;
 }
 
 double cable_kinetic_energy(const MassSection& s, const Vec3& v1, const Vec3& v2) {

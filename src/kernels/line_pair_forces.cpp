@@ -212,7 +212,7 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
 
 // The tangent is exact.
 void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
-                       std::vector<LinePairHistory>* points) const {
+                       std::vector<LinePairContactPoint>* points) const {
   const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
   const double L = set_.share * slave_.ends.length;
   for (const Panel& panel : panels) {

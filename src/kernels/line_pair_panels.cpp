@@ -1,5 +1,6 @@
 // The part of LinePairPass that finds where an element touches another and what a point of it brings from the
-// start of the step, and keeps the history; forces and tangent are in line_pair_forces.cpp.
+// start of the step, and keeps the contact points of an accepted step; forces and tangent are in
+// line_pair_forces.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -43,8 +44,8 @@ Stencil stencil_of(const PairAxis& one, const PairAxis& other) {
 }
 
 LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn part,
-                           const Settings& settings, const std::vector<LinePairHistory>& history)
-    : slave_(slave), master_(master), part_(part), set_(settings), history_(history) {
+                           const Settings& settings, const std::vector<LinePairContactPoint>& previous)
+    : slave_(slave), master_(master), part_(part), set_(settings), previous_(previous) {
   if (part_ != ProjectOn::element) set_.share *= -0.5;
   wa_ = set_.slave_radius / set_.law.radii;
   wb_ = 1 - wa_;
@@ -142,11 +143,11 @@ void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
 LinePairPass::Start LinePairPass::start(double xi) const {
   Start s;
   // Points lie in the order of their places: if a panel has xi, one of those beside xi is in it.
-  const auto after = std::partition_point(history_.begin(), history_.end(),
-                                          [xi](const LinePairHistory& h) { return h.xi <= xi; });
-  const LinePairHistory* b = after != history_.end() ? &*after : nullptr;
-  const LinePairHistory* a = after != history_.begin() ? &*(after - 1) : nullptr;
-  const auto has = [xi](const LinePairHistory* h) { return h && h->from <= xi && xi <= h->to; };
+  const auto after = std::partition_point(previous_.begin(), previous_.end(),
+                                          [xi](const LinePairContactPoint& h) { return h.xi <= xi; });
+  const LinePairContactPoint* b = after != previous_.end() ? &*after : nullptr;
+  const LinePairContactPoint* a = after != previous_.begin() ? &*(after - 1) : nullptr;
+  const auto has = [xi](const LinePairContactPoint* h) { return h && h->from <= xi && xi <= h->to; };
   s.is_new = !has(a) && !has(b);
   if (s.is_new) return s;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
@@ -200,9 +201,9 @@ LinePairPoint LinePairPass::local(const Point& p, const Start& s) const {
   return l;
 }
 
-LinePairHistory LinePairPass::left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
-                                          double weight) const {
-  LinePairHistory h;
+LinePairContactPoint LinePairPass::left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
+                                               double weight) const {
+  LinePairContactPoint h;
   h.xi = p.xi;
   h.from = panel.from;
   h.to = panel.to;

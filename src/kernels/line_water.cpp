@@ -79,7 +79,7 @@ void beam_motion(const WaterSection& s, const WaterEnds& e, BeamMotion& o) {
   put_water(e.water1, e.water2, o.m);
 }
 
-void put_beam_force(const WaterSection& s, const BeamMotion& o, const Row* F, double* f) {
+void put_beam_force(const WaterSection& s, const BeamMotion& o, const Row* F, Vec12& f) {
   for (int i = 0; i < 2; ++i) {
     const Row m = s.length * cross(o.c, left(F[2 * i + 1], o.Q[i]));
     for (int k = 0; k < 3; ++k) {
@@ -91,28 +91,28 @@ void put_beam_force(const WaterSection& s, const BeamMotion& o, const Row* F, do
 
 }  // namespace
 
-void cable_water_force(const WaterSection& s, const CableInWater& e, double* f) {
+void cable_water_force(const WaterSection& s, const CableInWater& e, Vec6& f) {
   Forces<2> o;
   evaluate<false, false>(s, cable_motion(e), false, o);
   for (int i = 0; i < 2; ++i)
     for (int k = 0; k < 3; ++k) f[3 * i + k] = o.f[i][k];
 }
 
-void cable_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, double* f, double* K,
-                         double* C, double* M) {
+void cable_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, Vec6& f, Mat6& K, Mat6& C,
+                         Mat6& M) {
   Forces<2> o;
   evaluate<false, true>(s, cable_motion(e), convex, o);
   for (int i = 0; i < 2; ++i) {
     for (int k = 0; k < 3; ++k) f[3 * i + k] = o.f[i][k];
     for (int j = 0; j < 2; ++j) {
-      store(o.K[i][j], K + 18 * i + 3 * j, 6);
-      store(o.C[i][j], C + 18 * i + 3 * j, 6);
-      store(o.M[i][j], M + 18 * i + 3 * j, 6);
+      put(K, i, j, o.K[i][j]);
+      put(C, i, j, o.C[i][j]);
+      put(M, i, j, o.M[i][j]);
     }
   }
 }
 
-void beam_water_force(const WaterSection& s, const WaterEnds& e, double* f) {
+void beam_water_force(const WaterSection& s, const WaterEnds& e, Vec12& f) {
   BeamMotion b;
   beam_motion(s, e, b);
   Forces<4> o;
@@ -120,8 +120,8 @@ void beam_water_force(const WaterSection& s, const WaterEnds& e, double* f) {
   put_beam_force(s, b, o.f, f);
 }
 
-void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
-                        double* C, double* M) {
+void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, Vec12& f, Mat12& K, Mat12& C,
+                        Mat12& M) {
   BeamMotion b;
   beam_motion(s, e, b);
   Forces<4> o;
@@ -137,7 +137,6 @@ void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, 
     W[i] = b.given ? Mat{} : times_hat(Q, -b.rate[i]) - times_hat(times_hat(Q, b.w[i]), b.c);
     row[i] = s.length * hat_times(b.c, transpose(b.Q[i]));
   }
-  const auto put = [](double* to, int i, int j, const Mat& m) { store(m, to + 36 * i + 3 * j, 12); };
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 2; ++k) {
       const int x = 2 * k, t = x + 1;

@@ -27,6 +27,7 @@ Spring spring(const LinkLaw& law, double elongation) {
 
 }  // namespace
 
+// T = S(e) + D(s), e = l - l0; if it can go slack T = max(0, S(e) + D(s)) (docs/theory/links.md).
 LinkTension link_tension(const LinkLaw& law, double length, double speed) {
   const Spring s = spring(law, length - law.rest_length);
   double damper = law.damping * speed, slope = law.damping;
@@ -43,6 +44,7 @@ LinkTension link_tension(const LinkLaw& law, double length, double speed) {
   return t;
 }
 
+//   d(T n)/dd = S' n n' + T/l (I - n n') + D'/l n (w - s n)',   d(T n)/dw = D' n n'
 LinkForce link_force(const LinkLaw& law, const Vec3& d, const Vec3& w, bool convex) {
   constexpr double kNothing = 1e-12;  // m
   LinkForce f;
@@ -60,7 +62,6 @@ LinkForce link_force(const LinkLaw& law, const Vec3& d, const Vec3& w, bool conv
   const Mat3 along = n * n.transpose();
   const double across = convex ? std::max(t.tension, 0.0) : t.tension;
   f.by_place = t.by_length * along + across / f.length * (Mat3::Identity() - along);
-  // The speed n.w changes with d by (w - n n.w)/l.
   if (!convex) f.by_place += t.by_speed / f.length * n * (w - f.speed * n).transpose();
   f.by_rate = t.by_speed * along;
   return f;

@@ -1,8 +1,6 @@
 // Buoyancy, Morison drag and added mass at the Gauss points of an element with all derivatives, in
 // generalised coordinates: (x1, x2) of a cable, (x1, L t1, x2, L t2) of a beam, with positions x of its
-// nodes, unit tangents t there and its unstretched length L. The formula is evaluate(), which
-// submerged_cables.cpp has a second time for four cables at once, wholly under water: change both (a test
-// compares them). Internal to the kernel.
+// nodes, unit tangents t there and its unstretched length L. Internal to the kernel.
 #pragma once
 
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "hawser/kernels/line_water.hpp"
 #include "hawser/kernels/wetting.hpp"
 #include "hawser/math/wide3.hpp"
+#include "morison_formula.hpp"
 
 namespace hawser::morison_points {
 
@@ -196,12 +195,9 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     Row u = (1 - z) * m.u[0] + z * m.u[1];
     for (int j = 0; j < n; ++j) u -= N[j] * m.V[j];
     const Row aw = (1 - z) * m.a[0] + z * m.a[1];
-    const double along = dot(u, t);
-    const Row un = u - along * t;
-    const double speed = std::sqrt(dot(un, un)), size = std::abs(along);
+    const morison_formula::Drag<double, Row> drag(u, t, s.drag_normal, s.drag_axial);
     const double wF = w * share;
-    // Drag ½ρ Cd D |u_n| u_n across and ½ρ Cd πD |u_t| u_t along, and Froude-Krylov, N/m of wet length.
-    const Row flow = (s.drag_normal * speed) * un + (s.drag_axial * size * along) * t + s.displaced_mass * aw;
+    const Row flow = drag.force() + s.displaced_mass * aw;  // with Froude-Krylov, N/m of wet length
     // Accelerations that belong to each shape: consistent for a beam, the mean of lumped and consistent for a
     // cable, as its own mass.
     double at[n][n];
@@ -213,7 +209,8 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
         y[j] = N[j] * (point - aw);
       else
         y[j] = (0.5 * N[j]) * (point + m.A[j]) - N[j] * aw;
-      q[j] = s.added_normal * y[j] + (ma * dot(t, y[j])) * t - N[j] * flow;  // residual per wet length
+      q[j] =
+          morison_formula::added_mass(s.added_normal, ma, t, y[j]) - N[j] * flow;  // residual per wet length
       out.f[j] += wF * q[j];
       if constexpr (tangent)
         for (int k = 0; k < n; ++k) {
@@ -222,17 +219,12 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
         }
     }
     if constexpr (tangent) {
-      const double over = speed > 0 ? 1 / speed : 0;
-      // Derivative of the drag by the relative velocity.
-      Mat D = outer((s.drag_normal * over) * un, un) + (s.drag_normal * speed) * P +
-              outer((2 * s.drag_axial * size) * t, t);
+      const Mat D = outer(drag.over_speed * drag.across, drag.across) + identity(drag.normal) +
+                    outer(drag.lengthwise() * t, t);
       for (int j = 0; j < n; ++j)
         for (int k = 0; k < n; ++k) out.C[j][k] += (wF * N[j] * N[k]) * D;
       if (!convex) {
-        Mat T = outer((-s.drag_normal * along * over) * un +
-                          (2 * s.drag_axial * size - s.drag_normal * speed) * t,
-                      un) +
-                (along * (s.drag_axial * size - s.drag_normal * speed)) * P;
+        const Mat T = outer(drag.by_across(), drag.across) + drag.by_turn() * P;
         const Row d[2] = {times(D, m.by_height[0]), times(D, m.by_height[1])};
         for (int j = 0; j < n; ++j) {
           const double ty = dot(t, y[j]);

@@ -28,6 +28,7 @@ PlasticBending::PlasticBending(std::span<const Row> rows) {
   hardening_ = before;
 }
 
+// M = k_inf kappa + sum k_i e_i,  e_i = kappa - kappa_i^p,  |e_i| <= y_i (docs/theory/plastic-bending.md).
 BendingMoment PlasticBending::at(double c2, double c3, const double* set) const {
   BendingMoment o;
   o.m[0] = hardening_ * c2;

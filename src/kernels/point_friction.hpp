@@ -11,16 +11,17 @@ namespace hawser {
 template <class S>
 struct PointState {
   S gap, force;
-  S roll = S(0);
   double lever = 0;
-  Vector3<S> point, normal, velocity;  // velocity: used only if friction depends on it
+  // The rotation since the start of the step, rad, that moves the surface at the arm -lever normal; velocity:
+  // used only if friction depends on it.
+  Vector3<S> turn, point, normal, velocity;
 };
 
 template <class S, class U>
 Vector3<S> trial_slip(const ContactLaw& law, const ContactStartOf<U>& start, const PointState<S>& t) {
   Vector3<S> moved = t.point - start.point.template cast<S>();
   moved -= t.normal * S(t.normal.dot(moved));
-  if (t.lever > 0) moved -= start.tangent.template cast<S>().cross(t.normal) * S(t.roll * t.lever);
+  if (t.lever > 0) moved -= t.turn.cross(t.normal) * S(t.lever);
   const double touch = law.normal.smoothing;
   if (start.gap > touch) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
   return moved + transport_slip(start.slip, start.normal, t.normal);

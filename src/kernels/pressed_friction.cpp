@@ -28,6 +28,8 @@ double mobilisation(const FrictionLaw& law, double N, int i) {
 
 }  // namespace
 
+// q = k_a s_a² + k_l s_l², rho = (s_a/d_a)² + (s_l/d_l)², k_i = mu_i N/d_i; the potential is q h(rho) with
+// h = 1/2 for rho <= 1 and rho^(-1/2) - rho^(-1)/2 beyond (docs/theory/seabed.md).
 PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& slip, const Vec3& normal,
                                  const Vec3& tangent, double least) {
   PressedFriction r;
@@ -47,7 +49,6 @@ PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& s
   const Vec3 Bs = B * slip;
   const double q = slip.dot(As);
   const double rho = slip.dot(Bs);
-  // potential = q h(rho)
   double h = 0.5;
   double h1 = 0;
   double h2 = 0;

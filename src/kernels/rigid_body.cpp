@@ -15,6 +15,9 @@ Vec3 turned(const RigidBodyState& s, const RigidPose& rest) {
 
 }  // namespace
 
+// f = m a - W + k (x - x0) + c (v - v0)                             in space axes,
+// t = J alpha + w x J w + T(phi)^-T k_r phi + c_r (w - R' W0)       in body axes,   phi = log(R0' R)
+// (docs/theory/body-contact.md).
 RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, const RigidPose& rest) {
   RigidBodyResidual r;
   const Vec3 phi = turned(s, rest), p = b.turning_stiffness.cwiseProduct(phi);

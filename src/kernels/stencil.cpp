@@ -1,14 +1,13 @@
 // The chain rule from attached positions and rotations to the blocks of nodes.
 #include "hawser/kernels/stencil.hpp"
 
-#include "hawser/math/so3.hpp"
 #include "hawser/math/wide3.hpp"
 
 namespace hawser {
 namespace {
 
 // A block that a row of forces acts on: increments of the block move what the row is conjugate to by E, and
-// turn its velocity by D.
+// its velocity by D (FramePoint::by_turn(), velocity_by_turn()).
 struct Part {
   int block = -1;
   bool turns = false;
@@ -58,7 +57,7 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
     r.index = i;
     r.of = &p;
     if (p.position >= 0) r.add(p.position);
-    if (p.rotation >= 0) r.add_turning(p.rotation, -p.R * hat(p.arm), -p.R * hat(p.w.cross(p.arm)));
+    if (p.rotation >= 0) r.add_turning(p.rotation, p.point.by_turn(), p.point.velocity_by_turn());
   }
   for (size_t i = 0; g.rotates && i < turns.size(); ++i) {
     if (turns[i].rotation < 0) continue;
@@ -66,7 +65,7 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
     r.index = AttachedForces::kPositions + i;
     r.couple = true;
     r.of = &turns[i];
-    r.add_turning(turns[i].rotation, turns[i].R, Mat3::Zero());
+    r.add_turning(turns[i].rotation, turns[i].point.R, Mat3::Zero());
   }
   const int m = 3 * blocks;
   const auto put = [m](double* to, int i, int j, const wide::Mat& b) {
@@ -99,8 +98,9 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
         }
       if (!p.turns || !turning) continue;
       // Arm and couple, in material axes, turn with the node.
-      const Mat3 by_turn = hat(row.of->R.transpose() * F);
-      put(K, p.block, p.block, wide::load(row.couple ? by_turn : Mat3(hat(row.of->arm) * by_turn)));
+      const FramePoint& point = row.of->point;
+      put(K, p.block, p.block,
+          wide::load(row.couple ? Mat3(hat(point.R.transpose() * F)) : point.moment_by_turn(F)));
     }
 }
 

@@ -2,7 +2,7 @@
 // arithmetic, with their weighted tangent.
 #include "hawser/kernels/submerged_cables.hpp"
 
-#include <cmath>
+#include "morison_formula.hpp"
 
 namespace hawser {
 namespace {
@@ -19,13 +19,6 @@ Vec operator*(double s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c
 Row dot(const Vec& a, const Vec& b) { return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2]; }
 Vec of(const Row* p) { return {{p[0], p[1], p[2]}}; }
 
-Row sqrt(Row a) {
-  Row r;
-  for (int i = 0; i < 4; ++i) r[i] = std::sqrt(a[i]);
-  return r;
-}
-Row abs(Row a) { return a < 0 ? -a : a; }
-
 // Gauss's two points.
 constexpr double kAt[2] = {0.21132486540518711775, 0.78867513459481288225};
 
@@ -37,10 +30,10 @@ constexpr int kPlace[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
 
 template <bool tangent, bool moving>
 void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, double wC, double wM,
-              double (*f)[6], double (*J)[36]) {
+              std::array<Vec6, 4>& f, std::array<Mat6, 4>* J) {
   const Row zero{};
   const Vec chord = of(m.x[1]) - of(m.x[0]);
-  const Row l2 = dot(chord, chord), l = sqrt(l2);
+  const Row l2 = dot(chord, chord), l = wide::sqrt(l2);
   const Row inverse = l > 0 ? 1 / l : zero;
   const Vec t = inverse * chord;
   const Row ma = s.added_axial - s.added_normal;
@@ -58,7 +51,7 @@ void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, doubl
       y[j] = y[j] - water;
     }
     ty[j] = dot(t, y[j]);
-    out[j] = s.added_normal * y[j] + (ma * ty[j]) * t;
+    out[j] = morison_formula::added_mass(s.added_normal, ma, t, y[j]);
     if constexpr (moving) out[j] = out[j] - s.displaced_mass * water;
     out[j].c[2] -= 0.5 * s.length * s.buoyancy;
   }
@@ -76,19 +69,14 @@ void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, doubl
     const Row w = 0.5 * s.length;
     Vec u = -N[0] * of(m.v[0]) - N[1] * of(m.v[1]);
     if constexpr (moving) u = u + N[0] * of(m.velocity[0]) + N[1] * of(m.velocity[1]);
-    const Row along = dot(u, t);
-    const Vec un = u - along * t;
-    const Row speed = sqrt(dot(un, un)), size = abs(along);
-    const Row dn = s.drag_normal * speed, da = s.drag_axial * size;
-    const Vec drag = (w * dn) * un + (w * da * along) * t;
-    for (int j = 0; j < 2; ++j) out[j] = out[j] - N[j] * drag;
+    const morison_formula::Drag<Row, Vec> drag(u, t, s.drag_normal, s.drag_axial);
+    const Vec force = w * drag.force(), &un = drag.across;
+    for (int j = 0; j < 2; ++j) out[j] = out[j] - N[j] * force;
     if constexpr (tangent) {
-      const Row over = speed > 0 ? s.drag_normal / speed : zero;
-      const Row tt = 2 * da - dn;
-      const Vec a = (w * over) * un, b = (w * tt) * t;
-      Symmetric D;  // over un un' + dn P + 2 da t t'
+      const Vec a = (w * drag.over_speed) * un, b = (w * drag.lengthwise()) * t;
+      Symmetric D;
       for (int i = 0; i < 3; ++i) {
-        D.c[i] = a.c[i] * un.c[i] + b.c[i] * t.c[i] + w * dn;
+        D.c[i] = a.c[i] * un.c[i] + b.c[i] * t.c[i] + w * drag.normal;
         for (int k = i + 1; k < 3; ++k) D.c[kPlace[i][k]] = a.c[i] * un.c[k] + b.c[i] * t.c[k];
       }
       for (int e = 0; e < 6; ++e) {
@@ -96,8 +84,8 @@ void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, doubl
         C[1].c[e] += (N[0] * N[1]) * D.c[e];
         C[2].c[e] += (N[1] * N[1]) * D.c[e];
       }
-      const Vec first = b - along * a;
-      const Row p = w * along * (da - dn);
+      const Vec first = w * drag.by_across();
+      const Row p = w * drag.by_turn();
       for (int j = 0; j < 2; ++j) {
         by_P[j] += N[j] * p;
         for (int i = 0; i < 3; ++i)
@@ -137,7 +125,7 @@ void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, doubl
             entry[2] -= wK * dot(sheared, of(m.by_height[n]));
           }
           for (int k = 0; k < 3; ++k)
-            for (int lane = 0; lane < 4; ++lane) J[lane][6 * (3 * j + i) + 3 * n + k] = entry[k][lane];
+            for (int lane = 0; lane < 4; ++lane) (*J)[lane](3 * j + i, 3 * n + k) = entry[k][lane];
         }
       }
     }
@@ -167,7 +155,7 @@ unsigned submerged(const WaterSections4& s, const CablesInWater4& m) {
   return wet;
 }
 
-void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool moving, double (*f)[6]) {
+void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool moving, std::array<Vec6, 4>& f) {
   if (moving)
     evaluate<false, true>(s, m, 0, 0, 0, f, nullptr);
   else
@@ -175,11 +163,11 @@ void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool movi
 }
 
 void submerged_tangent(const WaterSections4& s, const CablesInWater4& m, bool moving, double wK, double wC,
-                       double wM, double (*f)[6], double (*J)[36]) {
+                       double wM, std::array<Vec6, 4>& f, std::array<Mat6, 4>& J) {
   if (moving)
-    evaluate<true, true>(s, m, wK, wC, wM, f, J);
+    evaluate<true, true>(s, m, wK, wC, wM, f, &J);
   else
-    evaluate<true, false>(s, m, wK, wC, wM, f, J);
+    evaluate<true, false>(s, m, wK, wC, wM, f, &J);
 }
 
 }  // namespace hawser

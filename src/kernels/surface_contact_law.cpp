@@ -11,35 +11,73 @@
 namespace hawser {
 namespace {
 
-// Derivatives are by point, velocity and roll.
-constexpr int kInputs = 7, kVelocity = 3, kRoll = 6;
-using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kInputs, 1>>;
+// The rotation `turn` [rad] is along `by`, a column each.
+template <int kTurns>
+struct Rotation {
+  Vec3 turn;
+  Eigen::Matrix<double, 3, kTurns> by;
+};
 
-PointState<Dual> dual(const ContactTrial& t, const NormalForce& n) {
+// Derivatives are by point, velocity and rotation.
+constexpr int kVelocity = 3, kTurn = 6;
+template <int kTurns>
+using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kTurn + kTurns, 1>>;
+
+template <int kTurns>
+PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const Rotation<kTurns>& r) {
+  using D = Dual<kTurns>;
   const auto made = [](double value, const Vec3& by_point, const Vec3& by_velocity) {
-    Dual d(value, Eigen::Matrix<double, kInputs, 1>::Zero());
-    d.derivatives().head<3>() = by_point;
-    d.derivatives().segment<3>(kVelocity) = by_velocity;
+    D d(value, D::DerType::Zero());
+    d.derivatives().template head<3>() = by_point;
+    d.derivatives().template segment<3>(kVelocity) = by_velocity;
     return d;
   };
   const Vec3 none = Vec3::Zero();
-  PointState<Dual> s;
+  PointState<D> s;
   s.gap = made(t.gap, t.normal, none);
   s.force = made(n.force, n.by_gap * t.normal + n.by_rate * (t.curvature * t.velocity), n.by_rate * t.normal);
   for (int c = 0; c < 3; ++c) {
     s.point[c] = made(t.point[c], Vec3::Unit(c), none);
     s.normal[c] = made(t.normal[c], t.curvature.col(c), none);
     s.velocity[c] = made(t.velocity[c], none, Vec3::Unit(c));
+    s.turn[c] = made(r.turn[c], none, none);
+    s.turn[c].derivatives().template tail<kTurns>() = r.by.row(c).transpose();
   }
-  s.roll = Dual(t.roll, kInputs, kRoll);
   s.lever = t.lever;
   return s;
 }
 
-}  // namespace
+// Adds friction to the normal force; by_turn: the derivative of the force by the rotation.
+template <int kTurns>
+void add_friction(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                  const Rotation<kTurns>& rotation, bool derivatives, PointContact& r,
+                  Eigen::Matrix<double, 3, kTurns>& by_turn) {
+  if (derivatives) {
+    const Friction<Dual<kTurns>> f = point_friction(law, start, dual(trial, r.normal, rotation));
+    for (int c = 0; c < 3; ++c) {
+      const auto& by = f.force[c].derivatives();
+      r.friction[c] = f.force[c].value();
+      r.slip[c] = f.slip[c].value();
+      r.by_point.row(c) += by.template head<3>().transpose();
+      r.by_velocity.row(c) += by.template segment<3>(kVelocity).transpose();
+      by_turn.row(c) = by.template tail<kTurns>().transpose();
+    }
+    r.slides = f.slides;
+  } else {
+    const Friction<double> f =
+        point_friction(law, start,
+                       PointState<double>{trial.gap, r.normal.force, trial.lever, rotation.turn, trial.point,
+                                          trial.normal, trial.velocity});
+    r.friction = f.force;
+    r.slip = f.slip;
+    r.slides = f.slides;
+  }
+  r.force += r.friction;
+}
 
-PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
-                            bool derivatives) {
+// F = N(g, g') n, with n = n(y), dn/dy = H and g' = n.u (docs/theory/contact.md). By y: n (N_g n + N_g' H u)'
+// + N H, by u: N_g' n n'.
+PointContact without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
   PointContact r;
   const Vec3& n = trial.normal;
   r.normal = normal_force(law.normal, trial.gap, n.dot(trial.velocity));
@@ -51,27 +89,25 @@ PointContact volume_contact(const ContactLaw& law, const ContactStart& start, co
         r.normal.force * trial.curvature;
     r.by_velocity = r.normal.by_rate * n * n.transpose();
   }
-  if (law.friction.active() && derivatives) {
-    const Friction<Dual> f = point_friction(law, start, dual(trial, r.normal));
-    for (int c = 0; c < 3; ++c) {
-      const auto& by = f.force[c].derivatives();
-      r.friction[c] = f.force[c].value();
-      r.slip[c] = f.slip[c].value();
-      r.by_point.row(c) += by.head<3>().transpose();
-      r.by_velocity.row(c) += by.segment<3>(kVelocity).transpose();
-      r.by_roll[c] = by[kRoll];
-    }
-    r.slides = f.slides;
-  } else if (law.friction.active()) {
-    const Friction<double> f =
-        point_friction(law, start,
-                       PointState<double>{trial.gap, r.normal.force, trial.roll, trial.lever, trial.point, n,
-                                          trial.velocity});
-    r.friction = f.force;
-    r.slip = f.slip;
-    r.slides = f.slides;
-  }
-  r.force += r.friction;
+  return r;
+}
+
+}  // namespace
+
+PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                            bool derivatives) {
+  PointContact r = without_friction(law, trial, derivatives);
+  if (!(r.normal.force > 0) || !law.friction.active()) return r;
+  const Rotation<1> roll{trial.roll * start.tangent, start.tangent};
+  add_friction(law, start, trial, roll, derivatives, r, r.by_roll);
+  return r;
+}
+
+BallContact ball_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                         const Vec3& turn, bool derivatives) {
+  BallContact r{without_friction(law, trial, derivatives)};
+  if (!(r.normal.force > 0) || !law.friction.active()) return r;
+  add_friction(law, start, trial, Rotation<3>{turn, Mat3::Identity()}, derivatives, r, r.by_turn);
   return r;
 }
 

@@ -1,4 +1,4 @@
-// The graph of nodes, elements and near elements with its weights, lines that stay whole, and the cut of that
+// The graph of nodes, elements and couplings with its weights, lines that stay whole, and the cut of that
 // graph into one part for each rank.
 #include "hawser/mesh/partition.hpp"
 
@@ -14,9 +14,8 @@ namespace {
 
 // Relative cost of a node in an implicit step (docs/performance.md): kernels, assembly and factorisation.
 constexpr idx_t kBeamWork = 5, kCableWork = 1;
-// What is cut with an edge: a chain, or one of the four edges of two elements that are near, of which a node
-// has several.
-constexpr idx_t kChainEdge = 100, kNearEdge = 10;
+// What is cut with an edge: a chain, or a coupling, of which a node of a line in contact has several.
+constexpr idx_t kChainEdge = 100, kCoupledEdge = 10;
 constexpr double kMostLoad = 1.05;  // of a rank, over its share, where lines need not be cut
 
 struct Edge {
@@ -39,7 +38,7 @@ std::vector<Edge> merged(std::vector<Edge> all) {
 }
 
 // Between nodes, both ways.
-std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> near) {
+std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> coupled) {
   std::vector<Edge> all;
   const auto add = [&](int a, int b, idx_t w) {
     if (a != b) {
@@ -51,11 +50,7 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> n
   for (size_t n = 0; n < mesh.nodes.size(); ++n)
     for (const int other : {mesh.nodes[n].pinned_to, mesh.nodes[n].tied_to})
       if (other >= 0) add(static_cast<int>(n), other, kChainEdge);
-  for (const auto& [a, b] : near) {
-    const Element &p = mesh.elements[a], &q = mesh.elements[b];
-    for (int m : {p.first, p.second})
-      for (int n : {q.first, q.second}) add(m, n, kNearEdge);
-  }
+  for (const auto& [a, b] : coupled) add(a, b, kCoupledEdge);
   return all;
 }
 
@@ -187,13 +182,13 @@ size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner)
 
 }  // namespace
 
-std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near,
+std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled,
                            std::span<const int> whole) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
   std::vector<int> plain = cut_graph(mesh, ranks, whole, edges(mesh, {}));
-  if (near.empty()) return plain;
+  if (coupled.empty()) return plain;
   // METIS looks for few cut edges; what costs is the nodes at them.
-  const std::vector<Edge> all = edges(mesh, near);
+  const std::vector<Edge> all = edges(mesh, coupled);
   std::vector<int> weighed = cut_graph(mesh, ranks, whole, all);
   return shared_nodes(all, weighed) < shared_nodes(all, plain) ? weighed : plain;
 }

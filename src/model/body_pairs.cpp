@@ -27,11 +27,32 @@ bool hides(const Volume& v) {
   return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
 }
 
+// The lower coefficient of a volume, in all directions.
+Friction isotropic(Friction f) {
+  f.axial = f.lateral = std::min(f.axial, f.lateral);
+  f.axial_kinetic = f.lateral_kinetic = std::min(f.axial_kinetic, f.lateral_kinetic);
+  f.mobilisation_length = f.lateral_mobilisation_length =
+      std::max(f.mobilisation_length, f.lateral_mobilisation_length);
+  return f;
+}
+
+Friction friction_between(const Volume& a, const Volume& b) {
+  const Friction fa = isotropic(a.friction);
+  Friction fb = isotropic(b.friction);
+  if (!(fb.axial > 0) || (fa.axial > 0 && fa.axial <= fb.axial)) return fa;
+  fb.shear_stiffness = 0;
+  return fb;
+}
+
 }  // namespace
 
 std::vector<BodyPair> body_pairs(const Case& c) {
   const auto floats = [&](const Volume& v) { return c.floats(c.body_index(v.body)); };
   std::vector<BodyPair> pairs;
+  const auto add = [&](std::size_t leads, std::size_t other, double stiffness, double share) {
+    const Volume &a = c.volumes[leads], &b = c.volumes[other];
+    pairs.push_back({leads, other, stiffness, share, friction_between(a, b), hides(a)});
+  };
   for (std::size_t i = 0; i < c.volumes.size(); ++i)
     for (std::size_t j = i + 1; j < c.volumes.size(); ++j) {
       const Volume &a = c.volumes[i], &b = c.volumes[j];
@@ -42,18 +63,17 @@ std::vector<BodyPair> body_pairs(const Case& c) {
       const double k = a.basis == b.basis ? std::min(a.normal_stiffness, b.normal_stiffness) : 0;
       const auto stiffness = [&](const Volume& v) { return k > 0 ? k : v.normal_stiffness; };
       if (ra == kNever && rb == kNever) {
-        pairs.push_back({i, j, 0, 1});
+        add(i, j, 0, 1);
       } else if (ra < rb || (ra == rb && ra == 0)) {
-        pairs.push_back({i, j, stiffness(a), 1});
+        add(i, j, stiffness(a), 1);
       } else if (rb < ra) {
-        pairs.push_back({j, i, stiffness(b), 1});
+        add(j, i, stiffness(b), 1);
       } else {
         const double share = ra == 3 ? 0.5 : 1;
-        pairs.push_back({i, j, stiffness(a), share});
-        pairs.push_back({j, i, stiffness(b), share});
+        add(i, j, stiffness(a), share);
+        add(j, i, stiffness(b), share);
       }
     }
-  for (BodyPair& p : pairs) p.hides = hides(c.volumes[p.a]);
   return pairs;
 }
 

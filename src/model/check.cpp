@@ -139,11 +139,9 @@ void check_rides(const Case& c, const Issues& issue) {
     else if (c.line_type(section_at(line, b.on->at)).kind == LineKind::cable)
       issue(key + ".on.at",
             "line {} does not resist bending there, so that nothing says how the body is turned", line.name);
-    for (const Line& l : c.lines)
-      for (const End* e : {&l.end_a, &l.end_b})
-        if (e->kind == EndKind::body && e->body == b.name)
-          issue("lines." + l.name + (e == &l.end_a ? ".end_a" : ".end_b") + ".body",
-                "body {} rides on a line; ends of lines are tied to lines at a joint", b.name);
+    for (const auto& [l, end] : line_ends_at(c, b))
+      issue("lines." + l.name + (&end == &l.end_a ? ".end_a" : ".end_b") + ".body",
+            "body {} rides on a line; ends of lines are tied to lines at a joint", b.name);
   }
 }
 
@@ -211,6 +209,14 @@ double expansion_of(const Case& c, const Line& line) {
     at += s.length;
   }
   return sum;
+}
+
+std::vector<EndAtBody> line_ends_at(const Case& c, const Body& body) {
+  std::vector<EndAtBody> out;
+  for (const Line& line : c.lines)
+    for (const End* e : {&line.end_a, &line.end_b})
+      if (e->kind == EndKind::body && e->body == body.name) out.push_back({line, *e});
+  return out;
 }
 
 bool is_held(const End& end) { return end.kind == EndKind::anchor || end.kind == EndKind::body; }

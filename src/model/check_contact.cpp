@@ -44,23 +44,6 @@ void check_kinetic(const Volume& v, const Issues& issue) {
   if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
 }
 
-// Friction acts between lines and volumes. Where no line takes part in contact, that of two volumes of bodies
-// would have no effect.
-void check_friction_of_bodies(const Case& c, const Issues& issue) {
-  if (std::any_of(c.lines.begin(), c.lines.end(), [&](const Line& l) { return c.contact.takes_part(l); }))
-    return;
-  for (const BodyPair& p : body_pairs(c))
-    for (const auto& [one, other] : {std::pair(p.a, p.b), std::pair(p.b, p.a)}) {
-      const Friction& f = c.volumes[one].friction;
-      if (f.axial > 0 || f.lateral > 0)
-        return issue(
-            "volumes." + c.volumes[one].name + ".friction",
-            "has no effect: bodies touch each other without friction, and no line touches this volume; "
-            "remove it, or hold the body that slides on {} by a link",
-            quote(c.volumes[other].name));
-    }
-}
-
 // Lines of one length between the same places, each started as a catenary, would start in one another, and
 // nothing says on which side of each other they are.
 void check_apart(const Case& c, const Issues& issue) {
@@ -122,7 +105,6 @@ void check_contact(const Case& c, const Issues& issue) {
       check_smoothing(v.smoothing, thickness, "volumes." + v.name + ".smoothing", issue);
     check_kinetic(v, issue);
   }
-  check_friction_of_bodies(c, issue);
   const BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return;
   check_apart(c, issue);

@@ -36,7 +36,7 @@ class LineCheck {
   }
 
  private:
-  bool held(const End& e) const { return e.kind != EndKind::free; }
+  bool attached(const End& e) const { return e.kind != EndKind::free; }
 
   // m, of what is not inside a feeder at the start.
   double outside() const {
@@ -62,8 +62,8 @@ class LineCheck {
     if (e.kind == EndKind::joint && (e.clamped || e.rotational_stiffness > 0))
       return issue(key + (e.clamped ? ".clamped" : ".rotational_stiffness"),
                    "ends turn freely at a joint; remove it");
-    if (held(e) && e.rotational_stiffness > 0) check_spring(e, section, key);
-    if (!held(e) || !e.clamped) return;
+    if (attached(e) && e.rotational_stiffness > 0) check_spring(e, section, key);
+    if (!attached(e) || !e.clamped) return;
     if (c_.line_type(section.type).kind == LineKind::cable)
       issue(key + ".clamped", "a line of type '{}' has no bending stiffness here and cannot be clamped",
             section.type);
@@ -83,7 +83,7 @@ class LineCheck {
   }
 
   void check_start() {
-    const int ends = held(line_.end_a) + held(line_.end_b);
+    const int ends = attached(line_.end_a) + attached(line_.end_b);
     const bool directed = line_.end_a.direction || line_.end_b.direction;
     switch (line_.start) {
       case Start::points:
@@ -109,7 +109,8 @@ class LineCheck {
   }
 
   void check_held() {
-    if (held(line_.end_a) || held(line_.end_b) || !c_.statics.enabled || held_by_friction(c_, line_)) return;
+    if (attached(line_.end_a) || attached(line_.end_b) || !c_.statics.enabled || held_by_friction(c_, line_))
+      return;
     issue("",
           "both ends are free, so there is no static equilibrium; give statics: false, or where it lies "
           "('start') on a volume with friction and statics: {{contact_friction: true}}");
@@ -132,7 +133,7 @@ class LineCheck {
   }
 
   void check_point(const End& e, const Vec3& p, std::size_t i) {
-    if (!held(e)) return;
+    if (!attached(e)) return;
     const double gap = (end_position(c_, e) - p).norm();
     if (gap > 1e-3 * length_)
       issue(fmt::format("start.points[{}]", i), "is {:.4g} m away from the line's end, which is held", gap);
@@ -153,7 +154,7 @@ class LineCheck {
 
   // A taut line may be a little shorter than its span; it stretches.
   void check_span() {
-    if (!held(line_.end_a) || !held(line_.end_b)) return;
+    if (!attached(line_.end_a) || !attached(line_.end_b)) return;
     if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // it moves
     const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
     const double natural = outside() + expansion_of(c_, line_), strain = (span - natural) / natural,
@@ -198,7 +199,7 @@ class LineCheck {
             line_.buried[i - 1].to);
     if (!line_.starts_by_itself() && line_.start != Start::hanging) return;
     const bool at_a = b.from <= near, at_b = b.to >= length_ - near;
-    if (!held(line_.end_a) || !held(line_.end_b) || line_.start == Start::hanging || at_a == at_b)
+    if (!attached(line_.end_a) || !attached(line_.end_b) || line_.start == Start::hanging || at_a == at_b)
       issue(key,
             "nothing says where this stretch lies: give 'start' as straight or as points, or two held ends "
             "of which it begins at one");
@@ -211,7 +212,7 @@ class LineCheck {
       issue("target", "is met in static equilibrium, which this case does not compute ('statics: false')");
     if (bed && !c_.environment.seabed.present)
       issue("target", "is about the seabed, but there is no 'environment.seabed'");
-    if (!bed && !held(t.at_a ? line_.end_a : line_.end_b))
+    if (!bed && !attached(t.at_a ? line_.end_a : line_.end_b))
       issue("target", "end {} is free: it has no tension and no angle to be met", t.at_a ? "A" : "B");
   }
 

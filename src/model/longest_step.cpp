@@ -65,9 +65,7 @@ void add_harmonic(const HarmonicMotion& m, const std::string& who, Shortest& to)
 // Farthest of what is attached to a body from its origin, m: what its rotation moves.
 double lever(const Case& c, const Body& b) {
   double out = 0;
-  for (const Line& line : c.lines)
-    for (const End* e : {&line.end_a, &line.end_b})
-      if (e->kind == EndKind::body && e->body == b.name) out = std::max(out, e->at.norm());
+  for (const auto& [line, end] : line_ends_at(c, b)) out = std::max(out, end.at.norm());
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
       if (e->body == b.name) out = std::max(out, e->at.norm());
@@ -225,7 +223,7 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
     const LineType& t = c.line_type(s.type);
     length += s.length;
     mass += s.length * t.mass_per_length;
-    along += s.length * std::sqrt(t.mass_per_length / t.EA);
+    along += t.wave_time(s.length);
     if (!c.environment.water.present || speed == 0) continue;
     const double area = 0.25 * M_PI * t.displaced() * t.displaced(),
                  drag = 0.5 * c.environment.water.density * t.Cd_normal * t.dragged() * speed;

@@ -142,6 +142,8 @@ inline auto items(std::size_t least, std::size_t most = 0) {
   };
 }
 inline constexpr auto required = [](Key& k) { k.required = true; };
+// The state in a checkpoint depends on it.
+inline constexpr auto fixed_in_restart = [](Key& k) { k.fixed_in_restart = true; };
 // Its default, as written, or in words.
 inline auto or_else(std::string literal) {
   return [literal](Key& k) { k.fallback = literal; };

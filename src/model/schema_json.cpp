@@ -3,21 +3,13 @@
 
 #include <cstdlib>
 
+#include "hawser/model/json_string.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::model {
 namespace {
 
 using Type = Key::Type;
-
-std::string quoted(std::string_view text) {
-  std::string s = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') s += '\\';
-    s += c;
-  }
-  return s + "\"";
-}
 
 // Lines of a JSON object or array, two blanks deeper at each level.
 class Writer {
@@ -28,7 +20,7 @@ class Writer {
     first_ = true;
   }
   void open(std::string_view name, char bracket) {
-    put(quoted(name) + ": " + bracket);
+    put(json_string(name) + ": " + bracket);
     ++depth_;
     first_ = true;
   }
@@ -39,7 +31,7 @@ class Writer {
   }
   // `json` is written as it is.
   void item(const std::string& json) { put(json); }
-  void member(std::string_view name, const std::string& json) { put(quoted(name) + ": " + json); }
+  void member(std::string_view name, const std::string& json) { put(json_string(name) + ": " + json); }
   std::string take() { return std::move(text_) + "\n"; }
 
  private:
@@ -57,7 +49,7 @@ class Writer {
 
 std::string array(const std::vector<std::string>& words) {
   std::string s = "[";
-  for (const std::string& w : words) s += (s.size() > 1 ? ", " : "") + quoted(w);
+  for (const std::string& w : words) s += (s.size() > 1 ? ", " : "") + json_string(w);
   return s + "]";
 }
 
@@ -86,7 +78,7 @@ std::string literal(const std::string& s) {  // a default as JSON
     }
     return fmt::format("[{}]", fmt::join(items, ", "));
   }
-  return quoted(s);
+  return json_string(s);
 }
 
 void members(const Key& k, Writer& w);
@@ -121,7 +113,8 @@ void group_members(const Key& k, Writer& w) {
   if (k.groups.empty()) return;
   const auto any_of = [](const std::vector<std::string>& keys) {
     std::vector<std::string> each;
-    for (const std::string& key : keys) each.push_back(fmt::format("{{\"required\": [{}]}}", quoted(key)));
+    for (const std::string& key : keys)
+      each.push_back(fmt::format("{{\"required\": [{}]}}", json_string(key)));
     return fmt::format("{{\"anyOf\": [{}]}}", fmt::join(each, ", "));
   };
   std::vector<std::string> all;
@@ -162,7 +155,7 @@ void members(const Key& k, Writer& w) {
   if (k.unit != Dimension::none) about += fmt::format("{}[{}]", about.empty() ? "" : " ", base_unit(k.unit));
   if (!k.fallback_note.empty())
     about += fmt::format("{}(default: {})", about.empty() ? "" : " ", k.fallback_note);
-  if (!about.empty()) w.member("description", quoted(about));
+  if (!about.empty()) w.member("description", json_string(about));
   if (k.fallback) w.member("default", literal(*k.fallback));
   switch (k.type) {
     case Type::number:

@@ -40,7 +40,7 @@ Key links() {
                 items(1)),
            boolean({"tension_only", within(&Link::law, &LinkLaw::tension_only)},
                    "it goes slack and never pushes", or_else("false"))},
-          at_most_one({"stiffness", "force_table"})),
+          at_most_one({"stiffness", "force_table"}), fixed_in_restart),
       "Springs and dampers between two points, along the straight line that joins them, by name: heave "
       "compensators, links, fender springs ([theory](../theory/links.md)).",
       or_else("{}"));

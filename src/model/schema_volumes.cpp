@@ -132,7 +132,7 @@ Key shape() {
   std::vector<Group> groups;
   for (const Key& k : kinds) groups.push_back({{k.name}, {k.name}});
   return map("shape", std::move(kinds), "instead of a mesh: an exact smooth shape, in the body's frame",
-             either(std::move(groups)));
+             either(std::move(groups)), fixed_in_restart);
 }
 
 Key stiffness() {
@@ -162,7 +162,7 @@ Key stiffness() {
                    "allowed_penetration",
                    {{"table", "per"}, {"table", "per"}}}))},
       "penalty against penetration; `auto` is raised in the run as far as tensions and speeds need it",
-      or_else("auto"));
+      or_else("auto"), fixed_in_restart);
 }
 
 Key active() {
@@ -173,7 +173,7 @@ Key active() {
                                items(2, 2), required)})},
                 "the part of the mesh that takes part in contact: name of a part (OBJ group, STL solid), or "
                 "the triangles with all corners in a box",
-                or_else_note("all"));
+                or_else_note("all"), fixed_in_restart);
 }
 
 }  // namespace
@@ -186,7 +186,7 @@ Key volumes() {
                 "triangle mesh (STL, OBJ or PLY), relative to the case file; this or `shape` is needed"),
            shape(),
            number({"scale", &Volume::scale}, none, "mesh units to m: 0.001 for a mesh in mm", above(0),
-                  or_else("1")),
+                  or_else("1"), fixed_in_restart),
            word({"closed", &Volume::closed}, {{"required", true}, {"repair", false}},
                 "what to do with a mesh that is open or inconsistent: refuse it, or repair what can be and "
                 "take for inside where the winding number is above 1/2",
@@ -202,21 +202,21 @@ Key volumes() {
                 "numbers where "
                 "the mesh is not in order; the last three are those of OMAE2006-92155, look at every "
                 "triangle each time and, as `winding`, leave the facets flat",
-                or_else("automatic")),
+                or_else("automatic"), fixed_in_restart),
            boolean(
                {"smooth", &Volume::smooth},
                "curve the facets of a mesh where they stand for a curved surface; with `false` they are flat",
-               or_else("true")),
+               or_else("true"), fixed_in_restart),
            number({"crease_angle_deg", &Volume::crease_angle}, angle,
                   "edges whose facets meet at more than this stay sharp", above(0), at_most(M_PI),
-                  or_else("40")),
+                  or_else("40"), fixed_in_restart),
            reference({"body", &Volume::body}, "bodies",
                      "body it is fixed to; mesh and shape are in the body's frame",
-                     or_else_note("none: fixed in space")),
+                     or_else_note("none: fixed in space"), fixed_in_restart),
            active(), stiffness(),
            number({"smoothing", &Volume::smoothing}, length,
                   "half width of the smooth start of the contact force; 0: linear from the touch on",
-                  at_least(0), or_else_note("chosen by the program")),
+                  at_least(0), or_else_note("chosen by the program"), fixed_in_restart),
            relative_damping(), friction(&Volume::friction)},
           either({{{"mesh", "scale", "closed", "sign", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
                   "shape"})),

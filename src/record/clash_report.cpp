@@ -106,17 +106,10 @@ io::ClashTables ClashReport::take() {
   return log_.take();
 }
 
-// What the one rank that has some brings, to every rank.
-std::vector<double> ClashReport::of_all(const std::vector<double>& mine) const {
-  std::vector<double> all;
-  GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
-  return all;
-}
-
-// A record belongs to a node of the rank that gives it; rank 0 need not own any.
+// A record belongs to a node of the rank that gives it; rank 0 need not own any, so all ranks have the log.
 void ClashReport::save(io::Checkpoint& to) {
   collect();
-  std::vector<double> values = of_all(rank_ == 0 ? log_.save() : std::vector<double>{});
+  std::vector<double> values = gather_all(comm_, rank_ == 0 ? log_.save() : std::vector<double>{});
   io::CheckpointHistory& history = to.history[kRecords];
   history.kinds = {{"clash log", {{"number", 1, ""}}}};
   if (subject_.local().owns(subject_.local().find(0))) history.records = {{0, 0, std::move(values)}};
@@ -125,7 +118,8 @@ void ClashReport::save(io::Checkpoint& to) {
 void ClashReport::restore(const io::Checkpoint& from) {
   const auto at = from.history.find(kRecords);
   const bool here = at != from.history.end() && !at->second.records.empty();
-  const std::vector<double> values = of_all(here ? at->second.records.front().values : std::vector<double>{});
+  const std::vector<double> values =
+      gather_all(comm_, here ? at->second.records.front().values : std::vector<double>{});
   if (rank_ == 0 && !values.empty()) log_.restore(values);
 }
 

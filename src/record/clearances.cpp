@@ -79,8 +79,7 @@ Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
     mine.push_back(s.element);
     for (const Vec3& p : s.axis.b) mine.insert(mine.end(), p.begin(), p.end());
   }
-  std::vector<double> all;
-  GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
+  const std::vector<double> all = gather_all(comm_, mine);
   std::vector<Shaped> elements;
   for (size_t i = 0; i < all.size(); i += kAxis) {
     Shaped s;
@@ -160,7 +159,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
   for (const auto& [least, i] : order) {
     if (!(least < best.clearance)) break;
     const Shaped& e = elements[i];
-    const DistanceField field = [&](const Vec3& y, double within, Vec3& normal) -> std::optional<double> {
+    const auto field = [&](const Vec3& y, double within, Vec3& normal) -> std::optional<double> {
       const auto p = surface.query(y, within, hint);
       if (!p) return std::nullopt;
       hint = p->triangle;

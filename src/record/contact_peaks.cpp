@@ -32,9 +32,9 @@ void ContactPeaks::find(const std::vector<Field>& fields) {
 ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& e, const AxisShape& shape,
                                       std::span<const LineVolumeContact::Load> loads, double from,
                                       double to) const {
-  double f[12] = {};
-  system_.element_force(at, e, f);
-  const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
+  Vec12 f = Vec12::Zero();
+  system_.element_force(at, e, f.data());
+  const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
   const Quat &q1 = at.q[e.first], &q2 = at.q[e.second];
   const Vec3 x1 = shape.point(0);
   // Of what comes after the first node on what is before it, and what else than contact acts along the

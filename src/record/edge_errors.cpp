@@ -95,11 +95,11 @@ std::vector<EdgeErrors::Turn> EdgeErrors::with_cut_lines(std::vector<Turn> turns
     return !std::binary_search(cut_.begin(), cut_.end(), mesh_.mesh->nodes[t.node].line);
   });
   if (!on_any_rank(comm_, cut != turns.end())) return turns;
-  std::vector<double> numbers, all;
+  std::vector<double> numbers;
   for (auto t = cut; t != turns.end(); ++t)
     numbers.insert(numbers.end(), {static_cast<double>(t->node), t->angle, t->taken, t->tension, t->length});
   turns.erase(cut, turns.end());
-  GatherPlan(comm_, static_cast<int>(numbers.size())).gather(numbers.data(), all);
+  const std::vector<double> all = gather_all(comm_, numbers);
   for (auto p = all.begin(); p != all.end(); p += 5)
     turns.push_back({static_cast<int>(p[0]), p[1], p[2], p[3], p[4]});
   std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.node < b.node; });

@@ -91,9 +91,9 @@ SectionForce EndForces::section(const Kinematics& at, int element, bool second,
                                 std::span<const Vec3> carried) const {
   const LocalMesh& local = system_.mesh();
   const LocalElement& e = local.elements[element];
-  double f[12] = {};
-  system_.element_force(at, e, f);
-  const auto part = [&f](int i) { return Vec3(f[3 * i], f[3 * i + 1], f[3 * i + 2]); };
+  Vec12 f = Vec12::Zero();
+  system_.element_force(at, e, f.data());
+  const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
   const size_t i = e.first, j = e.second, n = second ? j : i;
   SectionForce s;
   s.beam = local.element(e).beam;

@@ -23,8 +23,7 @@ Folds::Folds(const model::Case& c, const LocalMesh& mesh, const Feeders* feeders
     const model::LineType& t = c.line_types[e.type];
     const auto line = static_cast<size_t>(e.line);
     const bool fed = inside[line][0] + inside[line][1] > 0;
-    if (!e.beam && !fed)
-      folds_[i].echo = 2 * mesh.mesh->lines[line].length * std::sqrt(t.mass_per_length / t.EA);
+    if (!e.beam && !fed) folds_[i].echo = 2 * t.wave_time(mesh.mesh->lines[line].length);
   }
 }
 

@@ -31,7 +31,7 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
       worst_(mesh.mesh->lines.size()) {
   for (const Element& e : mesh.mesh->elements) {
     const model::LineType& t = c.line_types[e.type];
-    echo_[e.line] += 2 * e.length * std::sqrt(t.mass_per_length / t.EA);
+    echo_[e.line] += 2 * t.wave_time(e.length);
   }
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.mesh->elements[l.global];
@@ -40,7 +40,7 @@ Snaps::Snaps(const model::Case& c, const LocalMesh& mesh)
     for (const int n : {l.first, l.second})
       if (n < mesh.owned) {
         double& slowest = passage_[n];
-        slowest = std::max(slowest, e.length * std::sqrt(t.mass_per_length / t.EA));
+        slowest = std::max(slowest, t.wave_time(e.length));
       }
   }
 }

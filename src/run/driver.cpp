@@ -28,11 +28,11 @@
 #include "hawser/run/cost.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/feeder_nodes.hpp"
+#include "hawser/run/node_owners.hpp"
 #include "hawser/run/output_place.hpp"
 #include "hawser/run/progress.hpp"
 #include "hawser/run/restart.hpp"
 #include "hawser/run/run_parts.hpp"
-#include "hawser/run/share_nodes.hpp"
 #include "hawser/run/start_contact.hpp"
 #include "hawser/run/volumes.hpp"
 #include "hawser/solve/start_shape.hpp"
@@ -340,7 +340,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const Mesh mesh = build_mesh(c);
   const Bodies bodies(c.bodies);
   const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
-  const std::vector<int> owner = share_nodes(c, mesh, bodies, ranks);
+  const std::vector<int> owner = node_owners(c, mesh, bodies, ranks);
   std::vector<int> share(static_cast<size_t>(ranks), 0);
   for (const int o : owner) ++share[o];
   const auto [least, most] = std::minmax_element(share.begin(), share.end());

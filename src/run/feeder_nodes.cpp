@@ -63,7 +63,9 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
                                 const std::optional<Dynamics::Moved>& moved) {
   sim_.dynamics().transfer_node(
       [&] {
-        if (feed_point != f.feed_point) sim_.structure().transfer_node(sim_.system().comm(), f, feed_point);
+        if (feed_point != f.feed_point)
+          sim_.structure().transfer_node(sim_.system().comm(), &f - sim_.feeders()->list().data(),
+                                         feed_point < f.feed_point);
         f.feed_point = feed_point;
         f.length = length;
         if (!f.feed.speed.empty()) f.offset = length - model::fed_by(f.feed, f.time).length;

@@ -94,12 +94,10 @@ int HeldBodies::steps_to(int body, const RigidPose& there) const {
   const model::Case& c = sim_.model();
   const RigidPose& from = pose(body);
   double shortest = HUGE_VAL, way = 0;
-  for (const model::Line& line : c.lines)
-    for (const model::End* e : {&line.end_a, &line.end_b})
-      if (e->kind == model::EndKind::body && c.body_index(e->body) == body) {
-        shortest = std::min(shortest, model::length_of(line));
-        way = std::max(way, (there.to_space(e->at) - from.to_space(e->at)).norm());
-      }
+  for (const auto& [line, end] : model::line_ends_at(c, c.bodies[static_cast<size_t>(body)])) {
+    shortest = std::min(shortest, model::length_of(line));
+    way = std::max(way, (there.to_space(end.at) - from.to_space(end.at)).norm());
+  }
   return std::max(1, static_cast<int>(std::ceil(way / (kStep * shortest))));
 }
 

@@ -35,6 +35,17 @@ bool same_file(const std::string& a, const std::string& b) {
 
 }  // namespace
 
+void check_not_read(const std::string& what, const std::string& path, const std::vector<std::string>& written,
+                    const std::vector<std::string>& read) {
+  for (const std::string& out : written)
+    for (const std::string& in : read)
+      if (same_file(out, in))
+        throw InputError(
+            "cannot write {} to {}: {} is a file that this run reads{}, and would be replaced; give another "
+            "file with -o",
+            what, path, in, in == out ? "" : " (" + out + ")");
+}
+
 OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,
                          const std::vector<std::string>& inputs)
     : path_(followed(path)), appends_(same_file(restart, path_)) {
@@ -42,7 +53,12 @@ OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::stri
     check();
     std::vector<std::string> read = inputs;
     if (!appends_ && !restart.empty()) read.push_back(restart);
-    check_inputs(read);
+    // Every file that the run makes, renames or removes.
+    const std::string xdmf = io::xdmf_beside(path_);
+    check_not_read("the results", path_,
+                   {path_, path_ + ".new", path_ + ".lock", io::backup_name(path_), xdmf, xdmf + ".new",
+                    io::backup_name(xdmf)},
+                   read);
     lock_ = std::make_unique<io::RunLock>(path_);
     if (!lock_->held())
       notes_.push_back(fmt::format(
@@ -73,18 +89,6 @@ void OutputPlace::check() const {
         fmt::format(
             "the name is too long: with .xdmf.new in place of .h5 it has {} characters, {} are allowed there",
             longest.size(), limit));
-}
-
-// Every file that the run makes, renames or removes, against those that it reads.
-void OutputPlace::check_inputs(const std::vector<std::string>& inputs) const {
-  const std::string xdmf = io::xdmf_beside(path_);
-  for (const std::string& written : {path_, path_ + ".new", path_ + ".lock", io::backup_name(path_), xdmf,
-                                     xdmf + ".new", io::backup_name(xdmf)})
-    for (const std::string& input : inputs)
-      if (same_file(written, input))
-        throw refusal(path_, fmt::format("{} is a file that this run reads{}, and would be replaced; give "
-                                         "another file with -o",
-                                         input, input == written ? "" : " (" + written + ")"));
 }
 
 // Files that are there already, and that the run will replace.

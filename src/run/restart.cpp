@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <sstream>
 
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/io/results_size.hpp"
+#include "hawser/model/schema.hpp"
 #include "hawser/run/feeder_nodes.hpp"
 #include "hawser/run/restart_file_check.hpp"
 
@@ -35,7 +37,8 @@ const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
 // Of contact, and the name of a volume: N/m per m, what an automatic stiffness was raised to.
 const std::string kStiffness = "contact.stiffness.";
-const std::string kLink = "case.link ", kShape = "case.shape ", kPress = "case.stiffness ";
+const std::string kKey = "key.";        // and a dotted key: its value, by number_of()
+const char* const kKeys = "case.keys";  // how many of them there are
 
 // Of a state, const or not.
 auto& vectors(auto& s, size_t i) {
@@ -62,56 +65,6 @@ double number_of(const std::string& text) {
   return static_cast<double>(hash >> 11);
 }
 
-// All that a link is made of.
-std::string text_of(const model::Link& l) {
-  std::string out = fmt::format("{} {} {} {}", l.rest_given ? l.law.rest_length : -1, l.law.stiffness,
-                                l.law.damping, l.law.tension_only);
-  for (const model::LinkEnd& e : {l.end_a, l.end_b})
-    out += fmt::format("; '{}' '{}' {} {} {} {}", e.body, e.line, e.at.x(), e.at.y(), e.at.z(), e.arc);
-  if (l.law.spring)
-    for (const auto& [x, y] : l.law.spring->rows()) out += fmt::format("; {} {}", x, y);
-  if (l.law.damper)
-    for (const double x : {l.law.damper->last() / 4, l.law.damper->last() / 2, l.law.damper->last()})
-      out += fmt::format("; {} {}", x, l.law.damper->at(x).force);
-  return out;
-}
-
-// All that the surface of a volume is made of, but for what is in the file of its mesh.
-std::string shape_of(const model::Volume& v) {
-  const auto of = [](const Vec3& x) { return fmt::format(" {} {} {}", x.x(), x.y(), x.z()); };
-  std::string out = fmt::format("'{}' {} {}", v.body, v.smooth, v.crease_angle);
-  if (!v.shape) out += fmt::format(" mesh {} '{}'", v.scale, v.active_part);
-  if (v.active_box) out += of(v.active_box->lower) + of(v.active_box->upper);
-  const auto round = [&](const char* name, const auto& s) {
-    return name + of(s.from) + of(s.to) + fmt::format(" {}", s.radius);
-  };
-  struct Parts {
-    const decltype(of)& at;
-    const decltype(round)& along;
-    std::string operator()(const PlaneShape& s) const { return "plane" + at(s.point) + at(s.normal); }
-    std::string operator()(const BoxShape& s) const {
-      return "box" + at(s.centre) + at(s.size) + at(s.rotation);
-    }
-    std::string operator()(const SphereShape& s) const {
-      return "sphere" + at(s.centre) + fmt::format(" {}", s.radius);
-    }
-    std::string operator()(const CylinderShape& s) const { return along("cylinder", s); }
-    std::string operator()(const CapsuleShape& s) const { return along("capsule", s); }
-    std::string operator()(const TorusShape& s) const {
-      return "torus" + at(s.centre) + at(s.axis) + fmt::format(" {} {}", s.radius, s.tube_radius);
-    }
-  };
-  return v.shape ? out + std::visit(Parts{of, round}, *v.shape) : out;
-}
-
-// How hard it is by the case: what the program chooses itself follows the run.
-std::string stiffness_of(const model::Volume& v) {
-  std::string out = fmt::format("{} {} {}", static_cast<int>(v.basis), v.normal_stiffness, v.smoothing);
-  if (v.force_table)
-    for (const auto& row : v.force_table->rows()) out += fmt::format("; {} {}", row.first, row.second);
-  return out;
-}
-
 // What the state and the contact history mean beyond numbers: which nodes rotate, which volume is which.
 std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
@@ -123,12 +76,34 @@ std::map<std::string, double> signature(const Simulation& simulation) {
       yields += p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
-  for (const model::Volume& v : volumes) {
-    out[kShape + v.name] = number_of(shape_of(v));
-    out[kPress + v.name] = number_of(stiffness_of(v));
+  double& keys = out[kKeys];
+  if (!simulation.model().tree) return out;
+  for (const auto& [key, value] : model::fixed_values(*simulation.model().tree)) {
+    out[kKey + key] = number_of(value);
+    ++keys;
   }
-  for (const model::Link& l : simulation.model().links) out[kLink + l.name] = number_of(text_of(l));
   return out;
+}
+
+// In which of these numbers the case of a checkpoint is another one; empty: in none.
+std::string difference(const std::map<std::string, double>& there,
+                       const std::map<std::string, double>& here) {
+  std::set<std::string> names;
+  for (const auto* side : {&there, &here})
+    for (const auto& [name, number] : *side) names.insert(name);
+  for (const std::string& name : names) {
+    const auto a = there.find(name), b = here.find(name);
+    if (a != there.end() && b != here.end() && a->second == b->second) continue;
+    if (name == "case.rotating nodes") return "other nodes are of beams";
+    if (name == "case.plastic bending") return "another 'plasticity' of line types";
+    if (name.starts_with("case.volume ")) return "other volumes";
+    if (!name.starts_with(kKey)) continue;
+    const std::string key = name.substr(kKey.size());
+    return a == there.end()  ? key + " is not in it"
+           : b == here.end() ? "it has " + key
+                             : key + " is another there";
+  }
+  return "";
 }
 
 // What is wrong with the time, the numbers that steps go by, or this rank's part of the state; empty:
@@ -240,27 +215,11 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   const auto refuse = [&](const std::string& why) {
     return InputError("cannot go on from {}: it holds another case: {}", path, why);
   };
-  const auto here = signature(simulation);
-  const auto named = [](const std::string& key, const std::string& prefix, const char* what) {
-    return fmt::format("volume '{}' has another {}", key.substr(prefix.size()), what);
-  };
-  for (const auto& [name, value] : here) {
-    const auto there = c.scalars.find(name);
-    if (there == c.scalars.end() || there->second != value)
-      throw refuse(
-          name == "case.rotating nodes"    ? "other nodes are of beams"
-          : name == "case.plastic bending" ? "another 'plasticity' of line types"
-          : name.starts_with(kLink)
-              ? fmt::format("link '{}' {}", name.substr(kLink.size()),
-                            there == c.scalars.end() ? "is not there" : "has other ends or another law")
-          : there == c.scalars.end() ? "other volumes"
-          : name.starts_with(kShape) ? named(name, kShape, "shape")
-          : name.starts_with(kPress) ? named(name, kPress, "stiffness")
-                                     : "other volumes");
-  }
-  const auto more = std::count_if(c.scalars.begin(), c.scalars.end(),
-                                  [](const auto& s) { return s.first.starts_with("case."); });
-  if (more != static_cast<long>(here.size())) throw refuse("other volumes, or more links");
+  std::map<std::string, double> there = c.scalars;
+  std::erase_if(there,
+                [](const auto& s) { return !s.first.starts_with("case.") && !s.first.starts_with(kKey); });
+  if (!c.scalars.count(kKeys)) throw older(path, "the case");
+  if (const std::string other = difference(there, signature(simulation)); !other.empty()) throw refuse(other);
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError("cannot go on from {}: {}", path, wrong);
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");

@@ -69,16 +69,16 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
 namespace {
 
 StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
-  constexpr int kLong = 500;  // steps of dynamic relaxation; lines that come to rest take fewer
+  constexpr int kManySteps = 500;  // steps of dynamic relaxation; lines that come to rest take fewer
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
   bool reported = !sim.line_pairs();
   const StaticsReport s = sim.solve_statics(
       [&](const StaticsReport& now) {
         progress.statics(now.iterations, now.relaxation_steps, now.norms.relative());
-        if (reported || now.relaxation_steps < kLong) return;
+        if (reported || now.relaxation_steps < kManySteps) return;
         reported = true;
-        progress.print("note: " + advice::long_relaxation(kLong));
+        progress.print("note: " + advice::long_relaxation(kManySteps));
       },
       falls);
   for (size_t i = before; i < sim.notes().size(); ++i) progress.print("note: " + sim.notes()[i]);

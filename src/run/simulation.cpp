@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <type_traits>
 #include <utility>
 
 #include "hawser/advice/statics.hpp"
@@ -22,7 +21,7 @@
 #include "hawser/model/switched.hpp"
 #include "hawser/record/support_rollers.hpp"
 #include "hawser/run/line_pairs.hpp"
-#include "hawser/run/share_nodes.hpp"
+#include "hawser/run/node_owners.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/bodies_in_flow.hpp"
@@ -129,7 +128,6 @@ template <class Term, class... From>
 Term* Simulation::add(From&&... from) {
   auto term = std::make_unique<Term>(std::forward<From>(from)...);
   Term* out = term.get();
-  if constexpr (std::is_base_of_v<FedByFeeders, Term>) out->fed_by(feeders_);
   system_->add(std::move(term));
   return out;
 }
@@ -139,13 +137,9 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
                        std::vector<BodySkeleton> skeletons)
     : case_(c), mesh_(std::make_unique<Mesh>(build_mesh(c))), bodies_(std::make_shared<Bodies>(c.bodies)) {
   distribute(comm);
-  // The feeders commit last, so they are the last term: all others keep in a step the lengths that acted in
-  // it, on every rank.
-  std::unique_ptr<Feeders> feeders;
   if (std::any_of(case_.lines.begin(), case_.lines.end(),
                   [](const auto& l) { return l.end_a.feed || l.end_b.feed; }))
-    feeders = std::make_unique<Feeders>(local(), case_);
-  feeders_ = feeders.get();
+    feeders_ = add<Feeders>(local(), case_);
   add_line_terms();
   StartShape start = start_shape(case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
@@ -160,11 +154,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   add_seabed(at, held);
   add_contact(at, held, surfaces);
   add_bodies(std::move(surfaces), std::move(skeletons));
-  if (auto between = make_line_pairs(comm, case_, local(), details_)) {
-    between->fed_by(feeders_);
-    system_->add(std::move(between));
-  }
-  if (feeders) system_->add(std::move(feeders));
+  if (auto between = make_line_pairs(comm, case_, local(), details_)) system_->add(std::move(between));
 
   state_ = std::move(start.state);
   any_laid_ = start.any_laid;
@@ -175,7 +165,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 // The mesh over the ranks.
 void Simulation::distribute(MPI_Comm comm) {
   const int rank = rank_of(comm), size = ranks_of(comm);
-  const std::vector<int> owner = share_nodes(case_, *mesh_, *bodies_, size);
+  const std::vector<int> owner = node_owners(case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
     notes_.push_back(advice::one_rank_has_all());

@@ -38,13 +38,6 @@ double clearance(const model::Case& c, const model::Line& line, bool b, double r
   return c.line_type(s.type).contact_diameter / std::max(rise, kAlong);
 }
 
-// Numbers of all ranks, `width` to a row.
-std::vector<double> gathered(MPI_Comm comm, const std::vector<double>& mine) {
-  std::vector<double> all;
-  GatherPlan(comm, static_cast<int>(mine.size())).gather(mine.data(), all);
-  return all;
-}
-
 std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                const Kinematics& at, const Bodies& bodies, const Feeders* feeders,
                                const std::vector<ContactVolume>& volumes) {
@@ -52,7 +45,7 @@ std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalM
   for (const Inside& s : inside_volumes(mesh, at, bodies, volumes, radii(c, mesh), feeders))
     mine.insert(mine.end(), {static_cast<double>(s.line), static_cast<double>(s.volume), s.from, s.to,
                              s.depth, s.at, s.place.x(), s.place.y(), s.place.z(), s.rise_from, s.rise_to});
-  const std::vector<double> all = gathered(comm, mine);
+  const std::vector<double> all = gather_all(comm, mine);
   std::vector<Inside> out;
   for (auto v = all.begin(); v != all.end(); v += 11)
     out.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v[3], v[4], v[5],
@@ -184,7 +177,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
   std::vector<double> mine;
   for (const auto& [key, row] : nearest) mine.insert(mine.end(), row.begin(), row.end());
   nearest.clear();
-  const std::vector<double> all = gathered(comm, mine);
+  const std::vector<double> all = gather_all(comm, mine);
   for (size_t i = 0; i + 6 < all.size(); i += 7)
     keep(static_cast<int>(all[i]), static_cast<int>(all[i + 1]),
          {all.begin() + static_cast<long>(i), all.begin() + static_cast<long>(i) + 7});

@@ -17,9 +17,11 @@
 #include "hawser/io/case_reader.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/check.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/held_bodies.hpp"
+#include "hawser/run/output_place.hpp"
 #include "hawser/run/run_parts.hpp"
 #include "hawser/run/volumes.hpp"
 
@@ -36,14 +38,8 @@ struct Row {
 // Those that lines are tied to.
 std::vector<std::string> carriers(const model::Case& c) {
   std::vector<std::string> out;
-  for (const model::Body& b : c.bodies) {
-    const auto here = [&b](const model::End& e) {
-      return e.kind == model::EndKind::body && e.body == b.name;
-    };
-    if (std::any_of(c.lines.begin(), c.lines.end(),
-                    [&](const model::Line& l) { return here(l.end_a) || here(l.end_b); }))
-      out.push_back(b.name);
-  }
+  for (const model::Body& b : c.bodies)
+    if (!model::line_ends_at(c, b).empty()) out.push_back(b.name);
   return out;
 }
 
@@ -80,10 +76,7 @@ constexpr std::string_view kHead = "x offset [m],y offset [m],z offset [m],rx of
 
 // A file that the case reads, or that is no such table, is not replaced.
 void check_output(const std::string& path, const std::vector<std::string>& inputs) {
-  std::error_code error;
-  for (const std::string& input : inputs)
-    if (std::filesystem::equivalent(path, input, error))
-      throw InputError("cannot write the table to {}: the case reads it; give another file with -o", path);
+  check_not_read("the table", path, {path}, inputs);
   std::ifstream file(path, std::ios::binary);
   std::string head(kHead.size(), ' ');
   if (file && !(file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead))

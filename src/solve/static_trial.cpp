@@ -8,7 +8,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
-#include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/line_candidates.hpp"
 
 namespace hawser {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cassert>
 #include <cstring>
 
 #include "hawser/base/handle.hpp"
@@ -13,9 +12,9 @@
 namespace hawser {
 namespace {
 
-// Multiplies three columns of a row-major matrix with m rows by T from the right.
-void turn_columns(const Mat3& T, int m, double* p) {
-  for (int r = 0; r < m; ++r, p += m) {
+// Multiplies three columns of a row-major matrix with `rows` rows of m entries by T from the right.
+void turn_columns(const Mat3& T, int rows, int m, double* p) {
+  for (int r = 0; r < rows; ++r, p += m) {
     const double a0 = p[0], a1 = p[1], a2 = p[2];
     for (int c = 0; c < 3; ++c) p[c] = a0 * T(0, c) + a1 * T(1, c) + a2 * T(2, c);
   }
@@ -42,16 +41,16 @@ inline void add_transposed(const double* J, int m, double* to) {
   to[8] += r2[2];
 }
 
-// J = w A or J += w A for n x n blocks. The usual numbers of blocks have loops of constant length.
-template <bool first, int n>
-void weigh(double w, const double* A, double* J) {
-  for (int i = 0; i < 9 * n * n; ++i) J[i] = (first ? 0 : J[i]) + w * A[i];
-}
+// J = w A or J += w A. The usual numbers of entries, of 2 x 2 and 4 x 4 blocks, have loops of constant
+// length.
 template <bool first>
-void weigh(int n, double w, const double* A, double* J) {
-  if (n == 2) return weigh<first, 2>(w, A, J);
-  if (n == 4) return weigh<first, 4>(w, A, J);
-  for (int i = 0; i < 9 * n * n; ++i) J[i] = (first ? 0 : J[i]) + w * A[i];
+void weigh(int entries, double w, const double* A, double* J) {
+  const auto all = [=](int count) {
+    for (int i = 0; i < count; ++i) J[i] = (first ? 0 : J[i]) + w * A[i];
+  };
+  if (entries == 36) return all(36);
+  if (entries == 144) return all(144);
+  all(entries);
 }
 
 }  // namespace
@@ -65,81 +64,90 @@ void Assembler::add_force(int b, double x, double y, double z) {
   (*squares_)[b] += x * x + y * y + z * z;
 }
 
-void Assembler::add(std::span<const int> blocks, const double* f, const double* K, const double* C,
-                    const double* M) {
-  const int n = static_cast<int>(blocks.size());
-  assert(n <= kMaxBlocks);
-  const int* block = blocks.data();
+void Assembler::add(std::span<const int> rows, std::span<const int> columns, const double* f, const double* K,
+                    const double* C, const double* M) {
   if (force_ && f)
-    for (int i = 0; i < n; ++i) add_force(block[i], f[3 * i], f[3 * i + 1], f[3 * i + 2]);
+    for (size_t i = 0; i < rows.size(); ++i) add_force(rows[i], f[3 * i], f[3 * i + 1], f[3 * i + 2]);
   if (!matrix_) return;
-  if (std::any_of(blocks.begin(), blocks.end(), [this](int b) { return tied(b); }))
-    return add_tied(blocks, K, C, M);
+  const auto is_tied = [this](int b) { return tied(b); };
+  if (std::any_of(columns.begin(), columns.end(), is_tied) || std::any_of(rows.begin(), rows.end(), is_tied))
+    return add_tied(rows, columns, K, C, M);
 
-  const int m = 3 * n;
-  double J[9 * kMaxBlocks * kMaxBlocks + 1];
+  const int n = 3 * static_cast<int>(rows.size()), m = 3 * static_cast<int>(columns.size()), entries = n * m;
+  constexpr int kFew = 576;
+  double few[kFew + 1];
+  std::vector<double> many(entries > kFew ? static_cast<size_t>(entries) + 1 : 0);
+  double* J = entries > kFew ? many.data() : few;
   if (K && weights_.K != 0) {
-    weigh<true>(n, weights_.K, K, J);
-    for (int j = 0; j < n; ++j)
-      if (const int turn = (*turn_of_)[block[j]]; turn >= 0) turn_columns((*retraction_)[turn], m, J + 3 * j);
+    weigh<true>(entries, weights_.K, K, J);
+    for (size_t j = 0; j < columns.size(); ++j)
+      if (const int turn = (*turn_of_)[columns[j]]; turn >= 0)
+        turn_columns((*retraction_)[turn], n, m, J + 3 * j);
   } else {
-    std::fill(J, J + m * m, 0.0);
+    std::fill(J, J + entries, 0.0);
   }
-  if (C && weights_.C != 0) weigh<false>(n, weights_.C, C, J);
-  if (M && weights_.M != 0) weigh<false>(n, weights_.M, M, J);
-  put(block, n, J);
+  if (C && weights_.C != 0) weigh<false>(entries, weights_.C, C, J);
+  if (M && weights_.M != 0) weigh<false>(entries, weights_.M, M, J);
+  put(rows, columns, J);
 }
 
 // Derivatives by the unknowns of the frames (TiedNodeForces). The stiffness from the rotation of the forces'
 // arms is added by TiedNodeForces::add_geometric_stiffness.
-void Assembler::add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M) {
+void Assembler::add_tied(std::span<const int> rows, std::span<const int> columns, const double* K,
+                         const double* C, const double* M) {
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  const Eigen::Index m = 3 * static_cast<Eigen::Index>(blocks.size());
-  const auto of = [m](const double* A) { return Eigen::Map<const Matrix>(A, m, m); };
-  const auto [to, P, V] = ties_->unknowns(blocks);
+  const Eigen::Index n = 3 * static_cast<Eigen::Index>(rows.size()),
+                     m = 3 * static_cast<Eigen::Index>(columns.size());
+  const auto of = [n, m](const double* A) { return Eigen::Map<const Matrix>(A, n, m); };
+  const TiedNodeForces::Unknowns on = ties_->unknowns(rows);
+  const auto [to, P, V] = ties_->unknowns(columns);
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(to.size());
-  Matrix k = Matrix::Zero(m, size);
+  Matrix k = Matrix::Zero(n, size);
   if (K) k += of(K) * P;
   if (C) k += of(C) * V;
   if (M) k += ties_->director_weight() * of(M) * V;
-  Matrix J = weights_.K * P.transpose() * k;
+  k *= weights_.K;
   for (Eigen::Index j = 0; j < size; j += 3)
     if (const int turn = (*turn_of_)[to[j / 3]]; turn >= 0)
-      J.middleCols<3>(j) = (J.middleCols<3>(j) * (*retraction_)[turn]).eval();
-  if (C) J += weights_.C * P.transpose() * of(C) * P;
-  if (M) J += weights_.M * P.transpose() * of(M) * P;
+      k.middleCols<3>(j) = (k.middleCols<3>(j) * (*retraction_)[turn]).eval();
+  if (C) k += weights_.C * of(C) * P;
+  if (M) k += weights_.M * of(M) * P;
+  const Matrix J = on.P.transpose() * k;
   std::vector<double> own(J.data(), J.data() + J.size());
   own.push_back(0);
-  put(to.data(), static_cast<int>(to.size()), own.data());
+  put(on.to, to, own.data());
 }
 
-// Adds J to the matrix, without rows and columns of held components. J has one entry more than its n x n
-// blocks.
-void Assembler::put(const int* block, int n, double* J) {
-  const int m = 3 * n;
-  for (int i = 0; i < n; ++i) {
-    const unsigned char held = (*held_)[block[i]];
-    if (!held) continue;
-    for (int c = 0; c < 3; ++c)
-      if (held >> c & 1)
-        for (int k = 0; k < m; ++k) J[(3 * i + c) * m + k] = J[k * m + 3 * i + c] = 0;
-  }
-  for (int i = 0; i < n; ++i) {
-    const int row = block[i];
+// Adds J to the matrix, without rows and columns of held components. J has one entry more than its blocks.
+void Assembler::put(std::span<const int> rows, std::span<const int> columns, double* J) {
+  const size_t n = rows.size(), m = 3 * columns.size();
+  for (size_t i = 0; i < n; ++i)
+    if (const unsigned char held = (*held_)[rows[i]])
+      for (size_t c = 0; c < 3; ++c)
+        if (held >> c & 1) std::fill_n(J + (3 * i + c) * m, m, 0.0);
+  for (size_t j = 0; j < columns.size(); ++j)
+    if (const unsigned char held = (*held_)[columns[j]])
+      for (size_t c = 0; c < 3; ++c)
+        if (held >> c & 1)
+          for (size_t k = 0; k < 3 * n; ++k) J[k * m + 3 * j + c] = 0;
+  const int stride = static_cast<int>(m);
+  for (size_t i = 0; i < n; ++i) {
+    const int row = rows[i];
     if (row >= owned_blocks_) {  // its rank computes it, or gets it from here while sending_
       const bool none = !sending_ || std::all_of(J + 3 * i * m, J + 3 * (i + 1) * m,
                                                  [](double entry) { return entry == 0; });
-      for (int j = 0; j < n && !none; ++j) add_elsewhere(row, block[j], J + 3 * i * m + 3 * j, m);
+      for (size_t j = 0; j < columns.size() && !none; ++j)
+        add_elsewhere(row, columns[j], J + 3 * i * m + 3 * j, stride);
       continue;
     }
     double* to = nullptr;
-    for (int j = 0; j < n; ++j) {
+    for (size_t j = 0; j < columns.size(); ++j) {
       const double* from = J + 3 * i * m + 3 * j;
-      to = block[j] < owned_blocks_ ? own_->at(row, block[j], to) : nullptr;
+      to = columns[j] < owned_blocks_ ? own_->at(row, columns[j], to) : nullptr;
       if (to)
-        add_transposed(from, m, to);
+        add_transposed(from, stride, to);
       else
-        add_elsewhere(row, block[j], from, m);
+        add_elsewhere(row, columns[j], from, stride);
     }
   }
 }
@@ -165,7 +173,7 @@ void Assembler::add_between(int a, int b, const Vec3& f, const Mat3* k, const Ma
     for (const auto& [from, to] : {std::pair(k, K), std::pair(c, C)})
       for (int i = 0; i < 36; ++i)
         to[i] = from ? ((i / 18 == i % 6 / 3) ? 1 : -1) * (*from)(i / 6 % 3, i % 3) : 0;
-    return add_tied(blocks, K, C, nullptr);
+    return add_tied(blocks, blocks, K, C, nullptr);
   }
   double J[37];
   for (int i = 0; i < 3; ++i)
@@ -174,7 +182,7 @@ void Assembler::add_between(int a, int b, const Vec3& f, const Mat3* k, const Ma
       J[6 * i + j] = J[6 * i + 21 + j] = s;
       J[6 * i + 3 + j] = J[6 * i + 18 + j] = -s;
     }
-  put(blocks, 2, J);
+  put(blocks, blocks, J);
 }
 
 void Assembler::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
@@ -196,7 +204,7 @@ void Assembler::add_weighted(int a, int b, const double* f, const double* J) {
   const int blocks[2] = {a, b};
   double own[37];
   std::copy(J, J + 36, own);
-  put(blocks, 2, own);
+  put(blocks, blocks, own);
 }
 
 void Assembler::add_masses(int a, int b, const double* f, double own, double shared) {
@@ -213,8 +221,8 @@ void Assembler::add_masses(int a, int b, const double* f, double own, double sha
     J[7 * i] = weight * own;
     J[6 * i + (i + 3) % 6] = weight * shared;
   }
-  if (frames) return add_tied(blocks, nullptr, nullptr, J);
-  put(blocks, 2, J);
+  if (frames) return add_tied(blocks, blocks, nullptr, nullptr, J);
+  put(blocks, blocks, J);
 }
 
 }  // namespace hawser

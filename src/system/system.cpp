@@ -71,6 +71,7 @@ void System::add(std::unique_ptr<ForceTerm> term) {
   if (limit_event_ < 0) check(PetscLogEventRegister("limit steps", id, &limit_event_));
   take_roles(*term);
   terms_.push_back(std::move(term));
+  for (ActsOnFedLines* t : with<ActsOnFedLines>()) t->feeders_ = fed_lines_;
 }
 
 void System::take_roles(ForceTerm& term) {
@@ -85,6 +86,7 @@ void System::take_roles(ForceTerm& term) {
   take(move_masses_);
   take(carry_tension_);
   take(scale_residuals_);
+  if (const auto fed = dynamic_cast<FedLines*>(&term)) fed_lines_ = fed;
 }
 
 void System::remove(const ForceTerm* term) {
@@ -142,6 +144,7 @@ void System::residual(const Kinematics& trial, Vec r, std::span<const double> ca
   assembler.squares_ = &squares_;
   assembler.owned_blocks_ = mesh_.owned_blocks;
   assembler.ties_ = &ties_;
+  update_fed_lines(trial);
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].force);
     terms_[i]->evaluate(trial, assembler);
@@ -191,6 +194,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
   assembler.held_ = &tied_nodes_.held();
   ties_.move(trial);
   assembler.ties_ = &ties_;
+  update_fed_lines(trial);
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].tangent);
     terms_[i]->evaluate(trial, assembler);
@@ -325,6 +329,7 @@ void System::revert_stiffness() {
 }
 
 void System::prepare(const Kinematics& committed, double h) {
+  update_fed_lines(committed);
   for (size_t i = 0; i < terms_.size(); ++i) {
     const Logged logged(events_[i].prepare);
     terms_[i]->prepare(committed, h);
@@ -340,7 +345,9 @@ void System::expect(const Kinematics& committed, double h) {
 }
 
 void System::commit(const Kinematics& accepted) {
+  update_fed_lines(accepted);
   for (auto& t : terms_) t->commit(accepted);
+  update_fed_lines(accepted);
 }
 
 Energy System::energy(const Kinematics& at) const {

@@ -15,13 +15,6 @@ bool all(MPI_Comm comm, bool here) {
   return yes;
 }
 
-std::vector<double> of_all_ranks(MPI_Comm comm, const std::vector<double>& mine) {
-  const GatherPlan plan(comm, static_cast<int>(mine.size()));
-  std::vector<double> out;
-  plan.gather(mine.data(), out);
-  return out;
-}
-
 }  // namespace
 
 // A node that is coupled with a tied node is also coupled with the frame that carries it.
@@ -85,7 +78,7 @@ void System::reghost_ties() {
                  s.rotation.x(), s.rotation.y(), s.rotation.z(), static_cast<double>(s.position_mask),
                  static_cast<double>(s.rotation_mask), frame});
   }
-  const std::vector<double> everyone = of_all_ranks(comm_, mine);
+  const std::vector<double> everyone = gather_all(comm_, mine);
   for (size_t i = 0; i < everyone.size(); i += kWidth) {
     const double* d = everyone.data() + i;
     const int local = mesh_.find(static_cast<int>(d[0]));

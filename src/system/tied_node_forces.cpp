@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "hawser/math/so3.hpp"
 #include "hawser/system/assembler.hpp"
 
 namespace hawser {
@@ -19,7 +18,7 @@ TiedNodeForces::TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied) {
     t.owned = s.node < mesh.owned;
     t.turns = mesh.rotates(s.node) && s.rotation_mask == 7;
     t.point = !mesh.rotates(s.frame);
-    t.arm = s.at;
+    t.at.y = s.at;
     t.turn = s.rotation.conjugate().toRotationMatrix();
     tie_of_[t.block] = static_cast<int>(ties_.size());
     if (t.turns) tie_of_[t.block + 1] = static_cast<int>(ties_.size());
@@ -30,9 +29,8 @@ TiedNodeForces::TiedNodeForces(const LocalMesh& mesh, const TiedNodes& tied) {
 void TiedNodeForces::move(const Kinematics& trial) {
   director_weight_ = trial.director_weight;
   for (Tie& t : ties_) {
-    t.R = trial.q[t.frame_node].toRotationMatrix();
-    t.place = -t.R * hat(t.arm);
-    t.rate = -t.R * hat(trial.w[t.frame_node].cross(t.arm));
+    t.at.R = trial.q[t.frame_node].toRotationMatrix();
+    t.at.w = trial.w[t.frame_node];
   }
 }
 
@@ -44,7 +42,7 @@ void TiedNodeForces::add_forces(std::vector<double>& force, std::vector<double>&
     at(t.frame) += f;
     squares[t.frame] += f.squaredNorm();
     if (t.point) continue;
-    Vec3 moment = t.arm.cross(t.R.transpose() * f);
+    Vec3 moment = t.at.moment(f);
     if (t.turns) moment += t.turn.transpose() * at(t.block + 1);
     at(t.frame + 1) += moment;
     squares[t.frame + 1] += moment.squaredNorm();
@@ -55,11 +53,9 @@ void TiedNodeForces::add_geometric_stiffness(const std::vector<double>& force, b
                                              Assembler& assembler) const {
   for (const Tie& t : ties_) {
     if (!t.owned || t.point) continue;
-    const Vec3 f = t.R.transpose() * Eigen::Map<const Vec3>(force.data() + 3 * t.block);
-    Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K = hat(t.arm) * hat(f);
-    if (convex)
-      K = std::max(-t.arm.dot(f), 0.0) *
-          (Mat3::Identity() - t.arm * t.arm.transpose() / std::max(t.arm.squaredNorm(), 1e-300));
+    const Eigen::Map<const Vec3> f(force.data() + 3 * t.block);
+    const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> K =
+        convex ? t.at.convex_moment_by_turn(f) : t.at.moment_by_turn(f);
     const int block = t.frame + 1;
     assembler.add({&block, 1}, nullptr, K.data(), nullptr, nullptr);
   }
@@ -88,8 +84,8 @@ TiedNodeForces::Unknowns TiedNodeForces::unknowns(std::span<const int> blocks) c
     }
     z.P.block<3, 3>(i, place(t.frame)).setIdentity();
     if (t.point) continue;
-    z.P.block<3, 3>(i, place(t.frame + 1)) = t.place;
-    z.V.block<3, 3>(i, place(t.frame + 1)) = t.rate;
+    z.P.block<3, 3>(i, place(t.frame + 1)) = t.at.by_turn();
+    z.V.block<3, 3>(i, place(t.frame + 1)) = t.at.velocity_by_turn();
   }
   const Eigen::Index size = 3 * static_cast<Eigen::Index>(z.to.size());
   z.P.conservativeResize(m, size);

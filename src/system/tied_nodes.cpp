@@ -2,6 +2,7 @@
 // rotations and rates of nodes tied to a rigid frame.
 #include "hawser/system/tied_nodes.hpp"
 
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -74,8 +75,9 @@ void TiedNodes::follow(State& out) const {
     const Mat3 D =
         out.directors.empty() ? director_acceleration(out.q[f], out.w[f], out.alpha[f]) : out.directors[f];
     if (s.position_mask == 7) {
-      out.x[n] = out.x[f] + out.q[f] * s.at;
-      out.v[n] = out.v[f] + out.q[f] * out.w[f].cross(s.at);
+      const FramePoint p{s.at, out.q[f].toRotationMatrix(), out.w[f]};
+      out.x[n] = out.x[f] + p.arm();
+      out.v[n] = out.v[f] + p.velocity();
       out.a[n] = out.a[f] + D * s.at;
     }
     if (s.rotation_mask != 7 || !mesh_->rotates(s.node)) continue;

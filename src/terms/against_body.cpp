@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -13,6 +14,9 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
   using Matrix = AgainstBody::Matrix;
   const Eigen::Index n = 3 * static_cast<Eigen::Index>(line.size()), m = n + 6;
   const Eigen::Map<const Eigen::VectorXd> on_line(f, n);
+  const auto point = [&](const LineBlock& l) {
+    return FramePoint{body.R.transpose() * (l.x - body.x), body.R};
+  };
   Matrix G = Matrix::Zero(n, 6);
   for (size_t i = 0; i < line.size(); ++i) {
     const LineBlock& l = line[i];
@@ -22,7 +26,7 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
       continue;
     }
     G.block<3, 3>(at, 0).setIdentity();
-    G.block<3, 3>(at, 3) = -hat(l.x - body.x) * body.R;
+    G.block<3, 3>(at, 3) = point(l).by_turn();
   }
   AgainstBody out;
   out.f.resize(m);
@@ -52,7 +56,7 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
         }
         turned.block<3, 3>(3, at) = body.R.transpose() * hat(fi);
         turned.block<3, 3>(3, n) -= body.R.transpose() * hat(fi);
-        sum += body.R.transpose() * (l.x - body.x).cross(fi);
+        sum += point(l).moment(fi);
       }
       turned.block<3, 3>(3, n + 3) -= hat(sum);
     }
@@ -74,28 +78,24 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
 void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
                       bool counted, const double* f, const double* K, const double* C) {
   const AgainstBody all = against_body(line, body, !assembler.convex(), f, K, C);
-  std::array<int, Assembler::kMaxBlocks> blocks{};
-  for (size_t i = 0; i < line.size(); ++i) blocks[i] = line[i].block;
-  blocks[line.size()] = body.block;
-  blocks[line.size() + 1] = body.block + 1;
-  const Eigen::Index m = all.f.size();
-  const auto only = [&](Eigen::Index first, Eigen::Index rows, bool send) {
-    AgainstBody part = all;
-    const auto cut = [&](auto& of) {
-      if (of.size() == 0) return;
-      of.topRows(first).setZero();
-      of.bottomRows(m - first - rows).setZero();
+  const size_t n = line.size();
+  std::array<int, AgainstBody::kBlocks> numbers{};
+  const std::span<const int> blocks(numbers.data(), n + 2);
+  for (size_t i = 0; i < n; ++i) numbers[i] = line[i].block;
+  numbers[n] = body.block;
+  numbers[n + 1] = body.block + 1;
+  const auto add = [&](size_t first, size_t count) {
+    const auto rows = [&](const AgainstBody::Matrix& of) {
+      return of.size() > 0 ? of.row(3 * static_cast<Eigen::Index>(first)).data() : nullptr;
     };
-    cut(part.f);
-    cut(part.K);
-    cut(part.C);
-    assembler.send(send);
-    assembler.add({blocks.data(), line.size() + 2}, part.f.data(), K ? part.K.data() : nullptr,
-                  C ? part.C.data() : nullptr, nullptr);
-    assembler.send(false);
+    assembler.add(blocks.subspan(first, count), blocks, all.f.data() + 3 * first, rows(all.K), rows(all.C),
+                  nullptr);
   };
-  only(0, m - 6, false);
-  if (counted) only(m - 6, 6, true);
+  add(0, n);
+  if (!counted) return;
+  assembler.send(true);
+  add(n, 2);
+  assembler.send(false);
 }
 
 }  // namespace hawser

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "hawser/math/so3.hpp"
+#include "hawser/kernels/stencil.hpp"
 
 namespace hawser {
 
@@ -21,12 +21,11 @@ AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMes
     return now;
   }
   const int local = mesh.find(carrier);
-  now.R = at.q[local].toRotationMatrix();
-  now.arm = a.body < 0 ? a.at : bodies.in_node_axes(a.body, a.at, a.direction);
-  now.rate = at.w[local].cross(now.arm);
-  now.x = now.R * now.arm;
-  now.v = now.R * now.rate;
-  if (!now.arm.isZero(0) && mesh.rotates(local)) now.turn = mesh.block[local] + 1;
+  const Vec3 y = a.body < 0 ? a.at : bodies.in_node_axes(a.body, a.at, a.direction);
+  now.point = {y, at.q[local].toRotationMatrix(), at.w[local]};
+  now.x = now.point.arm();
+  now.v = now.point.velocity();
+  if (!y.isZero(0) && mesh.rotates(local)) now.turn = mesh.block[local] + 1;
   if (a.direction) return now;
   now.place = mesh.block[local];
   now.x += at.x[local];
@@ -36,37 +35,35 @@ AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMes
 
 void add_between(Assembler& assembler, const AttachedNow& a, const AttachedNow& b, const Vec6& f,
                  const Mat6& k, const Mat6& c) {
-  constexpr int kMost = 12;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMost, kMost>;
-  using Columns = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMost>;
   std::array<int, 4> blocks{};
-  size_t count = 0;
-  Columns P = Columns::Zero(6, kMost), V = Columns::Zero(6, kMost);
-  Matrix geometric = Matrix::Zero(kMost, kMost);
-  for (const auto& [side, row] : {std::pair(&a, 0), std::pair(&b, 3)}) {
-    if (side->place >= 0) {
-      P.block<3, 3>(row, 3 * static_cast<Eigen::Index>(count)).setIdentity();
-      blocks[count++] = side->place;
-    }
-    if (side->turn < 0) continue;
-    const Eigen::Index at = 3 * static_cast<Eigen::Index>(count);
-    P.block<3, 3>(row, at) = -side->R * hat(side->arm);
-    V.block<3, 3>(row, at) = -side->R * hat(side->rate);
-    const Vec3 y = side->arm, g = side->R.transpose() * f.segment<3>(row);
-    if (assembler.convex())
-      geometric.block<3, 3>(at, at) =
-          std::max(-y.dot(g), 0.0) * (Mat3::Identity() - y * y.transpose() / y.squaredNorm());
-    else
-      geometric.block<3, 3>(at, at) = hat(y) * hat(g);
-    blocks[count++] = side->turn;
+  Stencil stencil;
+  const auto number = [&](int block) {
+    if (block >= 0) blocks[stencil.blocks] = block;
+    return block >= 0 ? stencil.blocks++ : -1;
+  };
+  for (const AttachedNow* side : {&a, &b}) {
+    const int place = number(side->place);
+    stencil.add({place, number(side->turn), side->point});
   }
-  if (count == 0) return;
-  const Eigen::Index m = 3 * static_cast<Eigen::Index>(count);
-  P.conservativeResize(6, m);
-  V.conservativeResize(6, m);
-  const Eigen::VectorXd force = P.transpose() * f;
-  const Matrix K = P.transpose() * (k * P + c * V) + geometric.topLeftCorner(m, m), C = P.transpose() * c * P;
-  assembler.add({blocks.data(), count}, force.data(), K.data(), C.data(), nullptr);
+  if (stencil.blocks == 0) return;
+  AttachedForces g(2);
+  for (const int i : {0, 1}) {
+    g.F[i] = f.segment<3>(3 * i);
+    for (const int j : {0, 1}) {
+      block_of(g.K, i, j) = k.block<3, 3>(3 * i, 3 * j);
+      block_of(g.C, i, j) = c.block<3, 3>(3 * i, 3 * j);
+    }
+  }
+  const int m = 3 * stencil.blocks;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 12, 12>;
+  Matrix K = Matrix::Zero(m, m), C = K;
+  std::array<double, 12> force{};
+  stencil.to_blocks(g, !assembler.convex(), force.data(), K.data(), C.data());
+  for (const size_t i : {0, 1})
+    if (const AttachedPosition& p = stencil.at[i]; assembler.convex() && p.rotation >= 0)
+      K.block<3, 3>(3 * p.rotation, 3 * p.rotation) += p.point.convex_moment_by_turn(g.F[i]);
+  assembler.add({blocks.data(), static_cast<size_t>(stencil.blocks)}, force.data(), K.data(), C.data(),
+                nullptr);
 }
 
 }  // namespace hawser

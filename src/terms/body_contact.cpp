@@ -7,9 +7,11 @@
 #include <stdexcept>
 
 #include "body_contact_points.hpp"
+#include "hawser/math/so3.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/contact_laws.hpp"
+#include "hawser/terms/previous_slip.hpp"
 
 namespace hawser {
 namespace {
@@ -19,6 +21,20 @@ constexpr double kMostSmoothing = 0.01;  // m
 constexpr double kDeepestAtOnce = 0.05;  // of that size, m/m; less where it would get through something thin
 constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/32
 
+// A contact point of a feature, in a checkpoint.
+struct FeaturePoint {
+  int feature = 0;
+  AxisContactPoint point;
+
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("feature", "", self.feature);
+    AxisContactPoint::quantities(self.point, each);
+  }
+};
+
+Vec3 place(const SkeletonPart& part, double xi) { return part.from + xi * (part.to - part.from); }
+
 AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
   AxisEnds e;
   e.beam = false;
@@ -26,6 +42,7 @@ AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
   e.x2 = body.to_space(to);
   e.v1 = body.velocity(from);
   e.v2 = body.velocity(to);
+  e.q1 = e.q2 = Quat(body.R);
   return AxisShape(e);
 }
 
@@ -74,6 +91,9 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     // Where the other volume is softer the stiffness of the two is that one's.
     pair.law = normal_law(v, p.stiffness / v.normal_stiffness,
                           std::min(kSmoothing * pair.size, kMostSmoothing), pair.mass / units);
+    pair.friction = friction_law(p.friction, 1, pair.size);
+    if (p.friction.mobilisation_length == 0 && p.friction.shear_stiffness == 0)
+      pair.friction.stiffness = pair.law.stiffness;
     if (!pairs_.empty() && pairs_.back().a == pair.b && pairs_.back().b == pair.a) {
       pair.other = static_cast<int>(pairs_.size()) - 1;
       pairs_.back().other = static_cast<int>(pairs_.size());
@@ -107,7 +127,6 @@ void BodyContactTerm::update_ghosts() {
   }
   for (Pair& p : pairs_) {
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
-    const auto owned = [&](const PairBody& s) { return s.node >= 0 && s.node < mesh_.owned; };
     p.here = owned(a) || owned(b);
     p.counted = a.global >= 0 ? owned(a) : owned(b);
   }
@@ -142,8 +161,9 @@ bool BodyContactTerm::near(size_t volume, const Vec3& centre, double radius, dou
 }
 
 void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const RigidPose& pose,
-                                      const SkeletonPart& e, const AxisContactMode& mode, double* f,
-                                      double* K, double* C, Sum& sum) const {
+                                      const SkeletonPart& e, const AxisContactMode& mode,
+                                      const FrictionLaw& friction, double* f, double* K, double* C, Sum& sum,
+                                      TouchingPoints* touching) const {
   const Surface& surface = *volumes_[pair.b].surface;
   const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
                weight = pair.share * length;
@@ -151,26 +171,28 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   const auto query = [&](double xi, double within) {
     return surface.query(pose.to_body(shape.point(xi)), within);
   };
+  // Friction acts at the surface of a round bar, which rolls with the body.
+  std::optional<AxisContact::Rolls> rolls;
+  if (friction.active() && e.radius > 0)
+    rolls.emplace().ends.fill(axis_roll(Quat(pair.at.turn()), Quat(at.turn()), (e.to - e.from).normalized()));
   ContactQuadrature found;
-  const AxisGapFunction gap = axis_distance(surface, pose, shape, contact_distance);
+  auto gap = axis_distance(surface, pose, shape, contact_distance);
   found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
                    [&](double xi) { return query(xi, contact_distance); });
   if (found.quadrature.empty()) return;
-  AxisContact contact(shape, pose,
-                      {e.radius,
-                       weight,
-                       [&](const ContactPanel&) {
-                         return ContactLaw{pair.law, {}};
-                       },
-                       [&](const ContactPanel&, double xi) { return query(xi, contact_distance + 1e-9); },
-                       {}},
-                      mode);
+  const auto law = [&](const ContactPanel&) { return ContactLaw{pair.law, friction}; };
+  const auto beyond = [&](const ContactPanel&, double xi) { return query(xi, contact_distance + 1e-9); };
+  const auto start = [&](const ContactPanel&, double xi, ContactRates* rates) {
+    return start_of(pair, at, e, xi, rates);
+  };
+  AxisContact contact(shape, pose, e.radius, weight, mode, rolls);
   std::vector<AxisContactPoint> points;
-  contact.add(found, &points);
+  contact.add(found, {law, beyond, start}, &points);
   if (points.empty()) return;
   Stencil stencil;
   stencil.blocks = 2;
-  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, y - at.A.centre, at.A.R, at.A.w});
+  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, {y - at.A.centre, at.A.R, at.A.w}});
+  for (size_t i = 0; i < 2; ++i) stencil.turns[i] = {-1, 1, {Vec3::Zero(), at.A.R, at.A.w}};
   contact.to_blocks(stencil, f, K, C);
   sum.active = true;
   for (const AxisContactPoint& p : points) {
@@ -179,10 +201,59 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
     sum.damping_power -= p.weight * p.damping_force * (pose.rotation * p.normal).dot(speed);
     sum.depth = std::max(sum.depth, -p.gap);
   }
+  if (touching) (*touching)[volumes_[pair.a].skeleton.features.index(e)] = std::move(points);
 }
 
-BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
-                                              const AxisContactMode& mode) const {
+bool BodyContactTerm::driven(const Pair& pair, const Both& at) const {
+  const auto moves = [&](size_t volume, const BodyFrame& f) {
+    return bodies_of_volumes_[volume].global < 0 && !(f.v.isZero(0) && f.w.isZero(0));
+  };
+  return moves(pair.a, at.A) || moves(pair.b, at.B);
+}
+
+ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, const SkeletonPart& part,
+                                       double xi, ContactRates* rates) const {
+  const Vec3 y = place(part, xi), slope = pair.at.turn() * (part.to - part.from);
+  ContactStart s;
+  s.point = pair.at.across(y);
+  if (part.from != part.to) s.tangent = slope.normalized();
+  if (rates) rates->start_point = slope;
+  const auto known = pair.touching.find(volumes_[pair.a].skeleton.features.index(part));
+  if (known != pair.touching.end() && previous_slip(known->second, xi, s, rates)) return s;
+  // What touches now was no farther away than it has moved since.
+  const double within =
+      (trial.across(y) - s.point).norm() + part.radius + pair.law.smoothing + 1e-6 * pair.size;
+  const auto q = volumes_[pair.b].surface->query(s.point, within);
+  s.gap = q ? q->distance - part.radius : within;
+  if (q && rates) rates->start_gap = q->normal.dot(slope);
+  return s;
+}
+
+// Of the trapezoidal rule: friction on the displacement z1 - z0 of the point against the surface, with that
+// of the surface of what is round by its rotation phi, -r phi x n; of a bar only the rotation about its axis.
+double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
+                                         const TouchingPoints& points) const {
+  const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
+  const Vec3 turned = log_so3(Quat(Mat3(trial.turn() * pair.at.turn().transpose())));
+  double sum = 0;
+  for (const auto& [feature, touching] : points) {
+    const SkeletonPart& part = parts[feature];
+    Vec3 rotation = turned;
+    if (part.from != part.to) {
+      const Vec3 along = (pair.at.turn() * (part.to - part.from)).normalized();
+      rotation = along * along.dot(turned);
+    }
+    for (const AxisContactPoint& p : touching) {
+      const Vec3 y = place(part, p.xi);
+      const Vec3 moved = trial.across(y) - pair.at.across(y) - part.radius * rotation.cross(p.normal);
+      sum -= 0.5 * p.weight * p.friction.dot(moved);
+    }
+  }
+  return sum;
+}
+
+BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at, const AxisContactMode& mode,
+                                              const FrictionLaw& friction, TouchingPoints* touching) const {
   const BodyFrame &A = at.A, &B = at.B;
   RigidPose pose;  // of the surface
   pose.position = B.to_space(Vec3::Zero());
@@ -194,11 +265,18 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
   std::array<double, 6> f{};
   std::array<double, 36> K{}, C{};
   double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
-  BodyContactPoints points(A, B, mode);
+  const Vec3 turned =
+      friction.active() ? log_so3(Quat(Mat3(at.turn() * pair.at.turn().transpose()))) : Vec3(Vec3::Zero());
+  BodyContactPoints points(A, B, turned, mode);
   const auto point = [&](const SkeletonPart& p) {
     const Vec3 z = points.place(p.from);
-    if (const auto s = volumes_[pair.b].surface->query(z, p.radius + pair.law.smoothing))
-      points.add(pair.law, *s, z, p.radius, pair.share * p.weight);
+    const auto s = volumes_[pair.b].surface->query(z, p.radius + pair.law.smoothing);
+    if (!s) return;
+    const ContactStart start = friction.active() ? start_of(pair, at, p, 0, nullptr) : ContactStart();
+    const AxisContactPoint at_point =
+        points.add({pair.law, friction}, start, *s, z, p.radius, pair.share * p.weight);
+    if (touching && at_point.normal_force > 0)
+      (*touching)[volumes_[pair.a].skeleton.features.index(p)] = {at_point};
   };
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& y, double r) { return near(pair.b, at.across(y), r, pair.law.smoothing); },
@@ -206,7 +284,7 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at,
         if (p.from == p.to)
           point(p);
         else
-          contact_of_edge(pair, at, pose, p, mode, f.data(), k, c, sum);
+          contact_of_edge(pair, at, pose, p, mode, friction, f.data(), k, c, sum, touching);
       });
   if (points.active()) {
     points.to_body(f.data(), k, c);
@@ -230,7 +308,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!p.here) continue;
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
     const bool tangent = assembler.needs_tangent();
-    const Sum s = contact(p, both(p, trial), {true, tangent, false});
+    const Sum s = contact(p, both(p, trial), {true, tangent, false}, friction_in(p, trial.step));
     if (!s.active) continue;
     // Rows and columns of bodies with unknowns.
     const Eigen::Index first = a.global < 0 ? 6 : 0, count = a.global < 0 || b.global < 0 ? 6 : 12;
@@ -258,14 +336,25 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     p.energy = relative_energy(p, p.at) + s.potential;
     p.damping_power = s.damping_power;
     p.work_power = s.work_power;
+    const FrictionLaw friction = friction_in(p, h);
+    if (s.active && friction.active() && driven(p, p.at))
+      p.work_power = contact(p, p.at, {true}, friction).work_power;
   }
   if (h > 0) check_overlap(committed.time);
 }
 
 void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
+    if (!p.here) continue;
+    const Both now = both(p, accepted);
+    const FrictionLaw friction = friction_in(p, accepted.step);
+    TouchingPoints touching;
+    const Sum s = contact(p, now, {true}, friction, friction.active() ? &touching : nullptr);
+    if (accepted.step > 0) {
+      p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
+      p.touching = std::move(touching);
+    }
     if (!p.counted) continue;
-    const Sum s = contact(p, both(p, accepted), {true});
     p.depth = std::max(p.depth, s.depth);
     p.potential = s.potential;
     p.now.force = s.on.f.segment<3>(0).norm();
@@ -284,6 +373,7 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
     if (!p.counted) continue;
     e.strain += at.step > 0 ? p.potential : contact(p, both(p, at), kSprings).potential;
     e.damping += p.damping;
+    e.friction += p.dissipated;
     e.work += p.work;
   }
   return e;
@@ -306,16 +396,29 @@ double BodyContactTerm::largest_penetration() const {
   return depth;
 }
 
-// Kept with the node of the first floating body of a pair.
-std::vector<HistoryKind> BodyContactTerm::history() const { return {history_kind<Pair>("sums of a pair")}; }
+// The sums are kept with the node of the first floating body of a pair; what touches with those of both,
+// since either may be on another rank.
+std::vector<HistoryKind> BodyContactTerm::history() const {
+  return {history_kind<Pair>("sums of a pair"), history_kind<FeaturePoint>("friction of a pair")};
+}
 
 std::vector<HistoryRecord> BodyContactTerm::records(NodeRange of) const {
   std::vector<HistoryRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
-    const int node =
-        bodies_of_volumes_[p.a].global >= 0 ? bodies_of_volumes_[p.a].global : bodies_of_volumes_[p.b].global;
-    if (p.counted && of.has(node)) out.push_back(record_of(node, static_cast<int>(i), p));
+    const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
+    const int node = a.global >= 0 ? a.global : b.global, key = static_cast<int>(i);
+    if (p.counted && of.has(node)) out.push_back(record_of(node, key, p));
+    for (const PairBody* body : {&a, &b}) {
+      if (p.touching.empty() || !owned(*body) || !of.has(body->global)) continue;
+      HistoryRecord r;
+      r.node = body->global;
+      r.key = key;
+      r.kind = 1;
+      for (const auto& [feature, points] : p.touching)
+        for (const AxisContactPoint& c : points) put(FeaturePoint{feature, c}, r.values);
+      out.push_back(std::move(r));
+    }
   }
   return out;
 }
@@ -324,9 +427,15 @@ void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
   for (const HistoryRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size()) continue;
     Pair& p = pairs_[r.key];
+    if (r.kind == 1) {
+      p.touching.clear();
+      for (const FeaturePoint& f : entries<FeaturePoint>(r)) p.touching[f.feature].push_back(f.point);
+      continue;
+    }
     if (!p.counted) continue;
     const Pair kept = entry<Pair>(r);
     p.damping = kept.damping;
+    p.dissipated = kept.dissipated;
     p.work = kept.work;
     p.depth = kept.depth;
     p.met = kept.met;

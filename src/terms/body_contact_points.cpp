@@ -8,7 +8,7 @@
 
 namespace hawser {
 
-BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& surface,
+BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& surface, const Vec3& turned,
                                      const AxisContactMode& mode)
     : body_(body),
       mode_(mode),
@@ -18,12 +18,17 @@ BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& sur
       velocity_(to_axes_ * (body.v - surface.velocity(centre_))),
       turning_(turn_ * body.w - surface.w),
       own_turning_(turn_ * body.w),
-      surface_turning_(surface.w) {}
+      surface_turning_(surface.w),
+      turned_(turned),
+      turned_by_turn_(inverse_right_jacobian(-turned)) {}
 
-// A motion (d, t) of the body, in axes of the surface, moves the point at the arm b by d + t x b and changes
-// its velocity by t x (w x b) and the velocity of that motion.
-void BodyContactPoints::add(const NormalLaw& law, const SurfacePoint& at, const Vec3& z, double radius,
-                            double weight) {
+// A motion (d, t) of the body, in axes of the surface, moves the point at the arm b by d + t x b, changes its
+// velocity by t x (w x b) and the velocity of that motion, and the rotation vector phi since the start of the
+// step by J_l(phi)^-1 t. The force acts at the arm c = b - r n, where a ball touches:
+//   m = c x f,   dm = dc x f + c x df,   dc = t x b - r H (d + t x b),
+// less t x m, since the moment is taken in axes of the body.
+AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStart& start,
+                                        const SurfacePoint& at, const Vec3& z, double radius, double weight) {
   const Vec3 arm = z - centre_, speed = velocity_ + turning_.cross(arm);
   ContactTrial trial;
   trial.point = z;
@@ -31,35 +36,47 @@ void BodyContactPoints::add(const NormalLaw& law, const SurfacePoint& at, const 
   trial.normal = at.normal;
   if (!mode_.convex) trial.curvature = at.curvature;
   if (mode_.moves) trial.velocity = speed;
-  const PointContact c = volume_contact({law, {}}, {}, trial, mode_.tangent);
+  trial.lever = radius;
+  const BallContact c = radius > 0 ? ball_contact(law, start, trial, turned_, mode_.tangent)
+                                   : BallContact{volume_contact(law, start, trial, mode_.tangent)};
+  AxisContactPoint point(c, trial.normal);
+  point.weight = weight;
+  point.gap = trial.gap;
   if (c.normal.elastic > 0) {
     active_ = true;
     potential_ += weight * c.normal.potential;
     damping_power_ -= weight * (c.normal.force - c.normal.elastic) * trial.normal.dot(speed);
     depth_ = std::max(depth_, -trial.gap);
   }
-  if (!(c.normal.force > 0)) return;
-  const Vec3 f = -weight * c.force;
+  if (!(c.normal.force > 0)) return point;
+  const Vec3 f = -weight * c.force, touch = arm - radius * trial.normal;
   force_ += f;
-  moment_ += arm.cross(f);
-  if (!mode_.tangent) return;
-  const Mat3 b = hat(arm);
+  moment_ += touch.cross(f);
+  if (!mode_.tangent) return point;
+  const Mat3 b = hat(arm), m = hat(touch);
   Mat3 K = -weight * c.by_point, by_turn = -K * b;
-  if (mode_.moves && law.damping > 0) {
+  if (radius > 0) by_turn -= weight * c.by_turn * turned_by_turn_;
+  if (mode_.moves && (law.normal.damping > 0 || law.friction.blends())) {
     const Mat3 C = -weight * c.by_velocity, Cb = C * b;
     const Mat3 by_spin = C * hat(surface_turning_);
     K -= by_spin;
     by_turn += by_spin * b - C * hat(own_turning_.cross(arm));
     C_.topLeftCorner<3, 3>() += C;
     C_.topRightCorner<3, 3>() -= Cb;
-    C_.bottomLeftCorner<3, 3>() += b * C;
-    C_.bottomRightCorner<3, 3>() -= b * Cb;
+    C_.bottomLeftCorner<3, 3>() += m * C;
+    C_.bottomRightCorner<3, 3>() -= m * Cb;
   }
   K_.topLeftCorner<3, 3>() += K;
   K_.topRightCorner<3, 3>() += by_turn;
-  K_.bottomLeftCorner<3, 3>() += b * K;
-  K_.bottomRightCorner<3, 3>() += b * by_turn;
-  if (!mode_.convex) K_.bottomRightCorner<3, 3>() += b * hat(f);  // the arm turns with the body
+  K_.bottomLeftCorner<3, 3>() += m * K;
+  K_.bottomRightCorner<3, 3>() += m * by_turn;
+  if (mode_.convex) return point;
+  K_.bottomRightCorner<3, 3>() += m * hat(f);  // the arm turns with the body
+  if (!(radius > 0)) return point;
+  const Mat3 sinks = radius * hat(f) * trial.curvature;
+  K_.bottomLeftCorner<3, 3>() += sinks;
+  K_.bottomRightCorner<3, 3>() += radius * hat(f) * hat(trial.normal) - sinks * b;
+  return point;
 }
 
 // Positions are in space axes, rotations in those of the body.

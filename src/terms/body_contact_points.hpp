@@ -1,6 +1,6 @@
-// Forces of a surface on points fixed to a body that moves against it, summed into one force and one moment
-// on that body with their exact tangent. Faces are cut into thousands of such points, so all is summed in the
-// axes of the surface, and brought to the body's unknowns once.
+// Forces of a surface, with friction, on points and balls fixed to a body that moves against it, summed into
+// one force and one moment on that body with their exact tangent. Faces are cut into thousands of such
+// points, so all is summed in the axes of the surface, and brought to the body's unknowns once.
 #pragma once
 
 #include "hawser/kernels/rigid_body.hpp"
@@ -11,14 +11,17 @@ namespace hawser {
 
 class BodyContactPoints {
  public:
-  // The body with the points, and the body that the surface belongs to; they outlive it.
-  BodyContactPoints(const BodyFrame& body, const BodyFrame& surface, const AxisContactMode& mode);
+  // The body with the points, and the body that the surface belongs to; they outlive it. turned: rotation
+  // vector of the former against the latter since the start of the step, rad, axes of the surface.
+  BodyContactPoints(const BodyFrame& body, const BodyFrame& surface, const Vec3& turned,
+                    const AxisContactMode& mode);
 
   // The point in the frame of the surface, of one of the body.
   Vec3 place(const Vec3& y) const { return centre_ + turn_ * (y - body_.centre); }
   // Adds what acts on the body at z, a place in the frame of the surface, `weight` times the law. The body
-  // has the given radius there.
-  void add(const NormalLaw& law, const SurfacePoint& at, const Vec3& z, double radius, double weight);
+  // has the given radius there. Returns the contact point; its normal force is zero where nothing touches.
+  AxisContactPoint add(const ContactLaw& law, const ContactStart& start, const SurfacePoint& at,
+                       const Vec3& z, double radius, double weight);
   // Adds the sums to the residual f[6] of the body's position and rotation, K and C [6x6], row-major; null:
   // not asked for.
   void to_body(double* f, double* K, double* C) const;
@@ -37,6 +40,8 @@ class BodyContactPoints {
   // In axes of the surface: velocity of the body's centre and rate of turn against the surface, rate of turn
   // of the body and of the surface.
   Vec3 velocity_, turning_, own_turning_, surface_turning_;
+  Vec3 turned_;
+  Mat3 turned_by_turn_;  // its derivative by a small rotation of the body
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();
   Mat6 K_ = Mat6::Zero(), C_ = Mat6::Zero();  // by motions in axes of the surface
   double potential_ = 0, damping_power_ = 0, depth_ = 0;

@@ -49,7 +49,7 @@ double BodyContactTerm::fastest(const Pair& pair, const Both& at) const {
 std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pair, const Both& at,
                                                                  double within) const {
   const Surface& surface = *volumes_[pair.b].surface;
-  const DistanceField field = distance_to(surface);
+  auto field = distance_to(surface);
   Vec3 y = Vec3::Zero();  // of A
   double gap = within, distance = -HUGE_VAL;
   volumes_[pair.a].skeleton.features.walk(
@@ -157,7 +157,7 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
 // law is wide.
 bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
   const Both &was = pair.at, is = both(pair, trial);
-  const DistanceField field = distance_to(*volumes_[pair.b].surface);
+  auto field = distance_to(*volumes_[pair.b].surface);
   const double smoothing = pair.law.smoothing;
   bool through = false;
   volumes_[pair.a].skeleton.features.walk(

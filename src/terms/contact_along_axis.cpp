@@ -26,11 +26,12 @@ struct AxisContact::Moving {
   std::array<double, 2> torque{};              // dT_i / ds
 };
 
-AxisContact::AxisContact(const AxisShape& shape, const RigidPose& pose, Pair pair,
+AxisContact::AxisContact(const AxisShape& shape, const RigidPose& pose, double radius, double length,
                          const AxisContactMode& mode, std::optional<Rolls> rolls)
     : shape_(shape),
       pose_(pose),
-      pair_(std::move(pair)),
+      radius_(radius),
+      length_(length),
       mode_(mode),
       rolls_(std::move(rolls)),
       n_(static_cast<size_t>(shape.count())),
@@ -41,16 +42,17 @@ AxisContact::AxisContact(const AxisShape& shape, const RigidPose& pose, Pair pai
   for (size_t i = 0; i < 2 && rolls_; ++i) about_[i] = shape_.axes(i) * rolls_->ends[i].by_turn;
 }
 
-void AxisContact::add(const ContactQuadrature& found, std::vector<AxisContactPoint>* points) {
-  for (size_t i = 0; i < found.panels.size(); ++i) add_panel(found, i, points);
+void AxisContact::add(const ContactQuadrature& found, const Pair& pair,
+                      std::vector<AxisContactPoint>* points) {
+  for (size_t i = 0; i < found.panels.size(); ++i) add_panel(found, i, pair, points);
 }
 
-std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& s) const {
+std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& s, const Pair& pair) const {
   std::array<Moving, 2> ends;
   for (size_t i = 0; i < 2; ++i) {
     if (!(i ? s.to_moves : s.from_moves)) continue;
     const double xi = i ? s.to : s.from;
-    const auto p = pair_.query(s, xi);
+    const auto p = pair.query(s, xi);
     if (!p) continue;
     const Vec3 normal = R_ * p->normal;
     const double slope = normal.dot(shape_.slope(xi));
@@ -64,15 +66,15 @@ std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& 
 }
 
 // The tangent is exact, moving ends included.
-void AxisContact::add_panel(const ContactQuadrature& found, size_t panel,
+void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const Pair& pair,
                             std::vector<AxisContactPoint>* points) {
   const ContactPanel& s = found.panels[panel];
   const bool moves = mode_.moves;
-  const double L = pair_.length, span = s.to - s.from;
-  const ContactLaw law = pair_.law(s);
-  const double contact_distance = pair_.radius + law.normal.smoothing;
+  const double L = length_, span = s.to - s.from;
+  const ContactLaw law = pair.law(s);
+  const double contact_distance = radius_ + law.normal.smoothing;
   std::array<Moving, 2> ends;
-  if (mode_.tangent && !mode_.convex) ends = moving_ends(s);
+  if (mode_.tangent && !mode_.convex) ends = moving_ends(s, pair);
   const bool moving = ends[0].on || ends[1].on;
   // Places lie by panel.
   auto place = std::partition_point(found.quadrature.begin(), found.quadrature.end(),
@@ -84,7 +86,7 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel,
     const Vec3 x = shape_.point(xi);
     ContactTrial trial;
     trial.point = pose_.to_body(x);
-    trial.gap = there.at.distance - pair_.radius;
+    trial.gap = there.at.distance - radius_;
     trial.normal = there.at.normal;
     // -N H is the negative geometric stiffness of contact.
     if (!mode_.convex) trial.curvature = there.at.curvature;
@@ -92,10 +94,10 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel,
     if (moves) trial.velocity = back_ * (shape_.velocity(xi) - pose_.velocity_at(x));
     ContactStart begin;
     ContactRates rates;
-    if (law.friction.active()) begin = pair_.start(s, xi, moving ? &rates : nullptr);
+    if (law.friction.active()) begin = pair.start(s, xi, moving ? &rates : nullptr);
     if (rolls_) {
       trial.roll = rolls_->angle(xi);
-      trial.lever = pair_.radius;
+      trial.lever = radius_;
     }
     const PointContact c = volume_contact(law, begin, trial, mode_.tangent);
     if (c.normal.elastic > 0 && points) {

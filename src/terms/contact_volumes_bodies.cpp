@@ -68,13 +68,11 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
     }
   }
   if (!on_any_rank(comm_, missing)) return false;
-  std::vector<double> mine, all;
+  std::vector<int> mine;
   for (const auto& met : wide) mine.insert(mine.end(), met.begin(), met.end());
-  const GatherPlan plan(comm_, static_cast<int>(mine.size()));
-  plan.gather(mine.data(), all);
+  const std::vector<int> all = gather_all(comm_, mine);
   near_.clear();
-  for (size_t i = 0; i + 2 < all.size(); i += 3)
-    near_.push_back({static_cast<int>(all[i]), static_cast<int>(all[i + 1]), static_cast<int>(all[i + 2])});
+  for (size_t i = 0; i + 2 < all.size(); i += 3) near_.push_back({all[i], all[i + 1], all[i + 2]});
   std::sort(near_.begin(), near_.end());
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   return true;

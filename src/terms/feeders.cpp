@@ -45,13 +45,11 @@ BeamFeed feed_of_beam(const Feeder& f, const Kinematics& at, const LocalElement&
 }  // namespace
 
 Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), case_(c) {
-  of_line_.assign(c.lines.size(), {-1, -1});
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const bool at_b : {false, true}) {
       const model::End& end = c.lines[l].end(at_b);
       if (!end.feed) continue;
-      of_line_[l][at_b] = static_cast<int>(feeders_.size());
-      Feeder f;
+      Feeder& f = feeders_.emplace_back();
       f.line = static_cast<int>(l);
       f.at_b = at_b;
       f.feed = *end.feed;
@@ -64,7 +62,6 @@ Feeders::Feeders(const LocalMesh& mesh, const model::Case& c) : mesh_(mesh), cas
       update_feed_point(f);
       f.outside_at_start = outside(f);
       f.resting = f.feed.has_band();
-      feeders_.push_back(std::move(f));
     }
   power_.assign(feeders_.size(), 0);
   pulls_.assign(feeders_.size(), 0);
@@ -96,7 +93,7 @@ double Feeders::outside(const Feeder& f) const {
   return f.length + (f.at_b ? arc : span.length - arc);
 }
 
-void Feeders::update_feed_point(Feeder& f) const {
+void Feeders::update_feed_point(Feeder& f) {
   const Element& g = mesh_.mesh->elements[element(f, f.feed_point)];
   const auto& t = case_.line_types[g.type];
   f.beam = g.beam;
@@ -107,6 +104,28 @@ void Feeders::update_feed_point(Feeder& f) const {
     f.cable = cable_section(case_, g);
   f.mass_per_length = t.mass_per_length;
   f.weight = Vec3(0, 0, -case_.environment.gravity * t.mass_per_length);
+  fed_.resize(feeders_.size());
+  FedLine& entry = fed_[&f - feeders_.data()];
+  entry = {};
+  entry.at_b = f.at_b;
+  entry.element = element(f, f.feed_point);
+  const LineSpan& span = mesh_.mesh->lines[f.line];
+  entry.inside = {span.first_element, entry.element};
+  if (f.at_b) entry.inside = {entry.element + 1, span.first_element + span.elements};
+  entry.before = entry.predicted = entry.length = f.length;
+}
+
+void Feeders::update(const Kinematics& at) {
+  for (size_t k = 0; k < feeders_.size(); ++k) {
+    const FeedPoint m = feed_point(feeders_[k], at, true);
+    FedLine& e = fed_[k];
+    e.before = feeders_[k].length;
+    e.predicted = feed_point(feeders_[k], at, false).length;
+    e.length = m.length;
+    e.length_by_chord = m.by_chord;
+    e.length_by_force = m.length_by_force;
+    e.length_rate = m.length_rate;
+  }
 }
 
 const LocalElement* Feeders::at_feed_point(const Feeder& f) const {
@@ -165,37 +184,8 @@ CableFeed Feeders::feed_of_cable(const Feeder& f, const Kinematics& at, const Lo
   return cable_feed(f.cable, chord(at, e), length, h > 0 ? strain_before(f, e) : 0, h);
 }
 
-std::optional<Feeders::ElementState> Feeders::element_state(int e, const Kinematics& at, bool now) const {
-  const Element& g = mesh_.mesh->elements[e];
-  std::optional<ElementState> out;
-  for (const int k : of_line_[g.line]) {
-    if (k < 0) continue;
-    const Feeder& f = feeders_[k];
-    if (!out) out = ElementState{false, g.length, 0, 0, 0, g.length};
-    const LineSpan& span = mesh_.mesh->lines[f.line];
-    const int i = f.at_b ? span.first_element + span.elements - 1 - e : e - span.first_element;
-    if (i < f.feed_point) out->idle = true;
-    if (i != f.feed_point) continue;
-    const FeedPoint m = feed_point(f, at, now);
-    out->length = m.length;
-    out->length_by_chord = m.by_chord;
-    out->length_by_force = m.length_by_force;
-    out->length_rate = m.length_rate;
-    out->before = f.length;
-    out->feeder = k;
-  }
-  return out;
-}
-
-int Feeders::fed_end(int e) const {
-  for (const int k : of_line_[mesh_.mesh->elements[e].line])
-    if (k >= 0)
-      if (const Feeder& f = feeders_[k]; element(f, f.feed_point) == e) return f.at_b;
-  return -1;
-}
-
 std::vector<std::array<int, 2>> Feeders::inside() const {
-  std::vector<std::array<int, 2>> out(of_line_.size(), {0, 0});
+  std::vector<std::array<int, 2>> out(case_.lines.size(), {0, 0});
   for (const Feeder& f : feeders_) out[f.line][f.at_b] = f.feed_point;
   return out;
 }

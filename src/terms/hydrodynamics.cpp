@@ -1,12 +1,11 @@
 // Forces, tangent, energy and history of Hydrodynamics: motion of the water at the nodes, forces on beams
-// and balls, work, wall tension. The formula: kernels/morison_points.hpp; cables in fours are in
+// and balls, work, wall tension. The formula: kernels/morison_formula.hpp; cables in fours are in
 // hydrodynamics_cables.cpp.
 #include "hawser/terms/hydrodynamics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/inertia_round_off.hpp"
 
 namespace hawser {
@@ -73,34 +72,39 @@ WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& 
 
 void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
-  double f[12], K[144], C[144], M[144];
   const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   const int first = mesh_.block[i], second = mesh_.block[j];
-  const int beam[] = {first, first + 1, second, second + 1}, cable[] = {first, second};
-  const std::span<const int> blocks = p.beam ? std::span<const int>(beam) : cable;
   if (p.beam) {
+    const int blocks[] = {first, first + 1, second, second + 1};
     const WaterEnds e = ends(p, trial);
-    if (tangent)
+    Vec12 f;
+    if (tangent) {
+      Mat12 K, C, M;
       beam_water_tangent(p.section, e, convex, f, K, C, M);
-    else
+      assembler.add(blocks, f.data(), K.data(), C.data(), M.data());
+    } else {
       beam_water_force(p.section, e, f);
+      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
+    }
   } else {
+    const int blocks[] = {first, second};
     const CableInWater e{trial.x[i], trial.x[j], trial.v[i],  trial.v[j],
                          trial.a[i], trial.a[j], water_at(i), water_at(j)};
-    if (tangent)
+    Vec6 f;
+    if (tangent) {
+      Mat6 K, C, M;
       cable_water_tangent(p.section, e, convex, f, K, C, M);
-    else
+      assembler.add(blocks, f.data(), K.data(), C.data(), M.data());
+    } else {
       cable_water_force(p.section, e, f);
+      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
+    }
   }
-  if (tangent)
-    assembler.add(blocks, f, K, C, M);
-  else
-    assembler.add(blocks, f, nullptr, nullptr, nullptr);
 }
 
 void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
-  update_from_feeders(trial, false);
+  update_from_feeders(&FedLine::predicted);
   update_water(trial);
   const bool tangent = assembler.needs_tangent();
   for (const Four& q : fours_) evaluate(q, trial, assembler);
@@ -177,7 +181,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
     start_time_ = committed.time;
     wave_known_ = false;
   }
-  update_from_feeders(committed, true);
+  update_from_feeders(&FedLine::length);
   // Where no step went before, waves act from here on, and accelerations have jumped.
   const bool begins = !(committed.step > 0);
   if (begins || flow_.place.empty() || feeders_) {
@@ -188,7 +192,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
 }
 
 void Hydrodynamics::commit(const Kinematics& accepted) {
-  update_from_feeders(accepted, true);
+  update_from_feeders(&FedLine::length);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
   Flow now = flow(accepted);
   if (accepted.step > 0 && !flow_.place.empty()) work_ += work(flow_, now);
@@ -245,12 +249,15 @@ void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, d
   if (!p || p->idle) return;
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
   const Water first = water(at, i), second = water(at, j);
-  double own[12];
-  if (p->beam)
+  if (p->beam) {
+    Vec12 own;
     beam_water_force(p->section, ends(*p, at, first, second), own);
-  else
+    add_ends(own, f);
+  } else {
+    Vec6 own;
     cable_water_force(p->section, {at.x[i], at.x[j], at.v[i], at.v[j], at.a[i], at.a[j], first, second}, own);
-  add_ends(own, p->beam, f);
+    add_ends(own, f);
+  }
 }
 
 // Of the wall: effective tension, and the pressures on the ends that it stands for (Sparks 1984). Where the

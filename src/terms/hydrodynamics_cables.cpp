@@ -28,9 +28,9 @@ void Hydrodynamics::group() {
 }
 
 // An idle element has no length for what is computed in fours.
-void Hydrodynamics::update_from_feeders(const Kinematics& at, bool now) {
+void Hydrodynamics::update_from_feeders(double FedLine::*length) {
   if (!feeders_) return;
-  feeders_->update_lengths(pieces_, at, now);
+  feeders_->update_lengths(mesh_, length, pieces_);
   for (Four& q : fours_)
     for (int lane = 0; lane < 4; ++lane) {
       const Piece& p = pieces_[static_cast<size_t>(q.piece[lane])];
@@ -53,10 +53,10 @@ double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
   before.q = was.q;
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
-    const auto rest = feeders_->element_state(p.at.global, at, true);
-    if (!rest || rest->before == rest->length) continue;
+    const FedLine* fed = feeders_->find(p.at.global);
+    if (!fed || fed->before == fed->length) continue;
     WaterSection s = p.section;
-    s.length = rest->before;
+    s.length = fed->before;
     for (const Kinematics& k : {before, at}) {
       const WaterEnds e = ends(p, k, calm, calm);
       sum += 0.5 * (water_potential(p.section, e, p.beam) - water_potential(s, e, p.beam));
@@ -95,7 +95,8 @@ CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k) const {
 void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const {
   const CablesInWater4 m = motion(q, trial);
   const unsigned wet = assembler.convex() ? 0 : submerged(q.sections, m);
-  double f[4][6], J[4][36];
+  std::array<Vec6, 4> f;
+  std::array<Mat6, 4> J;
   const Weights& w = assembler.weights();
   if (wet && assembler.needs_tangent())
     submerged_tangent(q.sections, m, moving(), w.K, w.C, w.M, f, J);
@@ -108,7 +109,7 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& 
               b = mesh_.block[static_cast<size_t>(p.at.second)];
     // Of a tied end the derivatives are asked one by one.
     if (wet >> i & 1 && !(assembler.tied(a) || assembler.tied(b)))
-      assembler.add_weighted(a, b, f[i], J[i]);
+      assembler.add_weighted(a, b, f[i].data(), J[i].data());
     else
       evaluate(p, trial, assembler);
   }
@@ -120,12 +121,12 @@ unsigned Hydrodynamics::flow(const Four& q, const Kinematics& at, WaterForce* ou
   for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
   const unsigned wet = submerged(q.sections, m);
   if (!wet) return 0;
-  double f[4][6];
+  std::array<Vec6, 4> f;
   submerged_force(q.sections, m, moving(), f);
   for (int i = 0; i < q.count; ++i)
     for (int end = 0; end < 2; ++end) {
       out[i].force[2 * end + 1].setZero();
-      out[i].force[2 * end] = -Eigen::Map<const Vec3>(f[i] + 3 * end);
+      out[i].force[2 * end] = -f[i].segment<3>(3 * end);
       out[i].force[2 * end].z() -= 0.5 * q.sections.length[i] * q.sections.buoyancy[i];
     }
   return wet;

@@ -85,28 +85,27 @@ Vec3 LineMassTerm::ramped_load(const Piece& p, double t) const {
   return sum;
 }
 
-void LineMassTerm::update_from_feeders(const Kinematics& at, bool now) {
-  if (feeders_) feeders_->update_lengths(pieces_, at, now);
-}
-
 void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  update_from_feeders(trial, false);
-  double f[12], K[144], C[144], M[144];
+  if (feeders_) feeders_->update_lengths(mesh_, &FedLine::predicted, pieces_);
   for (const Piece& p : pieces_) {
     if (p.idle) continue;
     const Vec3 w = load(p, trial.time);
     const int a = mesh_.block[p.at.first], b = mesh_.block[p.at.second], blocks[] = {a, a + 1, b, b + 1};
     if (!p.beam) {
       const size_t i = p.at.first, j = p.at.second;
+      Vec6 f;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
-      assembler.add_masses(a, b, f, m.own, m.shared);
+      assembler.add_masses(a, b, f.data(), m.own, m.shared);
     } else if (assembler.needs_tangent()) {
+      Vec12 f;
+      Mat12 K, C, M;
       beam_mass_tangent(p.section, ends(p, trial), w, f, K, C, M);
-      assembler.add(blocks, f, K, C, M);
+      assembler.add(blocks, f.data(), K.data(), C.data(), M.data());
     } else {
+      Vec12 f;
       beam_mass_force(p.section, ends(p, trial), w, f);
-      assembler.add(blocks, f, nullptr, nullptr, nullptr);
+      assembler.add(blocks, f.data(), nullptr, nullptr, nullptr);
     }
   }
 }
@@ -114,16 +113,19 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
 void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   const Piece* p = of_element(pieces_, e);
   if (!p || p->idle) return;
-  double own[12];
-  if (p->beam)
+  if (p->beam) {
+    Vec12 own;
     beam_mass_force(p->section, ends(*p, at), load(*p, at.time), own);
-  else
+    add_ends(own, f);
+  } else {
+    Vec6 own;
     cable_mass_force(p->section, at.a[e.first], at.a[e.second], load(*p, at.time), own);
-  add_ends(own, p->beam, f);
+    add_ends(own, f);
+  }
 }
 
 void LineMassTerm::prepare(const Kinematics& committed, double) {
-  update_from_feeders(committed, true);
+  if (feeders_) feeders_->update_lengths(mesh_, &FedLine::length, pieces_);
   if (ramped_.empty()) return;
   committed_.x.assign(committed.x.begin(), committed.x.end());
   committed_.q.assign(committed.q.begin(), committed.q.end());
@@ -131,7 +133,7 @@ void LineMassTerm::prepare(const Kinematics& committed, double) {
 }
 
 void LineMassTerm::commit(const Kinematics& accepted) {
-  update_from_feeders(accepted, true);
+  if (feeders_) feeders_->update_lengths(mesh_, &FedLine::length, pieces_);
   if (ramped_.empty() || committed_.x.size() != accepted.x.size()) return;
   Kinematics before;
   before.x = committed_.x;

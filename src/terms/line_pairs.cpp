@@ -5,18 +5,16 @@
 
 #include <algorithm>
 
-#include "hawser/terms/feeders.hpp"
-
 namespace hawser {
 
-double deepest_of(const std::vector<LinePairHistory>& points) {
+double deepest_of(const std::vector<LinePairContactPoint>& points) {
   if (points.empty()) return 0;
   size_t least = 0;
   for (size_t i = 1; i < points.size(); ++i)
     if (points[i].gap < points[least].gap) least = i;
   if (points.size() < 3) return -points[least].gap;
   const size_t first = std::min(least > 0 ? least - 1 : 0, points.size() - 3);
-  const LinePairHistory &a = points[first], &b = points[first + 1], &c = points[first + 2];
+  const LinePairContactPoint &a = points[first], &b = points[first + 1], &c = points[first + 2];
   const double ab = (b.gap - a.gap) / (b.xi - a.xi), bc = (c.gap - b.gap) / (c.xi - b.xi);
   const double curve = (bc - ab) / (c.xi - a.xi);
   const bool joined = a.to >= b.from && b.to >= c.from;
@@ -34,7 +32,7 @@ bool LinePairs::recouple(const Kinematics& committed, double h) {
   if (!candidates_.update(committed, h) && listed_) return false;
   // Histories go by element until the new list is there.
   for (Pair& p : pairs_)
-    if (p.history) kept_[p.key] = std::move(p.history);
+    if (p.points) kept_[p.key] = std::move(p.points);
   pairs_.clear();
   listed_ = false;
   return true;
@@ -43,7 +41,7 @@ bool LinePairs::recouple(const Kinematics& committed, double h) {
 void LinePairs::update_ghosts() {
   candidates_.locate();
   for (Pair& p : pairs_)
-    if (p.history) kept_[p.key] = std::move(p.history);
+    if (p.points) kept_[p.key] = std::move(p.points);
   pairs_.clear();
   for (const CandidatePair& c : candidates_.pairs()) {
     Pair& p = pairs_.emplace_back();
@@ -52,7 +50,7 @@ void LinePairs::update_ghosts() {
     p.counted = c.counted;
     p.key = {segment(c.a).global, segment(c.b).global};
     p.law = law(p.key.first, p.key.second);
-    if (const auto k = kept_.find(p.key); k != kept_.end()) p.history = std::move(k->second);
+    if (const auto k = kept_.find(p.key); k != kept_.end()) p.points = std::move(k->second);
   }
   kept_.clear();
   listed_ = true;
@@ -64,7 +62,7 @@ void LinePairs::prepare(const Kinematics& committed, double) {
   start_.resize(n);
   fed_end_.assign(n, -1);
   for (size_t i = 0; i < n && feeders_; ++i)
-    fed_end_[i] = feeders_->fed_end(segment(static_cast<int>(i)).global);
+    if (const FedLine* fed = feeders_->find(segment(static_cast<int>(i)).global)) fed_end_[i] = fed->at_b;
   for (size_t i = 0; i < n; ++i) start_[i] = ends(committed, static_cast<int>(i));
   rods_ = rods(committed);
   for (Pair& p : pairs_) {
@@ -103,7 +101,7 @@ bool LinePairs::near(const Pair& p, const std::vector<Rod>& is) const {
 template <class What>
 void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
                           const What& what) const {
-  static const std::vector<LinePairHistory> nothing;
+  static const std::vector<LinePairContactPoint> nothing;
   LinePairPass::Settings s;
   s.law = pair.law;
   if (!friction_on_) s.law.friction = {};
@@ -121,8 +119,8 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
     s.share = slave_share(s.slave_radius, settings(master).radius);
     s.swapped = swapped;
     if (!(s.share > 0)) continue;
-    what(k, LinePairPass(swapped ? B : A, swapped ? A : B, part, s,
-                         pair.history ? (*pair.history)[k] : nothing));
+    what(k,
+         LinePairPass(swapped ? B : A, swapped ? A : B, part, s, pair.points ? (*pair.points)[k] : nothing));
   }
 }
 
@@ -185,12 +183,12 @@ void LinePairs::commit(const Kinematics& accepted) {
   const std::vector<Rod> is = rods(accepted);
   const bool moves = accepted.step > 0;
   for (Pair& pair : pairs_) {
-    if (!near(pair, is) && !pair.history) continue;
+    if (!near(pair, is) && !pair.points) continue;
     const PairAxis A = axis(accepted, pair.a), B = axis(accepted, pair.b);
     Trial& t = find(pair, A, B);
     if (!t.evaluated || t.moves != moves || !t.a.same_motion(A.now) || !t.b.same_motion(B.now))
       forces(pair, A, B, t, {moves});
-    const History& next = t.points;
+    const ContactPoints& next = t.points;
     if (pair.counted) {
       for (const size_t part : {0, 3}) {
         const double depth = deepest_of(next[part]);
@@ -200,7 +198,7 @@ void LinePairs::commit(const Kinematics& accepted) {
       if (moves && feeders_) feeders_->add_work(fed_work(pair, A, B, next));
     }
     const bool any = std::any_of(next.begin(), next.end(), [](const auto& part) { return !part.empty(); });
-    pair.history = any ? std::make_unique<History>(std::move(t.points)) : nullptr;
+    pair.points = any ? std::make_unique<ContactPoints>(std::move(t.points)) : nullptr;
     pair.trial = nullptr;
   }
 }
@@ -210,7 +208,7 @@ void LinePairs::commit(const Kinematics& accepted) {
 // material has gone relative to what it touched, however far it slid. Friction has the way of the surfaces, a
 // pair that turns as one body none; a cable has no sections that its part of the couple could turn. The gap
 // is what changes along the normal: far along the other line it is no distance.
-void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next) {
+void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next) {
   Account& sum = accounts_[segment(pair.a).first];
   const auto turn = [](const PairAxis& axis, double xi) -> Mat3 {
     return axis.beam() ? axis.turn_at(xi) : Mat3::Identity();
@@ -220,7 +218,7 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
     const double share = settings(swapped ? pair.key.second : pair.key.first).radius / pair.law.radii;
-    const auto add = [&](const LinePairHistory& h, bool at_end) {
+    const auto add = [&](const LinePairContactPoint& h, bool at_end) {
       const double xi = at_end ? h.xi : material_of_start(a, slave, h.xi),
                    eta = at_end ? h.eta : material_of_start(b, master, h.eta);
       const Vec3 was = slave.start.point(xi) - master.start.point(eta),
@@ -231,9 +229,9 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
       sum.friction -= 0.5 * h.weight * h.friction.dot(moved);
       sum.damping -= 0.5 * h.weight * h.damping_force * h.normal.dot(is - was);
     };
-    if (pair.history)
-      for (const LinePairHistory& h : (*pair.history)[k]) add(h, false);
-    for (const LinePairHistory& h : next[k]) add(h, true);
+    if (pair.points)
+      for (const LinePairContactPoint& h : (*pair.points)[k]) add(h, false);
+    for (const LinePairContactPoint& h : next[k]) add(h, true);
   }
 }
 
@@ -244,9 +242,9 @@ Energy LinePairs::energy(const Kinematics& at) const {
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
     if (at.step > 0) {
-      if (p.history)
-        for (const auto& part : *p.history)
-          for (const LinePairHistory& h : part) e.strain += h.weight * h.potential;
+      if (p.points)
+        for (const auto& part : *p.points)
+          for (const LinePairContactPoint& h : part) e.strain += h.weight * h.potential;
       continue;
     }
     if (!near(p, is)) continue;

@@ -1,7 +1,6 @@
 // The part of LinePairs that knows of lines that are paid out and hauled in: where the material of the
 // element at a feeder's feed point was at the start of the step, and what the feeder does on it. See
 // docs/theory/line-line.md.
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
@@ -31,7 +30,7 @@ double LinePairs::material_of_start(int segment, const PairAxis& axis, double xi
 // J: the forces act on nodes, and the material goes past them. What it does on that way the feeder has to do;
 // it also brings the material in that is pressed where it is.
 double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& B,
-                           const History& next) const {
+                           const ContactPoints& next) const {
   if (fed_end(pair.a) < 0 && fed_end(pair.b) < 0) return 0;
   // How much farther than the place xi that the nodes take along the material goes.
   const auto way = [&](int segment, const PairAxis& axis, double xi, bool at_end) -> Vec3 {
@@ -47,16 +46,16 @@ double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& 
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
-    const auto add = [&](const LinePairHistory& h, bool at_end) {
+    const auto add = [&](const LinePairContactPoint& h, bool at_end) {
       const Vec3 force = h.friction + h.damping_force * h.normal;
       work -= 0.5 * h.weight * force.dot(way(a, slave, h.xi, at_end) - way(b, master, h.eta, at_end));
     };
-    if (pair.history)
-      for (const LinePairHistory& h : (*pair.history)[k]) {
+    if (pair.points)
+      for (const LinePairContactPoint& h : (*pair.points)[k]) {
         add(h, false);
         work += h.weight * h.potential * (slave.ends.length / start(a).length - 1);
       }
-    for (const LinePairHistory& h : next[k]) add(h, true);
+    for (const LinePairContactPoint& h : next[k]) add(h, true);
   }
   return work;
 }

@@ -20,7 +20,7 @@ void extend(double& from, double& to, double arc) {
 void LinePairs::active_contacts(ActiveContacts& out) const {
   const Mesh& mesh = *mesh_.mesh;
   for (const Pair& pair : pairs_) {
-    if (!pair.counted || !pair.history) continue;
+    if (!pair.counted || !pair.points) continue;
     const Element &a = element(pair.key.first), &b = element(pair.key.second);
     ActiveContact t;
     t.line = a.line;
@@ -32,8 +32,8 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
       const Element &slave = swapped ? b : a, &master = swapped ? a : b;
       double &from = swapped ? t.other_from : t.from, &to = swapped ? t.other_to : t.to;
       double &foot_from = swapped ? t.from : t.other_from, &foot_to = swapped ? t.to : t.other_to;
-      const auto& points = (*pair.history)[k];
-      for (const LinePairHistory& h : points) {
+      const auto& points = (*pair.points)[k];
+      for (const LinePairContactPoint& h : points) {
         extend(from, to, arc_at(mesh, slave, h.from));
         extend(from, to, arc_at(mesh, slave, h.to));
         extend(foot_from, foot_to, arc_at(mesh, master, std::clamp(h.eta, 0.0, 1.0)));
@@ -55,15 +55,15 @@ void LinePairs::fields(FieldRegistry& registry) const {
        .friction = {.name = "line_friction_force", .unit = "N"},
        .penetration = {.name = "line_penetration", .unit = "m", .report = Field::Report::table, .order = 12}},
       [this](const Kinematics&, const ShowPoint& show) {
-        const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairHistory& h) {
+        const auto put = [&](const ContactSegment& s, double xi, double sign, const LinePairContactPoint& h) {
           share_at_ends(element(s.global), s.first, s.second, mesh_.owned, xi,
                         [&](int node, double share) { show(node, share, sign * Mat3::Identity(), h); });
         };
         for (const Pair& p : pairs_) {
-          if (!p.history) continue;
+          if (!p.points) continue;
           const ContactSegment &a = segment(p.a), &b = segment(p.b);
           for (size_t k = 0; k < kParts; ++k)
-            for (const LinePairHistory& h : (*p.history)[k]) {
+            for (const LinePairContactPoint& h : (*p.points)[k]) {
               put(k < 3 ? a : b, h.xi, 1, h);
               put(k < 3 ? b : a, h.eta, -1, h);
             }

@@ -1,4 +1,4 @@
-// History of contact of lines with lines through a checkpoint.
+// Contact of lines with lines through a checkpoint.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -16,13 +16,13 @@ enum Kind { kPoints, kSums, kDeepest, kShared };
 // A point that touches, with the elements of its pair and the part of the pair that it is of.
 struct PairPoint {
   int first = 0, second = 0, part = 0;
-  LinePairHistory point;
+  LinePairContactPoint point;
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
     each("element", "", self.first);
     each("other element", "", self.second);
     each("part", "", self.part);
-    LinePairHistory::quantities(self.point, each);
+    LinePairContactPoint::quantities(self.point, each);
   }
 };
 
@@ -50,14 +50,15 @@ std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
       records.push_back(record_of(n, k, shared_.kept(k), kShared));
   std::map<int, int> number;  // of records at a node
   for (const Pair& p : pairs_) {
-    if (!p.history) continue;
+    if (!p.points) continue;
     const ContactSegment &a = segment(p.a), &b = segment(p.b);
     const std::array nodes{a.first, a.second, b.first, b.second};
     if (std::none_of(nodes.begin(), nodes.end(), wanted)) continue;
     HistoryRecord r;
     int part = 0;
-    for (const auto& points : *p.history) {
-      for (const LinePairHistory& h : points) put(PairPoint{p.key.first, p.key.second, part, h}, r.values);
+    for (const auto& points : *p.points) {
+      for (const LinePairContactPoint& h : points)
+        put(PairPoint{p.key.first, p.key.second, part, h}, r.values);
       ++part;
     }
     for (const int node : nodes) {
@@ -96,13 +97,13 @@ void LinePairs::restore(const std::vector<HistoryRecord>& records) {
     if (points.empty()) continue;
     const Key key{points.front().first, points.front().second};
     if (kept_.count(key)) continue;  // from another of its nodes
-    auto history = std::make_unique<History>();
+    auto by_part = std::make_unique<ContactPoints>();
     for (const PairPoint& p : points) {
-      if (p.part < 0 || static_cast<size_t>(p.part) >= history->size())
+      if (p.part < 0 || static_cast<size_t>(p.part) >= by_part->size())
         throw std::invalid_argument("a record of line-line contact in the checkpoint does not fit");
-      (*history)[p.part].push_back(p.point);
+      (*by_part)[p.part].push_back(p.point);
     }
-    kept_[key] = std::move(history);
+    kept_[key] = std::move(by_part);
   }
 }
 

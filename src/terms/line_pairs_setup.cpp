@@ -4,7 +4,6 @@
 
 #include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/element_axis.hpp"
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
@@ -81,7 +80,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
 AxisEnds LinePairs::ends(const Kinematics& at, int segment) const {
   const ContactSegment& s = this->segment(segment);
   AxisEnds out = element_axis(at, element(s.global), s.first, s.second);
-  if (fed_end(segment) >= 0) out.length = feeders_->element_state(s.global, at, false)->length;
+  if (fed_end(segment) >= 0) out.length = feeders_->find(s.global)->predicted;
   return out;
 }
 
@@ -99,15 +98,15 @@ bool LinePairs::joint(int element, int end) const {
 
 int LinePairs::active_count() const {
   return static_cast<int>(
-      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.counted && p.history; }));
+      std::count_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.counted && p.points; }));
 }
 
 double LinePairs::normal_force() const {
-  return sum(all, [](const LinePairHistory& h) { return h.normal_force; });
+  return sum(all, [](const LinePairContactPoint& h) { return h.normal_force; });
 }
 
 double LinePairs::friction_force() const {
-  return sum(all, [](const LinePairHistory& h) { return h.friction.norm(); });
+  return sum(all, [](const LinePairContactPoint& h) { return h.friction.norm(); });
 }
 
 }  // namespace hawser

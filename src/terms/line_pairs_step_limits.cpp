@@ -114,7 +114,7 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   const std::vector<Rod> is = rods(trial);
   for (const Pair& p : pairs_) {
     const double slow = inverse_frequency(p, 0), ramp = p.law.normal.smoothing;
-    if (!p.counted || clipped(p) || resolves_contact(slow, trial.step) || (!p.history && !near(p, is)))
+    if (!p.counted || clipped(p) || resolves_contact(slow, trial.step) || (!p.points && !near(p, is)))
       continue;
     const AxisEnds a = ends(trial, p.a), b = ends(trial, p.b);
     const Nearest before = nearest_at_start(p),
@@ -137,7 +137,7 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
 double LinePairs::deepest(const Pair& p) const {
   double depth = -HUGE_VAL;
   for (const size_t pass : {0, 3})
-    if (p.history && !(*p.history)[pass].empty()) depth = std::max(depth, deepest_of((*p.history)[pass]));
+    if (p.points && !(*p.points)[pass].empty()) depth = std::max(depth, deepest_of((*p.points)[pass]));
   return depth > -HUGE_VAL ? depth : 0;
 }
 
@@ -152,7 +152,7 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
     if (c.speed < 0) to.limit((apart + kDeep * p.law.radii) / -c.speed);
     if (!p.counted) continue;
     Approach a{std::max(apart - ramp, 0.0), -c.speed, acceleration(p, at)};
-    if (p.history) a.gap = -ramp - deepest(p);
+    if (p.points) a.gap = -ramp - deepest(p);
     to.add(impact_event(inverse_frequency(p, std::max(-c.speed, 0.0)), 2 * ramp, mass(p), a),
            element(p.key.first).line, element(p.key.second).line);
   }
@@ -175,7 +175,7 @@ double LinePairs::stored(const Pair& of) const {
     return ordered(element(p.key.first).line, element(p.key.second).line);
   };
   return sum([&](const Pair& p) { return lines(p) == lines(of); },
-             [](const LinePairHistory& h) { return h.potential; });
+             [](const LinePairContactPoint& h) { return h.potential; });
 }
 
 // A crossing holds energy with the depth to the power 5/2.

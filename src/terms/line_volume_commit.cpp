@@ -15,13 +15,11 @@ void LineVolumeContact::commit(const Kinematics& accepted) {
     std::vector<AxisContactPoint> next;
     if (near != near_.end() && near->pair == i) {
       const bool moves = accepted.step > 0;
-      if (!pair.evaluated_at.same_motion(near->shape, volumes_.trial_pose(pair.volume)) ||
-          pair.evaluated_in_motion != moves)
-        contact(pair, near->shape, {moves});
+      if (pair.evaluation != Pair::evaluation_of(moves)) contact(pair, near->shape, {moves});
       next = std::move(pair.evaluated);
       ++near;
     }
-    pair.evaluated_at.known = false;
+    pair.evaluation = Pair::Evaluation::none;
     pair.evaluated.clear();
     for (const AxisContactPoint& p : next)
       accounts_[pair.element].reaches(-p.gap, accepted.time, pair.volume, p.xi < 0.5 ? 0 : 1);

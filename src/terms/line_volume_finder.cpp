@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 namespace hawser {
@@ -100,6 +99,7 @@ bool LineVolumeFinder::clear(LineVolumePair& pair, const AxisShape& shape, const
   if (!is_clear(pair, shape, pose)) return false;
   pair.found.clear();
   pair.near = {};
+  pair.evaluation = LineVolumePair::Evaluation::none;
   return true;
 }
 
@@ -147,8 +147,8 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
   const AxisShape& start = pair.start.shape;
   std::vector<ClearancePoint> places;
   Gap gap(*this, pair, 0, start, pair.start.pose, places);
-  *pair.before = contact_intervals(
-      std::ref(gap), {start.slope_bound(), pair.contact_distance, start.bend_bound()}, pair.levels + kCloser);
+  *pair.before = contact_intervals(gap, {start.slope_bound(), pair.contact_distance, start.bend_bound()},
+                                   pair.levels + kCloser);
   return *pair.before;
 }
 
@@ -163,9 +163,8 @@ std::vector<ContactInterval> LineVolumeFinder::locate(LineVolumePair& pair, int 
   const int levels = touched_all_along(pair, group) ? panel_levels(pair.length, pair.radius) : pair.levels;
   std::vector<ContactInterval> intervals;
   if (near)
-    intervals =
-        contact_intervals(std::ref(gap), {shape.slope_bound(), pair.contact_distance, shape.bend_bound()},
-                          levels, middles(inactive_intervals(before)));
+    intervals = contact_intervals(gap, {shape.slope_bound(), pair.contact_distance, shape.bend_bound()},
+                                  levels, middles(inactive_intervals(before)));
   // The distance to one facet group is no bound for the others.
   if (intervals.empty() && !pair.group(group)) update_clearance(pair, shape, pose, places_);
   std::vector<ContactInterval> panels =
@@ -210,12 +209,14 @@ bool LineVolumeFinder::takes_part(const LineVolumePair& pair, double xi) const {
 const ContactQuadrature& LineVolumeFinder::find(LineVolumePair& pair, const AxisShape& shape,
                                                 const RigidPose& pose) const {
   if (clear(pair, shape, pose)) return pair.found;
-  if (pair.found.of.same_configuration(shape, pose)) {
+  const bool same = pair.found.of.same_configuration(shape, pose);
+  if (!pair.found.of.same_motion(shape, pose)) pair.evaluation = LineVolumePair::Evaluation::none;
+  if (!same) pair.found.clear();
+  pair.found.of = {true, shape, pose};
+  if (same) {
     pair.asked = pair.asked_by_search;
     return pair.found;
   }
-  pair.found.clear();
-  pair.found.of = {true, shape, pose};
   pair.near = {};
   if (pair.several) find_facet_groups(pair, shape, pose);
   for (int w = 0; w < pair.facet_groups(); ++w)

@@ -23,21 +23,17 @@ std::optional<AxisContact::Rolls> LineVolumeContact::rolls(const Pair& pair, con
 AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
                                        const AxisContactMode& mode) const {
   const RigidPose& pose = volumes_.trial_pose(pair.volume);
-  AxisContact c(shape, pose,
-                {pair.radius, pair.length,
-                 [&](const ContactPanel& s) { return applied(pair.law(0.5 * (s.from + s.to))); },
-                 [&](const ContactPanel& s, double xi) {
-                   return finder_.query(pair, s.group, xi, pose.to_body(shape.point(xi)),
-                                        pair.contact_distance + 1e-9);
-                 },
-                 [&](const ContactPanel& s, double xi, ContactRates* rates) {
-                   return finder_.start(pair, s.group, xi, rates);
-                 }},
-                mode, rolls(pair, shape));
+  const auto law = [&](const ContactPanel& s) { return applied(pair.law(0.5 * (s.from + s.to))); };
+  const auto query = [&](const ContactPanel& s, double xi) {
+    return finder_.query(pair, s.group, xi, pose.to_body(shape.point(xi)), pair.contact_distance + 1e-9);
+  };
+  const auto start = [&](const ContactPanel& s, double xi, ContactRates* rates) {
+    return finder_.start(pair, s.group, xi, rates);
+  };
+  AxisContact c(shape, pose, pair.radius, pair.length, mode, rolls(pair, shape));
   pair.evaluated.clear();
-  c.add(pair.found, mode.tangent ? nullptr : &pair.evaluated);
-  pair.evaluated_at = {!mode.tangent, shape, pose};
-  pair.evaluated_in_motion = mode.moves;
+  c.add(pair.found, {law, query, start}, mode.tangent ? nullptr : &pair.evaluated);
+  pair.evaluation = mode.tangent ? Pair::Evaluation::none : Pair::evaluation_of(mode.moves);
   return c;
 }
 

@@ -6,7 +6,6 @@
 
 #include "hawser/mesh/arc.hpp"
 #include "hawser/terms/element_axis.hpp"
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
@@ -35,15 +34,13 @@ AxisEnds LineVolumeContact::ends(const Kinematics& at, int element) const {
   const LocalElement& e = mesh_.elements[element];
   AxisEnds out = element_axis(at, mesh_.mesh->elements[e.global], e.first, e.second);
   if (feeders_)
-    if (const auto rest = feeders_->element_state(e.global, at, false)) out.length = rest->length;
+    if (const FedLine* fed = feeders_->find(e.global)) out.length = fed->predicted;
   return out;
 }
 
 // An element inside a feeder touches nothing: its nodes coincide, and the cubic between them is a loop.
-bool LineVolumeContact::idle(const Kinematics& at, int element) const {
-  if (!feeders_) return false;
-  const auto rest = feeders_->element_state(mesh_.elements[element].global, at, false);
-  return rest && rest->idle;
+bool LineVolumeContact::idle(int element) const {
+  return feeders_ && feeders_->idle(mesh_.elements[element].global);
 }
 
 std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
@@ -65,13 +62,13 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
 void LineVolumeContact::renew_laws() {
   for (Pair& pair : pairs_) {
     pair.laws = laws(pair);
-    pair.evaluated_at.known = false;
+    pair.evaluation = Pair::Evaluation::none;
   }
 }
 
 void LineVolumeContact::enable_friction(bool on) {
   friction_on_ = on;
-  for (Pair& pair : pairs_) pair.evaluated_at.known = false;
+  for (Pair& pair : pairs_) pair.evaluation = Pair::Evaluation::none;
 }
 
 void LineVolumeContact::prepare(const Kinematics& committed, double h) {
@@ -83,7 +80,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   size_t known = 0;
   Pair pair;  // reused, because most pairs are far apart and are discarded
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
-    if (!(elements_[e].radius > 0) || idle(committed, e)) continue;
+    if (!(elements_[e].radius > 0) || idle(e)) continue;
     const AxisEnds at = ends(committed, e);
     const AxisShape shape(at);
     for (int k = 0; k < volumes(); ++k) {

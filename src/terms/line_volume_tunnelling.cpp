@@ -63,8 +63,8 @@ bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, co
 // the last row of a table of forces.
 bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (!volumes_.has_back(pair.volume)) return false;
-  const AxisGapFunction gap = axis_distance(volumes_.surface(pair.volume), pose, shape,
-                                            pair.radius - volumes_.deepest(pair.volume, pair.radius));
+  auto gap = axis_distance(volumes_.surface(pair.volume), pose, shape,
+                           pair.radius - volumes_.deepest(pair.volume, pair.radius));
   if (finder_.at_nodes())
     return std::any_of(kEnds.begin(), kEnds.end(),
                        [&](double xi) { return finder_.takes_part(pair, xi) && gap(xi, 0).gap < 0; });
@@ -86,7 +86,7 @@ bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const 
   if (from.farthest_distance(to) <= std::max(least, LineVolumeFinder::clearance_at_start(pair))) return false;
   if (rests && (!volumes_.has_back(pair.volume) || is_inside(pair, pair.start.shape, pair.start.pose)))
     return false;
-  const DistanceField field = distance_to(volumes_.surface(pair.volume));
+  auto field = distance_to(volumes_.surface(pair.volume));
   const auto passes = [&](const BezierAxis& before, const BezierAxis& after) {
     return goes_through(field, before, after, before.farthest_distance(after) > radius ? radius : least,
                         rests);

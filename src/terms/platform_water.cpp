@@ -10,25 +10,6 @@
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
-namespace {
-
-// Derivatives of forces on the body at the blocks `row`, `row` + 1 by the motion of that at `column`.
-void add_coupling(Assembler& assembler, int row, int column, const Mat6& K, const Mat6& C, const Mat6& M) {
-  if (row == column) {
-    const int blocks[2] = {row, row + 1};
-    return assembler.add(blocks, nullptr, K.data(), C.data(), M.data());
-  }
-  using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
-  const auto beside = [](const Mat6& m) {
-    Mat12 both = Mat12::Zero();
-    both.topRightCorner<6, 6>() = m;
-    return both;
-  };
-  const int blocks[4] = {row, row + 1, column, column + 1};
-  assembler.add(blocks, nullptr, beside(K).data(), beside(C).data(), beside(M).data());
-}
-
-}  // namespace
 
 bool PlatformWater::recouple(const Kinematics&, double) {
   const bool first = !coupled_;
@@ -229,7 +210,8 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
         const Mat6 K = A * motion[j].acceleration_by_place + D * motion[j].rate_by_place;
         const Mat6 C = A * motion[j].acceleration_by_rate + D * motion[j].G;
         const Mat6 M = A * motion[j].G;
-        add_coupling(assembler, p.block, g.platforms[j].block, K, C, M);
+        const int other[2] = {g.platforms[j].block, g.platforms[j].block + 1};
+        assembler.add(blocks, other, nullptr, K.data(), C.data(), M.data());
       }
     }
   }

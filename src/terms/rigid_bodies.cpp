@@ -9,6 +9,7 @@
 
 #include "hawser/math/broken_line.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/check.hpp"
 
 namespace hawser {
 
@@ -57,9 +58,7 @@ constexpr double kDrift = 0.01;
 
 bool in_lines_or_links(const model::Case& c, int body) {
   const std::string& name = c.bodies[body].name;
-  const auto at = [&](const model::End& e) { return e.kind == model::EndKind::body && e.body == name; };
-  return std::any_of(c.lines.begin(), c.lines.end(),
-                     [&](const model::Line& l) { return at(l.end_a) || at(l.end_b); }) ||
+  return !model::line_ends_at(c, c.bodies[body]).empty() ||
          std::any_of(c.links.begin(), c.links.end(),
                      [&](const model::Link& l) { return l.end_a.body == name || l.end_b.body == name; }) ||
          (!c.lines.empty() && std::any_of(c.volumes.begin(), c.volumes.end(), [&](const model::Volume& v) {

@@ -54,22 +54,10 @@ double SeabedTerm::gap(const Vec3& x, double most) const {
   return s ? s->distance : std::numeric_limits<double>::infinity();
 }
 
-// Suction acts only on a point that the soil held at the start of the step. It does not act in statics, which
-// follows no path. The range is 1 % longer than that of suction, so that a point beyond it is released in
-// spite of round-off.
-double SeabedTerm::suction_range(const Point& p, double step) const {
-  if (!(step > 0) || !suction_ || !history(p).held) return 0;
-  return std::max(0.0, 1.01 * law(p).suction.length - history(p).deepest - law(p).law.normal.smoothing);
-}
-
-Pull SeabedTerm::pull(const Point& p, const ContactTrial& trial, double step) const {
-  if (!(step > 0) || !suction_ || !history(p).held) return {};
-  return pull_of(law(p).suction, history(p).deepest + trial.gap);
-}
-
 PointContact SeabedTerm::contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& t,
                                  bool convex) const {
-  const bool touches = locate(p, of_nodes(p, at.x), suction_range(p, at.step), t);
+  const double beyond = suction_range(law(p).suction, soil(p, at.step)) - law(p).law.normal.smoothing;
+  const bool touches = locate(p, of_nodes(p, at.x), std::max(0.0, beyond), t);
   if (convex) t.curvature.setZero();
   if (!touches) return {};
   if (at.step > 0) t.velocity = of_nodes(p, at.v);
@@ -85,7 +73,7 @@ ContactStart SeabedTerm::start(const Point& p) const {
     // The gap at the start is 0, so that all of the displacement from the laid place counts as slip.
     return {from.place, 0, s.direction, from.slip, from.normal};
   }
-  return {s.point, s.gap, s.direction, history(p).slip, history(p).normal};
+  return {s.point, s.gap, s.direction, landed(p).slip, landed(p).normal};
 }
 
 // Statics calls this before every iteration. A laid line keeps the place from which its friction is counted.
@@ -148,7 +136,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       if (friction_ == Friction::pressed) add(p, -f.force, needs_tangent ? &K : nullptr, nullptr, assembler);
     }
     const PointContact c = contact(p, trial, needs_tangent, at, convex);
-    const Pull pulled = pull(p, at, trial.step);
+    const Pull pulled = pull_of(law(p).suction, soil(p, trial.step), at.gap);
     if (c.normal.force == 0 && pulled.force == 0) continue;
     const Vec3 residual = pulled.force * at.normal - c.force;
     if (!needs_tangent) {
@@ -162,66 +150,50 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-// The soil holds a point that goes deeper than ever since it landed, and releases it when it is lifted by
-// more than the suction length. When the point has left the bed, its depth is forgotten. In statics a point
-// is held if it lies in the soil.
-void SeabedTerm::hold(const Point& p, double gap, bool moves, History& next) const {
-  if (!(law(p).suction.limit > 0)) return;
-  if (moves) {
-    next.deepest = history(p).deepest;
-    next.held = history(p).held;
-  }
-  if (-gap > next.deepest) {
-    next.deepest = -gap;
-    next.held = true;
-  }
-  if (next.deepest + gap >= law(p).suction.length) next.held = false;
-  if (!next.held && gap >= 0) next.deepest = 0;
-}
-
 // Evaluates contact again at the accepted state. Energies are integrated by the trapezoidal rule over the
 // step.
 void SeabedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;
     const PointContact c = contact(p, accepted, false, at);
-    const History& last = history(p);
-    History next;
+    const LandedPoint& last = landed(p);
+    LandedPoint next;
     if (c.normal.elastic > 0) {
-      next = History(c, at.normal);
+      next = LandedPoint(c, at.normal);
       next.active = true;
     }
-    if (const double pulled = pull(p, at, accepted.step).force; pulled > 0) {
+    const SuctionState was = soil(p, accepted.step);
+    if (const double pulled = pull_of(law(p).suction, was, at.gap).force; pulled > 0) {
       next.normal = at.normal;
       next.force -= pulled * at.normal;
       next.damping_force -= pulled;
     }
-    hold(p, at.gap, accepted.step > 0, next);
-    if (p.counted && accepted.step > 0 && (next.active || last.active || last.held)) {
+    next.soil = suction_after(law(p).suction, was, at.gap);
+    if (p.counted && accepted.step > 0 && (next.active || last.active || last.soil.held)) {
       const Vec3 moved = of_nodes(p, accepted.x) - starts_[place(p)].point;
       account_.friction -= 0.5 * (next.friction + last.friction).dot(moved);
       account_.damping -=
           0.5 * (next.damping_force * next.normal + last.damping_force * last.normal).dot(moved);
     }
-    if (next.active || next.held || next.deepest != 0)
+    if (next.active || next.soil.held || next.soil.deepest != 0)
       remember(p, next);
     else if (p.touch >= 0)
       vacant_.push_back(std::exchange(p.touch, -1));
   }
 }
 
-void SeabedTerm::remember(Point& p, const History& h) {
+void SeabedTerm::remember(Point& p, const LandedPoint& h) {
   if (p.touch < 0 && vacant_.empty()) {
     // A capacity of twice the size would take as much memory as everything else that is kept of the points.
-    const size_t n = histories_.size();
-    if (n == histories_.capacity()) histories_.reserve(n + n / 8 + 16);
+    const size_t n = landed_.size();
+    if (n == landed_.capacity()) landed_.reserve(n + n / 8 + 16);
     p.touch = static_cast<int>(n);
-    histories_.emplace_back();
+    landed_.emplace_back();
   } else if (p.touch < 0) {
     p.touch = vacant_.back();
     vacant_.pop_back();
   }
-  histories_[p.touch] = h;
+  landed_[p.touch] = h;
 }
 
 // In statics the energy is that of the trial, because the line search reduces it.
@@ -232,7 +204,7 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
   for (const Point& p : points_) {
     if (!p.counted) continue;
     if (at.step > 0) {
-      e.strain += history(p).potential;
+      e.strain += landed(p).potential;
       continue;
     }
     ContactTrial trial;
@@ -246,13 +218,13 @@ Energy SeabedTerm::energy(const Kinematics& at) const {
 Vec3 SeabedTerm::node_force(int node) const {
   Vec3 sum = Vec3::Zero();
   for (const Point& p : points_)
-    if (const double part = share(p, node); part > 0) sum += part * history(p).force;
+    if (const double part = share(p, node); part > 0) sum += part * landed(p).force;
   return sum;
 }
 
 int SeabedTerm::active_count() const {
   return static_cast<int>(std::count_if(points_.begin(), points_.end(),
-                                        [this](const Point& p) { return p.counted && history(p).active; }));
+                                        [this](const Point& p) { return p.counted && landed(p).active; }));
 }
 
 }  // namespace hawser

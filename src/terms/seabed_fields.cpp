@@ -13,7 +13,7 @@ void SeabedTerm::fields(FieldRegistry& registry) const {
                        for (const Point& p : points_)
                          for (const int node : {p.node, p.second})
                            if (p.touch >= 0 && mesh_.owns(node))
-                             show(node, share(p, node), Mat3::Identity(), history(p));
+                             show(node, share(p, node), Mat3::Identity(), landed(p));
                      });
 }
 

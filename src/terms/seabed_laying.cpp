@@ -60,7 +60,7 @@ std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {
   constexpr double kMobilised = 0.99;
   std::vector<OnBed> out(mesh_.mesh->lines.size());
   for (const Point& p : points_) {
-    const History& h = history(p);
+    const LandedPoint& h = landed(p);
     if (!p.counted || !h.active) continue;
     OnBed& line = out[mesh_.node(p.node).line];
     line.lies += law(p).length;

@@ -1,6 +1,6 @@
-// History of contact with the seabed through a checkpoint.
+// Contact with the seabed through a checkpoint.
 //
-// Both ranks of a shared element need the history of the point half way along it, and a rank reads the
+// Both ranks of a shared element need the contact point half way along it, and a rank reads the
 // records of its own nodes only. Therefore the record is stored twice, at either node. Keys: 0 for a node, 1
 // at the first node of the element, 2 at the second one.
 #include <map>
@@ -10,7 +10,7 @@
 namespace hawser {
 
 std::vector<HistoryKind> SeabedTerm::history() const {
-  return {history_kind<History>("points"), history_kind<Account>("sums of a rank")};
+  return {history_kind<LandedPoint>("points"), history_kind<Account>("sums of a rank")};
 }
 
 std::vector<HistoryRecord> SeabedTerm::records(NodeRange of) const {
@@ -23,7 +23,7 @@ std::vector<HistoryRecord> SeabedTerm::records(NodeRange of) const {
                                     p.second < 0     ? 0
                                     : node == p.node ? 1
                                                      : 2,
-                                    history(p)));
+                                    landed(p)));
   }
   if (mesh_.owned > 0 && of.has(mesh_.global[0]))
     records.push_back(record_of(mesh_.global[0], 0, account_, 1));
@@ -39,7 +39,7 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
     at[{global(p.node), p.second < 0 ? 0 : 1}] = i;
     if (p.second >= 0) at[{global(p.second), 2}] = i;
   }
-  histories_.clear();
+  landed_.clear();
   vacant_.clear();
   account_ = {};
   for (const HistoryRecord& r : records) {
@@ -51,7 +51,7 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
     }
     const auto found = at.find({r.node, r.key});
     if (found == at.end()) continue;
-    remember(points_[found->second], entry<History>(r));
+    remember(points_[found->second], entry<LandedPoint>(r));
   }
 }
 

@@ -54,11 +54,9 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       if (!e.counted || !(radius[i] > 0)) continue;
       const Element& g = mesh.element(e);
       AxisEnds ends = element_axis(at, g, e.first, e.second);
-      if (feeders)
-        if (const auto rest = feeders->element_state(e.global, at, false)) {
-          if (rest->idle) continue;
-          ends.length = rest->length;
-        }
+      const FedLine* fed = feeders ? feeders->find(e.global) : nullptr;
+      if (feeders && feeders->idle(e.global)) continue;
+      if (fed) ends.length = fed->predicted;
       const AxisShape shape(ends);
       if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.slope_bound() + radius[i]) continue;
       const auto point = [&](double xi) { return pose.to_body(shape.point(xi)); };
@@ -72,7 +70,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
         return p && slope.norm() > 0 ? std::abs((pose.rotation * p->normal).dot(slope)) / slope.norm() : 1;
       };
       const LineSpan& span = mesh.mesh->lines[g.line];
-      const int feed_point = feeders ? feeders->fed_end(e.global) : -1;
+      const int feed_point = fed ? fed->at_b : -1;
       const auto is_end = [&](int end) {
         return feed_point == end ||
                (end ? g.second == span.first_node + span.nodes - 1 : g.first == span.first_node);

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "hawser/model/case.hpp"
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/line_sections.hpp"
 
 namespace hawser {
@@ -108,43 +107,54 @@ std::vector<StructureTerm::Cable> cables_of(const LocalMesh& mesh, const model::
 StructureTerm::StructureTerm(const LocalMesh& mesh, const model::Case& c)
     : StructureTerm(mesh, beams_of(mesh, c), cables_of(mesh, c)) {
   for (const Element& e : mesh.mesh->elements) yields_ |= c.line_types[e.type].plastic_bending != nullptr;
+  // Sections inside feeders have never been bent. A line of several types that yields cannot be fed.
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const bool at_b : {false, true}) {
+      if (!c.lines[l].end(at_b).feed) continue;
+      FedBends& fed = fed_.emplace_back();
+      const Element& e = mesh.mesh->elements[mesh.mesh->lines[l].first_element];
+      if (const auto& plastic = c.line_types[e.type].plastic_bending)
+        fed.inside.assign(2 * kBendingPlaces * plastic->memory(), 0);
+    }
 }
 
 void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
-  update_from_feeders(trial);
+  update_from_feeders(trial.step);
   const CableStep step{trial.step, trial.mean.filter};
   // With a weight of 1 (statics, start of the motion; StepMean) cables have the force at the state itself.
   const bool in_step = trial.mean.weight != 1;
   if (assembler.needs_tangent()) {
-    double f[12], K[144], C[144];
+    Vec12 f;
+    Mat12 K, C;
     for (const Beam& b : beams_) {
       if (b.idle) continue;
-      beam_tangent(b.section, b.reference, ends(b, trial), assembler.convex(), f, K, C);
-      assembler.add(b.blocks, f, K, b.section.beta > 0 ? C : nullptr, nullptr);
+      beam_tangent(b.section, b.reference, ends(b, trial), assembler.convex(), f, K, &C);
+      assembler.add(b.blocks, f.data(), K.data(), b.section.beta > 0 ? C.data() : nullptr, nullptr);
     }
     for (const Cable& c : cables_) {
-      CablePull o;
+      CableTension o;
       const CableEnds e = ends(c, trial);
       if (in_step) {
-        cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
+        cable_mean_tension(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
-      cable_pull(c.section, e, assembler.weights().stiffer, o);
+      cable_tension(c.section, e, assembler.weights().stiffer, o);
       assembler.add_between(c.blocks[0], c.blocks[1], o.force, &o.k, c.section.beta > 0 ? &o.c : nullptr);
     }
     return;
   }
-  double f[12];
+  Vec12 f;
   for (const Beam& b : beams_) {
     if (b.idle) continue;
     beam_force(b.section, b.reference, ends(b, trial), f);
-    assembler.add(b.blocks, f, nullptr, nullptr, nullptr);
+    assembler.add(b.blocks, f.data(), nullptr, nullptr, nullptr);
   }
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);
-    const Vec3 pull = in_step ? cable_mean(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
-                              : cable_pull(c.section, e);
+    const Vec3 pull =
+        in_step ? cable_mean_tension(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
+                : cable_tension(c.section, e);
     // Outside a step `pull` is no mean. With the weight of 1 it enters the residual unchanged; it also enters
     // mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
@@ -297,7 +307,7 @@ double StructureTerm::bend(const Kinematics& at) {
 void StructureTerm::prepare(const Kinematics& committed, double h) {
   // In statics every section is bent from its initial history in one go. The result is stored when motion
   // begins; it is not work of the motion.
-  update_from_feeders(committed);
+  update_from_feeders(committed.step);
   if (h > 0 && !(committed.step > 0) && !set_.empty()) bend(committed);
   if (damped_ && power_ < 0) power_ = beam_dissipation(committed);
   last_step_ = committed.step;
@@ -308,7 +318,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
 }
 
 void StructureTerm::commit(const Kinematics& accepted) {
-  update_from_feeders(accepted, true);
+  update_from_feeders(accepted.step, true);
   if (accepted.step > 0) {
     const CableStep step{accepted.step, accepted.mean.filter};
     for (Cable& c : cables_) {
@@ -325,11 +335,8 @@ void StructureTerm::commit(const Kinematics& accepted) {
   if (accepted.step > 0 && !set_.empty()) {
     if (feeders_) feeders_->add_work(fed_work(accepted));
     for (const Beam& b : beams_)
-      if (const auto rest = feeders_ && b.section.plastic
-                                ? feeders_->element_state(b.at.global, accepted, true)
-                                : std::nullopt;
-          rest && rest->feeder >= 0)
-        keep_hauled_in(b, rest->feeder, rest->before, rest->length);
+      if (const FedLine* fed = feeders_ && b.section.plastic ? feeders_->find(b.at.global) : nullptr)
+        keep_hauled_in(b, *fed);
     damping_ += bend(accepted);
   }
   if (!damped_) return;
@@ -353,15 +360,12 @@ Energy StructureTerm::energy(const Kinematics& at) const {
 void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;
-    double own[12];
+    Vec12 own;
     beam_force(b->section, b->reference, ends(*b, at), own);
-    for (int i = 0; i < 12; ++i) f[i] += own[i];
+    add_ends(own, f);
   } else if (const Cable* c = of_element(cables_, e)) {
-    const Vec3 pull = cable_pull(shown(*c, at), ends(*c, at));
-    for (int i = 0; i < 3; ++i) {
-      f[i] -= pull[i];
-      f[6 + i] += pull[i];
-    }
+    const Vec3 pull = cable_tension(shown(*c, at), ends(*c, at));
+    add_ends((Vec6() << -pull, pull).finished(), f);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 
-#include "hawser/terms/feeders.hpp"
 #include "hawser/terms/structure.hpp"
 
 namespace hawser {
@@ -67,10 +66,10 @@ std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
     }
   for (size_t k = 0; k < fed_.size(); ++k) {
     if (fed_[k].inside.empty()) continue;
-    const Feeder& f = feeders_->list()[k];
-    for (const int i : {f.feed_point, f.feed_point + 1})
-      if (const int n = mesh_.find(feeders_->node(f, i)); n >= 0 && wanted(n))
-        out.push_back({feeders_->node(f, i), static_cast<int>(k), fed_[k].inside, kInside});
+    const Element& e = mesh_.mesh->elements[feeders_->fed()[k].element];
+    for (const int node : {e.first, e.second})
+      if (const int n = mesh_.find(node); n >= 0 && wanted(n))
+        out.push_back({node, static_cast<int>(k), fed_[k].inside, kInside});
   }
   return out;
 }

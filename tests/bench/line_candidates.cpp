@@ -1,6 +1,6 @@
 // Candidates of lines: making the list and finding that it still holds, from 10^3 to 10^5 segments of a
 // tangle of the same density; and pairs of boxes where these lie unevenly.
-#include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/line_candidates.hpp"
 
 #include <benchmark/benchmark.h>
 #include <mpi.h>

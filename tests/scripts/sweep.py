@@ -339,8 +339,12 @@ class Checker:
             self.process = None
 
 
+# What a run writes, by the case's `output.file` or without it, and what it prints.
+RESULTS = ("out.", "case.h5", "case.xdmf", "said.txt")
+
+
 def state(folder):
-    return {file.name: file.read_bytes() for file in folder.iterdir() if not file.name.startswith(("out.", "said.txt"))}
+    return {file.name: file.read_bytes() for file in folder.iterdir() if not file.name.startswith(RESULTS)}
 
 
 def run_wrong(program, folder):

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/line_candidates.hpp"
 #include "support/rig.hpp"
 
 namespace hawser::test {

@@ -108,7 +108,8 @@ struct BodyModel {
   Trial trial;
 
   // gap [m] between the two in the trial; closing [m/s] as they come together.
-  BodyModel(const TouchCase& what, double gap, bool floats, double closing) {
+  BodyModel(const TouchCase& what, double gap, bool floats, double closing,
+            const model::Friction& friction = {}) {
     const auto volume = [&](const char* body, const Primitive& shape, StiffnessBasis basis) {
       model::Volume v;
       v.name = v.body = body;
@@ -117,6 +118,7 @@ struct BodyModel {
       v.normal_stiffness = 1e5;
       v.smoothing = kGapSmoothing;
       v.relative_damping = 0.2;
+      v.friction = friction;
       c.volumes.push_back(v);
       c.bodies.emplace_back().name = body;
     };
@@ -217,6 +219,69 @@ TEST(BodyContactTerm, Tangents) {
         EXPECT_NEAR(m.contact->largest_penetration(), std::max(-gap, 0.0), c.slack) << what;
         expect_tangent(*m.system, m.trial, what);
       }
+}
+
+model::Friction friction(double coefficient, double mobilisation) {
+  model::Friction f;
+  f.axial = f.lateral = coefficient;
+  f.mobilisation_length = f.lateral_mobilisation_length = mobilisation;
+  return f;
+}
+
+// Where the point that touches sticks and where it slides, from the first touch in the step and with the slip
+// that an accepted step left.
+TEST(BodyContactTerm, TangentsWithFriction) {
+  for (const TouchCase& c : touch_cases())
+    for (const bool floats : {true, false})
+      for (const auto& [law, name] :
+           {std::pair(friction(0.4, 1), "sticks"), {friction(0.4, 1e-3), "slides"}}) {
+        const std::string what = c.name + ", " + name + (floats ? ", two" : ", one");
+        BodyModel m(c, -5e-3, floats, 0.1, law), smooth(c, -5e-3, floats, 0.1);
+        const State s = state_of(m.system->mesh(), m.trial);
+        const std::vector<double> with = residual(*m.system, s, m.trial.h),
+                                  without = residual(*smooth.system, s, m.trial.h);
+        double change = 0, size = 0;
+        for (size_t i = 0; i < with.size(); ++i) {
+          change = std::max(change, std::abs(with[i] - without[i]));
+          size = std::max(size, std::abs(without[i]));
+        }
+        EXPECT_GT(change, 1e-3 * size) << what;
+        if (floats) expect_momentum(m, s);
+        expect_tangent(*m.system, m.trial, what + ", first touch");
+        // Between contact points of an edge the slip is interpolated; at them it has a kink.
+        Trial before = m.trial;
+        for (double& u : before.u) u *= 0.997;
+        const State committed = state_of(m.system->mesh(), before);
+        m.system->commit(committed.view(m.trial.h));
+        m.system->prepare(m.trial.from.view(m.trial.h), m.trial.h);
+        expect_tangent(*m.system, m.trial, what);
+      }
+}
+
+// The slip of what sticks is of the history: a restart knows it.
+TEST(BodyContactTerm, SlipIsKept) {
+  for (const TouchCase& c : touch_cases()) {
+    BodyModel first(c, -5e-3, true, 0.1, friction(0.4, 1)), second(c, -5e-3, true, 0.1, friction(0.4, 1));
+    const State s = state_of(first.system->mesh(), first.trial);
+    first.system->commit(s.view(first.trial.h));
+    second.contact->restore(first.contact->save());
+    for (BodyModel* m : {&first, &second}) m->system->prepare(s.view(m->trial.h), m->trial.h);
+    const std::vector<double> expected = residual(*first.system, s, first.trial.h),
+                              restored = residual(*second.system, s, second.trial.h);
+    for (size_t i = 0; i < expected.size(); ++i)
+      EXPECT_NEAR(restored[i], expected[i], 1e-12 * std::abs(expected[i])) << c.name << ", " << i;
+  }
+}
+
+// The coefficient falls with the speed of sliding.
+TEST(BodyContactTerm, TangentsWithFrictionThatFalls) {
+  model::Friction law = friction(0.4, 1e-3);
+  law.axial_kinetic = law.lateral_kinetic = 0.2;
+  law.blend_speed = 0.2;
+  for (const TouchCase& c : touch_cases()) {
+    BodyModel m(c, -5e-3, true, 0.1, law);
+    expect_tangent(*m.system, m.trial, c.name);
+  }
 }
 
 // What corners and edges have met is of the history: a restart knows it.

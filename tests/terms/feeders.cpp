@@ -85,7 +85,6 @@ struct Rig {
   Mesh mesh;
   std::unique_ptr<System> system;
   Feeders* feeders = nullptr;
-  std::unique_ptr<Feeders> owned;  // until they are added
 
   LinePairs* contact = nullptr;
   LineVolumeContact* on_roller = nullptr;
@@ -95,24 +94,19 @@ struct Rig {
                                       local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1));
     auto structure = std::make_unique<StructureTerm>(system->mesh(), c);
     auto mass = std::make_unique<LineMassTerm>(system->mesh(), c);
-    owned = std::make_unique<Feeders>(system->mesh(), c);
+    auto owned = std::make_unique<Feeders>(system->mesh(), c);
     feeders = owned.get();
-    structure->fed_by(feeders);
-    mass->fed_by(feeders);
+    system->add(std::move(owned));
     system->add(std::move(structure));
     system->add(std::move(mass));
     if (c.lines.size() > 1) {
       std::vector<LineContactElement> elements(mesh.elements.size(), {kRadius, 2});
       auto between = std::make_unique<LinePairs>(PETSC_COMM_SELF, system->mesh(), elements, rough());
       contact = between.get();
-      contact->fed_by(feeders);
       system->add(std::move(between));
     }
     system->tie(feeders->with_held({}), {});
   }
-
-  // They commit last.
-  void add_feeders() { system->add(std::move(owned)); }
 
   void put_on(const std::shared_ptr<const Surface>& roller) {
     ContactVolume v;
@@ -127,7 +121,6 @@ struct Rig {
         system->mesh(), std::make_shared<const Bodies>(), std::vector{v},
         std::vector<LineContactElement>(mesh.elements.size(), {kRadius, 2}));
     on_roller = term.get();
-    on_roller->fed_by(feeders);
     system->add(std::move(term));
   }
 };
@@ -234,7 +227,6 @@ TEST(Feeders, TheTangentIsTheDerivativeByTheIncrements) {
       roller.emplace(r, from.s.view(0));
       r.put_on(roller->surface());
     }
-    r.add_feeders();
     alpha_start(mesh, from);
     r.system->couple(from.s.view(h), h);
     r.system->prepare(from.s.view(h), h);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "hawser/mesh/partition.hpp"
-#include "hawser/run/share_nodes.hpp"
+#include "hawser/run/node_owners.hpp"
 #include "support/tangle.hpp"
 #include "support/taylor.hpp"
 
@@ -215,9 +215,9 @@ TEST(LineCandidates, BundlesStayOnOneRank) {
   }
   const run::Simulation one(PETSC_COMM_SELF, c);
   const Mesh& mesh = one.mesh();
-  const auto near = run::near_elements(c, mesh, one.bodies());
-  EXPECT_GT(near.size(), 80u);
-  const std::vector<int> owner = partition(mesh, 2, near);
+  const auto coupled = run::coupled_nodes(c, mesh, one.bodies());
+  EXPECT_GT(coupled.size(), 320u);
+  const std::vector<int> owner = partition(mesh, 2, coupled);
   EXPECT_EQ(cut_elements(mesh, owner), 0);
   for (size_t n = 0; n < 82; ++n) EXPECT_EQ(owner[n], owner[n + 82]) << n;
   EXPECT_NE(owner[0], owner[41]);

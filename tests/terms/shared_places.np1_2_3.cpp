@@ -1,6 +1,6 @@
 // Places that lines share, on any number of ranks: the same lengths without contact, and through a
 // checkpoint.
-#include "hawser/system/shared_places.hpp"
+#include "hawser/terms/shared_places.hpp"
 
 #include "support/rig.hpp"
 

@@ -83,7 +83,7 @@ TEST(AxisClearance, ParallelArcs) {
   EXPECT_NEAR(nearest_of(a, b, 1, 1e-4)->distance, 0.5, 5e-4);
 }
 
-DistanceField field_of(const Surface& s) {
+auto field_of(const Surface& s) {
   return [&s](const Vec3& x, double within, Vec3& normal) -> std::optional<double> {
     const auto p = s.query(x, within);
     if (!p) return std::nullopt;

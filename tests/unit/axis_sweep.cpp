@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRadius = 0.1;
 
-DistanceField field_of(const Surface& surface, int* asked = nullptr) {
+auto field_of(const Surface& surface, int* asked = nullptr) {
   return [&surface, asked](const Vec3& x, double within, Vec3& normal) -> std::optional<double> {
     if (asked) ++*asked;
     const auto p = surface.query(x, within);

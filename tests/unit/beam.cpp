@@ -62,7 +62,7 @@ BeamEnds quickened(BeamEnds e, const Vec12& d) {
 }
 Vec12 force(const Set& t, const BeamEnds& e) {
   Vec12 f;
-  beam_force(t.s, t.r, e, f.data());
+  beam_force(t.s, t.r, e, f);
   return f;
 }
 
@@ -73,7 +73,7 @@ TEST(Beam, TangentIsTheDerivativeOfTheForce) {
     const Set t = random_set(seed, seed < 12 ? 0.2 : 1.2, seed % 3 ? 0.07 : 0, seed % 4 > 1);
     Mat12 K, C = Mat12::Zero(), Kd, Cd;
     Vec12 f;
-    beam_tangent(t.s, t.r, t.e, false, f.data(), K.data(), C.data());
+    beam_tangent(t.s, t.r, t.e, false, f, K, &C);
     EXPECT_LT((f - force(t, t.e)).norm(), 1e-13 * f.norm());
     const double h = 3e-5;
     for (int j = 0; j < 12; ++j) {
@@ -94,7 +94,7 @@ TEST(Beam, UndampedTangentIsAHessian) {
   const Set t = random_set(5, 0.8, 0, true);
   Mat12 K;
   Vec12 f;
-  beam_tangent(t.s, t.r, t.e, false, f.data(), K.data(), nullptr);
+  beam_tangent(t.s, t.r, t.e, false, f, K, nullptr);
   Mat12 skew = Mat12::Zero();
   skew.block<3, 3>(3, 3) = 0.5 * hat(f.segment<3>(3));
   skew.block<3, 3>(9, 9) = 0.5 * hat(f.segment<3>(9));

@@ -74,8 +74,8 @@ TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
   EXPECT_NEAR(cable_stress(s, e).tension, 3 + 1.5, 1e-12);
   e.v2 = Vec3(50, 0, 0);
   EXPECT_NEAR(cable_stress(s, e).tension, 6, 1e-12);
-  CablePull o;
-  cable_pull(s, {e.x1, e.x2, e.v1, e.v2}, 0, o);
+  CableTension o;
+  cable_tension(s, {e.x1, e.x2, e.v1, e.v2}, 0, o);
   EXPECT_NEAR(o.k(0, 0), 600, 1e-9);
   EXPECT_EQ(o.c.norm(), 0);
 }
@@ -96,10 +96,10 @@ TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
   const CableStart from = cable_start(s, Vec3::Zero(), Vec3(1.01, 0, 0), 0.05, 1e-3);
   const Vec3 end(1.02, 0, 0);
   const double elastic = 300 * 0.015, damper = 300 * from.beta * 0.01 / 1e-3;
-  EXPECT_NEAR(cable_mean(s, from, {1e-3, 0}, Vec3::Zero(), end).x(), elastic + damper, 1e-9);
+  EXPECT_NEAR(cable_mean_tension(s, from, {1e-3, 0}, Vec3::Zero(), end).x(), elastic + damper, 1e-9);
   const double rigid = 300 * 100 * 0.01;  // 0.1 s are more than a hundred steps
   const CableStart at_rest = cable_start(s, Vec3::Zero(), Vec3(1.01, 0, 0), 0, 1e-4);
-  EXPECT_NEAR(cable_mean(s, at_rest, {1e-4, 0}, Vec3::Zero(), end).x(), elastic + rigid, 1e-9);
+  EXPECT_NEAR(cable_mean_tension(s, at_rest, {1e-4, 0}, Vec3::Zero(), end).x(), elastic + rigid, 1e-9);
 }
 
 // Steps of a cable whose ends are thrown about, slack and taut, in steps of all lengths.
@@ -141,7 +141,7 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
       for (const double filter : {0.0, 0.06}) {
         const CableSection s{1.1, 300, beta, t, t ? 0.01 : 0};
         for (const Thrown& p : thrown(s, filter)) {
-          const Vec3 S = cable_mean(s, p.from, p.step, p.x1, p.x2), chord = p.x2 - p.x1;
+          const Vec3 S = cable_mean_tension(s, p.from, p.step, p.x1, p.x2), chord = p.x2 - p.x1;
           const auto energy = [&](const Vec3& d) {
             return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;
           };
@@ -183,10 +183,10 @@ TEST(CableMean, TangentIsItsDerivative) {
       const CableSection s{1.1, 300, beta, t};
       int checked = 0;
       for (const Thrown& p : thrown(s, 0.06)) {
-        CablePull o;
-        cable_mean(s, p.from, p.step, p.x1, p.x2, o);
+        CableTension o;
+        cable_mean_tension(s, p.from, p.step, p.x1, p.x2, o);
         EXPECT_EQ(o.c, Mat3::Zero());
-        const auto at = [&](const Vec3& d) { return cable_mean(s, p.from, p.step, p.x1, p.x2 + d); };
+        const auto at = [&](const Vec3& d) { return cable_mean_tension(s, p.from, p.step, p.x1, p.x2 + d); };
         EXPECT_LT((o.force - at(Vec3::Zero())).norm(), 1e-12 * (1 + o.force.norm()));
         // Not over a kink: where it begins to pull, or is just slack.
         const double e = ((p.x2 - p.x1).norm() - s.length) / s.length;
@@ -210,9 +210,9 @@ TEST(CableMean, TangentIsItsDerivative) {
 TEST(CableMean, IsTheForceAtRest) {
   const CableSection s{1.1, 300, 0.02};
   const Vec3 a(0.1, 0.2, 0.3), b(0.9, 1.0, 0.8);
-  const Vec3 at_rest = cable_pull(s, {a, b, Vec3::Zero(), Vec3::Zero()});
+  const Vec3 at_rest = cable_tension(s, {a, b, Vec3::Zero(), Vec3::Zero()});
   EXPECT_GT(at_rest.norm(), 1);
-  EXPECT_LT((cable_mean(s, cable_start(s, a, b, 0, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
+  EXPECT_LT((cable_mean_tension(s, cable_start(s, a, b, 0, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
 }
 
 TEST(CableMass, IsTheForceOfUnitAccelerations) {
@@ -223,7 +223,7 @@ TEST(CableMass, IsTheForceOfUnitAccelerations) {
     Eigen::Matrix<double, 6, 1> f, expected = Eigen::Matrix<double, 6, 1>::Zero();
     const Vec3 a1 = j < 3 ? Vec3(Vec3::Unit(j)) : Vec3(Vec3::Zero()),
                a2 = j < 3 ? Vec3(Vec3::Zero()) : Vec3(Vec3::Unit(j - 3));
-    cable_mass_force(s, a1, a2, Vec3::Zero(), f.data());
+    cable_mass_force(s, a1, a2, Vec3::Zero(), f);
     expected[j] = m.own;
     expected[(j + 3) % 6] = m.shared;
     EXPECT_LT((f - expected).norm(), 1e-12);
@@ -239,7 +239,7 @@ TEST(BeamMass, TangentsAreDerivatives) {
     const Vec3 load = 5 * r.vec();
     Mat12 K, C, M, D[3];
     Vec12 f, a, b;
-    beam_mass_tangent(s, e, load, f.data(), K.data(), C.data(), M.data());
+    beam_mass_tangent(s, e, load, f, K, C, M);
     for (int kind = 0; kind < 3; ++kind)
       for (int j = 0; j < 12; ++j) {
         auto at = [&](double h, Vec12& out) {
@@ -250,7 +250,7 @@ TEST(BeamMass, TangentsAreDerivatives) {
           if (kind == 0 && turn) (node ? m.q2 : m.q1) = (node ? m.q2 : m.q1) * exp_so3(d);
           if (kind == 1) (turn ? (node ? m.w2 : m.w1) : (node ? m.v2 : m.v1)) += d;
           if (kind == 2) (turn ? (node ? m.alpha2 : m.alpha1) : (node ? m.a2 : m.a1)) += d;
-          beam_mass_force(s, m, load, out.data());
+          beam_mass_force(s, m, load, out);
         };
         at(1e-5, a);
         at(-1e-5, b);
@@ -268,7 +268,7 @@ TEST(BeamMass, KineticEnergyChangesByThePowerOfInertia) {
   const MassSection s{0.8, 2.0, Vec3(0.5, 0.1, 0.2)};
   const MassEnds e = random_ends(r);
   Vec12 f, v;
-  beam_mass_force(s, e, Vec3::Zero(), f.data());
+  beam_mass_force(s, e, Vec3::Zero(), f);
   v << e.v1, e.w1, e.v2, e.w2;
   auto energy_at = [&](double h) {
     MassEnds m = e;
@@ -288,10 +288,10 @@ TEST(BeamMass, UniformAccelerationOfAStraightBarWeighsItsMass) {
   MassEnds e;
   e.a1 = e.a2 = Vec3(1, -2, 4);
   Vec12 f;
-  beam_mass_force(s, e, Vec3::Zero(), f.data());
+  beam_mass_force(s, e, Vec3::Zero(), f);
   EXPECT_LT((f.segment<3>(0) + f.segment<3>(6) - 6 * e.a1).norm(), 1e-12);
   // and a load of m a per length balances it exactly, moments included
-  beam_mass_force(s, e, 3.0 * e.a1, f.data());
+  beam_mass_force(s, e, 3.0 * e.a1, f);
   EXPECT_LT(f.norm(), 1e-12);
 }
 

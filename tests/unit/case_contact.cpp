@@ -5,6 +5,7 @@
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/model/body_pairs.hpp"
 
 namespace hawser::case_contact_test {
 namespace {
@@ -34,35 +35,34 @@ volumes:
   return "";
 }
 
-// Bodies touch each other without friction: refused where no line could use it.
-TEST(CaseContact, FrictionOfBodiesHasNoEffect) {
-  const auto text = [](const std::string& lines, const std::string& friction) {
-    return R"(hawser: 1
+// Of two volumes the lower coefficient counts, of one alone its own.
+TEST(CaseContact, FrictionBetweenBodies) {
+  const auto between = [](const std::string& slope, const std::string& crate) {
+    const model::Case c = io::read_case_text(R"(hawser: 1
 bodies:
   crate: {position: [0, 0, 0.3], floating: {mass: 600, inertia: [26, 58, 68], weight: true}}
 volumes:
   slope: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}})" +
-           friction + R"(}
-  crate: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.4]}}, body: crate, normal_stiffness: {per_point: 1.0e7}}
-)" + lines +
-           "statics: false\ndynamics: {duration: 1}\n";
+                                                 slope + R"(}
+  crate: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.4]}}, body: crate, normal_stiffness: {per_point: 1.0e7})" +
+                                                 crate + R"(}
+statics: false
+dynamics: {duration: 1}
+)",
+                                             "crate.yaml");
+    const auto pairs = model::body_pairs(c);
+    EXPECT_EQ(pairs.size(), 1U);
+    return pairs.at(0).friction;
   };
-  const std::string line =
-      "line_types: {rope: {outer_diameter: 0.1, mass_per_length: 10, EA: 1e7, bending: false}}\n"
-      "lines: {l: {sections: [{type: rope, length: 10, elements: 5}], end_a: {anchor: [5, 5, 5]}, end_b: "
-      "free}}\n";
-  const auto refused = [&](const std::string& lines, const std::string& friction) {
-    try {
-      io::read_case_text(text(lines, friction), "crate.yaml");
-    } catch (const InputError& e) {
-      return std::string(e.what());
-    }
-    return std::string();
-  };
-  EXPECT_EQ(refused("", ""), "");
-  EXPECT_NE(refused("", ", friction: 0.5").find("volumes.slope.friction: has no effect: bodies touch"),
-            std::string::npos);
-  EXPECT_EQ(refused(line, ", friction: 0.5"), "");
+  EXPECT_EQ(between("", "").axial, 0);
+  EXPECT_EQ(between(", friction: 0.5", "").axial, 0.5);
+  EXPECT_EQ(between("", ", friction: 0.3").axial, 0.3);
+  EXPECT_EQ(between(", friction: 0.5", ", friction: 0.3").axial, 0.3);
+  EXPECT_EQ(between(", friction: 0.2", ", friction: 0.3").axial, 0.2);
+  EXPECT_EQ(between(", friction: {axial: 0.1, lateral: 0.4}", "").lateral, 0.1);
+  // A shear stiffness is that of the volume that leads with its corners.
+  EXPECT_EQ(between("", ", friction: {axial: 0.3, shear_stiffness: 1e6}").shear_stiffness, 1e6);
+  EXPECT_EQ(between(", friction: {axial: 0.3, shear_stiffness: 1e6}", "").shear_stiffness, 0);
 }
 
 TEST(CaseContact, RampsGoByTheLinesTheyActOn) {

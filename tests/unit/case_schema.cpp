@@ -1,6 +1,7 @@
 // The schema's documents, its units, and the sentences that help.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -43,6 +44,31 @@ void inspect(const Key& k, const std::string& path) {
 }
 
 TEST(CaseSchema, IsWellMade) { inspect(case_schema(), "case"); }
+
+// A number beside the words for the two ends of a line, by path.
+void arc_lengths(const Key& k, const std::string& path, std::set<std::string>& to) {
+  const auto ends = [](const Key& a) { return a.words == std::vector<std::string>{"end_a", "end_b"}; };
+  const auto number = [](const Key& a) { return a.type == Key::Type::number; };
+  if (k.type == Key::Type::one_of && std::any_of(k.keys.begin(), k.keys.end(), ends) &&
+      std::any_of(k.keys.begin(), k.keys.end(), number))
+    to.insert(path);
+  for (const Key& inner : k.keys) arc_lengths(inner, path + (inner.name.empty() ? "" : "." + inner.name), to);
+}
+
+// Where an event cuts a line, model/cut_lines.cpp counts these from the beginning of its parts. A new one
+// belongs there, and then here.
+TEST(CaseSchema, ArcLengthsAreThoseThatACutRenumbers) {
+  std::set<std::string> found;
+  arc_lengths(case_schema(), "", found);
+  const std::set<std::string> renumbered = {".bodies.<body>.on.at",      ".events.when.position.at",
+                                            ".events.when.tension.at",   ".lines.<line>.bend_stiffeners.at",
+                                            ".lines.<line>.buried.from", ".lines.<line>.buried.to",
+                                            ".lines.<line>.loads.at",    ".lines.<line>.loads.from",
+                                            ".lines.<line>.loads.to",    ".lines.<line>.masses.at",
+                                            ".links.<link>.end_a.at",    ".links.<link>.end_b.at",
+                                            ".output.histories.at"};
+  EXPECT_EQ(found, renumbered);
+}
 
 TEST(CaseUnits, NumbersWithAndWithoutUnit) {
   using enum Dimension;

@@ -38,7 +38,7 @@ TEST(ContactIntervals, FindsARollerAnywhere) {
     const double half = std::sqrt(R * R - height * height);
     const double from = std::max(0.0, (c - half) / L), to = std::min(1.0, (c + half) / L);
     Gap g = circle(L, c, height, R);
-    const auto found = contact_intervals(std::ref(g), {L}, contact_levels(L, 0.16));
+    const auto found = contact_intervals(g, {L}, contact_levels(L, 0.16));
     most = std::max(most, g.calls);
     if (from >= to) {
       EXPECT_TRUE(found.empty());
@@ -51,7 +51,7 @@ TEST(ContactIntervals, FindsARollerAnywhere) {
     EXPECT_EQ(found[0].from_moves, from > 0);
     EXPECT_EQ(found[0].to_moves, to < 1);
     Gap bounded = circle(L, c, height, R);
-    const auto same = contact_intervals(std::ref(bounded), {L, R, 0}, contact_levels(L, 0.16));
+    const auto same = contact_intervals(bounded, {L, R, 0}, contact_levels(L, 0.16));
     most = std::max(most, bounded.calls);
     ASSERT_EQ(same.size(), 1u);
     EXPECT_NEAR(same[0].from, found[0].from, 1e-13 + 1e-15 * R / half);
@@ -63,7 +63,7 @@ TEST(ContactIntervals, FindsARollerAnywhere) {
 
 TEST(ContactIntervals, FarCostsOneDistance) {
   Gap g = circle(1, 0.5, 3, 0.5);
-  EXPECT_TRUE(contact_intervals(std::ref(g), {1}, 5).empty());
+  EXPECT_TRUE(contact_intervals(g, {1}, 5).empty());
   EXPECT_EQ(g.calls, 1);
 }
 
@@ -96,12 +96,11 @@ TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
       };
       for (double c = -1; c < L; c += move, height += assembler) {
         Gap was = humps(c - move);
-        const auto before = contact_intervals(std::ref(was), {L, r, 0}, 4);
+        const auto before = contact_intervals(was, {L, r, 0}, 4);
         Gap g = humps(c);
         std::vector<InactiveInterval> filled;
-        const auto now =
-            as_split_before(contact_intervals(std::ref(g), {L, r, 0}, 2, middles(inactive_intervals(before))),
-                            before, filled);
+        const auto now = as_split_before(
+            contact_intervals(g, {L, r, 0}, 2, middles(inactive_intervals(before))), before, filled);
         const double d = depth(g, L, now);
         std::vector<InactiveInterval> none;
         within = std::max(within, std::abs(d - depth(was, L, as_split_before(before, before, none))));
@@ -126,14 +125,14 @@ TEST(ContactIntervals, LyingAndArching) {
   Gap g;
   g.value = [](double) { return -1e-3; };
   g.slope = [](double) { return 0.0; };
-  auto found = contact_intervals(std::ref(g), {1}, 1);
+  auto found = contact_intervals(g, {1}, 1);
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(g.calls, 3);
   EXPECT_FALSE(found[0].from_moves || found[0].to_moves);
   // An arch over the second half: roots of -1e-3 + 0.1 (x - 0.6)(0.9 - x) by the formula.
   g.value = [](double x) { return -1e-3 + 0.1 * (x - 0.6) * (0.9 - x); };
   g.slope = [](double x) { return 0.1 * (1.5 - 2 * x); };
-  found = contact_intervals(std::ref(g), {1}, 1);
+  found = contact_intervals(g, {1}, 1);
   ASSERT_EQ(found.size(), 2u);
   const double half = std::sqrt(0.15 * 0.15 - 0.01);
   EXPECT_NEAR(found[0].to, 0.75 - half, 1e-13);
@@ -166,8 +165,7 @@ TEST(ContactIntervals, AHollowWithAKinkIsFoundFromTheFirst) {
         g.value = [&](double x) { return std::max(top(x), bottom(x)); };
         g.slope = [&](double x) { return top(x) < bottom(x) ? 0.02 * (x - 0.6) : x < kink ? rise : -fall; };
         double length = 0;
-        for (const ContactInterval& s : contact_intervals(std::ref(g), {1, 0.15, 0}, 2))
-          length += s.to - s.from;
+        for (const ContactInterval& s : contact_intervals(g, {1, 0.15, 0}, 2)) length += s.to - s.from;
         const double inactive = (kink - c) * (1 + rise / fall);
         EXPECT_NEAR(length, 1 - inactive, 1e-12) << rise << " " << fall << " " << c;
         if (last >= 0) {
@@ -184,7 +182,7 @@ TEST(ContactIntervals, TwoRollersUnderOneElement) {
   const auto slope = [](double x, double c) { return 4 * (4 * x - c) / std::hypot(4 * x - c, 0.4); };
   g.value = [&](double x) { return std::min(one(x, 0.0), one(x, 2.0)); };
   g.slope = [&](double x) { return slope(x, one(x, 0.0) < one(x, 2.0) ? 0.0 : 2.0); };
-  const auto found = contact_intervals(std::ref(g), {4}, contact_levels(4, 0.16));
+  const auto found = contact_intervals(g, {4}, contact_levels(4, 0.16));
   ASSERT_EQ(found.size(), 2u);  // both ends of the first half touch, its middle does not
   EXPECT_NEAR(found[0].to, std::sqrt(0.41 * 0.41 - 0.16) / 4, 1e-13);
   EXPECT_NEAR(found[1].from + found[1].to, 1, 1e-13);

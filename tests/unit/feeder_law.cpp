@@ -119,16 +119,16 @@ TEST(Feed, TheForceFollowsTheLength) {
       const CableSection before{1, 300, 0.02, t, 0.01};
       const CableStart from = cable_start(before, Vec3::Zero(), Vec3(0.9, 0.5, -0.3), 0.01, 0.1);
       const CableStep in{0.1, 0.06};
-      const auto mean = [&](const Vec3& x, CablePull* out) {
+      const auto mean = [&](const Vec3& x, CableTension* out) {
         CableSection s = before;
         const Fed e = step(s, law, 1, in.h, x.norm(), from.strain);
         s.length = e.length;
         s.length_by_chord = e.by_chord;
-        if (out) cable_mean(s, from, in, Vec3::Zero(), x, *out);
-        return cable_mean(s, from, in, Vec3::Zero(), x);
+        if (out) cable_mean_tension(s, from, in, Vec3::Zero(), x, *out);
+        return cable_mean_tension(s, from, in, Vec3::Zero(), x);
       };
       const Vec3 x(0.95, 0.52, -0.25), d(0.3, -0.4, 0.6);
-      CablePull pull;
+      CableTension pull;
       mean(x, &pull);
       constexpr double e = 1e-5;
       const Vec3 slope = (8 * (mean(x + e * d, nullptr) - mean(x - e * d, nullptr)) -
@@ -156,7 +156,7 @@ TEST(Feed, WorkAndEnergyAgree) {
         return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;
       };
       const CableLoss lost = cable_loss(s1, from, step, Vec3::Zero(), d1);
-      const double work = cable_mean(s1, from, step, Vec3::Zero(), d1).dot(d1 - d0) + lost.fed;
+      const double work = cable_mean_tension(s1, from, step, Vec3::Zero(), d1).dot(d1 - d0) + lost.fed;
       EXPECT_NEAR(work, energy(s1, d1) - energy(s0, d0) + lost.damped + lost.filtered, 1e-9);
       EXPECT_GE(lost.damped, 0);
     }
@@ -228,7 +228,7 @@ TEST(Feed, TheForceOfABeamFollowsTheLength) {
     const Bar b = bent(g, i % 2 ? 900 : 0, nullptr);
     for (const double k : {0.0, 0.01}) {
       const FeedLaw law{60, k, 0, false};
-      const auto force = [&](const BeamEnds& e, double* K) {
+      const auto force = [&](const BeamEnds& e, Mat12* K) {
         BeamSection s = b.s;
         const FedElement fed = feed_step(
             [&](double length) {
@@ -242,13 +242,13 @@ TEST(Feed, TheForceOfABeamFollowsTheLength) {
         s.length_by_force = fed.length_by_force;
         Vec12 f;
         if (K)
-          beam_tangent(s, {}, e, false, f.data(), K, nullptr);
+          beam_tangent(s, {}, e, false, f, *K, nullptr);
         else
-          beam_force(s, {}, e, f.data());
+          beam_force(s, {}, e, f);
         return f;
       };
-      Eigen::Matrix<double, 12, 12, Eigen::RowMajor> K;
-      force(b.e, K.data());
+      Mat12 K;
+      force(b.e, &K);
       Vec12 d;
       for (double& x : d) x = u(g);
       const auto at = [&](double step) {

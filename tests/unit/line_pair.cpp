@@ -125,7 +125,7 @@ std::vector<Situation> situations() {
 }
 
 // What the side leaves behind.
-void keep(const LinePairPass& pass, std::vector<LinePairHistory>& points) {
+void keep(const LinePairPass& pass, std::vector<LinePairContactPoint>& points) {
   AttachedForces unused(AttachedForces::kPositions, true);
   pass.add(pass.panels(), false, unused, &points);
 }
@@ -133,7 +133,7 @@ void keep(const LinePairPass& pass, std::vector<LinePairHistory>& points) {
 struct Rig {
   AxisEnds a0, b0, a, b;  // start and trial
   LinePairPass::Settings settings;
-  std::array<std::vector<LinePairHistory>, 6> history;
+  std::array<std::vector<LinePairContactPoint>, 6> history;
 
   Rig(const Situation& s, bool beam_a, bool beam_b, double friction) {
     settings.law.radii = 2 * kRadius;
@@ -164,14 +164,14 @@ struct Rig {
       double w[12] = {};
       Eigen::Map<Vec3>(w, 3) = Eigen::Map<Vec3>(w + (beam_a ? 6 : 3), 3) = Vec3(2e-4, -3e-4, 0);
       const AxisEnds older = moved(a0, w);
-      std::array<std::vector<LinePairHistory>, 6> none;
+      std::array<std::vector<LinePairContactPoint>, 6> none;
       each(a0, b0, older, b0, none, [&](size_t k, const LinePairPass& pass) { keep(pass, history[k]); });
     }
   }
 
   // Both sides, elements and joints.
   void each(const AxisEnds& a1, const AxisEnds& b1, const AxisEnds& sa, const AxisEnds& sb,
-            const std::array<std::vector<LinePairHistory>, 6>& past,
+            const std::array<std::vector<LinePairContactPoint>, 6>& past,
             const std::function<void(size_t, const LinePairPass&)>& what) const {
     const PairAxis A(a1, sa), B(b1, sb);
     for (size_t k = 0; k < 6; ++k)
@@ -299,7 +299,7 @@ TEST(LinePair, HalfATurn) {
 }
 
 // A cable swept along another one, in steps of `way`, 0.3 m in all: what it leaves behind.
-std::array<std::vector<LinePairHistory>, 6> swept(double way, double mu) {
+std::array<std::vector<LinePairContactPoint>, 6> swept(double way, double mu) {
   Rig rig({"swept", {-0.5, 0, 0.094}, {0.5, 0, 0.094}, {0.1, -0.4, 0}, {0.1, 0.6, 0}}, false, false, mu);
   auto at = [&](double y) {
     AxisEnds a = rig.a;
@@ -307,10 +307,10 @@ std::array<std::vector<LinePairHistory>, 6> swept(double way, double mu) {
     a.x2.y() += y;
     return a;
   };
-  std::array<std::vector<LinePairHistory>, 6> past;
+  std::array<std::vector<LinePairContactPoint>, 6> past;
   const int steps = static_cast<int>(std::lround(0.3 / way));
   for (int i = 1; i <= steps; ++i) {
-    std::array<std::vector<LinePairHistory>, 6> next;
+    std::array<std::vector<LinePairContactPoint>, 6> next;
     rig.each(at((i - steps) * way), rig.b, at((i - 1 - steps) * way), rig.b, past,
              [&](size_t k, const LinePairPass& pass) { keep(pass, next[k]); });
     past = std::move(next);
@@ -322,12 +322,13 @@ std::array<std::vector<LinePairHistory>, 6> swept(double way, double mu) {
 TEST(LinePair, NewMaterialHasTheSlipOfTheSweep) {
   const double mu = 0.3, mobilised = 5e-3;
   const auto once = swept(0.3, mu);
-  for (const LinePairHistory& h : once[3]) EXPECT_NEAR(std::hypot(h.slip[0], h.slip[1]), mobilised, 1e-9);
+  for (const LinePairContactPoint& h : once[3])
+    EXPECT_NEAR(std::hypot(h.slip[0], h.slip[1]), mobilised, 1e-9);
   for (const double way : {0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3}) {
     const auto left = swept(way, mu);
     double friction = 0, normal = 0;
     for (const auto& part : left)
-      for (const LinePairHistory& h : part) {
+      for (const LinePairContactPoint& h : part) {
         friction += h.weight * h.friction.norm();
         normal += h.weight * h.normal_force;
       }
@@ -403,13 +404,13 @@ TEST(LinePair, RigidMotionLeavesTheSlipAlone) {
         e.q2 = turn * e.q2;
         return e;
       };
-      std::array<std::vector<LinePairHistory>, 6> next;
+      std::array<std::vector<LinePairContactPoint>, 6> next;
       rig.each(turned(rig.a0), turned(rig.b0), rig.a0, rig.b0, rig.history,
                [&](size_t k, const LinePairPass& pass) { keep(pass, next[k]); });
       for (size_t k = 0; k < 6; ++k) {
         ASSERT_EQ(next[k].size(), rig.history[k].size()) << s.name;
         for (size_t i = 0; i < next[k].size(); ++i) {
-          const LinePairHistory &was = rig.history[k][i], &is = next[k][i];
+          const LinePairContactPoint &was = rig.history[k][i], &is = next[k][i];
           EXPECT_NEAR(was.slip[0], is.slip[0], 1e-10) << s.name << ", part " << k;
           EXPECT_NEAR(was.slip[1], is.slip[1], 1e-10) << s.name << ", part " << k;
           EXPECT_LE((turn * was.friction - is.friction).norm() / is.normal_force,

@@ -46,7 +46,7 @@ TEST(LinePairJoints, JointsDoNotShow) {
             set.law.normal = {kStiffness, 1e-5, 0};
             set.slave_radius = kRadius;
             set.moves = false;
-            const std::vector<LinePairHistory> none;
+            const std::vector<LinePairContactPoint> none;
             for (int k = 0; k < 6; ++k) {
               const ProjectOn part = static_cast<ProjectOn>(k % 3);
               // Joints of the chain of pieces; the other line is one element.
@@ -91,7 +91,7 @@ TEST(LinePairJoints, ContactAtAJointIsNotMissed) {
     set.law.normal = {kStiffness, 1e-6, 0};
     set.slave_radius = kRadius;
     set.moves = false;
-    const std::vector<LinePairHistory> none;
+    const std::vector<LinePairContactPoint> none;
     const auto panels = LinePairPass(A, B, ProjectOn::element, set, none).panels();
     double least = 1e300, place = 0;
     for (int i = 0; i <= 2000; ++i) {

@@ -30,16 +30,31 @@ TEST(Partition, LinesOfAFarmAreStretches) {
   EXPECT_EQ(cut_elements(mesh, owner), 0);
 }
 
-// A joint and elements near each other keep lines together, wherever they are in the file.
+// A joint and a coupling of nodes keep lines together, wherever they are in the file.
 TEST(Partition, JoinedLinesAreOnOneRank) {
   Mesh mesh = mesh_of(std::vector<int>(100, 6));
   mesh.nodes[6 * 99].pinned_to = 0;
-  const std::vector<std::pair<int, int>> near{{5 * 1, 5 * 98}};
-  const std::vector<int> owner = partition(mesh, 2, near);
+  const std::vector<std::pair<int, int>> coupled{{6 * 1, 6 * 98}};
+  const std::vector<int> owner = partition(mesh, 2, coupled);
   EXPECT_EQ(owner[0], owner[6 * 99 + 3]);
   EXPECT_EQ(owner[6 * 1], owner[6 * 98]);
   EXPECT_EQ(cut_elements(mesh, owner), 0);
   EXPECT_NE(owner[6 * 2], owner[6 * 97]);
+}
+
+// Two bodies, one on the first line and one on the last, that act on each other.
+TEST(Partition, CoupledBodiesAreOnOneRank) {
+  Mesh mesh = mesh_of(std::vector<int>(10, 6));
+  for (const int node : {0, 6 * 9}) {
+    mesh.nodes[static_cast<size_t>(node)].tied_to = static_cast<int>(mesh.nodes.size());
+    mesh.nodes.push_back({.line = static_cast<int>(mesh.nodes.size()) - 50, .rotates = true});
+  }
+  const std::vector<std::pair<int, int>> coupled{{60, 61}};
+  const std::vector<int> apart = partition(mesh, 2), owner = partition(mesh, 2, coupled);
+  EXPECT_NE(apart[60], apart[61]);
+  EXPECT_EQ(owner[60], owner[61]);
+  EXPECT_EQ(owner[0], owner[6 * 9]);
+  EXPECT_EQ(cut_elements(mesh, owner), 0);
 }
 
 // One long line and short ones: whole lines would leave a rank with far more than its share.

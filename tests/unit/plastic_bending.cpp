@@ -182,12 +182,12 @@ TEST(PlasticBending, TangentOfTheElement) {
     r.set = set.data();
     Mat12 K, C = Mat12::Zero(), Kd;
     Vec12 f;
-    beam_tangent(s, r, e, false, f.data(), K.data(), C.data());
+    beam_tangent(s, r, e, false, f, K, &C);
     for (int j = 0; j < 12; ++j) {
       const double h = 1e-7;
       Vec12 a, b;
-      beam_force(s, r, moved(e, h * Vec12::Unit(j)), a.data());
-      beam_force(s, r, moved(e, -h * Vec12::Unit(j)), b.data());
+      beam_force(s, r, moved(e, h * Vec12::Unit(j)), a);
+      beam_force(s, r, moved(e, -h * Vec12::Unit(j)), b);
       Kd.col(j) = (a - b) / (2 * h);
     }
     EXPECT_LT((K - Kd).norm(), 1e-6 * Kd.norm()) << "seed " << seed;

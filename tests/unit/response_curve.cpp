@@ -106,13 +106,13 @@ TEST(ResponseCurve, BeamTangentAndEnergyBelongToItsForce) {
     e.w2 = random();
     Mat12 K, C, Kd;
     Vec12 f, a, b, c, d;
-    beam_tangent(s, r, e, false, f.data(), K.data(), C.data());
+    beam_tangent(s, r, e, false, f, K, &C);
     const double h = 1e-5;
     for (int j = 0; j < 12; ++j) {
-      beam_force(s, r, moved(e, h * Vec12::Unit(j)), a.data());
-      beam_force(s, r, moved(e, -h * Vec12::Unit(j)), b.data());
-      beam_force(s, r, moved(e, 2 * h * Vec12::Unit(j)), c.data());
-      beam_force(s, r, moved(e, -2 * h * Vec12::Unit(j)), d.data());
+      beam_force(s, r, moved(e, h * Vec12::Unit(j)), a);
+      beam_force(s, r, moved(e, -h * Vec12::Unit(j)), b);
+      beam_force(s, r, moved(e, 2 * h * Vec12::Unit(j)), c);
+      beam_force(s, r, moved(e, -2 * h * Vec12::Unit(j)), d);
       Kd.col(j) = (8 * (a - b) - (c - d)) / (12 * h);
       if (s.beta > 0) continue;
       const double slope = (beam_stress(s, r, moved(e, h * Vec12::Unit(j))).strain_energy -
@@ -140,8 +140,8 @@ TEST(ResponseCurve, StraightTablesChangeNothing) {
   e.w2 = Vec3(0.3, 1, 0);
   Mat12 K, L, C, D;
   Vec12 f, g;
-  beam_tangent(plain, {}, e, false, f.data(), K.data(), C.data());
-  beam_tangent(tables, {}, e, false, g.data(), L.data(), D.data());
+  beam_tangent(plain, {}, e, false, f, K, &C);
+  beam_tangent(tables, {}, e, false, g, L, &D);
   EXPECT_LT((f - g).norm() + (C - D).norm(), 1e-11 * (f.norm() + C.norm()));
   // Damping forces lag behind the strain alone: what they add to the moments by the element is the same.
   EXPECT_LT((K - L).norm(), 1e-11 * K.norm());

@@ -24,7 +24,7 @@ Vec6 force(const Vec6& u, const Vec6& rate, Mat6* K = nullptr, Mat6* C = nullptr
   Stencil s;
   s.blocks = 2;
   for (size_t i = 0; i < 2; ++i) {
-    s.add({0, 1, kArms[i], R, w});
+    s.add({0, 1, {kArms[i], R, w}});
     const Vec3 X = x + R * kArms[i];
     g.F[i] = kField * X.array().sin().matrix() + kDrag * (v + R * w.cross(kArms[i]));
     block_of(g.K, i, i) = kField * X.array().cos().matrix().asDiagonal();
@@ -33,7 +33,7 @@ Vec6 force(const Vec6& u, const Vec6& rate, Mat6* K = nullptr, Mat6* C = nullptr
     g.F[AttachedForces::kPositions] = kField * X.array().cos().matrix();
     block_of(g.K, AttachedForces::kPositions, i) = -kField * X.array().sin().matrix().asDiagonal();
   }
-  s.turns[0] = {-1, 1, {}, R, {}};
+  s.turns[0] = {-1, 1, {.R = R}};
   Vec6 f = Vec6::Zero();
   if (K) {
     K->setZero();

@@ -68,22 +68,20 @@ TEST(SubmergedCables, AreWhatSingleOnesAre) {
     for (unsigned seed = 1; seed <= 20; ++seed) {
       const Four q(seed, 60, moving);
       ASSERT_EQ(submerged(q.sections, q.motion), 15u);
-      double f[4][6], again[4][6], J[4][36];
+      std::array<Vec6, 4> f, again;
+      std::array<Mat6, 4> J;
       submerged_force(q.sections, q.motion, moving, f);
       submerged_tangent(q.sections, q.motion, moving, wK, wC, wM, again, J);
       for (int i = 0; i < 4; ++i) {
-        double one[6], K[36], C[36], M[36];
+        Vec6 one;
+        Mat6 K, C, M;
         cable_water_tangent(q.section[i], q.one(i), false, one, K, C, M);
-        double force = 0, most = 0;
-        for (int e = 0; e < 6; ++e) force = std::max(force, std::abs(one[e]));
-        for (int e = 0; e < 36; ++e) most = std::max(most, std::abs(wK * K[e] + wC * C[e] + wM * M[e]));
-        for (int e = 0; e < 6; ++e) {
-          EXPECT_NEAR(f[i][e], one[e], 1e-14 * force) << "element " << i << ", entry " << e;
-          EXPECT_EQ(f[i][e], again[i][e]);
-        }
-        for (int e = 0; e < 36; ++e)
-          EXPECT_NEAR(J[i][e], wK * K[e] + wC * C[e] + wM * M[e], 1e-13 * most)
-              << "element " << i << ", entry " << e << (moving ? ", moving water" : "");
+        const Mat6 weighted = wK * K + wC * C + wM * M;
+        const auto largest = [](const auto& m) { return m.cwiseAbs().maxCoeff(); };
+        EXPECT_LT(largest(f[i] - one), 1e-14 * largest(one)) << "element " << i;
+        EXPECT_EQ(f[i], again[i]) << "element " << i;
+        EXPECT_LT(largest(J[i] - weighted), 1e-13 * largest(weighted))
+            << "element " << i << (moving ? ", moving water" : "");
       }
     }
 }

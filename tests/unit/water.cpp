@@ -25,14 +25,20 @@ WaterSection section(double length, double d, double Cd = 1.2, double Cax = 0.1,
   return s;
 }
 
-Vec3 at(const double* f, int i) { return {f[3 * i], f[3 * i + 1], f[3 * i + 2]}; }
-
-void water_residual(bool beam, const WaterSection& s, const WaterEnds& e, double* f) {
+CableInWater cable(const WaterEnds& e) {
   const MassEnds& m = e.motion;
+  return {e.x1, e.x2, m.v1, m.v2, m.a1, m.a2, e.water1, e.water2};
+}
+
+// On (x1, x2) of a cable, (x1, theta1, x2, theta2) of a beam.
+Eigen::VectorXd water_residual(bool beam, const WaterSection& s, const WaterEnds& e) {
+  Vec12 on_beam;
+  Vec6 on_cable;
   if (beam)
-    beam_water_force(s, e, f);
+    beam_water_force(s, e, on_beam);
   else
-    cable_water_force(s, {e.x1, e.x2, m.v1, m.v2, m.a1, m.a2, e.water1, e.water2}, f);
+    cable_water_force(s, cable(e), on_cable);
+  return beam ? Eigen::VectorXd(on_beam) : Eigen::VectorXd(on_cable);
 }
 
 // Against quadrature of the chord of a circle, and the ball's of its sections.
@@ -67,14 +73,13 @@ TEST(WaterLoad, FloatingHoseSinksToItsDraught) {
   EXPECT_NEAR(d, 0.4984345337, 1e-9);
   for (const bool beam : {false, true}) {
     const WaterSection s = section(10, d);
-    double low = -d, high = d, f[12];
+    double low = -d, high = d;
     for (int i = 0; i < 60; ++i) {
       const double z = 0.5 * (low + high);
       WaterEnds e;
       e.x1 = {0, 0, z};
       e.x2 = {10, 0, z};
-      water_residual(beam, s, e, f);
-      (-f[2] > weight * 5 ? low : high) = z;
+      (-water_residual(beam, s, e)[2] > weight * 5 ? low : high) = z;
     }
     EXPECT_NEAR((d / 2 - low) / d, 0.5788680969, 1e-9);
   }
@@ -120,22 +125,28 @@ TEST(WaterLoad, SteepElementsDisplaceWhatIsUnderWater) {
     for (const double d : {0.3, 5.0, 6.0}) {
       const WaterSection s = section(10, d);
       const double band = beam ? 0.011 : d / 2;
-      double last = 0, f[12], K[144], C[144], M[144];
+      double last = 0;
       for (int i = 0; i <= 3000; ++i) {
         const double middle = 9 - 0.006 * i;
         WaterEnds e;
         e.x1 = {0, 0, middle - 5};
         e.x2 = {0, 0, middle + 5};
         e.motion.q1 = e.motion.q2 = minimal_rotation(Vec3::UnitX(), Vec3::UnitZ());
-        const MassEnds& m = e.motion;
-        if (beam)
+        double lift = 0, stiffness = 0;  // of both ends by z of both ends
+        if (beam) {
+          Vec12 f;
+          Mat12 K, C, M;
           beam_water_tangent(s, e, false, f, K, C, M);
-        else
-          cable_water_tangent(s, {e.x1, e.x2, m.v1, m.v2, m.a1, m.a2, e.water1, e.water2}, false, f, K, C, M);
-        const int other = beam ? 8 : 5, row = beam ? 12 : 6;
-        const double now = -(f[2] + f[other]) / (10 * s.buoyancy);
-        const double stiffness =
-            K[2 * row + 2] + K[2 * row + other] + K[other * row + 2] + K[other * row + other];
+          lift = -f[2] - f[8];
+          stiffness = K(2, 2) + K(2, 8) + K(8, 2) + K(8, 8);
+        } else {
+          Vec6 f;
+          Mat6 K, C, M;
+          cable_water_tangent(s, cable(e), false, f, K, C, M);
+          lift = -f[2] - f[5];
+          stiffness = K(2, 2) + K(2, 5) + K(5, 2) + K(5, 5);
+        }
+        const double now = lift / (10 * s.buoyancy);
         EXPECT_GE(now, last - 1e-12);
         EXPECT_LT(now - last, 1.0001 * 0.0006);
         last = now;
@@ -193,13 +204,13 @@ TEST(WaterLoad, TangentOfALeaningElement) {
       water[0].surface = 0.02;
       water[1].surface = -0.03;
       const CableInWater e{x[0], x[1], v[0], v[1], a[0], a[1], water[0], water[1]};
-      double f[6], K[36], C[36], M[36];
+      Vec6 f;
+      Mat6 K, C, M;
       cable_water_tangent(s, e, false, f, K, C, M);
-      double most = 0;
-      for (const double k : K) most = std::max(most, std::abs(k));
+      const double most = K.cwiseAbs().maxCoeff();
       for (int c = 0; c < 6; ++c) {
         const double h = 1e-4;
-        double g[4][6];
+        Vec6 g[4];
         const double at[4] = {-2 * h, -h, h, 2 * h};
         for (int i = 0; i < 4; ++i) {
           const double kept = x[c / 3][c % 3];
@@ -208,11 +219,11 @@ TEST(WaterLoad, TangentOfALeaningElement) {
           x[c / 3][c % 3] = kept;
         }
         for (int r = 0; r < 6; ++r)
-          EXPECT_NEAR(K[6 * r + c], (g[0][r] - 8 * g[1][r] + 8 * g[2][r] - g[3][r]) / (12 * h), 1e-6 * most)
+          EXPECT_NEAR(K(r, c), (g[0][r] - 8 * g[1][r] + 8 * g[2][r] - g[3][r]) / (12 * h), 1e-6 * most)
               << d << " " << angle << " " << r << c;
       }
       cable_water_tangent(s, e, true, f, K, C, M);
-      const Eigen::Matrix<double, 6, 6> k = Eigen::Map<const Eigen::Matrix<double, 6, 6>>(K);
+      const Eigen::Matrix<double, 6, 6> k = K;
       EXPECT_LT((k - k.transpose()).norm(), 1e-12 * k.norm());
       EXPECT_GT(eigenpairs(k).values[0], -1e-9 * most);
       EXPECT_GT(k.norm(), 0.1 * most);
@@ -229,8 +240,7 @@ TEST(WaterLoad, ForceIsTheDerivativeOfThePotential) {
   e.motion.q1 = exp_so3({0, -0.3, 0.1});
   e.motion.q2 = exp_so3({0.2, -0.1, 0});
   for (const bool beam : {false, true}) {
-    double f[12];
-    water_residual(beam, s, e, f);
+    const Eigen::VectorXd f = water_residual(beam, s, e);
     for (int node = 0; node < 2; ++node)
       for (int c = 0; c < (beam ? 6 : 3); ++c) {
         const auto V = [&](double step) {
@@ -265,11 +275,10 @@ TEST(WaterLoad, MorisonOfASlantingLine) {
   const Vec3 expected = 5 * (0.5 * kRho * 1.1 * 0.2 * un.norm() * un +
                              0.5 * kRho * 0.05 * M_PI * 0.2 * std::abs(u.dot(t)) * u.dot(t) * t -
                              0.9 * kRho * A * an + kRho * kG * A * Vec3::UnitZ());
-  double f[12];
-  water_residual(false, s, e, f);
-  EXPECT_LT((at(f, 0) + at(f, 1) + expected).norm(), 1e-12 * expected.norm());
-  beam_water_force(s, e, f);
-  EXPECT_LT((at(f, 0) + at(f, 2) + expected).norm(), 1e-12 * expected.norm());
+  for (const bool beam : {false, true}) {
+    const Eigen::VectorXd f = water_residual(beam, s, e);
+    EXPECT_LT((f.segment<3>(0) + f.segment<3>(beam ? 6 : 3) + expected).norm(), 1e-12 * expected.norm());
+  }
 }
 
 // Water that accelerates: (1 + Ca) across, 1 + Ca_axial along.
@@ -280,10 +289,9 @@ TEST(WaterLoad, FroudeKrylovAndAddedMass) {
   e.x1 = {0, 0, -50};
   e.x2 = {5, 0, -50};
   e.water1.acceleration = e.water2.acceleration = Vec3(2, 3, 0);
-  double f[12];
   for (const bool beam : {false, true}) {
-    water_residual(beam, s, e, f);
-    const Vec3 sum = at(f, 0) + at(f, beam ? 2 : 1);
+    const Eigen::VectorXd f = water_residual(beam, s, e);
+    const Vec3 sum = f.segment<3>(0) + f.segment<3>(beam ? 6 : 3);
     EXPECT_NEAR(-sum.x(), 5 * s.displaced_mass * 1.1 * 2, 1e-9);
     EXPECT_NEAR(-sum.y(), 5 * s.displaced_mass * 1.9 * 3, 1e-9);
   }

@@ -1,6 +1,6 @@
 // Which lines several ranks cut, which direct solver they use, and that its
 // answers are those of one rank.
-#include "hawser/run/share_nodes.hpp"
+#include "hawser/run/node_owners.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/lu.hpp"
 #include "hawser/solve/substructure.hpp"
@@ -161,7 +161,7 @@ TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
   }
   const auto shared_out = [&c](int ranks) {
     const Simulation one(PETSC_COMM_SELF, c);
-    return run::share_nodes(c, one.mesh(), one.bodies(), ranks);
+    return run::node_owners(c, one.mesh(), one.bodies(), ranks);
   };
   const auto whole = [](const std::vector<int>& owner) {
     return std::count(owner.begin(), owner.begin() + 101, owner[0]) == 101;

@@ -179,4 +179,12 @@ class GatherPlan {
   std::vector<int> count_, start_;
 };
 
+// What all ranks have, rank by rank. Collective.
+template <class T>
+std::vector<T> gather_all(MPI_Comm comm, const std::vector<T>& mine) {
+  std::vector<T> out;
+  GatherPlan(comm, static_cast<int>(mine.size())).gather(mine.data(), out);
+  return out;
+}
+
 }  // namespace hawser

@@ -1,10 +1,10 @@
 // How near the axis of an element comes to that of another, and to a surface. Pure.
 #pragma once
 
-#include <functional>
 #include <optional>
 
 #include "hawser/kernels/bezier_axis.hpp"
+#include "hawser/math/function_ref.hpp"
 
 namespace hawser {
 
@@ -25,11 +25,11 @@ struct AxisToSurface {
   double xi = 0;
 };
 // Signed distance to a surface at a point, its gradient in `normal`; nothing when it is larger than `within`.
-using DistanceField = std::function<std::optional<double>(const Vec3& x, double within, Vec3& normal)>;
+using DistanceField = FunctionRef<std::optional<double>(const Vec3& x, double within, Vec3& normal)>;
 
 // The point of an axis with the smallest signed distance to a surface, when that is smaller than `within`
 // [m]; else nothing. One minimum is looked for in each piece of 2^-levels of the axis.
-std::optional<AxisToSurface> nearest_to(const DistanceField& field, const BezierAxis& axis, double within,
+std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& axis, double within,
                                         int levels);
 
 }  // namespace hawser

@@ -13,7 +13,7 @@ namespace hawser {
 // deep is looked at in pieces of a radius.
 // `pressed`: what starts nearer than that, or inside, is asked about too: whether it comes to another side. A
 // corner or an edge touches with its very place.
-bool goes_through(const DistanceField& field, const BezierAxis& from, const BezierAxis& to, double radius,
+bool goes_through(DistanceField field, const BezierAxis& from, const BezierAxis& to, double radius,
                   bool pressed = false);
 
 }  // namespace hawser

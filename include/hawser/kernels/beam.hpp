@@ -72,14 +72,14 @@ struct BeamStress {
   double residual1 = 0, residual2 = 0;
 };
 
-// Internal force f[12] = (x1, theta1, x2, theta2): forces in space axes, moments in material axes.
-void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* f);
+// Internal force f on (x1, theta1, x2, theta2): forces in space axes, moments in material axes.
+void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, Vec12& f);
 
-// Force and tangents, 12x12 row-major, by position and material rotation increments (K) and by velocity and
+// Force and tangents by position and material rotation increments (K) and by velocity and
 // material angular velocity (C; left untouched unless beta > 0). `convex` drops compression from the
 // geometric stiffness, for statics far from the solution.
-void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool convex, double* f,
-                  double* K, double* C);
+void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool convex, Vec12& f,
+                  Mat12& K, Mat12* C);
 
 BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamEnds& e);
 

@@ -1,5 +1,5 @@
-// Cable element: a straight bar that carries tension only. It has two forces: cable_pull at a state (statics,
-// output), and cable_mean over a time step, which conserves energy.
+// Cable element: a straight bar that carries tension only. It has two forces: cable_tension at a state
+// (statics, output), and cable_mean_tension over a time step, which conserves energy.
 #pragma once
 
 #include "hawser/kernels/response_curve.hpp"
@@ -33,10 +33,10 @@ struct CableEnds {
   const Vec3 &x1, &x2, &v1, &v2;
 };
 
-// `force` = T t [N], t pointing from node 1 to node 2 (for cable_mean: T times the mean chord over the mean
-// length). It enters the residual (internal minus external) as -force at node 1 and +force at node 2. k and c
-// are its derivatives by x2 - x1 and v2 - v1.
-struct CablePull {
+// `force` = T t [N], t pointing from node 1 to node 2 (for cable_mean_tension: T times the mean chord over
+// the mean length). It enters the residual (internal minus external) as -force at node 1 and +force at
+// node 2. k and c are its derivatives by x2 - x1 and v2 - v1.
+struct CableTension {
   Vec3 force;
   Mat3 k, c;  // c is zero unless the element is damped
 };
@@ -66,24 +66,24 @@ struct CableStress {
 };
 
 // T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The magnitude of the damper's part is at most
-// the spring's. `force` is T t as in CablePull. `slack`: share of its axial stiffness that a slack element
+// the spring's. `force` is T t as in CableTension. `slack`: share of its axial stiffness that a slack element
 // has in k.
-Vec3 cable_pull(const CableSection& s, const CableEnds& e);
-void cable_pull(const CableSection& s, const CableEnds& e, double slack, CablePull& out);
+Vec3 cable_tension(const CableSection& s, const CableEnds& e);
+void cable_tension(const CableSection& s, const CableEnds& e, double slack, CableTension& out);
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
 
-// The mean force of a step, with the sign of CablePull: its work over the displacement of the ends is the
+// The mean force of a step, with the sign of CableTension: its work over the displacement of the ends is the
 // change of strain energy, to the last bit, plus the energy taken by damper and filter (Simo & Tarnow 1992,
 // ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6): docs/theory/time-integration.md#cables. It is never
 // compressive.
 // stretch: growth of the strain in the step before, which took `last` [s]; 0: there was none.
 CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch, double last);
-Vec3 cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                const Vec3& x2);
+Vec3 cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                        const Vec3& x2);
 // The same with its derivative by x2 - x1. c is zero: in a step dampers act through the change of position.
-void cable_mean(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                const Vec3& x2, CablePull& out);
+void cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                        const Vec3& x2, CableTension& out);
 
 // Energy that the element has lost in a step that ended with x1 and x2.
 struct CableLoss {

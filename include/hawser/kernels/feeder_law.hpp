@@ -1,9 +1,8 @@
 // How much line a winch that keeps to a tension lets out in a step.
 #pragma once
 
-#include <functional>
-
 #include "hawser/kernels/cable.hpp"
+#include "hawser/math/function_ref.hpp"
 
 namespace hawser {
 
@@ -31,10 +30,10 @@ struct FedElement {
 
 // Solves L = from + h v(pull(L)) for the unstretched length L > 0 of the element at the winch, with the
 // tension at the end of the step.
-FedElement feed_step(const std::function<FedPull(double)>& pull, const FeedLaw& law, double from, double h);
+FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, double from, double h);
 
 // Of a cable at the end of a step of h [s] that began with the strain `from`, beyond the free one: its
-// elastic tension and its damper's, as limited there as in cable_pull. h = 0: without the damper.
+// elastic tension and its damper's, as limited there as in cable_tension. h = 0: without the damper.
 struct CableFeed : FedPull {
   double by_chord = 0;  // N/m, derivative by the chord
 };

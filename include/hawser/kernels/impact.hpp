@@ -1,6 +1,6 @@
-// How long a step may be beside and in a contact, so that an impact that matters is followed and its force
-// makes no energy to speak of. No MPI: sums over the ranks are the caller's. See docs/theory/contact.md,
-// "Steps", and docs/decisions/006-step-control.md.
+// Limits of the step length near a contact and in it: steps resolve each impact that matters, so that contact
+// forces neither make nor lose significant energy. The caller sums over the ranks. See
+// docs/theory/contact.md, "Steps", and docs/decisions/006-step-control.md.
 #pragma once
 
 #include <functional>
@@ -16,32 +16,33 @@ namespace hawser {
 // The limit of the next step.
 struct StepLimit {
   double longest = std::numeric_limits<double>::infinity();  // s
-  // s, shortest period of the contacts with an impact now: steps resolve what it sets in motion for some
-  // time.
+  // s, shortest period of the contacts that have an impact now. For some time after it steps resolve the
+  // motion that the impact causes.
   double period = std::numeric_limits<double>::infinity();
 };
 
-// A point that approaches a surface: its gap to where forces begin (m, negative: beyond), its closing speed
-// (m/s) and its acceleration along the normal (m/s², positive: away).
+// A point that approaches a surface.
 struct Approach {
-  double gap = 0, closing = 0, acceleration = 0;
-  bool last = true;  // in touch: no other place of the same contact is deeper, so that it ends with this one
+  double gap = 0;           // m, to where the contact force begins; negative: in contact
+  double closing = 0;       // m/s, speed towards the surface
+  double acceleration = 0;  // m/s², along the normal; positive: away from the surface
+  bool last = true;  // of a point in contact: it is the deepest one, so the contact ends where it leaves
 };
 
-// The impact of a mass on the spring of a contact: at present, or possible before the step ends.
+// The impact of a mass on a contact spring, which takes place now or may take place before the step ends.
 class ImpactEvent {
  public:
   int line = 0, other = -1;  // the line with the impact; the other line, if there is one
 
-  // J: kinetic energy of the mass along the normal plus that of the spring away from its balance. Steps that
-  // resolve the impact make or lose no more than this.
+  // J: kinetic energy of the mass along the normal plus the energy of the spring above that of its
+  // equilibrium. Steps that do not resolve the impact make or lose no more than this.
   double energy() const { return energy_; }
-  // J, at stake in a step of h [s]: energy() where the step is too long to resolve the impact, else 0.
+  // J, that a step of h [s] may make or lose: energy() if the step is too long to resolve the impact, else 0.
   double unresolved(double h) const { return h > resolved_ ? energy_ : 0; }
-  // J: the trapezoidal rule loses this in a step of h across the first touch, or makes it in one across the
-  // end of the contact.
+  // J: the trapezoidal rule loses this energy in a step of h [s] in which the contact begins, and makes it in
+  // a step in which the contact ends.
   double crossed(double h) const;
-  // s, of what is in touch; infinite: of what is not.
+  // s, of the mass on the spring; infinite where it is not in contact.
   double period() const;
 
  private:
@@ -49,13 +50,13 @@ class ImpactEvent {
                                                  double mass, const Approach& at);
   double inverse_frequency_ = 0, energy_ = 0;  // s, J
   double resolved_ = 0;                        // s
-  double crossing_ = 0;                        // s, until the touch or the end; infinite: none
-  double half_ = 0;                            // N/m, half the stiffness
+  double crossing_ = 0;  // s, until the contact begins or ends; infinite: it does neither
+  double half_ = 0;      // N/m, half the stiffness
   Approach at_;
 };
 
-// inverse_frequency: s, sqrt(m/k) of the contact, its period over 2 pi. significant_depth: m; there is an
-// impact where inertia takes the mass deeper than this, by speed or by acceleration. mass: kg.
+// inverse_frequency: s, sqrt(m/k) of the contact, its period over 2 pi. significant_depth: m; it is an impact
+// if speed or acceleration takes the mass deeper than this. mass: kg.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
                                         const Approach& at);
 // Whether an impact is possible at no more than this speed [m/s] and acceleration [m/s²] in any direction.
@@ -65,29 +66,29 @@ bool may_impact(double inverse_frequency, double significant_depth, double speed
 // is accepted where the contact begins or ends in it: at most half of the steps that resolve an impact.
 bool resolves_contact(double inverse_frequency, double h);
 
-// A contact that began or ended within a step that is too long for it, so that the step gained or lost
-// energy. The start of the step did not show it: a wave along the line brought it there or took it off.
+// A contact that began or ended within a step that was too long to resolve it, so that the step made or lost
+// energy. At the start of the step it could not be predicted: a wave along the line caused it.
 struct UnresolvedImpact {
-  int line = 0, other = -1;  // that meets or leaves the other, if that is a line
+  int line = 0, other = -1;  // the line in contact; the other line, if there is one
   double energy = 0;         // J, made or lost
 };
-// Impacts that the end of a converged step shows and its start did not.
+// Impacts that are found at the end of a converged step and were not predicted at its start.
 struct UnresolvedImpacts {
   std::vector<UnresolvedImpact> list;
-  bool too_deep = false;  // something went deeper in it than a step is trusted with
+  bool too_deep = false;  // a penetration grew in the step by more than is allowed
 };
 // J, the error of the trapezoidal rule in the work of a contact that began or ended within a step: the rule
-// takes the force for one that rises or falls over the whole path. path: m, along the normal; force: N, and
-// potential: J, of the spring at the end of the step where it touches. 0 where speed [m/s] times inverse
-// frequency presses in by less than significant_depth [m].
+// assumes that the force changes over the whole path. path: m, along the normal; force [N] and potential [J]:
+// of the spring at that end of the step where there is contact. 0 if speed [m/s] times inverse frequency is
+// less than significant_depth [m].
 double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
                       double path, double speed);
 
-// What terms find: impacts of what this rank counts, and a length [s] that steps keep to in any case.
+// What force terms report: the impacts that this rank counts, and a limit of the step beside them.
 struct ImpactEvents {
-  double longest = std::numeric_limits<double>::infinity();
-  double most =
-      std::numeric_limits<double>::infinity();  // s, no step is longer: longer limits need not be added
+  double longest = std::numeric_limits<double>::infinity();  // s, limit of the step whatever the impacts are
+  // s, the longest step that is considered: impacts that only limit longer ones need not be added.
+  double most = std::numeric_limits<double>::infinity();
   std::vector<ImpactEvent> list;
 
   void limit(double h) {
@@ -126,15 +127,15 @@ struct StoredMotion {
   double share = 0;
 };
 
-// J by line: the energy error that impacts may have in a step: kErrorOfStep of the line's energy, times the
-// number of lines whose impacts have more. `lines` are those of all ranks.
+// J, for each line the energy error of impacts that is allowed in a step: kErrorOfStep of the line's energy
+// times the number of lines of which the impacts have more than that. `lines` are summed over all ranks.
 constexpr double kErrorOfStep = 2e-5;
 std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 
-// The longest step [s] after one of `last` [s] that lets the energy held in A, which grows with the square of
-// the step, grow by no more than its tolerance: it would come out as motion. Twice the last one in any case,
-// as each step damps what the next would make. stored: as LineMotion, of accelerations; by line, of all
-// ranks.
+// The longest step [s] after one of `last` [s] for which the energy stored in A grows by no more than the
+// tolerance; that energy is proportional to the square of the step and would be released as motion. At least
+// twice `last`, because each step damps what the next one would add. stored: by line, the sums of LineMotion
+// over all ranks with the accelerations A in place of the velocities.
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
                            double share, double last);
 

@@ -30,16 +30,16 @@ struct MassEnds {
   double director_weight = 0;
 };
 
-// f[12] = M a + gyroscopic terms - load, (x1, theta1, x2, theta2), moments in material axes.
+// f = M a + gyroscopic terms - load on (x1, theta1, x2, theta2), moments in material axes.
 // load: dead force per unstretched length, weight included, N/m.
-void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, double* f);
+void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, Vec12& f);
 
-// Force and 12x12 row-major tangents by configuration, velocity and acceleration. With directors given, they
+// Force and tangents by configuration, velocity and acceleration. With directors given, they
 // are taken to move by director_weight d(R hat(w)) with the configuration and by R hat(d alpha) with the
 // acceleration; what they get from the velocity is in the latter (its weight in a step is director_weight
 // times that of the velocity).
-void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, double* f, double* K,
-                       double* C, double* M);
+void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, Vec12& f, Mat12& K,
+                       Mat12& C, Mat12& M);
 
 // Kinetic energy of the element, J.
 double beam_kinetic_energy(const MassSection& s, const MassEnds& e);
@@ -54,8 +54,8 @@ struct CableMass {
 };
 CableMass cable_mass(const MassSection& s);
 
-// The cable's f[6]; kinetic energy.
-void cable_mass_force(const MassSection& s, const Vec3& a1, const Vec3& a2, const Vec3& load, double* f);
+// The cable's force on (x1, x2); kinetic energy.
+void cable_mass_force(const MassSection& s, const Vec3& a1, const Vec3& a2, const Vec3& load, Vec6& f);
 double cable_kinetic_energy(const MassSection& s, const Vec3& v1, const Vec3& v2);
 
 }  // namespace hawser

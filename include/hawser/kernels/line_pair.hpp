@@ -1,6 +1,6 @@
 // Contact of an element of one line with an element of another, along the intervals of the first that touch
-// the second. See docs/theory/line-line.md. Pure: (state and history at the start of the step, trial) ->
-// forces.
+// the second. See docs/theory/line-line.md. Pure: (state and contact points at the start of the step, trial)
+// -> forces.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ struct PairAxis {
 };
 
 // A Gauss point of the accepted state. Space axes; the weight has the share of the pair's pass and the sign.
-struct LinePairHistory : ContactPoint {
+struct LinePairContactPoint : ContactPoint {
   double xi = 0, from = 0, to = 0;     // place; its panel: all of it touches
   bool opens = false, closes = false;  // contact begins at `from`, ends at `to`
   double eta = 0;                      // place on the other
@@ -71,7 +71,7 @@ class LinePairPass {
   };
 
   LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn part, const Settings& settings,
-               const std::vector<LinePairHistory>& history);
+               const std::vector<LinePairContactPoint>& previous);
 
   // One rule's interval of the slave. An end that moves does so with the gap or with the place where the
   // master's nearest point reaches one of its ends.
@@ -87,7 +87,7 @@ class LinePairPass {
   // no_forces() of the two in that order. points: what touches goes there if it is given, which is what the
   // state leaves behind when it is accepted.
   void add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& out,
-           std::vector<LinePairHistory>* points = nullptr) const;
+           std::vector<LinePairContactPoint>* points = nullptr) const;
   // J
   double potential(const std::vector<Panel>& panels) const;
 
@@ -106,8 +106,8 @@ class LinePairPass {
   std::vector<double> kinks(int levels) const;
   void split(const Panel& panel, std::vector<Panel>& out) const;
   LinePairPoint local(const Point& p, const Start& s) const;
-  LinePairHistory left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
-                              double weight) const;
+  LinePairContactPoint left_behind(const Panel& panel, const Point& p, const LinePairForce& c,
+                                   double weight) const;
   Rows rows(const Point& p) const;
   Slopes slopes(const Point& p, const Start& from, const LinePairForce& c, const Rows& rows) const;
   MovingEnd moving_end(double xi, End end) const;
@@ -117,7 +117,7 @@ class LinePairPass {
   const PairAxis &slave_, &master_;
   ProjectOn part_;
   Settings set_;
-  const std::vector<LinePairHistory>& history_;
+  const std::vector<LinePairContactPoint>& previous_;
   double wa_, wb_;  // shares of the radii
   // Rows of AttachedForces: of the positions of both, and of their nodes' rotations.
   size_t at_slave_, at_master_, turn_slave_, turn_master_;

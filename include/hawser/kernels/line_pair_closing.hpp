@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "hawser/math/types.hpp"
+#include "hawser/kernels/friction_law.hpp"
 
 namespace hawser {
 

@@ -4,9 +4,8 @@
 // Along the element position, velocity and virtual displacement are those of its distributed loads: linear
 // for a cable (two Gauss points), Hermite's cubic for a beam (three). The direction that splits normal from
 // axial is the chord's. What the water does is given at the nodes and linear between. All per unstretched
-// length. At a point: src/kernels/morison_points.hpp. Cables that are wholly wet are computed by
-// submerged_cables.hpp, by the same formulas; a change of one is one of both (tests/unit/submerged_cables.cpp
-// compares them).
+// length. The formula is src/kernels/morison_formula.hpp. Cables that are wholly wet are
+// computed four at once by submerged_cables.hpp.
 #pragma once
 
 #include "hawser/kernels/line_mass.hpp"
@@ -43,15 +42,15 @@ struct CableInWater {
   const Water &water1, &water2;
 };
 
-// Residual (minus the water's force on the line) f[6] or f[12] = (x1, theta1, x2, theta2), moments in
-// material axes; row-major tangents by configuration, velocity and acceleration (directors as in
+// Residual (minus the water's force on the line) f on (x1, x2) or (x1, theta1, x2, theta2), moments in
+// material axes; tangents by configuration, velocity and acceleration (directors as in
 // beam_mass_tangent). convex: exclude what is not positive of the configuration's part.
-void cable_water_force(const WaterSection& s, const CableInWater& e, double* f);
-void cable_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, double* f, double* K,
-                         double* C, double* M);
-void beam_water_force(const WaterSection& s, const WaterEnds& e, double* f);
-void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, double* f, double* K,
-                        double* C, double* M);
+void cable_water_force(const WaterSection& s, const CableInWater& e, Vec6& f);
+void cable_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, Vec6& f, Mat6& K, Mat6& C,
+                         Mat6& M);
+void beam_water_force(const WaterSection& s, const WaterEnds& e, Vec12& f);
+void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, Vec12& f, Mat12& K, Mat12& C,
+                        Mat12& M);
 
 // Of the potential of buoyancy, J (that of a fully wet line: buoyancy times depth); of the other forces what
 // they are, in the generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable.

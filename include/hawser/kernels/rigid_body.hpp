@@ -27,9 +27,6 @@ struct RigidBodyState {
   Vec3 w = Vec3::Zero(), alpha = Vec3::Zero();  // rad/s, rad/s², body axes
 };
 
-using Vec6 = Eigen::Matrix<double, 6, 1>;
-using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-
 // Its parts apart: where they cancel (a body that falls, or tumbles freely) their sum does not say how large
 // the forces are.
 struct RigidBodyResidual {

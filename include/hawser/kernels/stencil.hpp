@@ -1,23 +1,17 @@
-// Positions that contact forces act on, attached to the nodes of a model, and the way of forces and tangents
-// from them to the nodes' blocks.
-//
-//   X = x + R a,   X' = v + R (w x a)
-// of a node's position x and rotation R, either of which may be excluded: a node of a cable is x, the tangent
-// at the end of a beam times its length is R a (axis_shape.hpp), a point of a body is both. With material
-// increments theta, dX = dx - R hat(a) dtheta.
+// Positions that forces act on, attached to the nodes of a model, and the way of forces and tangents from
+// them to the nodes' blocks. Of a node's position X and rotation R either may be excluded: a node of a cable
+// is X, the tangent at the end of a beam times its length is R y (axis_shape.hpp), a point of a body is both.
 #pragma once
 
 #include <array>
 
-#include "hawser/math/types.hpp"
+#include "hawser/kernels/frame_point.hpp"
 
 namespace hawser {
 
 struct AttachedPosition {
   int position = -1, rotation = -1;  // blocks of the stencil; -1: not of it
-  Vec3 arm = Vec3::Zero();           // a, m, material axes
-  Mat3 R = Mat3::Identity();         // material axes to space axes
-  Vec3 w = Vec3::Zero();             // rad/s, material axes
+  FramePoint point;
 };
 
 // Of a matrix in blocks of three: one of them.
@@ -46,7 +40,7 @@ struct Stencil {
   int blocks = 0;
   size_t positions = 0;
   std::array<AttachedPosition, AttachedForces::kPositions> at;
-  std::array<AttachedPosition, AttachedForces::kTurns> turns;  // rotation and R; of a cable none
+  std::array<AttachedPosition, AttachedForces::kTurns> turns;  // rotation and its R; of a cable none
 
   void add(const AttachedPosition& p) { at[positions++] = p; }
   // Adds to f[3n], K and C (3n)x(3n), row-major, n = blocks; K and C may be null together, and C alone where

@@ -3,6 +3,8 @@
 // linear along the element is integrated in closed form. One vector lane an element.
 #pragma once
 
+#include <array>
+
 #include "hawser/kernels/line_water.hpp"
 #include "hawser/math/wide3.hpp"
 
@@ -25,10 +27,10 @@ struct CablesInWater4 {
 // rest.
 unsigned submerged(const WaterSections4& s, const CablesInWater4& m);
 
-// Residuals f[lane][6]. moving: the water has a velocity, or accelerations; else those of it are not read.
-void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool moving, double (*f)[6]);
-// And J[lane][36] = wK K + wC C + wM M, row-major.
+// Residuals f by lane. moving: the water has a velocity, or accelerations; else those of it are not read.
+void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool moving, std::array<Vec6, 4>& f);
+// And J = wK K + wC C + wM M by lane.
 void submerged_tangent(const WaterSections4& s, const CablesInWater4& m, bool moving, double wK, double wC,
-                       double wM, double (*f)[6], double (*J)[36]);
+                       double wM, std::array<Vec6, 4>& f, std::array<Mat6, 4>& J);
 
 }  // namespace hawser

@@ -54,4 +54,14 @@ struct PointContact {
 PointContact volume_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                             bool derivatives);
 
+struct BallContact : PointContact {
+  Mat3 by_turn = Mat3::Zero();  // N, d force / d turn
+};
+
+// The same of a ball of the radius trial.lever [m] about the point, fixed to a body that has turned by the
+// rotation vector `turn` [rad], axes of the surface, against it since the start of the step. Friction acts
+// where ball and surface touch, at the arm -lever n, which the rotation moves by -lever turn x n.
+BallContact ball_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                         const Vec3& turn, bool derivatives);
+
 }  // namespace hawser

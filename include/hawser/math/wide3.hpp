@@ -3,6 +3,8 @@
 // extensions: any target, AVX where there is.
 #pragma once
 
+#include <cmath>
+
 #include "hawser/math/types.hpp"
 
 namespace hawser::wide {
@@ -20,6 +22,13 @@ inline Row cross(Row a, Row b) {
   const auto next = [](Row r) -> Row { return __builtin_shufflevector(r, r, 1, 2, 0, 3); };
   return next(a * next(b) - next(a) * b);
 }
+// Of each lane.
+[[gnu::always_inline]] inline Row sqrt(Row a) {
+  Row r;
+  for (int i = 0; i < 4; ++i) r[i] = std::sqrt(a[i]);
+  return r;
+}
+[[gnu::always_inline]] inline Row abs(Row a) { return a < 0 ? -a : a; }
 inline Row unit(int i) { return Row{i == 0 ? 1. : 0., i == 1 ? 1. : 0., i == 2 ? 1. : 0., 0}; }
 
 struct Mat {
@@ -74,6 +83,12 @@ inline Mat load(const Mat3& m) {
 inline void store(const Mat& m, double* out, int width) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) out[i * width + j] = m.r[i][j];
+}
+
+// As block (i, j) of the matrix of an element.
+template <int n>
+inline void put(Eigen::Matrix<double, n, n, Eigen::RowMajor>& to, int i, int j, const Mat& m) {
+  store(m, to.data() + 3 * n * i + 3 * j, n);
 }
 
 // Rotation matrix of a unit quaternion.

@@ -76,8 +76,10 @@ const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
 
 // Adds a beam's residual (x1, theta1, x2, theta2), or a cable's (x1, x2), to f[12], which is laid out as a
 // beam's.
-inline void add_ends(const double* own, bool beam, double* f) {
-  for (int i = 0; i < (beam ? 12 : 6); ++i) f[beam || i < 3 ? i : i + 3] += own[i];
+inline void add_ends(const Vec12& own, double* f) { Eigen::Map<Vec12>{f} += own; }
+inline void add_ends(const Vec6& own, double* f) {
+  Eigen::Map<Vec3>{f} += own.head<3>();
+  Eigen::Map<Vec3>{f + 6} += own.tail<3>();
 }
 
 // Makes the coupling ghosts those of `nodes` (of the mesh, sorted) that are no local nodes already. Local

@@ -10,10 +10,10 @@
 namespace hawser {
 
 // Owner of every node: METIS recursive bisection of the graph of elements, vertices weighed by the work of a
-// node, edges along a chain heavy so that lines are cut as seldom as balance allows. `near`: pairs of
-// elements that may touch, lighter edges, so that both land on one rank where that is cheap. `whole`: lines
-// that are not cut. Same answer on every rank.
-std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> near = {},
+// node, edges along a chain heavy so that lines are cut as seldom as balance allows. `coupled`: pairs of
+// nodes with forces between them or between their elements, lighter edges, so that both land on one rank
+// where that is cheap. `whole`: lines that are not cut. Same answer on every rank.
+std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled = {},
                            std::span<const int> whole = {});
 
 // This rank's part. `owner` has one rank a node.

@@ -13,6 +13,7 @@ struct BodyPair {
   std::size_t a = 0, b = 0;
   double stiffness = 0;  // N/m, N/m² or N/m³ by the basis of a
   double share = 1;      // of the force: 1/2 where b leads as well with its faces
+  Friction friction;     // the same in all directions
   // Whether they may get into each other where nothing of a is: between its corners, edges or balls.
   bool hides = false;
 };
@@ -20,7 +21,9 @@ struct BodyPair {
 // Pairs of volumes that take part in contact, on different bodies one of which has mass at least. Round
 // volumes (sphere, capsule, torus) lead, then those with a stiffness per point, per length, per area; of
 // equals both lead, but round ones, where either would say the same. The softer of two of one basis counts.
-// A pair without any stiffness has stiffness 0.
+// A pair without any stiffness has stiffness 0. Of two volumes with friction the lower coefficient counts,
+// where only one has friction its own; of two coefficients of a volume, along and across a line, the lower. A
+// shear stiffness counts where it is that of a, whose basis it has.
 std::vector<BodyPair> body_pairs(const Case& c);
 
 }  // namespace hawser::model

@@ -67,6 +67,8 @@ struct LineType {
 
   double displaced() const { return displaced_diameter > 0 ? displaced_diameter : outer_diameter; }
   double dragged() const { return drag_diameter > 0 ? drag_diameter : outer_diameter; }
+  // s, in which an axial wave passes a length [m] of it: L / c, with c = sqrt(EA / m).
+  double wave_time(double length) const { return length * std::sqrt(mass_per_length / EA); }
 };
 
 // u(t) for t >= 0, with u and its first two derivatives continuous.

@@ -67,6 +67,13 @@ double contact_diameter_of(const Case& c, const Line& line);
 // Whether a line's end is held by an anchor or a body: its place is prescribed, which that of a joint is not.
 bool is_held(const End& end);
 
+// The ends of lines that are held by this body, lines in their order.
+struct EndAtBody {
+  const Line& line;
+  const End& end;
+};
+std::vector<EndAtBody> line_ends_at(const Case& c, const Body& body);
+
 // Where a line's end is at t = 0 [m, space]: the body's position and rotation with its motion then.
 // Not for free ends. Throws std::out_of_range for an unknown body.
 Vec3 end_position(const Case& c, const End& end);

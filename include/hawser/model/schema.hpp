@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -84,6 +85,7 @@ struct Key {
   std::optional<std::string> fallback;  // default, as it would be written in the file
   std::string fallback_note;            // default in words, when it depends on other keys
   bool required = false;
+  bool fixed_in_restart = false;  // it, and all keys below it, stay as they were when a run goes on
   std::vector<Key> keys;
   std::size_t min_items = 0, max_items = 0;  // of lists and names; 0: no limit
   std::vector<Group> groups;
@@ -139,6 +141,10 @@ template <class First, class... More>
                        fmt::format_string<First, More...> text, First&& first, More&&... more) {
   fail(file, line, key, fmt::format(text, std::forward<First>(first), std::forward<More>(more)...));
 }
+
+// The values of all keys below v that are fixed_in_restart, by their dotted key, as text: numbers in SI, keys
+// of maps in alphabetical order. v: checked.
+std::map<std::string, std::string> fixed_values(const Value& v);
 
 // The key tables (Markdown) and the JSON Schema (draft 2020-12), which the build writes to build/docs.
 std::string schema_markdown();

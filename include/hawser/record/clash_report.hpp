@@ -41,7 +41,6 @@ class ClashReport : public Recording, public HasClashes {
 
  private:
   void collect();
-  std::vector<double> of_all(const std::vector<double>& mine) const;
 
   const MPI_Comm comm_;
   const Subject& subject_;

@@ -12,6 +12,11 @@
 
 namespace hawser::run {
 
+// Throws InputError if one of the files that are written with `what` ("the results") at `path` is one of
+// those that are read.
+void check_not_read(const std::string& what, const std::string& path, const std::vector<std::string>& written,
+                    const std::vector<std::string>& read);
+
 class OutputPlace {
  public:
   // A file at `path` is replaced only if it is a results file; a link is followed. `restart`: the file the
@@ -27,7 +32,6 @@ class OutputPlace {
 
  private:
   void check() const;
-  void check_inputs(const std::vector<std::string>& inputs) const;
   void check_old();
 
   std::string path_;

@@ -128,7 +128,7 @@ class Simulation {
   std::optional<bool> static_friction_;  // by a stage; none: as the case has it
   bool any_laid_ = false;                // of any line of the case it is known where it was laid
   std::vector<Vec3> laid_;               // m, where local nodes were laid on the bed; as in StartShape
-  Feeders* feeders_ = nullptr;           // the terms that come before them ask them for lengths
+  Feeders* feeders_ = nullptr;
 };
 
 }  // namespace hawser::run

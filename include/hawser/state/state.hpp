@@ -8,12 +8,13 @@
 
 namespace hawser {
 
+// By local node, ghosts included; more on each quantity in kinematics.hpp.
 struct State {
-  double time = 0;
-  std::vector<Vec3> x, v, a;
-  std::vector<Quat> q;
-  std::vector<Vec3> w, alpha;
-  std::vector<Mat3> directors;  // accelerations; empty outside time integration (kinematics.hpp)
+  double time = 0;              // s
+  std::vector<Vec3> x, v, a;    // m, m/s, m/s², space axes
+  std::vector<Quat> q;          // rotation from node axes to space axes
+  std::vector<Vec3> w, alpha;   // rad/s, rad/s², node axes
+  std::vector<Mat3> directors;  // accelerations of the node axes; empty outside time integration
   double director_weight = 0;
   StepMean mean;
 
@@ -29,10 +30,11 @@ struct State {
   }
 };
 
-// Configuration x + u_x, R exp(u_theta) from a local block vector u[3 * blocks] (ghosts included).
+// to = x + u_x, R exp(u_theta): the configuration of `from`, moved by a local block vector u[3 * blocks],
+// ghosts included.
 void retract(const LocalMesh& mesh, const State& from, const double* u, State& to);
 
-// `from` with the constant rates that lead to `to` in a time h [s]: x + h v, R exp(h w).
+// `from` with the constant velocities v, w by which it becomes `to` in a time h [s]: x + h v, R exp(h w).
 State straight_path(const LocalMesh& mesh, const State& from, const State& to, double h);
 
 }  // namespace hawser

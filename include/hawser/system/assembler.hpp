@@ -26,8 +26,6 @@ struct Weights {
 
 class Assembler {
  public:
-  static constexpr int kMaxBlocks = 8;
-
   bool needs_force() const { return force_ != nullptr; }
   bool needs_tangent() const { return matrix_ != nullptr; }
   // True far from a static solution: terms exclude negative geometric stiffness.
@@ -36,7 +34,13 @@ class Assembler {
   // blocks: n local 3-blocks; f: 3n; K, C, M: (3n)x(3n) row-major or null. K is the derivative by the
   // configuration, for rotations by material increments at the trial rotation; C and M are those by (v, w)
   // and (a, alpha).
-  void add(std::span<const int> blocks, const double* f, const double* K, const double* C, const double* M);
+  void add(std::span<const int> blocks, const double* f, const double* K, const double* C, const double* M) {
+    add(blocks, blocks, f, K, C, M);
+  }
+  // The same for the force on the blocks `rows` and its derivatives by the motion of the blocks `columns`: of
+  // one body by that of another.
+  void add(std::span<const int> rows, std::span<const int> columns, const double* f, const double* K,
+           const double* C, const double* M);
   // The same for the positions a and b and a force f that depends on their difference alone: the residual
   // gets -f at a and +f at b. k and c are the derivatives of f by x_b - x_a and v_b - v_a, or null.
   void add_between(int a, int b, const Vec3& f, const Mat3* k, const Mat3* c);
@@ -61,8 +65,9 @@ class Assembler {
  private:
   friend class System;
   void add_force(int block, double x, double y, double z);
-  void put(const int* blocks, int n, double* J);
-  void add_tied(std::span<const int> blocks, const double* K, const double* C, const double* M);
+  void put(std::span<const int> rows, std::span<const int> columns, double* J);
+  void add_tied(std::span<const int> rows, std::span<const int> columns, const double* K, const double* C,
+                const double* M);
   void add_elsewhere(int row, int column, const double* J, int m);
 
   const TiedNodeForces* ties_ = nullptr;

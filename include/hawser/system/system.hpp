@@ -11,6 +11,7 @@
 #include "hawser/base/handle.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
+#include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/ghost_exchange.hpp"
 #include "hawser/system/tied_nodes.hpp"
@@ -143,6 +144,9 @@ class System {
 
  private:
   void take_roles(ForceTerm& term);
+  void update_fed_lines(const Kinematics& at) const {
+    if (fed_lines_) fed_lines_->update(at);
+  }
   void size_arrays();
   void sum(std::span<double> values) const;  // sums over the ranks, in place
   std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored,
@@ -170,6 +174,7 @@ class System {
   std::vector<MovesMasses*> move_masses_;
   std::vector<CarriesTension*> carry_tension_;
   std::vector<ScalesResiduals*> scale_residuals_;
+  FedLines* fed_lines_ = nullptr;  // null: no line is fed
   // Events of -log_view, by term: forces, tangents, and preparation of a step.
   struct Events {
     PetscLogEvent force = 0, tangent = 0, prepare = 0;

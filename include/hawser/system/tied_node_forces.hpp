@@ -1,16 +1,13 @@
 // Forces and tangent of nodes that are tied to a frame of the state (TiedNodes; docs/theory/frames.md). Such
 // a node has no unknowns of its own: a force on it acts on its frame, which is a body with mass or a node of
-// a beam. With the frame's position X, rotation R, rates w and rotation increment theta, and the arm y in its
-// axes:
-//   x = X + R y,  dx = dX + place theta,  place = -R hat(y)
-//   v and a depend on theta, too, by rate theta,  rate = -R hat(w x y)
-// A rotation that is tied as well has the increment turn theta.
+// a beam, of which it is a point (FramePoint). Its rates and its accelerations both depend on the frame's
+// rotation by FramePoint::velocity_by_turn(). A rotation that is tied as well has the increment turn theta.
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "hawser/math/types.hpp"
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/tied_nodes.hpp"
@@ -31,8 +28,8 @@ class TiedNodeForces {
   // node's rotation to the frame's moment (frame axes). force: 3 * blocks, N; squares: by block, of the
   // contributions. The force at the node remains there as that of the tie.
   void add_forces(std::vector<double>& force, std::vector<double>& squares) const;
-  // d(y x R'f) = hat(y) hat(R'f) theta: stiffness from the rotation of the arm of the force at each owned
-  // tied node. `convex`, far from a solution: only the positive part, of a force that pulls at the arm.
+  // Adds the stiffness from the rotation of the arm of the force at each owned tied node. `convex`, far from
+  // a solution: only its positive part.
   void add_geometric_stiffness(const std::vector<double>& force, bool convex, Assembler& assembler) const;
 
   // The increments u of some blocks as functions of the unknowns z of the blocks `to`: u = P z; their rates
@@ -52,8 +49,8 @@ class TiedNodeForces {
     bool owned = false;
     bool turns = false;  // the node's rotation is tied as well
     bool point = false;  // the frame has no rotation because it is the end of a cable
-    Vec3 arm = Vec3::Zero();
-    Mat3 turn = Mat3::Identity(), R = Mat3::Identity(), place = Mat3::Zero(), rate = Mat3::Zero();
+    FramePoint at;
+    Mat3 turn = Mat3::Identity();
   };
   std::vector<Tie> ties_;
   std::vector<int> tie_of_;  // by local block; -1: not tied

@@ -31,8 +31,9 @@ struct FloatingFrame {
 
 // f, K and C of the blocks of a line and, behind them, of the two of the body.
 struct AgainstBody {
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Eigen::VectorXd f;
+  static constexpr int kBlocks = 6, kMost = 3 * kBlocks;  // of the ends of a beam and of a body
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, kMost, kMost>;
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMost, 1> f;
   Matrix K, C;  // of no size where there was none
 };
 // Of f[3n], K and C [3n x 3n, row-major or null] of n blocks of a line. turning: with how forces, and their

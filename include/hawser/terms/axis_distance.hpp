@@ -11,8 +11,8 @@ namespace hawser {
 
 // Less `most` [m]: contact_intervals() finds where it is nearer than that, or deeper inside than -most. The
 // surface, its pose and the axis outlive the function.
-inline AxisGapFunction axis_distance(const Surface& surface, const RigidPose& pose, const AxisShape& shape,
-                                     double most = 0) {
+inline auto axis_distance(const Surface& surface, const RigidPose& pose, const AxisShape& shape,
+                          double most = 0) {
   return [&, most, hint = -1](double xi, double within) mutable -> AxisGap {
     const auto p = surface.query(pose.to_body(shape.point(xi)), within + most, hint);
     if (!p) return {within, 0};
@@ -22,7 +22,7 @@ inline AxisGapFunction axis_distance(const Surface& surface, const RigidPose& po
 }
 
 // The distance to all of a surface, whatever its walls. The surface outlives the function.
-inline DistanceField distance_to(const Surface& surface) {
+inline auto distance_to(const Surface& surface) {
   return [&surface, hint = -1](const Vec3& x, double within, Vec3& normal) mutable -> std::optional<double> {
     const auto p = surface.query(x, within, hint);
     if (!p) return std::nullopt;

@@ -1,13 +1,9 @@
 // Points and directions that are fixed to something, and what acts between two of them: a node of a line, a
-// body (with prescribed motion, with mass, or riding on a line) or space.
-//
-// With the position X and rotation R of the node that carries it a point is x = X + R y and a direction d = R
-// y, both with their rates in the frame's axes:
-//   dx = dX - R hat(y) theta,   dv = dV - R hat(y) dw - R hat(w x y) theta,
-// and what acts on it with the residual f has the moment y x R'f on the node, which changes by hat(y)
-// hat(R'f) theta with the rotation (docs/theory/frames.md).
+// body (with prescribed motion, with mass, or riding on a line) or space. A point of the node that carries it
+// is a FramePoint; a direction is the arm of one.
 #pragma once
 
+#include "hawser/kernels/frame_point.hpp"
 #include "hawser/kernels/rigid_body.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
@@ -28,10 +24,9 @@ struct Attached {
 
 // One of them in a state: what it is, its rate, and the unknowns that it depends on.
 struct AttachedNow {
-  Vec3 x = Vec3::Zero(), v = Vec3::Zero();       // m, m/s, space axes
-  int place = -1, turn = -1;                     // local blocks; -1: it does not depend on that
-  Mat3 R = Mat3::Identity();                     // of the node
-  Vec3 arm = Vec3::Zero(), rate = Vec3::Zero();  // m, m/s: y and w x y, node axes
+  Vec3 x = Vec3::Zero(), v = Vec3::Zero();  // m, m/s, space axes
+  int place = -1, turn = -1;                // local blocks; -1: it does not depend on that
+  FramePoint point;                         // of the node
 };
 // The node that carries it must be one of this rank's.
 AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMesh& mesh,

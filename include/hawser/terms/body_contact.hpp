@@ -2,13 +2,14 @@
 //
 // An edge is an axis like the element of a line (contact_along_axis.hpp), attached to its body; a corner is a
 // point of it. By the basis of its stiffness a volume touches with its corners and balls (per_point), its
-// edges (per_length) or its faces (per_area); model::body_pairs says who leads. No friction. See
-// docs/theory/body-contact.md.
+// edges (per_length) or its faces (per_area); model::body_pairs says who leads. Friction acts at the points
+// that touch, each with its elastic slip. See docs/theory/body-contact.md.
 #pragma once
 
 #include <mpi.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,9 +24,6 @@
 #include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser {
-
-using Vec12 = Eigen::Matrix<double, 12, 1>;
-using Mat12 = Eigen::Matrix<double, 12, 12, Eigen::RowMajor>;
 
 // Where a rigid body is and how it moves: of the point its unknowns belong to, which is at `centre` in the
 // frame of its shapes. Places y are in that frame.
@@ -89,11 +87,15 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     // Of the twelve unknowns.
     Vec12 rates() const { return (Vec12() << A.v, A.w, B.v, B.w).finished(); }
     Vec12 accelerations() const { return (Vec12() << A.a, A.alpha, B.a, B.alpha).finished(); }
-    void move(double time);  // on at their velocities
+    void move(double time);                              // on at their velocities
+    Mat3 turn() const { return B.R.transpose() * A.R; }  // axes of A to those of B
   };
+  // Points that touch, by feature of what leads.
+  using TouchingPoints = std::map<int, std::vector<AxisContactPoint>>;
   struct Pair {
     size_t a = 0, b = 0;         // volumes
     NormalLaw law;               // of what stands out of a against the surface of b, per unit of the basis
+    FrictionLaw friction;        // likewise
     double share = 1, mass = 0;  // of the force; kg, effective
     double size = 0;             // m, of what stands out
     double most_depth = 0;       // m, most that passes in a step where they may meet
@@ -103,6 +105,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     int other = -1;                            // the pair in which b leads, where both do
     bool here = false, counted = false;        // this rank owns a body of it; counts it
     double damping = 0, work = 0;              // J, over the accepted steps
+    double dissipated = 0;                     // J, likewise, by friction
     double damping_power = 0, work_power = 0;  // W, at the start of the step
     // In the committed state, for the step that is tried:
     double potential = 0;           // J
@@ -110,15 +113,17 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double energy = 0;              // J, of the motion of the bodies against each other, and potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     Both at;
-    double penetration = 0;  // m, penetration
-    double met = 0;          // m, largest of that since the two were clear of each other
-    double depth = 0;        // m, largest, over the accepted steps
-    ActiveContact now;       // in the accepted state
+    double penetration = 0;   // m, penetration
+    double met = 0;           // m, largest of that since the two were clear of each other
+    double depth = 0;         // m, largest, over the accepted steps
+    ActiveContact now;        // in the accepted state
+    TouchingPoints touching;  // likewise, where there is friction
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
       each("damping", "J", self.damping);
       each("work", "J", self.work);
+      each("friction", "J", self.dissipated);
       each("largest penetration", "m", self.depth);
       each("since clear", "m", self.met);
     }
@@ -138,11 +143,24 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double gap = 0;  // m
     Vec12 gradient = Vec12::Zero();
   };
+  bool owned(const PairBody& body) const { return body.node >= 0 && body.node < mesh_.owned; }
   BodyFrame frame(size_t volume, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
-  Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const;
+  // With friction if its law is given; points: what touches is added there.
+  Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode, const FrictionLaw& friction = {},
+              TouchingPoints* points = nullptr) const;
   void contact_of_edge(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
-                       const AxisContactMode& mode, double* f, double* K, double* C, Sum& sum) const;
+                       const AxisContactMode& mode, const FrictionLaw& friction, double* f, double* K,
+                       double* C, Sum& sum, TouchingPoints* points) const;
+  // Whether the motion of one of the bodies is prescribed, and not rest.
+  bool driven(const Pair& pair, const Both& at) const;
+  // Of a step of length h; none in statics.
+  static FrictionLaw friction_in(const Pair& pair, double h) { return h > 0 ? pair.friction : FrictionLaw(); }
+  // What friction starts from at a place of a part that touches in a trial.
+  ContactStart start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
+                        ContactRates* rates) const;
+  // J, half of the work that friction at these points takes on the way of the step.
+  double half_dissipation(const Pair& pair, const Both& trial, const TouchingPoints& points) const;
   // Whether a ball, in the frame of a volume, may be nearer to its surface than `gap` [m].
   bool near(size_t volume, const Vec3& centre, double radius, double gap) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;

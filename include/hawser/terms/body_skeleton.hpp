@@ -28,6 +28,9 @@ class SkeletonParts {
   explicit SkeletonParts(std::vector<SkeletonPart> parts);
 
   bool empty() const { return parts_.empty(); }
+  // Of a part that walk() visits.
+  int index(const SkeletonPart& part) const { return static_cast<int>(&part - parts_.data()); }
+  const SkeletonPart& operator[](int index) const { return parts_[index]; }
   Vec3 centre() const { return tree_.box().centre(); }
   double radius() const { return 0.5 * tree_.box().diagonal(); }  // m, of a ball about it that holds all
   // Calls visit(part) for those in balls that near(centre, radius) says come near.

@@ -3,12 +3,12 @@
 // or one of its corners. See docs/theory/contact.md.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "hawser/kernels/axis_roll.hpp"
 #include "hawser/kernels/contact_rates.hpp"
+#include "hawser/math/function_ref.hpp"
 #include "hawser/terms/surface_contact_points.hpp"
 
 namespace hawser {
@@ -24,14 +24,13 @@ class AxisContact {
  public:
   // What its finder knows of the axis and the surface.
   struct Pair {
-    double radius = 0, length = 0;  // m, of the line; of the axis: what weights are parts of
     // The law of a panel, per unit of the weights.
-    std::function<ContactLaw(const ContactPanel&)> law;
+    FunctionRef<ContactLaw(const ContactPanel&)> law;
     // The surface from an end of a panel, some way beyond touch; asked for tangents only.
-    std::function<std::optional<SurfacePoint>(const ContactPanel&, double xi)> query;
-    // What friction starts from at a place of a panel, and how that changes along the axis on request; none
-    // where no law has friction.
-    std::function<ContactStart(const ContactPanel&, double xi, ContactRates* rates)> start;
+    FunctionRef<std::optional<SurfacePoint>(const ContactPanel&, double xi)> query;
+    // What friction starts from at a place of a panel, and how that changes along the axis on request; asked
+    // for laws with friction only.
+    FunctionRef<ContactStart(const ContactPanel&, double xi, ContactRates* rates)> start;
   };
   // How far a beam's ends have rolled about its axis since the start of the step, relative to the body, where
   // friction acts at its surface.
@@ -40,26 +39,28 @@ class AxisContact {
     double angle(double xi) const { return (1 - xi) * ends[0].angle + xi * ends[1].angle; }
   };
 
-  // The axis, and the pose of the surface's body in the trial, outlive it.
-  AxisContact(const AxisShape& shape, const RigidPose& pose, Pair pair, const AxisContactMode& mode,
-              std::optional<Rolls> rolls = {});
+  // The axis, and the pose of the surface's body in the trial, outlive it. radius, length: m, of the line; of
+  // the axis, of which weights are parts.
+  AxisContact(const AxisShape& shape, const RigidPose& pose, double radius, double length,
+              const AxisContactMode& mode, std::optional<Rolls> rolls = {});
 
   // Adds what acts at the places found; points: the contact points go there, if it is given.
-  void add(const ContactQuadrature& found, std::vector<AxisContactPoint>* points = nullptr);
+  void add(const ContactQuadrature& found, const Pair& pair, std::vector<AxisContactPoint>* points = nullptr);
   // Adds the forces to blocks the positions are attached to: f[3n], K and C (3n)x(3n), row-major; K and C may
   // be null together.
   void to_blocks(const Stencil& stencil, double* f, double* K, double* C);
 
  private:
   struct Moving;
-  void add_panel(const ContactQuadrature& found, size_t panel, std::vector<AxisContactPoint>* points);
-  std::array<Moving, 2> moving_ends(const ContactPanel& s) const;
+  void add_panel(const ContactQuadrature& found, size_t panel, const Pair& pair,
+                 std::vector<AxisContactPoint>* points);
+  std::array<Moving, 2> moving_ends(const ContactPanel& s, const Pair& pair) const;
   void add_rolling(const ContactTrial& trial, const ContactStart& begin, const PointContact& c, double xi,
                    double weight, const Mat3& by_point);
 
   const AxisShape& shape_;
   const RigidPose& pose_;
-  Pair pair_;
+  double radius_, length_;  // m
   AxisContactMode mode_;
   std::optional<Rolls> rolls_;
   size_t n_;

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +15,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/feeder.hpp"
 #include "hawser/state/state.hpp"
+#include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/system/tied_nodes.hpp"
 
@@ -60,7 +60,7 @@ struct FeedPoint {
   double length_rate = 0;
 };
 
-class Feeders final : public ForceTerm, public ActsOnElements, public LimitsSteps {
+class Feeders final : public ForceTerm, public ActsOnElements, public LimitsSteps, public FedLines {
  public:
   Feeders(const LocalMesh& mesh, const model::Case& c);
 
@@ -73,8 +73,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   double element_length(const Feeder& f, int i) const;  // m, when free
   int elements(const Feeder& f) const;
   double outside(const Feeder& f) const;  // m, unstretched length that has left the feeder
-  // Sets the section at the feed point after another element has come there.
-  void update_feed_point(Feeder& f) const;
+  // Sets the section at the feed point, and the entry of fed(), after another element has come there.
+  void update_feed_point(Feeder& f);
   // Sets the node axes of clamped fed ends, in the body's frame (or space), by line and end.
   void clamp(const std::vector<std::array<Quat, 2>>& ends);
   // The local element at the feed point; null: it is not on this rank.
@@ -83,33 +83,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   // State of the feed point. For masses and water the length is that at the speed of the start of the step;
   // with `now` it is that of the trial.
   FeedPoint feed_point(const Feeder& f, const Kinematics& at, bool now) const;
-  // State of an element of the mesh; nullopt: its line has no feeder.
-  struct ElementState {
-    bool idle = false;           // inside a feeder
-    double length = 0;           // m, unstretched
-    double length_by_chord = 0;  // derivative by the chord
-    double length_by_force = 0;  // m/N, derivative by the force of a beam on its feeder
-    double length_rate = 0;      // m/s, rate of the length
-    // m, for the element at a feed point its unstretched length at the start of the step; else `length`
-    double before = 0;
-    int feeder = -1;  // for the element at a feed point: index into list()
-  };
-  std::optional<ElementState> element_state(int element, const Kinematics& at, bool now) const;
-  // For the element at a feed point: which of its ends is at the feeder, 0 or 1. For others -1.
-  int fed_end(int element) const;
-  // Number of elements inside the feeders at ends A and B of each line.
-  std::vector<std::array<int, 2>> inside() const;
-  // Sets which elements of a term are idle, and the unstretched length of the others.
-  template <class Of>
-  void update_lengths(std::vector<Of>& elements, const Kinematics& at, bool now) const {
-    for (Of& e : elements)
-      if (const auto r = element_state(e.at.global, at, now)) {
-        e.idle = r->idle;
-        e.section.length = r->length;
-      }
-  }
-  // Positions and rotations at the start of the step; empty before the first step.
-  const State& before() const { return before_; }
+  void update(const Kinematics& at) override;
+  std::vector<std::array<int, 2>> inside() const override;
 
   // Force on the feeder from the element at its feed point with an unstretched length [m], N: its tension at
   // the end of the step that began with the committed state, and for a beam also M²/2EI.
@@ -120,8 +95,6 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   // Nodes of the mesh that are held at a feeder, or may be at some time.
   std::vector<int> fed_nodes() const;
 
-  // Adds work of the feeders that another term computes, J, of what this rank counts.
-  void add_work(double work) { work_ += work; }
   double work() const { return work_; }
   void set_work(double work) { work_ = work; }
 
@@ -155,12 +128,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   const LocalMesh& mesh_;
   const model::Case& case_;
   std::vector<Feeder> feeders_;
-  // Indices into feeders_ of the feeders at ends A and B of each line; -1: none.
-  std::vector<std::array<int, 2>> of_line_;
   std::vector<double> power_;  // W, at the committed state, by feeder
   std::vector<double> pulls_;  // N, at the committed state, by feeder: force of beams
-  State before_;               // committed positions and rotations
-  double work_ = 0;            // J
 };
 
 }  // namespace hawser

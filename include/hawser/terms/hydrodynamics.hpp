@@ -7,19 +7,18 @@
 #include "hawser/kernels/submerged_cables.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
+#include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
 
 namespace hawser {
 
-class Feeders;
-
 class Hydrodynamics final : public ForceTerm,
                             public ActsOnElements,
                             public ScalesResiduals,
                             public InCurrent,
-                            public FedByFeeders {
+                            public ActsOnFedLines {
  public:
   struct Piece {
     LocalElement at;
@@ -35,7 +34,6 @@ class Hydrodynamics final : public ForceTerm,
   Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls = {});
   Hydrodynamics(const LocalMesh& mesh, const model::Case& c);
 
-  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
   // Whether the water has a velocity anywhere.
@@ -84,7 +82,7 @@ class Hydrodynamics final : public ForceTerm,
     WaterSections4 sections;
   };
   void group();
-  void update_from_feeders(const Kinematics& at, bool now);
+  void update_from_feeders(double FedLine::*length);
   double fed_buoyancy(const Kinematics& at) const;
   CablesInWater4 motion(const Four& q, const Kinematics& k) const;
   void evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const;
@@ -103,7 +101,6 @@ class Hydrodynamics final : public ForceTerm,
   static double work(const Flow& from, const Flow& to);
 
   const LocalMesh& mesh_;
-  Feeders* feeders_ = nullptr;
   Sea sea_;
   std::vector<Piece> pieces_;
   std::vector<Wall> walls_;  // by line type; empty: wall tensions are not shown

@@ -6,21 +6,20 @@
 #include "hawser/kernels/line_mass.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
+#include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
 namespace model {
 struct Case;
 }
-class Feeders;
 
 class LineMassTerm final : public ForceTerm,
                            public ActsOnElements,
                            public MovesMasses,
                            public ScalesResiduals,
-                           public FedByFeeders {
+                           public ActsOnFedLines {
  public:
   struct Load {
     Vec3 per_length = Vec3::Zero();  // N/m of unstretched element length
@@ -39,8 +38,6 @@ class LineMassTerm final : public ForceTerm,
 
   // Masses and distributed loads of the case; gravity along -z.
   LineMassTerm(const LocalMesh& mesh, const model::Case& c);
-
-  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
 
   std::string_view name() const override { return "mass"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -63,12 +60,10 @@ class LineMassTerm final : public ForceTerm,
   static Built build(const LocalMesh& mesh, const model::Case& c);
   LineMassTerm(const LocalMesh& mesh, Built built);
 
-  void update_from_feeders(const Kinematics& at, bool now);
   Vec3 ramped_load(const Piece& p, double t) const;
   Vec3 load(const Piece& p, double t) const { return p.ramped ? Vec3(p.load + ramped_load(p, t)) : p.load; }
 
   const LocalMesh& mesh_;
-  const Feeders* feeders_ = nullptr;
   std::vector<Piece> pieces_;
   std::vector<Load> ramped_;
   State committed_;  // for the work of ramped loads only

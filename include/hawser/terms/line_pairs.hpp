@@ -12,16 +12,15 @@
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/kernels/line_pair.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/system/line_candidates.hpp"
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
+#include "hawser/terms/line_candidates.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
-
-class Feeders;
 
 struct LinePairOptions {
   // Laws by pair of lines (indices, the smaller first); `general` for all others. Stiffness is N/m² or N/m³
@@ -42,20 +41,18 @@ struct LinePairOptions {
 
 // Largest penetration, m: of the parabola through the deepest Gauss point and two beside it; 0 without
 // points.
-double deepest_of(const std::vector<LinePairHistory>& points);
+double deepest_of(const std::vector<LinePairContactPoint>& points);
 
 class LinePairs final : public ForceTerm,
                         public CouplesNodes,
                         public LimitsSteps,
                         public HasFriction,
-                        public FedByFeeders {
+                        public ActsOnFedLines {
  public:
   // elements: one for each of Mesh::elements; radius 0 takes no part. std::invalid_argument for settings that
   // make no sense. Collective.
   LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
             LinePairOptions options);
-
-  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
 
   // Where lines share a place, and how far from it they do not touch.
   const SharedPlaces& shared() const { return shared_; }
@@ -107,7 +104,7 @@ class LinePairs final : public ForceTerm,
  private:
   // Slave and part: first with second's element, its first end, its second end; then second with first's.
   static constexpr size_t kParts = 6;
-  using History = std::array<std::vector<LinePairHistory>, kParts>;
+  using ContactPoints = std::array<std::vector<LinePairContactPoint>, kParts>;
   using Key = std::pair<int, int>;  // of Mesh::elements
   // Where a pair touches in the state that was asked for last, and what acts there by the last evaluation
   // without derivatives: tangent and commitment of the same state take it.
@@ -116,7 +113,7 @@ class LinePairs final : public ForceTerm,
     std::array<std::vector<LinePairPass::Panel>, kParts> panels{};
     bool active = false;
     bool evaluated = false, moves = false;  // moves: with velocities
-    History points{};
+    ContactPoints points{};
   };
   struct Pair {
     int a = 0, b = 0;  // segments
@@ -126,7 +123,7 @@ class LinePairs final : public ForceTerm,
     std::array<double, 2> part_a{0, 1}, part_b{0, 1};  // of the elements, in xi: what may touch the other
     SegmentPair chords;                                // at the start of the step
     double clear = 0;                                  // m, between the surfaces then, at least
-    std::unique_ptr<History> history;                  // null: did not touch
+    std::unique_ptr<ContactPoints> points;             // null: did not touch
     std::unique_ptr<Trial> trial;                      // null: none was asked for in this step
   };
   // Whether there is no contact near a place that they share: then chords say nothing of what may touch.
@@ -160,9 +157,9 @@ class LinePairs final : public ForceTerm,
   double sum(const Which& which, const Value& value) const {
     double sum = 0;
     for (const Pair& p : pairs_)
-      if (p.counted && p.history && which(p))
-        for (const auto& part : *p.history)
-          for (const LinePairHistory& h : part) sum += h.weight * value(h);
+      if (p.counted && p.points && which(p))
+        for (const auto& part : *p.points)
+          for (const LinePairContactPoint& h : part) sum += h.weight * value(h);
     return sum;
   }
   AxisEnds ends(const Kinematics& at, int segment) const;
@@ -195,8 +192,8 @@ class LinePairs final : public ForceTerm,
   double deepest(const Pair& pair) const;
   double stored(const Pair& pair) const;
   std::string too_soft(const Pair& pair) const;
-  void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next);
-  double fed_work(const Pair& pair, const PairAxis& A, const PairAxis& B, const History& next) const;
+  void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next);
+  double fed_work(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next) const;
 
   const LocalMesh& mesh_;
   std::vector<LineContactElement> elements_;
@@ -205,7 +202,7 @@ class LinePairs final : public ForceTerm,
   LineCandidates candidates_;
   bool settles_ = true;
   std::vector<Pair> pairs_;
-  std::map<Key, std::unique_ptr<History>> kept_;  // of pairs, while the list is made anew
+  std::map<Key, std::unique_ptr<ContactPoints>> kept_;  // of pairs, while the list is made anew
   bool listed_ = false;
   std::vector<AxisEnds> start_;    // of the segments
   std::vector<int> fed_end_;       // likewise: the end at a feeder, of one at a feed point; -1: another
@@ -213,7 +210,6 @@ class LinePairs final : public ForceTerm,
   std::vector<Account> accounts_;  // by owned node
   Deepest deepest_;
   bool friction_on_ = true;
-  Feeders* feeders_ = nullptr;
 };
 
 }  // namespace hawser

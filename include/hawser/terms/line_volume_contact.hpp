@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
@@ -16,14 +17,12 @@
 
 namespace hawser {
 
-class Feeders;
-
 class LineVolumeContact final : public ForceTerm,
                                 public CouplesNodes,
                                 public LimitsSteps,
                                 public RaisesStiffness,
                                 public HasFriction,
-                                public FedByFeeders {
+                                public ActsOnFedLines {
  public:
   // elements: one for each of mesh.elements; throws std::invalid_argument if a number or an index is wrong. A
   // stiffness per point counts once for each element, or once for each node with contact at nodes. comm: the
@@ -31,8 +30,6 @@ class LineVolumeContact final : public ForceTerm,
   LineVolumeContact(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
                     std::vector<ContactVolume> volumes, std::vector<LineContactElement> elements,
                     MPI_Comm comm = MPI_COMM_SELF, model::ContactMethod method = model::ContactMethod::line);
-
-  void fed_by(Feeders* feeders) override { feeders_ = feeders; }
 
   std::string_view name() const override { return "line contact"; }
   bool recouple(const Kinematics& committed, double h) override;
@@ -120,7 +117,7 @@ class LineVolumeContact final : public ForceTerm,
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
   void carry_over(Pair& was, Pair& pair) const;
   void start_facet_groups(Pair& pair, double motion) const;
-  bool idle(const Kinematics& at, int element) const;
+  bool idle(int element) const;
   void find_near_pairs(const Kinematics& trial);
 
   std::optional<AxisContact::Rolls> rolls(const Pair& pair, const AxisShape& shape) const;
@@ -147,7 +144,6 @@ class LineVolumeContact final : public ForceTerm,
                       const Vec3& normal) const;
 
   const LocalMesh& mesh_;
-  const Feeders* feeders_ = nullptr;
   ContactVolumes volumes_;
   LineVolumeFinder finder_;
   std::vector<LineContactElement> elements_;

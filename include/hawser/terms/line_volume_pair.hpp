@@ -62,12 +62,13 @@ struct LineVolumePair {
   // For the trial.
   ContactQuadrature found;
   NearGroups near;  // for the axis of `found`
-  // Contact points from the last evaluation of the law without derivatives, and the state of that evaluation.
-  // commit() of the same state uses them.
+  // Contact points from an evaluation of the law without derivatives, with or without velocities, at the
+  // motion `found.of`. commit() of the same state uses them.
+  enum class Evaluation { none, at_rest, in_motion };
+  Evaluation evaluation = Evaluation::none;
   std::vector<AxisContactPoint> evaluated;
-  AxisBeside evaluated_at;
-  bool evaluated_in_motion = false;  // the evaluation included velocities
 
+  static Evaluation evaluation_of(bool moves) { return moves ? Evaluation::in_motion : Evaluation::at_rest; }
   const ContactLaw& law(double xi) const { return laws[xi > 0.5]; }
   double smoothing() const { return laws[0].normal.smoothing; }
   bool in_contact(const SurfacePoint& p) const { return p.distance <= contact_distance; }

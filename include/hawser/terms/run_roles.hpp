@@ -10,8 +10,6 @@
 
 namespace hawser {
 
-class Feeders;
-
 // Has friction, which statics begins without.
 class HasFriction {
  public:
@@ -48,14 +46,6 @@ class ActsOnBodies {
   virtual std::vector<std::string> origins(int body) const = 0;
   // One for each of them, in an accepted state, on the rank that owns the body.
   virtual std::vector<BodyForce> forces_on(int body, const Kinematics& at) const = 0;
-};
-
-// Acts on elements whose lengths feeders change.
-class FedByFeeders {
- public:
-  virtual ~FedByFeeders() = default;
-  // Of lines that are paid out and hauled in; they outlive this. null: none is.
-  virtual void fed_by(Feeders* feeders) = 0;
 };
 
 }  // namespace hawser

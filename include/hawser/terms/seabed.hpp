@@ -87,19 +87,17 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   int active_count() const;
 
  private:
-  struct History : SurfaceContactPoint {
+  struct LandedPoint : SurfaceContactPoint {
     using SurfaceContactPoint::SurfaceContactPoint;
-    bool active = false, held = false;
-    // `deepest`: largest depth since the point landed [m]. `held`: the soil holds the point until it is
-    // lifted too far.
-    double deepest = 0;
+    bool active = false;
+    SuctionState soil;
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
       SurfaceContactPoint::quantities(self, each, "N", "J");
       each("touches", "", self.active);
-      each("deepest", "m", self.deepest);
-      each("held by suction", "", self.held);
+      each("deepest", "m", self.soil.deepest);
+      each("held by suction", "", self.soil.held);
     }
   };
   // J, dissipated so far at the points that this rank counts. The work of suction counts as damping.
@@ -134,13 +132,13 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     int hint = -1;
   };
   // Most points do not touch. This struct therefore holds only what every evaluation reads of all points.
-  // Other lists hold the rest by the index of the point; only points that touch have a history.
+  // Other lists hold the rest by the index of the point; only points in contact have a LandedPoint.
   struct Point {
     // local; second: other node of the element whose middle the point is, -1: the point is a node
     int node = 0, second = -1;
     int element = -1;     // local
     int law = 0;          // index into laws_
-    int touch = -1;       // index into histories_; -1: none
+    int touch = -1;       // index into landed_; -1: none
     bool counted = true;  // this rank counts it in sums
   };
   // of_nodes: interpolation of nodal values at the point. share: part of a force on the point that a node
@@ -156,11 +154,11 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   size_t place(const Point& p) const { return static_cast<size_t>(&p - points_.data()); }
   const PointLaw& law(const Point& p) const { return laws_[p.law]; }
   ContactStart start(const Point& p) const;
-  const History& history(const Point& p) const {
-    static const History none;
-    return p.touch < 0 ? none : histories_[p.touch];
+  const LandedPoint& landed(const Point& p) const {
+    static const LandedPoint none;
+    return p.touch < 0 ? none : landed_[p.touch];
   }
-  void remember(Point& p, const History& h);
+  void remember(Point& p, const LandedPoint& h);
   bool laid() const { return !laid_.empty(); }
   Vec3 line_direction(const Point& p, const Kinematics& at) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
@@ -176,10 +174,10 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   // convex: without the geometric stiffness of a curved bed, which is negative over a mound.
   PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
                        bool convex = false) const;
-  // m, how far suction reaches above the gap at which springs begin to touch.
-  double suction_range(const Point& p, double step) const;
-  Pull pull(const Point& p, const ContactTrial& trial, double step) const;
-  void hold(const Point& p, double gap, bool moves, History& next) const;
+  // Of a point at the start of a step. Suction does not act in statics, which follows no path.
+  SuctionState soil(const Point& p, double step) const {
+    return step > 0 && suction_ ? landed(p).soil : SuctionState{};
+  }
 
   const LocalMesh& mesh_;
   Plane plane_;
@@ -189,11 +187,11 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   std::vector<PointLaw> laws_;                      // every law once
   std::vector<Point> points_;
   std::vector<Start> starts_;
-  std::vector<Laid> laid_;  // in statics with friction; empty: slip and normal are those of histories_
+  std::vector<Laid> laid_;  // in statics with friction; empty: slip and normal are those of landed_
   bool firm_ = false;
   double least_slip_ = 0;
-  std::vector<History> histories_;
-  std::vector<int> vacant_;  // unused indices in histories_, of points that have left the bed
+  std::vector<LandedPoint> landed_;
+  std::vector<int> vacant_;  // unused indices in landed_, of points that have left the bed
   Account account_;
   mutable std::vector<Cache> cache_;  // empty: a plane
   bool suction_ = false;              // some point has suction

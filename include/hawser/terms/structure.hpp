@@ -9,22 +9,20 @@
 #include "hawser/kernels/beam.hpp"
 #include "hawser/kernels/cable.hpp"
 #include "hawser/mesh/local_mesh.hpp"
+#include "hawser/system/fed_lines.hpp"
 #include "hawser/system/force_term.hpp"
-#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
 namespace model {
 struct Case;
 }
-class Feeders;
-struct Feeder;
 
 class StructureTerm final : public ForceTerm,
                             public ActsOnElements,
                             public CarriesTension,
                             public ScalesResiduals,
-                            public FedByFeeders {
+                            public ActsOnFedLines {
  public:
   struct Beam {
     LocalElement at;
@@ -68,10 +66,9 @@ class StructureTerm final : public ForceTerm,
   void restore(const std::vector<HistoryRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }
-  void fed_by(Feeders* feeders) override;
-  // Called before the feed point of a feeder moves to a neighbouring element: the plastic history moves with
-  // the material. Collective.
-  void transfer_node(MPI_Comm comm, const Feeder& f, int feed_point);
+  // Called before the feed point of a feeder moves to the next element, inwards where a node is released: the
+  // plastic history moves with the material. Collective.
+  void transfer_node(MPI_Comm comm, size_t feeder, bool releases);
 
  private:
   // Plastic history on either side of a feed point (structure_feed.cpp), by label from the free node on.
@@ -82,20 +79,20 @@ class StructureTerm final : public ForceTerm,
         trial;  // of the element at the feed point at its trial length, in the element's order
   };
   // accepted: the lengths are those at the end of the step.
-  void update_from_feeders(const Kinematics& at, bool accepted = false);
-  static CableSection shown(const Cable& c, const Kinematics& at);  // section for output
-  void carry_bends(Beam& b, int feeder, double from, double to);
-  void keep_hauled_in(const Beam& b, int feeder, double from, double to);
+  void update_from_feeders(double step, bool accepted = false);
+  static CableSection shown(const Cable& c, const Kinematics& at);              // section for output
+  size_t index(const FedLine& f) const { return &f - feeders_->fed().data(); }  // into fed_
+  void carry_bends(Beam& b, const FedLine& f, double to);
+  void keep_hauled_in(const Beam& b, const FedLine& f);
   double fed_work(const Kinematics& at) const;
-  std::vector<double> entering(int feeder, double label) const;
+  std::vector<double> entering(const FedLine& f, double label) const;
   double beam_dissipation(const Kinematics& at) const;
   double bend(const Kinematics& at);
 
   const LocalMesh& mesh_;
-  Feeders* feeders_ = nullptr;
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
-  std::vector<FedBends> fed_;             // by feeder
+  std::vector<FedBends> fed_;             // by feeder, in the order of FedLines
   bool damped_ = false, yields_ = false;  // any type of the model bends plastically
   std::vector<double> set_;               // histories of all beams, see BeamReference::set; zero in statics
   // True values while elements are softened: EA [N] and plastic law of beams; EA of cables.

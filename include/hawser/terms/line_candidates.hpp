@@ -25,7 +25,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/couplings.hpp"
-#include "hawser/system/shared_places.hpp"
+#include "hawser/terms/shared_places.hpp"
 
 namespace hawser {
 

@@ -6,7 +6,7 @@
 
 #include "hawser/base/gather.hpp"
 #include "hawser/geometry/box_tree.hpp"
-#include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/line_candidates.hpp"
 
 namespace hawser {
 namespace {

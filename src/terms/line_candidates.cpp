@@ -1,6 +1,6 @@
 // The class LineCandidates: whether the list of near element pairs still holds, prediction of paths, the
 // narrow test of a pair, exclusions along a line, and couplings of nodes.
-#include "hawser/system/line_candidates.hpp"
+#include "hawser/terms/line_candidates.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // The class SharedPlaces: how far along two stretches from a place that they share there is no contact, from
 // their positions.
-#include "hawser/system/shared_places.hpp"
+#include "hawser/terms/shared_places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -186,8 +186,7 @@ std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kine
     if (!alone) mine.insert(mine.end(), {static_cast<double>(i), out[i].x(), out[i].y(), out[i].z()});
   }
   if (alone) return out;
-  std::vector<double> all;
-  GatherPlan(comm_, static_cast<int>(mine.size())).gather(mine.data(), all);
+  const std::vector<double> all = gather_all(comm_, mine);
   for (size_t i = 0; i < all.size(); i += 4)
     out[static_cast<size_t>(all[i])] = Vec3(all[i + 1], all[i + 2], all[i + 3]);
   return out;

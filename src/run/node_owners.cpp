@@ -1,0 +1,58 @@
+// What the partition of the mesh needs to know of the case: which nodes are coupled, by links, by the sea or
+// by contact in the start shape, and which lines may touch themselves and so stay on one rank.
+#include "hawser/run/node_owners.hpp"
+
+#include <algorithm>
+
+#include "hawser/mesh/partition.hpp"
+#include "hawser/run/line_pairs.hpp"
+#include "hawser/solve/start_shape.hpp"
+#include "hawser/terms/line_candidates.hpp"
+
+namespace hawser::run {
+
+std::vector<std::pair<int, int>> coupled_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies) {
+  std::vector<std::pair<int, int>> out;
+  for (const std::vector<int>& group : model::radiating_groups(c))
+    for (size_t i = 1; i < group.size(); ++i)
+      out.emplace_back(mesh.body_node(group[i - 1]), mesh.body_node(group[i]));
+  const auto node_of = [&](const model::LinkEnd& e) {
+    if (!e.line.empty()) return mesh.nearest_node(c.line_index(e.line), e.arc);
+    return e.body.empty() ? -1 : mesh.frame_node(c.body_index(e.body));
+  };
+  for (const model::Link& l : c.links)
+    if (const int a = node_of(l.end_a), b = node_of(l.end_b); a >= 0 && b >= 0) out.emplace_back(a, b);
+  if (!c.contact.between_lines.enabled) return out;
+  std::vector<double> radius;
+  for (const Element& e : mesh.elements)
+    radius.push_back(c.contact.takes_part(c.lines[e.line]) ? 0.5 * c.line_types[e.type].contact_diameter
+                                                           : 0.0);
+  const LocalMesh whole = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+  const StartShape shape = start_shape(c, whole, bodies);
+  CandidateSettings settings;
+  settings.excluded = excluded_pairs(c);
+  LineCandidates candidates(MPI_COMM_SELF, whole, std::move(radius), std::move(settings));
+  candidates.update(shape.state.view(0), 0);
+  for (const auto& [a, b] : candidates.elements())
+    for (const int m : {mesh.elements[a].first, mesh.elements[a].second})
+      for (const int n : {mesh.elements[b].first, mesh.elements[b].second}) out.emplace_back(m, n);
+  return out;
+}
+
+std::vector<int> uncut_lines(const model::Case& c) {
+  if (!c.contact.between_lines.enabled) return {};
+  const std::vector<std::pair<int, int>> excluded = excluded_pairs(c);
+  std::vector<int> whole;
+  for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
+    if (c.contact.takes_part(c.lines[l]) &&
+        !std::binary_search(excluded.begin(), excluded.end(), std::pair(l, l)))
+      whole.push_back(l);
+  return whole;
+}
+
+std::vector<int> node_owners(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
+  if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
+  return partition(mesh, ranks, coupled_nodes(c, mesh, bodies), uncut_lines(c));
+}
+
+}  // namespace hawser::run

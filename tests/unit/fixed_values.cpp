@@ -1,0 +1,69 @@
+// Which values of a case a restart compares with those of the checkpoint.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+
+#include "hawser/io/case_reader.hpp"
+#include "hawser/model/schema.hpp"
+
+namespace hawser::fixed_values_test {
+namespace {
+
+using Texts = std::map<std::string, std::string>;
+
+// Of a chain between an anchor and a buoy of 1 m, with a fender and a spring.
+Texts fixed(const std::string& from = "", const std::string& to = "") {
+  std::string text = R"(hawser: 1
+line_types: {chain: {outer_diameter: 0.1, mass_per_length: 30, EA: 1e8, bending: false}}
+lines:
+  chain: {sections: [{type: chain, length: 100, elements: 10}], end_a: {anchor: [0, 5, 0]}, end_b: {anchor: [90, 5, 0]}}
+bodies:
+  buoy: {position: [0, 40, 0]}
+volumes:
+  fender: {shape: {sphere: {centre: [0, 0, 0.25], radius: 1}}, body: buoy, normal_stiffness: {per_point: 1e6}, friction: 0.3}
+links:
+  spring: {end_a: {line: chain, at: 50}, end_b: {body: buoy, at: [0, 0, 1]}, stiffness: 2e5, tension_only: true}
+dynamics: {duration: 1}
+)";
+  if (!from.empty()) {
+    EXPECT_NE(text.find(from), std::string::npos) << from;
+    text.replace(text.find(from), from.size(), to);
+  }
+  return model::fixed_values(*io::read_case_text(text, "fixed.yaml").tree);
+}
+
+TEST(FixedValues, AreThoseOfTheKeysThatAreMarked) {
+  const Texts base = fixed();
+  EXPECT_EQ(base.at("volumes.fender.shape"), "[sphere: [centre: [0, 0, 0.25], radius: 1]]");
+  EXPECT_EQ(base.at("volumes.fender.body"), "buoy");
+  EXPECT_EQ(base.at("volumes.fender.normal_stiffness"), "[per_point: 1000000]");
+  EXPECT_TRUE(base.contains("links.spring"));
+  for (const auto& [key, value] : base)
+    EXPECT_TRUE(key.starts_with("volumes.fender.") || key == "links.spring") << key;
+}
+
+TEST(FixedValues, DependOnTheValueAndNotOnHowItIsWritten) {
+  const Texts base = fixed();
+  for (const auto& [from, to] : {std::pair("radius: 1}", "radius: 100 cm}"),
+                                 {"centre: [0, 0, 0.25], radius: 1", "radius: 1, centre: [0.0, 0, 25 cm]"},
+                                 {"friction: 0.3", "friction: 0.4"},
+                                 {"tension_only: true", "tension_only: True"},
+                                 {"duration: 1", "duration: 2"}})
+    EXPECT_EQ(fixed(from, to), base) << to;
+  for (const auto& [from, to, key] :
+       {std::tuple("radius: 1}", "radius: 1.001}", "volumes.fender.shape"),
+        {"per_point: 1e6", "per_length: 1e6", "volumes.fender.normal_stiffness"},
+        {", body: buoy", "", "volumes.fender.body"},
+        {"stiffness: 2e5", "stiffness: 3e5", "links.spring"},
+        {"at: 50", "at: 60", "links.spring"}}) {
+    Texts other = fixed(from, to), rest = base;
+    EXPECT_NE(other[key], rest[key]) << to;
+    other.erase(key);
+    rest.erase(key);
+    EXPECT_EQ(other, rest) << to;
+  }
+}
+
+}  // namespace
+}  // namespace hawser::fixed_values_test

@@ -1,0 +1,50 @@
+// A point of a frame: its derivatives by a turn of the frame, and its moment.
+#include "hawser/kernels/frame_point.hpp"
+
+#include <gtest/gtest.h>
+
+namespace hawser::test::frame_point_test {
+namespace {
+
+FramePoint turned(const Vec3& theta, const Vec3& more_w = Vec3::Zero()) {
+  return {{0.4, -0.2, 0.3},
+          (exp_so3(Vec3(0.7, -1.1, 0.9)) * exp_so3(theta)).toRotationMatrix(),
+          Vec3(0.5, -0.6, 0.8) + more_w};
+}
+
+TEST(FramePoint, DerivativesByATurn) {
+  const FramePoint p = turned(Vec3::Zero());
+  const Vec3 f(3, -1, 2);
+  constexpr double h = 1e-5;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 d = h * Vec3::Unit(k);
+    const auto slope = [&](const auto& of) -> Vec3 { return (of(turned(d)) - of(turned(-d))) / (2 * h); };
+    EXPECT_LT((p.by_turn().col(k) - slope([](const FramePoint& q) { return q.arm(); })).norm(), 1e-9);
+    EXPECT_LT((p.velocity_by_turn().col(k) - slope([](const FramePoint& q) { return q.velocity(); })).norm(),
+              1e-9);
+    EXPECT_LT((p.moment_by_turn(f).col(k) - slope([&](const FramePoint& q) { return q.moment(f); })).norm(),
+              1e-9);
+    const Vec3 by_w = (turned(Vec3::Zero(), d).velocity() - turned(Vec3::Zero(), -d).velocity()) / (2 * h);
+    EXPECT_LT((p.by_turn().col(k) - by_w).norm(), 1e-9);
+  }
+}
+
+// The moment is that of the arm in space; what a force does at the point it does on the frame.
+TEST(FramePoint, MomentAndWork) {
+  const FramePoint p = turned(Vec3::Zero());
+  const Vec3 f(3, -1, 2);
+  EXPECT_LT((p.R * p.moment(f) - p.arm().cross(f)).norm(), 1e-14);
+  EXPECT_NEAR(f.dot(p.velocity()), p.moment(f).dot(p.w), 1e-14);
+}
+
+// Of a residual that pulls outwards the convex part is that of the derivative, across the arm; of one that
+// pushes inwards there is none.
+TEST(FramePoint, ConvexPart) {
+  const FramePoint p = turned(Vec3::Zero());
+  const Vec3 out = -2 * p.arm();  // a force along the arm
+  EXPECT_LT((p.convex_moment_by_turn(out) - p.moment_by_turn(out)).norm(), 1e-14);
+  EXPECT_EQ(p.convex_moment_by_turn(-out).norm(), 0);
+}
+
+}  // namespace
+}  // namespace hawser::test::frame_point_test

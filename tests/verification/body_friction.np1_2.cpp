@@ -1,0 +1,179 @@
+// Friction of bodies on each other: closed forms of crates, balls and bars on slopes, momentum of two bodies.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hawser/io/case_reader.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/run/volumes.hpp"
+#include "support/rig.hpp"
+#include "verification/dynamics_rig.hpp"
+
+namespace hawser::test::body_friction {
+namespace {
+
+constexpr double kGravity = 9.80665;
+
+struct Motion {
+  std::vector<RigidPose> end;  // of the bodies
+  double friction = 0;         // J, dissipated
+};
+
+Motion run(const std::string& yaml) {
+  const model::Case c = io::read_case_text(yaml, "bodies.yaml");
+  const auto volumes = run::load_volumes(c);
+  run::Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes));
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  integrate(d, c.dynamics.duration, c.dynamics.duration, [](const StepInfo&) {});
+  Motion m;
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    std::vector<double> of(13, 0);
+    const auto pose = s.body_pose(static_cast<int>(b), d.kinematics());
+    if (pose) {
+      Eigen::Map<Vec3>(of.data()) = pose->position;
+      Eigen::Map<Eigen::Vector4d>(of.data() + 3) = pose->rotation.coeffs();
+      Eigen::Map<Vec3>(of.data() + 7) = pose->velocity;
+      Eigen::Map<Vec3>(of.data() + 10) = pose->angular_velocity;
+    }
+    MPI_Allreduce(MPI_IN_PLACE, of.data(), 13, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+    RigidPose& p = m.end.emplace_back();
+    p.position = Eigen::Map<Vec3>(of.data());
+    p.rotation = Quat(Eigen::Map<Eigen::Vector4d>(of.data() + 3)).normalized();
+    p.velocity = Eigen::Map<Vec3>(of.data() + 7);
+    p.angular_velocity = Eigen::Map<Vec3>(of.data() + 10);
+  }
+  m.friction = s.system().energy(d.kinematics()).friction;
+  MPI_Allreduce(MPI_IN_PLACE, &m.friction, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
+  return m;
+}
+
+constexpr double kMass = 600, kPress = 1e7;  // kg; N/m, N/m² or N/m³
+
+// A body on a plane that falls by `slope` [rad] towards x, its frame at `height` [m] above it.
+std::string on_slope(double slope, double friction, const std::string& shape, const std::string& basis,
+                     double height, const std::string& inertia, double duration) {
+  const double s = std::sin(slope), c = std::cos(slope);
+  return fmt::format(R"(hawser: 1
+bodies:
+  load:
+    position: [{:.12f}, 0, {:.12f}]
+    rotation_deg: [0, {:.12f}, 0]
+    floating: {{mass: {}, inertia: {}, weight: true}}
+volumes:
+  slope: {{shape: {{plane: {{point: [0, 0, 0], normal: [{:.15f}, 0, {:.15f}]}}}}, friction: {{axial: {}, mobilisation_length: 1e-6}}}}
+  load: {{shape: {}, body: load, normal_stiffness: {{{}: {}}}, relative_damping: 0.3, smoothing: 1e-3}}
+statics: false
+dynamics: {{duration: {}}}
+)",
+                     height * s, height * c, slope * 180 / M_PI, kMass, inertia, s, c, friction, shape, basis,
+                     kPress, duration);
+}
+
+// m above contact, where the ramp of half width 1e-3 carries the load: F = k (s - g)²/(4 s) for each of the
+// points, or per m or m².
+double gap_at_rest(double slope, double count) {
+  const double F = kMass * kGravity * std::cos(slope) / count;
+  return 1e-3 - std::sqrt(4e-3 * F / kPress);
+}
+
+constexpr const char* kBox = "{box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}";
+constexpr const char* kBoxInertia = "[20, 52, 68]";
+constexpr double kCorners = 4, kEdges = 3.2;
+
+double down(const Motion& m, double slope) {
+  return m.end[0].position.dot(Vec3(std::cos(slope), 0, -std::sin(slope)));
+}
+
+// Corners and edges hold a box up to the slope arctan(mu), and beyond let it go with g (sin - mu cos).
+TEST(BodyFriction, BoxOnASlope) {
+  const double mu = 0.4, limit = std::atan(mu);
+  for (const auto& [basis, count] : {std::pair("per_point", kCorners), {"per_length", kEdges}}) {
+    const auto moved = [&](double slope, double duration) {
+      const double height = 0.1 + gap_at_rest(slope, count);
+      return down(run(on_slope(slope, mu, kBox, basis, height, kBoxInertia, duration)), slope);
+    };
+    EXPECT_LT(std::abs(moved(limit - 0.1 * M_PI / 180, 1)), 1e-3) << basis;
+    const double over = limit + 0.1 * M_PI / 180, slow = kGravity * (std::sin(over) - mu * std::cos(over));
+    EXPECT_NEAR(moved(over, 1), 0.5 * slow, 0.3 * 0.5 * slow) << basis;
+    const double slope = 35 * M_PI / 180, a = kGravity * (std::sin(slope) - mu * std::cos(slope));
+    EXPECT_NEAR(moved(slope, 0.5), 0.125 * a, 0.005 * 0.125 * a) << basis;
+  }
+}
+
+// Faces, whose thousands of points take time, for a short while.
+TEST(BodyFriction, FaceOnASlope) {
+  int size = 0;
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  if (size > 1) GTEST_SKIP() << "long; on 1 rank";
+  const double mu = 0.4, slope = 35 * M_PI / 180, a = kGravity * (std::sin(slope) - mu * std::cos(slope));
+  const Motion m =
+      run(on_slope(slope, mu, kBox, "per_area", 0.1 + gap_at_rest(slope, 0.6), kBoxInertia, 0.05));
+  EXPECT_NEAR(m.end[0].velocity.norm(), 0.05 * a, 0.02 * 0.05 * a);
+}
+
+// What the friction takes is what the fall gives and the motion does not have.
+TEST(BodyFriction, WorkOnASlope) {
+  const double mu = 0.4, slope = 35 * M_PI / 180;
+  for (const auto& [basis, count] : {std::pair("per_point", kCorners), {"per_length", kEdges}}) {
+    const double height = 0.1 + gap_at_rest(slope, count);
+    const Motion m = run(on_slope(slope, mu, kBox, basis, height, kBoxInertia, 0.5));
+    const double work = kMass * kGravity * mu * std::cos(slope) * down(m, slope);
+    EXPECT_NEAR(m.friction, work, 0.005 * work) << basis;
+  }
+}
+
+// A ball rolls with g sin / (1 + 2/5) while mu > 2/7 tan, else it slides with g (sin - mu cos) and is turned
+// by 5/2 mu g cos / r; a bar likewise with J = m r²/2: g sin / (1 + 1/2).
+TEST(BodyFriction, BallsAndBarsRoll) {
+  const double r = 0.5, slope = 30 * M_PI / 180, g = kGravity;
+  const auto check = [&](const char* shape, const char* basis, double count, double inertia, double mu) {
+    const double share = inertia / (600 * r * r), rolling = g * std::sin(slope) / (1 + share);
+    const bool rolls = mu > std::tan(slope) * share / (1 + share);
+    const double a = rolls ? rolling : g * (std::sin(slope) - mu * std::cos(slope)),
+                 turn = rolls ? a / r : mu * g * std::cos(slope) / (share * r);
+    const double height = r + gap_at_rest(slope, count);
+    const Motion m = run(on_slope(slope, mu, shape, basis, height, fmt::format("[60, {}, 60]", inertia), 1));
+    const std::string what = fmt::format("{}, mu {}", shape, mu);
+    EXPECT_NEAR(down(m, slope), 0.5 * a, 0.005 * a) << what;
+    EXPECT_NEAR(m.end[0].angular_velocity.y(), turn, 0.005 * turn) << what;
+  };
+  for (const double mu : {0.6, 0.1}) {
+    check("{sphere: {centre: [0, 0, 0], radius: 0.5}}", "per_point", 1, 60, mu);
+    check("{capsule: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}", "per_length", 2, 75, mu);
+    check("{capsule: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}", "per_point", 2, 75, mu);
+  }
+}
+
+// A slab that slides on a free block, pressed together by 3000 N, takes it along: momentum stays, both end
+// with one velocity but for vibration on the friction springs, and friction takes the energy of the motion
+// against each other.
+TEST(BodyFriction, SlabOnABlock) {
+  const Motion m = run(R"(hawser: 1
+environment: {gravity: 0}
+bodies:
+  block: {position: [0, 0, 0], floating: {mass: 900, inertia: [1e9, 1e9, 1e9], loads: [{force: [0, 0, 3000]}]}}
+  slab:
+    position: [-0.5, 0, 0.60045]
+    floating: {mass: 300, inertia: [26, 58, 68], velocity: [2, 0, 0], loads: [{force: [0, 0, -3000]}]}
+volumes:
+  block: {shape: {box: {centre: [0, 0, 0], size: [6, 2, 1]}}, body: block, normal_stiffness: {per_length: 1.0e7}}
+  slab:
+    shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}
+    body: slab
+    normal_stiffness: {per_point: 1.0e7}
+    friction: 0.3
+    relative_damping: 0.5
+statics: false
+dynamics: {duration: 1}
+)");
+  const Vec3 momentum = 900 * m.end[0].velocity + 300 * m.end[1].velocity;
+  EXPECT_NEAR(momentum.x(), 600, 1e-6);
+  EXPECT_NEAR(m.end[0].velocity.x(), 0.5, 0.005);
+  EXPECT_NEAR(m.end[1].velocity.x(), 0.5, 0.015);
+  EXPECT_NEAR(m.friction, 450, 5);
+}
+
+}  // namespace
+}  // namespace hawser::test::body_friction
