@@ -216,7 +216,10 @@ Key volumes() {
            active(), stiffness(),
            number({"smoothing", &Volume::smoothing}, length,
                   "half width of the smooth start of the contact force; 0: linear from the touch on",
-                  at_least(0), or_else_note("chosen by the program"), fixed_in_restart),
+                  at_least(0),
+                  or_else_note(
+                      "0.1 % of the contact diameter; 0.001 % on an automatic stiffness without damping"),
+                  fixed_in_restart),
            relative_damping(), friction(&Volume::friction)},
           either({{{"mesh", "scale", "closed", "sign", "smooth", "crease_angle_deg", "active"}, {"mesh"}},
                   "shape"})),
