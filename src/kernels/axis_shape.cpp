@@ -6,8 +6,6 @@ namespace hawser {
 AxisShape::AxisShape(const AxisEnds& e) : count_(e.beam ? 4 : 2), length_(e.length), c_(e.tangent) {
   X_.fill(Vec3::Zero());
   V_.fill(Vec3::Zero());
-  q_ = {e.q1, e.q2};
-  R_ = {e.q1.toRotationMatrix(), e.q2.toRotationMatrix()};
   if (!e.beam) {
     X_[0] = e.x1;
     X_[1] = e.x2;
@@ -16,6 +14,8 @@ AxisShape::AxisShape(const AxisEnds& e) : count_(e.beam ? 4 : 2), length_(e.leng
     slope_bound_ = (e.x2 - e.x1).norm();
     return;
   }
+  q_ = {e.q1, e.q2};
+  R_ = {e.q1.toRotationMatrix(), e.q2.toRotationMatrix()};
   w_ = {e.w1, e.w2};
   X_ = {e.x1, length_ * (R_[0] * c_), e.x2, length_ * (R_[1] * c_)};
   V_ = {e.v1, length_ * (R_[0] * e.w1.cross(c_)), e.v2, length_ * (R_[1] * e.w2.cross(c_))};

@@ -7,12 +7,16 @@
 namespace hawser::model {
 namespace {
 
+bool is_bar(const Volume& v) {
+  return v.shape &&
+         (std::holds_alternative<CapsuleShape>(*v.shape) || std::holds_alternative<TorusShape>(*v.shape));
+}
+
 // Who leads: the lower. A plane has nothing that stands out, nor has what has no stiffness of its own.
 constexpr int kNever = 9;
 int rank(const Volume& v) {
   if (v.basis == StiffnessBasis::automatic) return kNever;
-  const bool bar = v.shape && (std::holds_alternative<CapsuleShape>(*v.shape) ||
-                               std::holds_alternative<TorusShape>(*v.shape));
+  const bool bar = is_bar(v);
   const bool ball = v.shape && std::holds_alternative<SphereShape>(*v.shape);
   if (v.shape && std::holds_alternative<PlaneShape>(*v.shape)) return kNever;
   if (ball) return v.basis == StiffnessBasis::per_point ? 0 : kNever;
@@ -21,27 +25,20 @@ int rank(const Volume& v) {
 }
 
 bool hides(const Volume& v) {
-  const bool bar = v.shape && (std::holds_alternative<CapsuleShape>(*v.shape) ||
-                               std::holds_alternative<TorusShape>(*v.shape));
+  const bool bar = is_bar(v);
   const bool ball = v.shape && std::holds_alternative<SphereShape>(*v.shape);
   return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
 }
 
-// The lower coefficient of a volume, in all directions.
-Friction isotropic(Friction f) {
-  f.axial = f.lateral = std::min(f.axial, f.lateral);
-  f.axial_kinetic = f.lateral_kinetic = std::min(f.axial_kinetic, f.lateral_kinetic);
-  f.mobilisation_length = f.lateral_mobilisation_length =
-      std::max(f.mobilisation_length, f.lateral_mobilisation_length);
-  return f;
-}
-
+// Of the volume `a` that leads and the one that it meets.
 Friction friction_between(const Volume& a, const Volume& b) {
-  const Friction fa = isotropic(a.friction);
-  Friction fb = isotropic(b.friction);
-  if (!(fb.axial > 0) || (fa.axial > 0 && fa.axial <= fb.axial)) return fa;
-  fb.shear_stiffness = 0;
-  return fb;
+  if (is_bar(a) && a.basis == StiffnessBasis::per_length) return {};
+  Friction f = a.friction;
+  const Friction& g = b.friction;
+  f.axial = f.lateral = std::min({f.axial, f.lateral, g.axial, g.lateral});
+  f.axial_kinetic = f.lateral_kinetic = std::min({f.axial, f.axial_kinetic, f.lateral_kinetic});
+  f.lateral_mobilisation_length = f.mobilisation_length;
+  return f;
 }
 
 }  // namespace

@@ -44,6 +44,27 @@ void check_kinetic(const Volume& v, const Issues& issue) {
   if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
 }
 
+// Where no line takes part in contact, friction of a volume would have no effect that no pair of bodies has.
+void check_friction_of_bodies(const Case& c, const Issues& issue) {
+  if (std::any_of(c.lines.begin(), c.lines.end(), [&](const Line& l) { return c.contact.takes_part(l); }))
+    return;
+  const auto has = [](const Volume& v) { return std::min(v.friction.axial, v.friction.lateral) > 0; };
+  for (const BodyPair& p : body_pairs(c)) {
+    const Volume &a = c.volumes[p.a], &b = c.volumes[p.b];
+    if (p.friction.axial > 0 || !(has(a) || has(b))) continue;
+    if (has(a) && has(b))
+      return issue(
+          "volumes." + a.name + ".friction",
+          "has no effect: a capsule or torus with a stiffness per length touches bodies without friction; "
+          "give it 'normal_stiffness: {{per_point: ...}}'");
+    return issue(
+        "volumes." + (has(a) ? a : b).name + ".friction",
+        "has no effect: between bodies the lower coefficient counts, and {} has none; give it friction, "
+        "too",
+        quote((has(a) ? b : a).name));
+  }
+}
+
 // Lines of one length between the same places, each started as a catenary, would start in one another, and
 // nothing says on which side of each other they are.
 void check_apart(const Case& c, const Issues& issue) {
@@ -105,6 +126,7 @@ void check_contact(const Case& c, const Issues& issue) {
       check_smoothing(v.smoothing, thickness, "volumes." + v.name + ".smoothing", issue);
     check_kinetic(v, issue);
   }
+  check_friction_of_bodies(c, issue);
   const BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return;
   check_apart(c, issue);

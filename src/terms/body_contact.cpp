@@ -42,7 +42,6 @@ AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
   e.x2 = body.to_space(to);
   e.v1 = body.velocity(from);
   e.v2 = body.velocity(to);
-  e.q1 = e.q2 = Quat(body.R);
   return AxisShape(e);
 }
 
@@ -171,10 +170,6 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   const auto query = [&](double xi, double within) {
     return surface.query(pose.to_body(shape.point(xi)), within);
   };
-  // Friction acts at the surface of a round bar, which rolls with the body.
-  std::optional<AxisContact::Rolls> rolls;
-  if (friction.active() && e.radius > 0)
-    rolls.emplace().ends.fill(axis_roll(Quat(pair.at.turn()), Quat(at.turn()), (e.to - e.from).normalized()));
   ContactQuadrature found;
   auto gap = axis_distance(surface, pose, shape, contact_distance);
   found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
@@ -185,14 +180,13 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   const auto start = [&](const ContactPanel&, double xi, ContactRates* rates) {
     return start_of(pair, at, e, xi, rates);
   };
-  AxisContact contact(shape, pose, e.radius, weight, mode, rolls);
+  AxisContact contact(shape, pose, e.radius, weight, mode);
   std::vector<AxisContactPoint> points;
   contact.add(found, {law, beyond, start}, &points);
   if (points.empty()) return;
   Stencil stencil;
   stencil.blocks = 2;
   for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, {y - at.A.centre, at.A.R, at.A.w}});
-  for (size_t i = 0; i < 2; ++i) stencil.turns[i] = {-1, 1, {Vec3::Zero(), at.A.R, at.A.w}};
   contact.to_blocks(stencil, f, K, C);
   sum.active = true;
   for (const AxisContactPoint& p : points) {
@@ -230,7 +224,7 @@ ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, cons
 }
 
 // Of the trapezoidal rule: friction on the displacement z1 - z0 of the point against the surface, with that
-// of the surface of what is round by its rotation phi, -r phi x n; of a bar only the rotation about its axis.
+// of the surface of a ball by its rotation phi, -r phi x n.
 double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
                                          const TouchingPoints& points) const {
   const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
@@ -238,14 +232,9 @@ double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
   double sum = 0;
   for (const auto& [feature, touching] : points) {
     const SkeletonPart& part = parts[feature];
-    Vec3 rotation = turned;
-    if (part.from != part.to) {
-      const Vec3 along = (pair.at.turn() * (part.to - part.from)).normalized();
-      rotation = along * along.dot(turned);
-    }
     for (const AxisContactPoint& p : touching) {
       const Vec3 y = place(part, p.xi);
-      const Vec3 moved = trial.across(y) - pair.at.across(y) - part.radius * rotation.cross(p.normal);
+      const Vec3 moved = trial.across(y) - pair.at.across(y) - part.radius * turned.cross(p.normal);
       sum -= 0.5 * p.weight * p.friction.dot(moved);
     }
   }
@@ -424,11 +413,12 @@ std::vector<HistoryRecord> BodyContactTerm::records(NodeRange of) const {
 }
 
 void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
+  for (Pair& p : pairs_) p.touching.clear();
   for (const HistoryRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size()) continue;
     Pair& p = pairs_[r.key];
     if (r.kind == 1) {
-      p.touching.clear();
+      p.touching.clear();  // a rank that owns both bodies has the record twice
       for (const FeaturePoint& f : entries<FeaturePoint>(r)) p.touching[f.feature].push_back(f.point);
       continue;
     }

@@ -231,7 +231,8 @@ model::Friction friction(double coefficient, double mobilisation) {
 // Where the point that touches sticks and where it slides, from the first touch in the step and with the slip
 // that an accepted step left.
 TEST(BodyContactTerm, TangentsWithFriction) {
-  for (const TouchCase& c : touch_cases())
+  for (const TouchCase& c : touch_cases()) {
+    if (std::holds_alternative<CapsuleShape>(c.shape)) continue;  // a bar per length has none
     for (const bool floats : {true, false})
       for (const auto& [law, name] :
            {std::pair(friction(0.4, 1), "sticks"), {friction(0.4, 1e-3), "slides"}}) {
@@ -256,6 +257,7 @@ TEST(BodyContactTerm, TangentsWithFriction) {
         m.system->prepare(m.trial.from.view(m.trial.h), m.trial.h);
         expect_tangent(*m.system, m.trial, what);
       }
+  }
 }
 
 // The slip of what sticks is of the history: a restart knows it.

@@ -35,34 +35,61 @@ volumes:
   return "";
 }
 
-// Of two volumes the lower coefficient counts, of one alone its own.
-TEST(CaseContact, FrictionBetweenBodies) {
-  const auto between = [](const std::string& slope, const std::string& crate) {
-    const model::Case c = io::read_case_text(R"(hawser: 1
+std::string crate(const std::string& slope, const std::string& load, const std::string& shape,
+                  const char* basis) {
+  return R"(hawser: 1
 bodies:
   crate: {position: [0, 0, 0.3], floating: {mass: 600, inertia: [26, 58, 68], weight: true}}
 volumes:
   slope: {shape: {plane: {point: [0, 0, 0], normal: [0, 0, 1]}})" +
-                                                 slope + R"(}
-  crate: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.4]}}, body: crate, normal_stiffness: {per_point: 1.0e7})" +
-                                                 crate + R"(}
-statics: false
-dynamics: {duration: 1}
-)",
-                                             "crate.yaml");
-    const auto pairs = model::body_pairs(c);
+         slope + "}\n  crate: {shape: {" + shape + "}, body: crate, normal_stiffness: {" + basis +
+         ": 1.0e7}" + load + "}\nstatics: false\ndynamics: {duration: 1}\n";
+}
+
+constexpr const char* kCrate = "box: {centre: [0, 0, 0], size: [1, 0.6, 0.4]}";
+constexpr const char* kBar = "capsule: {from: [0, 0, 0], to: [1, 0, 0], radius: 0.2}";
+
+// Of two volumes the lowest coefficient counts.
+TEST(CaseContact, FrictionBetweenBodies) {
+  const auto between = [](const std::string& slope, const std::string& load) {
+    const auto pairs =
+        model::body_pairs(io::read_case_text(crate(slope, load, kCrate, "per_point"), "crate.yaml"));
     EXPECT_EQ(pairs.size(), 1U);
     return pairs.at(0).friction;
   };
   EXPECT_EQ(between("", "").axial, 0);
-  EXPECT_EQ(between(", friction: 0.5", "").axial, 0.5);
-  EXPECT_EQ(between("", ", friction: 0.3").axial, 0.3);
   EXPECT_EQ(between(", friction: 0.5", ", friction: 0.3").axial, 0.3);
   EXPECT_EQ(between(", friction: 0.2", ", friction: 0.3").axial, 0.2);
-  EXPECT_EQ(between(", friction: {axial: 0.1, lateral: 0.4}", "").lateral, 0.1);
-  // A shear stiffness is that of the volume that leads with its corners.
-  EXPECT_EQ(between("", ", friction: {axial: 0.3, shear_stiffness: 1e6}").shear_stiffness, 1e6);
-  EXPECT_EQ(between(", friction: {axial: 0.3, shear_stiffness: 1e6}", "").shear_stiffness, 0);
+  EXPECT_EQ(between(", friction: {axial: 0.1, lateral: 0.4}", ", friction: 0.3").lateral, 0.1);
+  // The rest of the law is that of the volume that leads with its corners.
+  const std::string soft = ", friction: {axial: 0.3, shear_stiffness: 1e6}";
+  EXPECT_EQ(between(", friction: 0.2", soft).shear_stiffness, 1e6);
+  EXPECT_EQ(between(soft, ", friction: 0.2").shear_stiffness, 0);
+}
+
+TEST(CaseContact, FrictionOfBodiesWithoutEffect) {
+  const auto refused = [](const std::string& text) {
+    try {
+      io::read_case_text(text, "crate.yaml");
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const std::string
+      half = ", friction: 0.5",
+      line =
+          "line_types: {rope: {outer_diameter: 0.1, mass_per_length: 10, EA: 1e7, bending: false}}\n"
+          "lines: {l: {sections: [{type: rope, length: 10, elements: 5}], end_a: {anchor: [5, 5, 5]}, end_b: "
+          "free}}\n";
+  EXPECT_NE(
+      refused(crate(half, "", kCrate, "per_point")).find("volumes.slope.friction: has no effect: between"),
+      std::string::npos);
+  EXPECT_NE(
+      refused(crate(half, half, kBar, "per_length")).find("volumes.crate.friction: has no effect: a capsule"),
+      std::string::npos);
+  EXPECT_EQ(refused(crate(half, "", kCrate, "per_point") + line), "");
+  EXPECT_EQ(refused(crate(half, half, kBar, "per_point")), "");
 }
 
 TEST(CaseContact, RampsGoByTheLinesTheyActOn) {

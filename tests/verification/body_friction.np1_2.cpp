@@ -62,13 +62,19 @@ bodies:
     rotation_deg: [0, {:.12f}, 0]
     floating: {{mass: {}, inertia: {}, weight: true}}
 volumes:
-  slope: {{shape: {{plane: {{point: [0, 0, 0], normal: [{:.15f}, 0, {:.15f}]}}}}, friction: {{axial: {}, mobilisation_length: 1e-6}}}}
-  load: {{shape: {}, body: load, normal_stiffness: {{{}: {}}}, relative_damping: 0.3, smoothing: 1e-3}}
+  slope: {{shape: {{plane: {{point: [0, 0, 0], normal: [{:.15f}, 0, {:.15f}]}}}}, friction: 10}}
+  load:
+    shape: {}
+    body: load
+    normal_stiffness: {{{}: {}}}
+    relative_damping: 0.3
+    smoothing: 1e-3
+    friction: {{axial: {}, mobilisation_length: 1e-6}}
 statics: false
 dynamics: {{duration: {}}}
 )",
-                     height * s, height * c, slope * 180 / M_PI, kMass, inertia, s, c, friction, shape, basis,
-                     kPress, duration);
+                     height * s, height * c, slope * 180 / M_PI, kMass, inertia, s, c, shape, basis, kPress,
+                     friction, duration);
 }
 
 // m above contact, where the ramp of half width 1e-3 carries the load: F = k (s - g)²/(4 s) for each of the
@@ -109,8 +115,8 @@ TEST(BodyFriction, FaceOnASlope) {
   if (size > 1) GTEST_SKIP() << "long; on 1 rank";
   const double mu = 0.4, slope = 35 * M_PI / 180, a = kGravity * (std::sin(slope) - mu * std::cos(slope));
   const Motion m =
-      run(on_slope(slope, mu, kBox, "per_area", 0.1 + gap_at_rest(slope, 0.6), kBoxInertia, 0.05));
-  EXPECT_NEAR(m.end[0].velocity.norm(), 0.05 * a, 0.02 * 0.05 * a);
+      run(on_slope(slope, mu, kBox, "per_area", 0.1 + gap_at_rest(slope, 0.6), kBoxInertia, 0.03));
+  EXPECT_NEAR(m.end[0].velocity.norm(), 0.03 * a, 0.04 * 0.03 * a);
 }
 
 // What the friction takes is what the fall gives and the motion does not have.
@@ -141,7 +147,6 @@ TEST(BodyFriction, BallsAndBarsRoll) {
   };
   for (const double mu : {0.6, 0.1}) {
     check("{sphere: {centre: [0, 0, 0], radius: 0.5}}", "per_point", 1, 60, mu);
-    check("{capsule: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}", "per_length", 2, 75, mu);
     check("{capsule: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}", "per_point", 2, 75, mu);
   }
 }
@@ -158,7 +163,7 @@ bodies:
     position: [-0.5, 0, 0.60045]
     floating: {mass: 300, inertia: [26, 58, 68], velocity: [2, 0, 0], loads: [{force: [0, 0, -3000]}]}
 volumes:
-  block: {shape: {box: {centre: [0, 0, 0], size: [6, 2, 1]}}, body: block, normal_stiffness: {per_length: 1.0e7}}
+  block: {shape: {box: {centre: [0, 0, 0], size: [6, 2, 1]}}, body: block, normal_stiffness: {per_length: 1.0e7}, friction: 0.3}
   slab:
     shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}
     body: slab

@@ -68,7 +68,7 @@ class AxisShape {
   // Adds the X_j to a stencil, attached to the nodes: to its next blocks (x1, theta1, x2, theta2) of a beam,
   // (x1, x2) of a cable. first_turn: number there of the rotation of a beam's first node, of two.
   void attach(Stencil& to, size_t first_turn = 0) const;
-  // Of a node that rotates, to space axes.
+  // Of a beam's node, to space axes.
   const Mat3& axes(size_t end) const { return R_[end]; }
   const Quat& turn(size_t end) const { return q_[end]; }
 

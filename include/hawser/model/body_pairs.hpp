@@ -21,9 +21,8 @@ struct BodyPair {
 // Pairs of volumes that take part in contact, on different bodies one of which has mass at least. Round
 // volumes (sphere, capsule, torus) lead, then those with a stiffness per point, per length, per area; of
 // equals both lead, but round ones, where either would say the same. The softer of two of one basis counts.
-// A pair without any stiffness has stiffness 0. Of two volumes with friction the lower coefficient counts,
-// where only one has friction its own; of two coefficients of a volume, along and across a line, the lower. A
-// shear stiffness counts where it is that of a, whose basis it has.
+// A pair without any stiffness has stiffness 0. Friction has the lowest coefficient of both volumes, along
+// and across lines, and the law of a otherwise. A round bar that leads with a stiffness per length has none.
 std::vector<BodyPair> body_pairs(const Case& c);
 
 }  // namespace hawser::model
