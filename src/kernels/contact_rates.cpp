@@ -43,7 +43,7 @@ Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const
   const ContactStartOf<Dual> from{dual(start.point, by.start_point), dual(start.gap, by.start_gap),
                                   dual(start.tangent, by.start_tangent), dual(start.slip, by.start_slip),
                                   dual(start.normal, by.start_normal)};
-  there.turn = from.tangent * dual(trial.roll, by.roll);
+  if (trial.lever > 0) there.turn = from.tangent * dual(trial.roll, by.roll);
   return normal_part + rate(point_friction(law, from, there).force);
 }
 

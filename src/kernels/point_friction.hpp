@@ -12,8 +12,8 @@ template <class S>
 struct PointState {
   S gap, force;
   double lever = 0;
-  // The rotation since the start of the step, rad, that moves the surface at the arm -lever normal; velocity:
-  // used only if friction depends on it.
+  // turn: rad, the rotation since the start of the step, which moves the surface at the arm -lever normal;
+  // not set without a lever. velocity: used only if friction depends on it.
   Vector3<S> turn, point, normal, velocity;
 };
 

@@ -40,10 +40,12 @@ PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const
     s.point[c] = made(t.point[c], Vec3::Unit(c), none);
     s.normal[c] = made(t.normal[c], t.curvature.col(c), none);
     s.velocity[c] = made(t.velocity[c], none, Vec3::Unit(c));
+  }
+  s.lever = t.lever;
+  for (int c = 0; c < 3 && t.lever > 0; ++c) {
     s.turn[c] = made(r.turn[c], none, none);
     s.turn[c].derivatives().template tail<kTurns>() = r.by.row(c).transpose();
   }
-  s.lever = t.lever;
   return s;
 }
 

@@ -131,6 +131,10 @@ void BodyContactTerm::update_ghosts() {
   }
 }
 
+Vec3 BodyContactTerm::Both::turned_since(const Both& start) const {
+  return log_so3(Quat(Mat3(turn() * start.turn().transpose())));
+}
+
 BodyFrame BodyContactTerm::frame(size_t volume, const Kinematics& at) const {
   const PairBody& s = bodies_of_volumes_[volume];
   if (s.global < 0) {
@@ -228,7 +232,7 @@ ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, cons
 double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
                                          const TouchingPoints& points) const {
   const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
-  const Vec3 turned = log_so3(Quat(Mat3(trial.turn() * pair.at.turn().transpose())));
+  const Vec3 turned = trial.turned_since(pair.at);
   double sum = 0;
   for (const auto& [feature, touching] : points) {
     const SkeletonPart& part = parts[feature];
@@ -254,9 +258,7 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at, 
   std::array<double, 6> f{};
   std::array<double, 36> K{}, C{};
   double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
-  const Vec3 turned =
-      friction.active() ? log_so3(Quat(Mat3(at.turn() * pair.at.turn().transpose()))) : Vec3(Vec3::Zero());
-  BodyContactPoints points(A, B, turned, mode);
+  BodyContactPoints points(A, B, friction.active() ? at.turned_since(pair.at) : Vec3(Vec3::Zero()), mode);
   const auto point = [&](const SkeletonPart& p) {
     const Vec3 z = points.place(p.from);
     const auto s = volumes_[pair.b].surface->query(z, p.radius + pair.law.smoothing);
@@ -334,9 +336,10 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
 
 void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
-    if (!p.here) continue;
-    const Both now = both(p, accepted);
     const FrictionLaw friction = friction_in(p, accepted.step);
+    // The slip is kept on the ranks of both bodies.
+    if (!p.here || !(p.counted || friction.active())) continue;
+    const Both now = both(p, accepted);
     TouchingPoints touching;
     const Sum s = contact(p, now, {true}, friction, friction.active() ? &touching : nullptr);
     if (accepted.step > 0) {

@@ -19,8 +19,8 @@ constexpr double kImpactDepth = 0.5;
 // Of the period of the mass on its spring: shorter steps follow an impact, and what is deep in them is the
 // impact's.
 constexpr double kFollowing = 2;
-// Unless it is so many times deeper than what is allowed, and inertia takes no more than the rest of
-// kPressed, which an impact of the mass of 100 elements does.
+// In such steps the stiffness is raised only where the line is kDeepInAnImpact times deeper than allowed and
+// the part kPressed of the contact force at least is not due to inertia.
 constexpr double kDeepInAnImpact = 10, kPressed = 0.99;
 // Most that what presses raises a stiffness in a step: what grows faster is an impact.
 constexpr double kMostInAStep = 4;

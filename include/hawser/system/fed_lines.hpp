@@ -52,8 +52,11 @@ class FedLines {
   // Adds work of the feeders that another term computes, J, of what this rank counts.
   void add_work(double work) { work_ += work; }
 
+ private:
+  std::vector<FedLine>::const_iterator first_from(int element) const;
+
  protected:
-  std::vector<FedLine> fed_;
+  std::vector<FedLine> fed_;  // in the order of the lines, and of a line of its ends A and B
   State before_;
   double work_ = 0;  // J
 };

@@ -2,8 +2,8 @@
 //
 // An edge is an axis like the element of a line (contact_along_axis.hpp), attached to its body; a corner is a
 // point of it. By the basis of its stiffness a volume touches with its corners and balls (per_point), its
-// edges (per_length) or its faces (per_area); model::body_pairs says who leads. Friction acts at the points
-// that touch, each with its elastic slip. See docs/theory/body-contact.md.
+// edges (per_length) or its faces (per_area); model::body_pairs says who leads. In motion friction acts at
+// each point of contact, with an elastic slip of its own. See docs/theory/body-contact.md.
 #pragma once
 
 #include <mpi.h>
@@ -89,6 +89,8 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     Vec12 accelerations() const { return (Vec12() << A.a, A.alpha, B.a, B.alpha).finished(); }
     void move(double time);                              // on at their velocities
     Mat3 turn() const { return B.R.transpose() * A.R; }  // axes of A to those of B
+    // Rotation vector of A against B from there on, rad, axes of B.
+    Vec3 turned_since(const Both& start) const;
   };
   // Points that touch, by feature of what leads.
   using TouchingPoints = std::map<int, std::vector<AxisContactPoint>>;
@@ -146,17 +148,17 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   bool owned(const PairBody& body) const { return body.node >= 0 && body.node < mesh_.owned; }
   BodyFrame frame(size_t volume, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
-  // With friction if its law is given; points: what touches is added there.
+  // With friction if its law is given. Contact points are added to `points` if it is given.
   Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode, const FrictionLaw& friction = {},
               TouchingPoints* points = nullptr) const;
   void contact_of_edge(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
                        const AxisContactMode& mode, const FrictionLaw& friction, double* f, double* K,
                        double* C, Sum& sum, TouchingPoints* points) const;
-  // Whether the motion of one of the bodies is prescribed, and not rest.
+  // Whether a body with prescribed motion moves.
   bool driven(const Pair& pair, const Both& at) const;
-  // Of a step of length h; none in statics.
+  // The friction that acts in a step of length h [s]; none in statics.
   static FrictionLaw friction_in(const Pair& pair, double h) { return h > 0 ? pair.friction : FrictionLaw(); }
-  // What friction starts from at a place of a part that touches in a trial.
+  // The state at the start of the step of the place xi of a part that touches in the trial.
   ContactStart start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
                         ContactRates* rates) const;
   // J, half of the work that friction at these points takes on the way of the step.
