@@ -66,4 +66,8 @@ std::string long_in_flow(const LongInFlow& at) {
       percent < 9.95 ? 1 : 0, at.force / 1000, at.recommended);
 }
 
+std::string more_long_in_flow(size_t lines) {
+  return fmt::format("; the elements of {} more lines are too long for the flow, by less", lines);
+}
+
 }  // namespace hawser::advice

@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
+#include "point_text.hpp"
+
 namespace hawser::advice {
 namespace {
-
-std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
 
 // Next to a held end whose stretch without contact is too short, that; else where the line starts.
 std::string remedy(const model::Line& line, const InsideVolume& s) {
@@ -21,11 +21,27 @@ std::string remedy(const model::Line& line, const InsideVolume& s) {
   return "say where it lies outside of it with 'start: {points: [[x, y, z], ...]}'";
 }
 
-}  // namespace
-
 std::string where_inside(const InsideVolume& s) {
   return fmt::format("from {:.4g} m to {:.4g} m of arc length, deepest at {:.4g} m, {:.3g} m inside at {}",
-                     s.from, s.to, s.at, s.depth, point(s.place));
+                     s.from, s.to, s.at, s.depth, point_text(s.place));
+}
+
+}  // namespace
+
+std::string line_inside(const std::string& line, const InsideVolume& s) {
+  return fmt::format("line {} is inside it {}", line, where_inside(s));
+}
+
+std::string more_stretches_inside(size_t stretches) {
+  return fmt::format("and {} more stretches of lines lie inside volumes", stretches);
+}
+
+std::string more_ends_excluded(size_t ends) {
+  return fmt::format("and {} more ends of lines start like these", ends);
+}
+
+std::string more_lines_on_wrong_side(size_t lines) {
+  return fmt::format("and {} more lines start like these", lines);
 }
 
 std::string starts_inside(const model::Line& line, const std::string& volume, const InsideVolume& s) {
@@ -58,7 +74,7 @@ std::string passes_volume(const model::Line& line, const std::string& volume, co
   return fmt::format(
       "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, while "
       "{}; if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
-      line.name, p.under ? "under" : "over", volume, p.distance, p.arc, point(p.place), but);
+      line.name, p.under ? "under" : "over", volume, p.distance, p.arc, point_text(p.place), but);
 }
 
 }  // namespace hawser::advice

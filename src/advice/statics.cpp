@@ -51,6 +51,21 @@ std::string long_relaxation(int steps) {
       steps);
 }
 
+std::string automatic_stiffness_unsettled() {
+  return "statics: the automatic stiffness of contact, or the direction of what is buried, does not settle; "
+         "give the volumes a normal_stiffness, or bury less of what bends";
+}
+
+std::string no_rest(int steps, const std::string& imbalance) {
+  return fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", steps, imbalance);
+}
+
+std::string more_lines_on_bed(size_t lines) { return fmt::format("{} more lines are on the seabed", lines); }
+
+std::string singular_mooring() {
+  return "the stiffness of the mooring is singular: a part of a line has none at rest against its own motion";
+}
+
 std::string statics_failed(const model::Case& c) {
   std::vector<std::string> ways;
   if (c.statics.relaxation == model::Relaxation::never)
@@ -74,17 +89,6 @@ std::string statics_failed(const model::Case& c) {
   if (ways.size() > kMost) ways.resize(kMost);
   return fmt::format("statics has failed; what may help: {}{}docs/how-to/failing-runs.md says more",
                      fmt::join(ways, "; "), ways.empty() ? "" : "; ");
-}
-
-std::string chosen_stiffness(const std::string& volume, double stiffness, const std::string& reason,
-                             double bounce, double step) {
-  std::string note =
-      fmt::format("volume {}: normal stiffness {:.3g} N/m per m: {}", volume, stiffness, reason);
-  if (bounce > 0)
-    note += fmt::format(
-        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show its force",
-        bounce, step);
-  return note;
 }
 
 std::string one_rank_has_all() {

@@ -208,13 +208,6 @@ DuplicateResult drop_duplicates(TriangleMesh& mesh) {
     else
       out.copies += f.copies - 1;
   mesh = once(mesh, faces, kept);
-  const auto add = [&](int n, const char* one, const char* more) {
-    if (n == 0) return;
-    if (!out.sentence.empty()) out.sentence += "; ";
-    out.sentence += std::to_string(n) + " " + (n == 1 ? one : more) + " excluded";
-  };
-  add(out.copies, "triangle that is listed more than once", "triangles that are listed more than once");
-  add(out.back_to_back, "", "triangles that lie back to back and bound nothing");
   return out;
 }
 

@@ -52,15 +52,6 @@ RepairResult repair(TriangleMesh& mesh) {
   std::vector<int> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   out.enclosing = detail::enclosing(mesh, turned, all);
-  const auto many = [](int n, const char* one, const char* more) {
-    return std::to_string(n) + " " + (n == 1 ? one : more);
-  };
-  out.sentence = out.turned == 0 ? std::string("no triangle turned over")
-                                 : many(out.turned, "triangle", "triangles") +
-                                       " turned over, by rays that count what they cross";
-  if (out.one_sided > 0)
-    out.sentence += "; " + many(out.one_sided, "patch is", "patches are") +
-                    " one-sided like a Möbius band and left as found";
   return out;
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <sstream>
 #include <tuple>
 
 #include "edge_uses.hpp"
@@ -117,41 +116,6 @@ MeshReport inspect(const TriangleMesh& mesh) {
       if (volumes[c] != 0 && (volumes[c] > 0) != (depth[c] % 2 == 0)) r.outward = false;
   }
   return r;
-}
-
-std::string summary(const MeshReport& r) {
-  const auto many = [](int n, const char* one, const char* more) {
-    return std::to_string(n) + " " + (n == 1 ? one : more);
-  };
-  std::ostringstream s;
-  s.precision(6);
-  s << many(r.triangles, "triangle", "triangles") << ", " << many(r.vertices, "vertex", "vertices") << " in "
-    << many(r.components, "piece", "pieces");
-  if (r.triangles > 0) {
-    const Vec3 e = r.box.extent();
-    s << ", " << e.x() << " x " << e.y() << " x " << e.z() << " m, edges " << r.shortest_edge << " to "
-      << r.longest_edge << " m, area " << r.area << " m²";
-  }
-  if (r.valid()) s << ", closed and outward, volume " << r.volume << " m³";
-  s << ".";
-  if (r.welded > 0 || r.removed > 0)
-    s << " Merged " << many(r.welded, "vertex", "vertices") << ", which removed "
-      << many(r.removed, "triangle", "triangles") << ".";
-  std::vector<std::string> faults;
-  if (r.triangles == 0) faults.push_back("it is empty");
-  if (r.open_edges > 0)
-    faults.push_back(many(r.open_edges, "edge has", "edges have") + " a triangle on one side only");
-  if (r.non_manifold_edges > 0)
-    faults.push_back(many(r.non_manifold_edges, "edge joins", "edges join") + " more than two triangles");
-  if (r.flipped_edges > 0)
-    faults.push_back(many(r.flipped_edges, "edge lies", "edges lie") +
-                     " between triangles turned opposite ways");
-  if (r.closed && r.consistently_oriented && !r.outward) faults.push_back("normals point into the solid");
-  if (r.degenerate > 0) faults.push_back(many(r.degenerate, "triangle has", "triangles have") + " no area");
-  for (std::size_t i = 0; i < faults.size(); ++i)
-    s << (i == 0 ? (r.valid() ? " Note: " : " Not clean: ") : "; ") << faults[i];
-  if (!faults.empty()) s << ".";
-  return s.str();
 }
 
 int TriangleMesh::part_named(const std::string& name) {

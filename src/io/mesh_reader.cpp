@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "hawser/advice/meshes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/geometry/mesh_duplicates.hpp"
 #include "hawser/geometry/mesh_repair.hpp"
@@ -87,8 +88,7 @@ TriangleMesh import(const std::string& path, double scale) {
   for (const Vec3& v : mesh.vertices) {
     if (!v.allFinite()) bad(path, "has a vertex that is no finite number");
     if (const double far = v.cwiseAbs().maxCoeff(); far > kFarthest)
-      bad(path, "has a vertex {:.4g} m from the origin; is it in other units than metres (scale is {:g})?",
-          far, scale);
+      bad(path, "{}", advice::vertex_too_far(far, scale));
   }
   return mesh;
 }
@@ -97,37 +97,16 @@ TriangleMesh import(const std::string& path, double scale) {
 
 namespace {
 
-std::string many(int n, const char* one, const char* more) {
-  return fmt::format("{} {}", n, n == 1 ? one : more);
-}
-
 // A mesh that is open, inconsistent or inside out: repair what can be, say what is wrong and what is assumed.
 void repair_mesh(const std::string& path, LoadedMesh& loaded, bool closed) {
   const MeshReport found = loaded.report;
   const RepairResult repaired = repair(loaded.mesh);
   loaded.report = inspect(loaded.mesh);
   loaded.open = !loaded.report.valid();
-  if (closed && loaded.open) bad(path, "the triangles cannot be turned outward: {}", repaired.sentence);
-  std::vector<std::string> faults;
-  if (found.open_edges > 0) faults.push_back(many(found.open_edges, "open edge", "open edges"));
-  if (found.non_manifold_edges > 0)
-    faults.push_back(many(found.non_manifold_edges, "edge", "edges") + " of more than two triangles");
-  if (found.flipped_edges > 0)
-    faults.push_back(many(found.flipped_edges, "edge", "edges") + " between triangles turned opposite ways");
-  if (found.degenerate > 0) faults.push_back(many(found.degenerate, "triangle", "triangles") + " of no area");
-  if (faults.empty()) faults.push_back("normals that point into the solid");
-  if (repaired.enclosing < 0.5)
-    bad(path,
-        "the mesh encloses nothing: it has {} among {} triangles, and only {:.0f} % of its area has an "
-        "inside; a sheet needs a thickness, or use a `shape`",
-        fmt::join(faults, ", "), found.triangles, 100 * repaired.enclosing);
-  loaded.notes.push_back(
-      fmt::format("{}: the mesh is not clean: {}; {}", path, fmt::join(faults, ", "), repaired.sentence));
-  if (loaded.open)
-    loaded.notes.push_back(
-        fmt::format("{}: holes are not filled: inside is where the winding number is above 1/2, as it is "
-                    "behind {:.4g} % of the surface",
-                    path, 100 * repaired.enclosing));
+  if (closed && loaded.open) bad(path, "{}", advice::mesh_cannot_be_closed(repaired));
+  if (repaired.enclosing < 0.5) bad(path, "{}", advice::mesh_encloses_nothing(found, repaired));
+  loaded.notes.push_back(path + ": " + advice::mesh_not_clean(found, repaired));
+  if (loaded.open) loaded.notes.push_back(path + ": " + advice::holes_not_filled(repaired));
 }
 
 // Equal corners may differ by rounding to single precision.
@@ -147,27 +126,17 @@ WeldResult weld_corners(const std::string& path, TriangleMesh& mesh) {
 void close_cracks(const std::string& path, LoadedMesh& loaded) {
   const CrackResult c = weld_cracks(loaded.mesh);
   if (c.welded == 0) return;
-  loaded.notes.push_back(
-      fmt::format("{}: {} of open edges that lay up to {:.2g} m apart {} merged{}; {}", path,
-                  many(c.welded, "corner", "corners"), c.widest, c.welded == 1 ? "was" : "were",
-                  c.removed > 0 ? fmt::format(", which removed {}", many(c.removed, "triangle", "triangles"))
-                                : std::string(),
-                  c.open_edges == 0 ? "no edge is open now"
-                                    : many(c.open_edges, "edge is", "edges are") + " still open"));
+  loaded.notes.push_back(path + ": " + advice::cracks_closed(c));
 }
 
 // What is listed more than once, and what has no thickness.
 void drop_double(const std::string& path, LoadedMesh& loaded) {
-  if (const DuplicateResult d = drop_duplicates(loaded.mesh); !d.sentence.empty())
-    loaded.notes.push_back(path + ": " + d.sentence);
+  if (const std::string text = advice::duplicates_excluded(drop_duplicates(loaded.mesh)); !text.empty())
+    loaded.notes.push_back(path + ": " + text);
   if (const int flat = drop_flat_pieces(loaded.mesh, rounding(loaded.mesh)); flat > 0)
-    loaded.notes.push_back(
-        fmt::format("{}: {} of no thickness excluded", path, many(flat, "piece", "pieces")));
+    loaded.notes.push_back(path + ": " + advice::flat_pieces_excluded(flat));
   weld(loaded.mesh);  // corners that no triangle has now
-  if (loaded.mesh.triangles.empty())
-    bad(path,
-        "the mesh encloses nothing: its triangles lie back to back; a sheet needs a thickness, or use a "
-        "`shape`");
+  if (loaded.mesh.triangles.empty()) bad(path, "{}", advice::only_flat_pieces());
 }
 
 }  // namespace
@@ -184,17 +153,13 @@ LoadedMesh read_mesh(const std::string& path, double scale, bool closed) {
   TriangleMesh& mesh = loaded.mesh;
   const WeldResult welded = weld_corners(path, mesh);
   if (welded.removed > 0)
-    loaded.notes.push_back(fmt::format("{}: {} triangles without area were removed", path, welded.removed));
+    loaded.notes.push_back(path + ": " + advice::triangles_without_area(welded.removed));
   close_cracks(path, loaded);
   drop_double(path, loaded);
 
   MeshReport& report = loaded.report;
   report = inspect(mesh);
-  if (closed && !report.closed)
-    bad(path,
-        "the mesh is not closed: {} open edges and {} edges of more than two triangles in {} triangles; the "
-        "volume says `closed: required`",
-        report.open_edges, report.non_manifold_edges, report.triangles);
+  if (closed && !report.closed) bad(path, "{}", advice::mesh_not_closed(report));
   if (!report.valid()) repair_mesh(path, loaded, closed);
   report.welded = welded.welded;
   report.removed = welded.removed;

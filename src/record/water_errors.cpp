@@ -1,8 +1,6 @@
 // The class WaterErrors: the force of the flow on elements against that on their parts, by group of lines.
 #include "hawser/record/water_errors.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -182,9 +180,7 @@ std::vector<std::string> WaterErrors::warnings() const {
   std::vector<std::string> out;
   for (const auto& [order, text] : found)
     if (out.size() < kMost) out.push_back(text);
-  if (found.size() > kMost)
-    out.back() += fmt::format("; the elements of {} more lines are too long for the flow, by less",
-                              found.size() - kMost);
+  if (found.size() > kMost) out.back() += advice::more_long_in_flow(found.size() - kMost);
   return out;
 }
 

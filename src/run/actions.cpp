@@ -2,10 +2,9 @@
 // (model/cut_lines.cpp), and the cut lets their joint go.
 #include "hawser/run/actions.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "hawser/advice/events.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/terms/feeders.hpp"
@@ -38,14 +37,14 @@ double Actions::away(const Action& a, const Kinematics& at) const {
 Actions::Found Actions::act(const Action& a, const Kinematics& at) {
   Found found;
   const auto refuse = [&](const std::string& why) {
-    throw SolveError("at t = {:.6g} s {} is to be {}, but {}", at.time, a.subject(), a.participle(), why);
+    throw SolveError(advice::cannot_happen(a, at.time, why));
   };
   switch (a.kind) {
     case Action::Kind::release:
-      if (!held(node(a))) refuse("nothing holds it");
+      if (!held(node(a))) refuse(advice::nothing_holds());
       break;
     case Action::Kind::attach: {
-      if (held(node(a))) refuse("it is held already");
+      if (held(node(a))) refuse(advice::holds_already());
       const LocalMesh& local = sim_.local();
       const int n = local.find(node(a)), body = sim_.model().body_index(a.body);
       std::array<double, 8> packed{};
@@ -61,9 +60,7 @@ Actions::Found Actions::act(const Action& a, const Kinematics& at) {
       std::copy_n(packed.begin() + 3, 4, found.rotation.begin());
       found.away = packed[7];
       constexpr double kRounding = 1e-6;  // m
-      if (a.at && found.away > a.within + kRounding)
-        refuse(
-            fmt::format("it is {:.4g} m from that place, and 'within' allows {:g} m", found.away, a.within));
+      if (a.at && found.away > a.within + kRounding) refuse(advice::too_far_from_place(found.away, a.within));
       break;
     }
     case Action::Kind::feed:

@@ -2,7 +2,6 @@
 // it.
 #include "hawser/run/cost.hpp"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/advice/cost.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/result_parts.hpp"
@@ -107,43 +107,21 @@ double expected_cost(const TrialRun& t) {
 }
 
 std::string cost_sentence(const TrialRun& t) {
-  if (!t.failure.empty()) return "a trial run stops: " + t.failure;
-  const double cost = expected_cost(t);
-  if (!std::isfinite(cost)) return "expected cost: the trial run did not get far enough to tell";
-  const std::string by = t.iteration > 0 ? ", by the first iterations of statics"
-                         : t.reached < t.duration
-                             ? fmt::format(", by its first {:.2g} of {:.4g} s", t.reached, t.duration)
-                             : "";
-  return fmt::format("expected cost: {} CPU s{}",
-                     cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost), by);
+  if (!t.failure.empty()) return advice::trial_fails(t.failure);
+  return advice::expected_cost(expected_cost(t),
+                               {.by_statics = t.iteration > 0, .reached = t.reached, .duration = t.duration});
 }
 
 std::string size_sentence(const io::ResultsSize& size, const std::string& folder) {
-  constexpr double kMuch = 2e9;  // bytes
-  const auto bytes = [](double n) {
-    const char* units[] = {"kB", "MB", "GB", "TB"};
-    std::size_t k = 0;
-    for (n /= 1e3; n >= 1e3 && k + 1 < std::size(units); ++k) n /= 1e3;
-    return fmt::format("{:.3g} {}", n, units[k]);
-  };
-  std::string parts;
-  for (const auto& [name, n] : {std::pair{"fields", size.fields},
-                                {"histories", size.histories},
-                                {"checkpoints", size.checkpoints},
-                                {"meshes", size.meshes}})
-    if (n > 0.005 * size.total()) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, bytes(n));
-  std::string s = fmt::format("expected results: about {} ({})", bytes(size.total()), parts);
+  advice::ResultBytes bytes{{{"fields", size.fields},
+                             {"histories", size.histories},
+                             {"checkpoints", size.checkpoints},
+                             {"meshes", size.meshes}},
+                            size.total()};
   std::error_code unknown;
   const std::filesystem::space_info disk = std::filesystem::space(folder, unknown);
-  // At its end the file is written once more, without spare room.
-  if (const double left = static_cast<double>(disk.available); !unknown && 2 * size.total() > left)
-    s += fmt::format(
-        "\nnote: the disk of {} has {} left, and a run takes up to twice the size of its results: give a "
-        "larger output.every, or another disk with -o",
-        folder, bytes(left));
-  else if (size.total() > kMuch)
-    s += "\nnote: output.every says how often fields are written, which is most of it in most runs";
-  return s;
+  if (!unknown) bytes.left = static_cast<double>(disk.available);
+  return advice::expected_results(bytes, folder);
 }
 
 double peak_memory() {
@@ -154,8 +132,7 @@ double peak_memory() {
 
 std::string memory_sentence(double read, double measured) {
   constexpr double kRun = 1.3;  // what a run takes beside the files over what its beginning takes
-  const double gb = 1e-9 * (read + kRun * (measured - read));
-  return fmt::format("expected memory: about {:.2g} GB", gb);
+  return advice::expected_memory(read + kRun * (measured - read));
 }
 
 }  // namespace hawser::run

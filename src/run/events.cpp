@@ -1,5 +1,4 @@
-// The class Events: which event happens at a state, and the messages about it. What it does there is in
-// actions.cpp.
+// The class Events: which event happens at a state. What it does there is in actions.cpp.
 #include "hawser/run/events.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "hawser/advice/events.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/record/output_times.hpp"
@@ -121,14 +121,7 @@ void Events::refuse_met(const std::vector<double>& values) const {
   const std::vector<double> g = conditions(values);
   for (size_t e = 0; e < events_.size(); ++e) {
     if (!(g[e] >= 0)) continue;
-    const model::Event& what = events_[e].what;
-    const bool pulls = what.cause.kind == Cause::Kind::tension;
-    sim_.model().refuse(fmt::format("events[{}]", e),
-
-                        "{} would be {} before anything moves: {:.6g} {} at the start is {} {:g} {} already; "
-                        "give another limit, or 'time: 0'",
-                        what.action.subject(), what.action.participle(), values[e], pulls ? "N" : "m",
-                        what.cause.below ? "below" : "above", what.cause.limit, pulls ? "N" : "m");
+    sim_.model().refuse(fmt::format("events[{}]", e), advice::met_at_start(events_[e].what, values[e]));
   }
 }
 
@@ -168,30 +161,24 @@ void Events::happen(size_t i, const Kinematics& at, const std::string& stage,
   h.order = static_cast<double>(std::count_if(events_.begin(), events_.end(),
                                               [](const Happening& other) { return other.happened >= 0; }));
   h.happened = at.time;
-  std::string how;
+  advice::Happened how;
   if (a.kind == Action::Kind::release) {
-    double tension = local_tension(actions_.node(a));
-    all_reduce(comm_, MPI_MAX, tension);
-    how = fmt::format(", with a tension of {:.6g} N", tension);
+    how.tension = local_tension(actions_.node(a));
+    all_reduce(comm_, MPI_MAX, how.tension);
   }
-  if (a.at) how = fmt::format(", {:.3g} m from the place", h.found.away);
+  if (a.at) how.from_place = h.found.away;
   if (a.kind == Action::Kind::attach && !a.at && !a.body.empty()) {
     const model::Body& body = sim_.model().bodies[sim_.model().body_index(a.body)];
     const Vec3 centre =
         sim_.model().floats(sim_.model().body_index(a.body)) ? body.mass->centre : Vec3(Vec3::Zero());
-    how = fmt::format(", {:.4g} m from its origin", (Vec3(h.found.place.data()) + centre).norm());
+    how.from_origin = (Vec3(h.found.place.data()) + centre).norm();
   }
-  messages.push_back(fmt::format("note: {}: {} is {}{}",
-                                 stage.empty() ? fmt::format("t = {:.6g} s", at.time) : "stage " + stage,
-                                 a.subject(), a.participle(), how));
+  messages.push_back(advice::happened(a, at.time, stage, how));
   if (a.kind != Action::Kind::release) return;
   for (const ExcludedEnds& out : sim_.excluded_ends()) {
     const double length = a.at_b ? out.end_b : out.end_a;
     if (out.line == sim_.model().line_index(a.line) && length > 0)
-      messages.push_back(
-          fmt::format("warning: {} that is released starts inside volume {}, and {:.3g} m of the line from "
-                      "there on go through it as if it were not there",
-                      a.subject(), sim_.contact()->volume_name(out.volume), length));
+      messages.push_back(advice::released_inside(a, sim_.contact()->volume_name(out.volume), length));
   }
 }
 
@@ -270,8 +257,7 @@ void Events::pay_out(const std::string& stage, const std::function<void(bool)>& 
         solve(false);
     } catch (const SolveError& e) {
       const auto& [f, length] = *left.begin();
-      throw SolveError("stage {}, when {:.6g} m are left to be {} at {}: {}", stage, std::abs(length),
-                       length < 0 ? "hauled in" : "paid out", f->name, e.what());
+      throw SolveError(advice::cannot_pay_out(stage, length, f->name, e.what()));
     }
   }
 }
@@ -309,9 +295,7 @@ std::vector<std::string> Events::apply_due() {
 std::vector<std::string> Events::not_happened() const {
   std::vector<std::string> out;
   for (const Happening& h : events_)
-    if (h.happened < 0)
-      out.push_back(fmt::format("{} was not {}: it was to be {}, and the run ended before that",
-                                h.what.action.subject(), h.what.action.participle(), h.what.cause.text()));
+    if (h.happened < 0) out.push_back(advice::did_not_happen(h.what));
   return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "hawser/advice/lengths.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
@@ -175,10 +176,7 @@ void FeederNodes::catch_node(Feeder& f) {
 
 void FeederNodes::refuse_all_out(const Feeder& f, double time) const {
   if (f.feed_point == 0 && f.length >= sim_.feeders()->element_length(f, 0))
-    throw SolveError(
-        "the stock at {} runs out at t = {:.6g} s: give the line more length there and the feeder that much "
-        "more 'stock', or let the run end before",
-        f.name, time);
+    throw SolveError(advice::stock_runs_out(f.name, time));
 }
 
 void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
@@ -187,11 +185,7 @@ void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
   for (const Feeder& o : sim_.feeders()->list())
     if (o.line == f.line && o.at_b != f.at_b) others = o.feed_point;
   if (f.feed_point + 2 + others >= all.elements(f))
-    throw SolveError(
-        "at t = {:.6g} s all of the line{} is hauled in at {}: let it haul in less, or the run end before",
-        time,
-        sim_.model().lines[f.line].whole ? " up to the place of its cut, which cannot be hauled in," : "",
-        f.name);
+    throw SolveError(advice::all_hauled_in(f.name, time, sim_.model().lines[f.line].whole != nullptr));
 }
 
 void FeederNodes::shift(Feeder& f, double by) {

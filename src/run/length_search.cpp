@@ -1,5 +1,5 @@
-// The class LengthSearch: what a line has at rest of what is asked for, where the search for its length
-// begins and ends, and the sentences about it.
+// The class LengthSearch: what a line has at rest of what is asked for, and where the search for its length
+// begins and ends.
 #include "hawser/run/length_search.hpp"
 
 #include <fmt/format.h>
@@ -23,31 +23,6 @@ constexpr double kTolerance = 1e-7;  // of the tension, of the length, rad
 // Of the length: as near as both sides of a search come. What statics leaves undetermined there.
 constexpr double kNarrow = 1e-10, kCoarse = 1e-5;
 constexpr double kFirstStep = 0.02, kNextStep = 1e-3;  // of the length
-
-std::string value_text(const LengthTarget& t, double value) {
-  switch (t.kind) {
-    case Kind::tension:
-      return fmt::format("{:.6g} N", value);
-    case Kind::declination:
-      return fmt::format("{:.6g} deg", degrees(value));
-    default:
-      return fmt::format("{:.6g} m", value);
-  }
-}
-
-std::string name_of(const LengthTarget& t) {
-  const char* end = t.at_a ? "end A" : "end B";
-  switch (t.kind) {
-    case Kind::tension:
-      return fmt::format("tension at {}", end);
-    case Kind::declination:
-      return fmt::format("declination at {}", end);
-    case Kind::touchdown:
-      return fmt::format("arc length of the first touchdown point from {}", end);
-    default:
-      return "laid length";
-  }
-}
 
 }  // namespace
 
@@ -143,55 +118,39 @@ bool LengthSearch::update(const AtRest& now) {
   return was && !met_;
 }
 
-std::string LengthSearch::now(const model::Case& c) const {
-  const std::string where = feeder_ >= 0 ? fmt::format("inside the feeder at {}", t_.at_a ? "end A" : "end B")
-                                         : fmt::format("of section {}", t_.section + 1);
-  return fmt::format("line {}: with {:.6g} m {} the {} is {}, wanted {}", c.lines[line_].name, length_, where,
-                     name_of(t_), value_text(t_, value_), value_text(t_, t_.value));
+advice::LengthSought LengthSearch::sought(const model::Case& c) const {
+  return {.line = c.lines[line_].name,
+          .target = t_,
+          .in_feeder = feeder_ >= 0,
+          .given = given_,
+          .length = length_,
+          .value = value_};
 }
+
+std::string LengthSearch::now(const model::Case& c) const { return advice::length_tried(sought(c)); }
 
 std::string LengthSearch::found(const model::Case& c, int trials) const {
-  const std::string& name = c.lines[line_].name;
-  const char* end = t_.at_a ? "end A" : "end B";
-  if (failed_)
-    return fmt::format(
-        "line {}: the feeder at {} does not begin with its tension of {}, but with {:g} m inside as given: "
-        "no length was found that has it at rest{}",
-        name, end, value_text(t_, t_.value), given_, tried());
-  if (feeder_ >= 0)
-    return fmt::format(
-        "line {}: {:.6f} m are inside the feeder at {} at the start ({:g} m in the case), so that it is at "
-        "rest with its tension of {} (found in {} statics)",
-        name, length_, end, given_, value_text(t_, t_.value), trials);
-  return fmt::format(
-      "line {}: section {} is {:.6f} m long ({:g} m in the case), so that the {} is {} (found in {} statics)",
-      name, t_.section + 1, length_, given_, name_of(t_), value_text(t_, value_), trials);
+  return failed_ ? advice::feeder_not_at_rest(sought(c), tried()) : advice::length_found(sought(c), trials);
 }
 
-// The range of values that were found.
-std::string LengthSearch::tried() const {
+// Of the trials, which are lengths with what their values lack.
+advice::LengthsTried LengthSearch::tried() const {
+  advice::LengthsTried out;
+  out.why = why_;
   const auto& values = search_.values();
-  std::string text;
-  if (!values.empty()) {
-    const auto at = [&](const std::pair<double, double>& s) {
-      return fmt::format("{} at {:.6g} m", value_text(t_, s.second + t_.value), s.first);
-    };
-    const auto [low, high] = std::minmax_element(
-        values.begin(), values.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-    text += narrow() ? fmt::format("; it jumps over that at {:.9g} m", length_)
-                     : fmt::format("; of the lengths tried, {:.6g} to {:.6g} m, it was between {} and {}",
-                                   values.front().first, values.back().first, at(*low), at(*high));
-  }
-  if (!why_.empty()) text += (values.empty() ? "; as it is given: " : "; beyond these: ") + why_;
-  return text;
+  if (values.empty()) return out;
+  const auto [low, high] = std::minmax_element(
+      values.begin(), values.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  const auto trial = [&](const auto& v) { return advice::LengthsTried::Trial(v.first, v.second + t_.value); };
+  out.range = {trial(values.front()), trial(values.back()), trial(*low), trial(*high)};
+  if (narrow()) out.jumps = length_;
+  return out;
 }
 
 void LengthSearch::throw_not_found(const model::Case& c) {
   if (feeder_ < 0)
     c.refuse(fmt::format("lines.{}.target", c.lines[line_].name),
-             fmt::format("no length of section {} between {:g} and {:g} m was found that gives {} as the {}",
-                         t_.section + 1, t_.least, t_.most, value_text(t_, t_.value), name_of(t_)) +
-                 tried());
+             advice::length_not_found(sought(c), tried()));
   failed_ = met_ = true;
   length_ = given_;
 }

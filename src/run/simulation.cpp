@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/advice/supports.hpp"
 #include "hawser/base/error.hpp"
@@ -357,7 +358,7 @@ std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
   for (int v = 0; contact && v < contact->volumes(); ++v) {
     double& last = last_stiffness_[v];
     if (contact->stiffness(v) == last) continue;
-    out.push_back(raised_note(contact->volume_name(v), last, contact->stiffness(v), when));
+    out.push_back(advice::raised_stiffness(contact->volume_name(v), last, contact->stiffness(v), when));
     last = contact->stiffness(v);
   }
   return out;
@@ -383,7 +384,7 @@ std::vector<std::string> Simulation::on_bed() const {
     }
     out.push_back(advice::lies_on_bed(mesh_->lines[l].name, lies, laid > 0, taken, held));
   }
-  if (more > 0) out.push_back(fmt::format("{} more lines are on the seabed", more));
+  if (more > 0) out.push_back(advice::more_lines_on_bed(more));
   return out;
 }
 

@@ -2,8 +2,6 @@
 // held ends.
 #include "hawser/run/start_contact.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -58,12 +56,12 @@ advice::InsideVolume found(const Inside& s, const Mesh& mesh) {
   return {s.from, s.to, s.at, s.depth, s.place, mesh.lines[s.line].length};
 }
 
-// No more of a kind than anyone reads.
-void shorten(std::vector<std::string>& sentences, const std::string& what) {
+// No more of a kind than anyone reads; more: the sentence on the others, from their number.
+void shorten(std::vector<std::string>& sentences, std::string (*more)(size_t)) {
   if (sentences.size() <= kMostReported) return;
-  const size_t more = sentences.size() - kMostReported;
+  const size_t others = sentences.size() - kMostReported;
   sentences.resize(kMostReported);
-  sentences.push_back(fmt::format("and {} more {}", more, what));
+  sentences.push_back(more(others));
 }
 
 // What remains of a stretch outside of what is excluded.
@@ -198,7 +196,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
     warnings.push_back(advice::passes_volume(
         line, volume.name, {under, row[3], row[2], Vec3(row[4], row[5], row[6]), own_a, own_b}));
   }
-  shorten(warnings, "lines start like these");
+  shorten(warnings, advice::more_lines_on_wrong_side);
   start.warnings.insert(start.warnings.end(), warnings.begin(), warnings.end());
 }
 
@@ -222,8 +220,7 @@ std::string inside_text(MPI_Comm comm, const model::Case& c, const LocalMesh& me
   std::vector<Inside> inside = all_inside(comm, c, mesh, at, bodies, feeders, {volume});
   remove_excluded(inside, excluded_ends, *mesh.mesh);
   if (inside.empty()) return "";
-  return fmt::format("line {} is inside it {}", c.lines[inside.front().line].name,
-                     advice::where_inside(found(inside.front(), *mesh.mesh)));
+  return advice::line_inside(c.lines[inside.front().line].name, found(inside.front(), *mesh.mesh));
 }
 
 StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Kinematics& at,
@@ -243,8 +240,8 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   for (const Inside& s : out.inside)
     out.warnings.push_back(
         advice::starts_inside(c.lines[s.line], volumes[s.volume].settings.name, found(s, *mesh.mesh)));
-  shorten(out.notes, "ends of lines start like these");
-  shorten(out.warnings, "stretches of lines lie inside volumes");
+  shorten(out.notes, advice::more_ends_excluded);
+  shorten(out.warnings, advice::more_stretches_inside);
   find_lines_on_wrong_side(comm, c, mesh, at, bodies, volumes, all, out);
   return out;
 }

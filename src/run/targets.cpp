@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "hawser/advice/lengths.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/run/events.hpp"
@@ -105,9 +106,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       all[turn].restart();
     }
   }
-  throw SolveError(
-      "statics: the targets of the lines do not settle together: the length that one needs changes with "
-      "those of the others; give fewer lines a target");
+  throw SolveError(advice::targets_do_not_settle());
 }
 
 MetTargets with_lengths_of(const model::Case& c, const std::string& results, MPI_Comm comm) {
@@ -127,9 +126,7 @@ MetTargets with_lengths_of(const model::Case& c, const std::string& results, MPI
       const size_t last = node + static_cast<size_t>(l.sections[l.target->section].elements);
       const double length = arc.at(last) - arc.at(node);
       lengths[fmt::format("lines.{}.sections[{}]", l.name, l.target->section)] = length;
-      out.found.push_back(
-          fmt::format("line {}: section {} is {:.6f} m long, as the run found that this one goes on from",
-                      l.name, l.target->section + 1, length));
+      out.found.push_back(advice::length_of_other_run(l.name, l.target->section, length));
     }
     out.model = io::with_lengths(c, lengths, comm);
     out.model.output.file = c.output.file;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "hawser/advice/meshes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/host.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
@@ -60,7 +61,7 @@ class Meshes {
     const io::FitMesh fit = io::check_mesh(c_, v, loaded);
     blunt_[i] = fit.blunt;
     l.active = fit.active;
-    l.report = summary(loaded.report);
+    l.report = advice::mesh_summary(loaded.report);
     l.notes = std::move(loaded.notes);
     announce(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()), v);
     std::shared_ptr<const MeshSurface> surface;

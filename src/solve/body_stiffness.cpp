@@ -3,6 +3,7 @@
 
 #include <petscksp.h>
 
+#include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
@@ -94,10 +95,7 @@ BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node
     check(KSPSolve(solver.get(), push.get(), answer.get()));
     KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
     check(KSPGetConvergedReason(solver.get(), &reason));
-    if (reason < 0)
-      throw SolveError(
-          "the stiffness of the mooring is singular: a part of a line has none at rest against its own "
-          "motion");
+    if (reason < 0) throw SolveError(advice::singular_mooring());
     check(VecAXPY(total.get(), 1, answer.get()));
     check(MatMult(whole.get(), total.get(), push.get()));
     out.K.col(k) = values(comm, push.get(), rows);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/system/imbalance.hpp"
 
@@ -251,11 +252,7 @@ std::vector<double> Dynamics::solve_masses() {
   check(KSPGetConvergedReason(ksp, &reason));
   PetscReal size = 0;
   check(VecNorm(u_.get(), NORM_INFINITY, &size));
-  if (reason < 0 || !std::isfinite(size))
-    throw SolveError(
-        fmt::format("at t = {:.6g} s the mass matrix is singular: some part of a line has no mass (is a "
-                    "rotary_inertia zero?)",
-                    committed_.s.time));
+  if (reason < 0 || !std::isfinite(size)) throw SolveError(advice::no_mass(committed_.s.time));
   std::vector<double> out;
   system_.gather(u_.get(), out);
   return out;

@@ -2,11 +2,10 @@
 // damping at peaks of the kinetic energy, and the test for motion that only creeps.
 #include "hawser/solve/relaxation.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/solve/static_trial.hpp"
@@ -58,8 +57,7 @@ class Relaxation : StaticTrial {
       if (mass_ == 0) mass_ = least = first_mass(report.norms);
       if (report.steps + report.rejected >= settings_.max_steps || mass_ > kHeaviest * least ||
           !std::isfinite(report.norms.relative()) || creeps(report))
-        throw_no_equilibrium(fmt::format("statics: no rest after {} steps of dynamic relaxation: {}",
-                                         report.steps, imbalance(system_, r_.get(), report.norms)));
+        throw_no_equilibrium(advice::no_rest(report.steps, imbalance(system_, r_.get(), report.norms)));
       const int iterations = attempt(report.norms);
       report.iterations += std::abs(iterations);
       if (iterations <= 0) {

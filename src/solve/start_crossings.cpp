@@ -1,14 +1,13 @@
 // Raises the start shape of lines where they cross other lines near the bed, and over volumes on the bed.
 #include "start_crossings.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "hawser/advice/start_shape.hpp"
 #include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
 #include "hawser/model/bed.hpp"
@@ -88,16 +87,16 @@ bool apply(std::vector<Rope>& ropes) {
   return any;
 }
 
-void tell(std::vector<std::string> sentences, const char* what, std::vector<std::string>& notes) {
+// more: the sentence on those that are not listed, from their number.
+void add_notes(std::vector<std::string> sentences, std::string (*more)(size_t),
+               std::vector<std::string>& notes) {
   if (sentences.size() > kMostNotes) {
-    const size_t more = sentences.size() - kMostNotes;
+    const size_t others = sentences.size() - kMostNotes;
     sentences.resize(kMostNotes);
-    sentences.push_back(fmt::format("and {} more lines start over {}", more, what));
+    sentences.push_back(more(others));
   }
   notes.insert(notes.end(), sentences.begin(), sentences.end());
 }
-
-std::string point(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
 
 // One line at a place where it crosses another.
 struct Crossing {
@@ -199,11 +198,7 @@ class Crossings {
     } else if (std::abs(rise) > kGap * (a.radius + b.radius)) {
       return nullptr;
     }
-    c_.refuse(
-        "lines." + b.name(),
-        "it crosses line '{}' at {}, and nothing says which of the two lies over the other; say so with "
-        "'contact: {{between_lines: {{over: [[{}, {}]]}}}}' (the upper one first)",
-        a.name(), point(0.5 * (a.x + b.x)), b.name(), a.name());
+    c_.refuse("lines." + b.name(), advice::undecided_crossing(b.name(), a.name(), 0.5 * (a.x + b.x)));
   }
 
   void settle(const Crossing& a, const Crossing& b,
@@ -212,10 +207,7 @@ class Crossings {
     if (!over) return;
     const Crossing& under = over == &a ? b : a;
     if (!over->rope->line->starts_by_itself())
-      c_.refuse("contact.between_lines.over",
-                "line '{}' is to lie over line '{}', and its start shape passes through it at {}; move the "
-                "points of its 'start' over it",
-                over->name(), under.name(), point(over->x));
+      c_.refuse("contact.between_lines.over", advice::cannot_be_over(over->name(), under.name(), over->x));
     const Vec3 normal = over->along().cross(under.along()).normalized();
     const double radii = a.radius + b.radius, slant = std::abs(normal.z());
     if (slant < kOver) return;
@@ -224,10 +216,7 @@ class Crossings {
     raise(*over->rope, over->arc(), over->arc(), to - over->x.z());
     done.try_emplace(
         ordered(over->name(), under.name()),
-        fmt::format("lines.{}: starts over line {}, which it crosses at {} "
-                    "('contact: {{between_lines: {{over: [[{}, {}]]}}}}' would have it under it)",
-                    over->name(), under.name(), point(Vec3(over->x.x(), over->x.y(), to)), under.name(),
-                    over->name()));
+        advice::starts_over_line(over->name(), under.name(), Vec3(over->x.x(), over->x.y(), to)));
   }
 
   const model::Case& c_;
@@ -337,13 +326,13 @@ void lay_over_volumes(const model::Case& c, const Bodies& bodies,
       for (const Stretch& s : stretches_in(rope, obstacle)) {
         if (!goes_over(c, s, obstacle)) continue;
         raise(rope, s.from, s.to, s.height);
-        sentences.push_back(fmt::format("lines.{}: starts over volume {} at {}, as there is no room under it",
-                                        line.name, volume.name, point(s.deepest + s.height * Vec3::UnitZ())));
+        sentences.push_back(
+            advice::starts_over_volume(line.name, volume.name, s.deepest + s.height * Vec3::UnitZ()));
       }
     }
     apply(ropes);
   }
-  tell(std::move(sentences), "volumes", notes);
+  add_notes(std::move(sentences), advice::more_start_over_volumes, notes);
 }
 
 void lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines,
@@ -359,7 +348,7 @@ void lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines,
   }
   std::vector<std::string> sentences;
   for (auto& [pair, sentence] : done) sentences.push_back(std::move(sentence));
-  tell(std::move(sentences), "others", notes);
+  add_notes(std::move(sentences), advice::more_start_over_lines, notes);
 }
 
 }  // namespace hawser

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "hawser/advice/start_shape.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/kernels/catenary.hpp"
 #include "hawser/kernels/catenary_on_bed.hpp"
@@ -310,7 +311,7 @@ LineStart line_start(const model::Case& c, const model::Line& line, const Bodies
     return !s.load.isZero(0) || !s.end_load.isZero(0);
   });
   if ((a || b) && (line.start == Start::straight || !loaded)) return straight();
-  if (!a && !b) throw InputError("lines." + line.name + ": both ends are free and no start shape is given");
+  if (!a && !b) throw InputError(advice::no_start_shape(line.name));
   if (a != b && line.start == Start::automatic && stands(c, line, sections, span.length)) return straight();
   const auto closed_form = [&]() -> std::optional<LineStart> {
     try {

@@ -2,11 +2,10 @@
 // them, and the rest of the line.
 #include "start_on_supports.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/start_shape.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/model/check.hpp"
@@ -163,10 +162,7 @@ class OverSupports {
     way_.add({way_.places.back().at, over});
     way_.add({*to_, over});
     if (way_.length() > (1 + kStretched) * length_)
-      c_.refuse("lines." + line_.name + ".sections",
-                "the line is {:.6g} m long, and the shortest way over its supports to its other end is "
-                "{:.6g} m; make it {:.3g} m longer, or move the end",
-                length_, way_.length(), way_.length() - length_);
+      c_.refuse("lines." + line_.name + ".sections", advice::too_short_for_supports(length_, way_.length()));
   }
   // With a free end: straight on from the last support, and along the bed.
   void hang() {

@@ -2,12 +2,11 @@
 // carries the ends of lines from then on (hold_ends, also tied ones), and the start of floating bodies.
 #include "hawser/solve/start_shape.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
 
+#include "hawser/advice/start_shape.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/solve/laid_places.hpp"
@@ -62,12 +61,7 @@ void warn_of_direction(const model::Case& c, const model::Line& line, bool at_b,
                        const Vec3& own, const Vec3& given, std::vector<std::string>& notes) {
   const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
   if (turn < kAgainst || opposite_is_below_ground(c, at_b, x, given)) return;
-  const Vec3& d = *line.end(at_b).direction;
-  std::string note = fmt::format(
-      "lines.{}.{}.direction: the line would have to turn by {:.0f} degrees to have this direction at end "
-      "{}: at both ends it is the direction from end A to end B; is [{:.3g}, {:.3g}, {:.3g}] meant?",
-      line.name, at_b ? "end_b" : "end_a", turn * 180 / M_PI, at_b ? 'B' : 'A', 0 - d.x(), 0 - d.y(),
-      0 - d.z());
+  std::string note = advice::against_direction(line, at_b, turn);
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
 }
 

@@ -2,10 +2,10 @@
 // stiffness.
 #include "hawser/solve/statics.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
+#include "hawser/advice/statics.hpp"
+#include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/solve/relaxation.hpp"
 #include "static_search.hpp"
@@ -14,9 +14,6 @@ namespace hawser {
 namespace {
 
 constexpr int kMostRaises = 100;
-constexpr const char* kUnsettled =
-    "statics: the automatic stiffness of contact, or the direction of what is buried, does not settle; give "
-    "the volumes a normal_stiffness, or bury less of what bends";
 
 // Passes the progress of relaxation to the settings of statics.
 void pass_on_progress(const StaticsSettings& settings, RelaxationSettings& r) {
@@ -99,7 +96,7 @@ StaticsReport against_friction(System& system, const StaticsSettings& settings, 
     report.relaxation_steps += rest.steps;
     report.norms = rest.norms;
     if (!system.raise_stiffness(state.view(0))) return report;
-    if (round == kMostRaises) throw SolveError(kUnsettled);
+    if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     start.again(state);
   }
 }
@@ -141,7 +138,7 @@ StaticsReport stiff_equilibrium(System& system, const StaticsSettings& settings,
                                 State& state) {
   StaticsReport report = first_equilibrium(system, settings, start, state);
   for (int round = 0; system.raise_stiffness(state.view(0)); ++round) {
-    if (round == kMostRaises) throw SolveError(kUnsettled);
+    if (round == kMostRaises) throw SolveError(advice::automatic_stiffness_unsettled());
     const StaticsReport more = StaticSearch(system, settings, state).run(true);
     report.iterations += more.iterations;
     report.escapes += more.escapes;
@@ -170,7 +167,7 @@ StaticsReport solve_statics(System& system, const StaticsSettings& settings, Sta
   StaticSearch(system, settings, state).check_start();
   const StaticsReport report = outside_volumes(system, settings, state);
   if (std::string why = system.overstretched(state.view(0)); !why.empty())
-    throw SolveError("statics: " + why + ": is the load, the length or the EA in another unit?");
+    throw SolveError(advice::overstretched_in_statics(why));
   if (const std::string why = system.lost_in_rounding(state.view(0)); !why.empty())
     throw SolveError("statics: " + why);
   system.commit(state.view(0));

@@ -1,11 +1,10 @@
 // The class Dynamics: whether a step that was tried is accepted, tried again or fails. StepControl
 // (step_control.cpp) proposes lengths; begin_step() and next_try() pass it the limits by terms, outputs and
 // events.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/solve/dynamics.hpp"
@@ -31,10 +30,10 @@ std::string folded_element(const System& system, const Kinematics& at) {
     if (turn > worst.turn) worst = {turn, mesh.element(e).length, mesh.global[e.first]};
   }
   if (!broadcast_largest(system.comm(), worst.turn, kFolded, worst)) return {};
-  return fmt::format(
-      "; {}, is bent by {:.0f} degrees within an element of {:.3g} m: elements of {:.2g} m would follow "
-      "that, and if it is not meant to fold, a slower motion, 'EI' or 'stiffness_damping' keeps it from it",
-      mesh.mesh->place(worst.node), worst.turn * 180 / M_PI, worst.length, worst.length * kKept / worst.turn);
+  return advice::folded_element({.place = mesh.mesh->place(worst.node),
+                                 .turn = worst.turn,
+                                 .length = worst.length,
+                                 .sufficient = worst.length * kKept / worst.turn});
 }
 
 }  // namespace
@@ -43,8 +42,7 @@ std::string folded_element(const System& system, const Kinematics& at) {
 // terms have found all contacts of the step (candidates, tunnelling, penetration); impacts are resolved.
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
-  if (!tries_.solved)
-    return {Kind::shorter, "Newton's iteration does not converge: " + imbalance(system_, r_.get(), norms_)};
+  if (!tries_.solved) return {Kind::shorter, advice::not_converged(imbalance(system_, r_.get(), norms_))};
   const Kinematics trial = trial_.s.view(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
   double most[2] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness),
@@ -55,12 +53,11 @@ Verdict Dynamics::check_step() {
     NodeValue worst = turn;
     MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     return {Kind::shorter,
-            fmt::format("{}, turns by {:.3g} rad in it, and a step follows half a turn at most",
-                        system_.mesh().mesh->place(worst.node), worst.value)};
+            advice::turns_too_far(system_.mesh().mesh->place(static_cast<int>(worst.node)), worst.value)};
   }
   if (Verdict v = system_.check_step(trial); !v.accepted()) return v;
   if (control_.divides(h_) && !system_.resolves_impacts(trial))
-    return {Kind::shorter, "it does not resolve an impact that its start did not show"};
+    return {Kind::shorter, advice::impact_not_resolved()};
   return {};
 }
 
@@ -90,8 +87,7 @@ Dynamics::Decision Dynamics::decide() {
   Verdict verdict = check_step();
   const double error = tries_.info.error;
   const bool inaccurate = verdict.accepted() && !control_.accurate(h_, error);
-  if (inaccurate)
-    verdict = {Verdict::Kind::shorter, fmt::format("its local error of {:.3g} m is too large", error)};
+  if (inaccurate) verdict = {Verdict::Kind::shorter, advice::error_too_large(error)};
   switch (verdict.kind) {
     case Verdict::Kind::accept:
       if (events_ && !control_.is_shortest(h_)) {
@@ -104,8 +100,7 @@ Dynamics::Decision Dynamics::decide() {
         }
       }
       if (const std::string why = system_.overstretched(trial_.s.view(h_)); !why.empty())
-        throw SolveError("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?",
-                         trial_.s.time, why);
+        throw SolveError(advice::overstretched_at(trial_.s.time, why));
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_again:
@@ -126,8 +121,8 @@ Dynamics::Decision Dynamics::decide() {
   tries_.search = {};
   tries_.event = HUGE_VAL;  // A shorter step may not reach the event.
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
-  throw SolveError("stopped at t = {:.6g} s: the shortest step ({:.3g} s) cannot be taken: {}{}",
-                   committed_.s.time, h_, verdict.because, folded_element(system_, committed_.s.view(h_)));
+  throw SolveError(advice::shortest_step_fails(committed_.s.time, h_, verdict.because,
+                                               folded_element(system_, committed_.s.view(h_))));
 }
 
 }  // namespace hawser

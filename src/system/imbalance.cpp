@@ -1,10 +1,10 @@
-// Finds the node with the largest residual force or moment over all ranks, and writes the sentence on it for
-// error messages of statics and time integration.
+// Finds the node with the largest residual force or moment over all ranks, for error messages of statics and
+// time integration.
 #include "hawser/system/imbalance.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
+
+#include "hawser/advice/steps.hpp"
 
 namespace hawser {
 namespace {
@@ -45,14 +45,11 @@ std::string imbalance(const System& system, Vec residual, const ResidualNorms& n
                      moment.value * norms.force_scale > force.value * norms.moment_scale &&
                      norms.moment_scale > 0;
   const Worst& worst = turns ? moment : force;
-  const std::string place = m.mesh->place(worst.node);
-  if (!std::isfinite(worst.value) || !norms.finite())
-    return place +
-           ", has forces beyond all numbers; is its mass, its load, its EA or the gravity in another unit?";
-  return turns ? fmt::format("{}, is out of balance by {:.3g} N m (moments of size {:.3g} N m)", place,
-                             worst.value, norms.moment_scale)
-               : fmt::format("{}, is out of balance by {:.3g} N (forces of size {:.3g} N)", place,
-                             worst.value, norms.force_scale);
+  return advice::imbalance({.place = m.mesh->place(worst.node),
+                            .value = worst.value,
+                            .scale = turns ? norms.moment_scale : norms.force_scale,
+                            .turns = turns,
+                            .finite = std::isfinite(worst.value) && norms.finite()});
 }
 
 }  // namespace hawser

@@ -1,8 +1,7 @@
 // The class System: checks of states that solve the equations and are still no valid results.
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "hawser/advice/steps.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/system/system.hpp"
 
@@ -17,11 +16,11 @@ std::string System::overstretched(const Kinematics& at) const {
   for (const CarriesTension* t : carry_tension_)
     if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
   if (!broadcast_largest(comm_, worst.beyond, 0, worst)) return {};
-  return fmt::format(
-      "{}, is {} by {:.3g} % by {:.3g} N on an EA of {:.3g} N, and {:g} % is more than any line of such an "
-      "EA bears",
-      mesh_.mesh->place(worst.node), worst.strain > 0 ? "stretched" : "pressed together",
-      100 * std::abs(worst.strain), std::abs(worst.tension), worst.EA, 100 * std::abs(worst.most));
+  return advice::overstretched({.place = mesh_.mesh->place(worst.node),
+                                .strain = worst.strain,
+                                .most = worst.most,
+                                .tension = worst.tension,
+                                .EA = worst.EA});
 }
 
 // Without dead loads the tension may be zero, and then nothing but round-off.
@@ -35,10 +34,7 @@ std::string System::lost_in_rounding(const Kinematics& at) const {
     const LineTension& t = lines[l];
     const double share = t.round_off / std::max(t.tension, load);
     if (share <= kRoundOffShare) continue;
-    return fmt::format(
-        "the tension of line {} is known to within {:.2g} % only, so large is rounding beside an EA of "
-        "{:.3g} N; an EA of {:.0e} N is equivalent to one that does not stretch",
-        mesh_.mesh->lines[l].name, 100 * share, t.EA, t.EA * kSure / share);
+    return advice::tension_lost_in_rounding(mesh_.mesh->lines[l].name, share, t.EA, t.EA * kSure / share);
   }
   return {};
 }

@@ -2,10 +2,9 @@
 // edges in the sides of the other, where the distance is nothing. What gets far deeper than they have met
 // since the two were clear of each other ends the run with a sentence; for a moment, edges that slide over
 // others may meet little of what they have stopped.
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/terms/body_contact.hpp"
@@ -62,11 +61,7 @@ void BodyContactTerm::check_overlap(double time) {
   const Pair& p = pairs_[worst.pair];
   double met = p.counted ? p.met : 0;
   all_reduce(comm_, MPI_MAX, met);
-  throw SolveError(
-      "at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to meet the "
-      "other met {:.3g} m at most; give them stiffnesses per_area (per_length where edges cross), or a "
-      "sphere or capsule where they meet",
-      time, names_[p.a], names_[p.b], worst.depth, met);
+  throw SolveError(advice::bodies_overlap(names_[p.a], names_[p.b], worst.depth, met, time));
 }
 
 }  // namespace hawser

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/steps.hpp"
 #include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/math/symmetric.hpp"
@@ -177,7 +178,7 @@ Verdict BodyContactTerm::check_step(const Kinematics& trial) const {
   const bool through = trial.step > 0 && std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
                          return pair.counted && tunnels(pair, trial);
                        });
-  return through ? Verdict{Verdict::Kind::shorter, "in it a body would pass through another one"} : Verdict{};
+  return through ? Verdict{Verdict::Kind::shorter, advice::body_passes_body()} : Verdict{};
 }
 
 }  // namespace hawser

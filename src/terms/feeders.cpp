@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/steps.hpp"
 #include "hawser/kernels/line_mass.hpp"
 #include "hawser/mesh/fed_start.hpp"
 #include "hawser/model/case.hpp"
@@ -380,9 +381,7 @@ Verdict Feeders::check_step(const Kinematics& trial) const {
       const double length = feed_point(f, trial, true).length, whole = element_length(f, f.feed_point);
       if (length < kShortest * whole ||
           length > whole + kLonger * element_length(f, std::max(f.feed_point - 1, 0)))
-        return {Verdict::Kind::shorter,
-                fmt::format("{} is paid out or hauled in by more of an element than one step can follow",
-                            f.name)};
+        return {Verdict::Kind::shorter, advice::feeds_too_fast(f.name)};
     }
   }
   return {};

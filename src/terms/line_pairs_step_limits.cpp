@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/contact_stiffness.hpp"
+#include "hawser/advice/steps.hpp"
 #include "hawser/kernels/axis_approach.hpp"
 #include "hawser/math/ordered.hpp"
 #include "hawser/terms/line_pairs.hpp"
@@ -25,17 +27,10 @@ constexpr double kUnresolved = 1.0 / 3;
 // The part of the radii to which a stiffness that is proposed lets lines be pressed in.
 constexpr double kProposed = 0.25;
 
-// Upwards to two digits.
-double rounded_up(double v) {
-  const double unit = std::pow(10, std::floor(std::log10(v)) - 1);
-  return std::ceil(v / unit) * unit;
-}
-
 }  // namespace
 
 Verdict LinePairs::check_step(const Kinematics& trial) const {
-  if (!candidates_.covers(trial))
-    return {Verdict::Kind::prepare_again, "lines move farther in it than the contact search covers"};
+  if (!candidates_.covers(trial)) return {Verdict::Kind::prepare_again, advice::beyond_contact_search()};
   if (start_.size() != candidates_.segments().size()) return {};  // not prepared: nothing to compare with
   const std::vector<Rod> is = rods(trial);
   const Pair* through = nullptr;
@@ -50,7 +45,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   }
   if (through)
     return {Verdict::Kind::shorter,
-            trial.step > 0 ? too_soft(*through) : where(*through) + " would pass through each other"};
+            trial.step > 0 ? too_soft(*through) : advice::lines_pass(where(*through))};
   return {};
 }
 
@@ -182,22 +177,17 @@ double LinePairs::stored(const Pair& of) const {
 std::string LinePairs::too_soft(const Pair& p) const {
   const double radii = p.law.radii, k = p.law.normal.stiffness, speed = -nearest_at_start(p).speed,
                depth = deepest(p);
-  if (!(depth > kProposed * radii))
-    return where(p) + " would pass through each other: from the start they are nearer than their radii allow";
+  if (!(depth > kProposed * radii)) return advice::lines_start_too_near(where(p));
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
-  const Mesh& m = *mesh_.mesh;
+  advice::PressedLines at{
+      .places = where(p), .depth = depth, .radii = radii, .stiffness = k, .wanted = wanted, .energy = has};
   const auto [one, other] = ordered(element(p.key.first).line, element(p.key.second).line);
-  const std::string stiffness = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(wanted));
-  const std::string advice =
-      options_.tuned.count({one, other})
-          ? fmt::format("pairs: [{{lines: [{}, {}], {}}}]", m.lines[one].name, m.lines[other].name, stiffness)
-          : stiffness;
-  return fmt::format(
-      "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "
-      "through each other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for "
-      "what presses them ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
-      where(p), depth, 100 * depth / radii, k, has, advice);
+  if (options_.tuned.count({one, other})) {
+    at.only_of = mesh_.mesh->lines[one].name;
+    at.only_of_other = mesh_.mesh->lines[other].name;
+  }
+  return advice::lines_too_soft(at);
 }
 
 }  // namespace hawser

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/terms/automatic_stiffness.hpp"
+#include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
@@ -112,8 +112,11 @@ std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) cons
   if (!in) return {};
   const LocalElement& e = local(*in);
   const int node = mesh_.global[xi < 0.5 ? e.first : e.second];
-  return too_soft_for_line(mesh_.mesh->place(node), volumes_.settings(in->volume),
-                           volumes_.automatic(in->volume), deepest, in->radius, trial.time);
+  return advice::too_deep(volumes_.settings(in->volume), {.place = mesh_.mesh->place(node),
+                                                          .depth = deepest,
+                                                          .radius = in->radius,
+                                                          .time = trial.time,
+                                                          .automatic = volumes_.automatic(in->volume)});
 }
 
 }  // namespace hawser

@@ -5,8 +5,9 @@
 #include <array>
 #include <optional>
 
+#include "hawser/advice/contact_stiffness.hpp"
+#include "hawser/advice/steps.hpp"
 #include "hawser/kernels/axis_sweep.hpp"
-#include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 
@@ -41,11 +42,11 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
     const RigidPose& pose = poses[volumes_.body(pair.volume)];
     const bool drawn = rests && is_drawn_in(pair, *shape, pose);
     if (!drawn && !tunnels(pair, *shape, pose, rests)) continue;
-    if (!rests) return {Verdict::Kind::shorter, "in it a line would pass through a volume"};
+    if (!rests) return {Verdict::Kind::shorter, advice::line_passes_volume()};
     const int node = mesh_.global[local(pair).first];
     return {Verdict::Kind::shorter,
-            volume_blocks_path(mesh_.mesh->place(node), volumes_.settings(pair.volume),
-                               drawn && !volumes_.automatic(pair.volume))};
+            advice::drawn_through(volumes_.settings(pair.volume), mesh_.mesh->place(node),
+                                  drawn && !volumes_.automatic(pair.volume))};
   }
   return {};
 }

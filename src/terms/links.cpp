@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/advice/start_shape.hpp"
 #include "hawser/base/gather.hpp"
 
 namespace hawser {
@@ -43,10 +44,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
     if (c.links[i].rest_given) continue;
     double& rest = list_[i].law.rest_length;
     rest = (Vec3(&places[6 * i + 3]) - Vec3(&places[6 * i])).norm();
-    if (!(rest > 0))
-      c.refuse("links." + c.links[i].name,
-               "its ends start at the same point, so that it has no length: give it a 'rest_length', which "
-               "may be 0, or place its ends apart");
+    if (!(rest > 0)) c.refuse("links." + c.links[i].name, advice::link_without_length());
   }
   update_ghosts();
 }

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "hawser/advice/meshes.hpp"
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/triangle_mesh.hpp"
 #include "support/shapes.hpp"
@@ -33,7 +34,7 @@ TEST(GeometryMesh, ShapesAreClosedAndOutwardWithTheirVolume) {
                                                                {drum_mesh(96, 3.6, 5.5), drum}};
   for (const auto& [mesh, volume] : shapes) {
     const MeshReport r = inspect(mesh);
-    EXPECT_TRUE(r.valid()) << summary(r);
+    EXPECT_TRUE(r.valid()) << advice::mesh_summary(r);
     EXPECT_NEAR(r.volume, volume, 1e-12 * volume);
     EXPECT_EQ(r.degenerate, 0);
   }
@@ -85,7 +86,8 @@ TEST(GeometryMesh, ReportNamesFaults) {
   MeshReport r = inspect(m);
   EXPECT_FALSE(r.closed);
   EXPECT_EQ(r.open_edges, 3);
-  EXPECT_NE(summary(r).find("3 edges have a triangle on one side only"), std::string::npos) << summary(r);
+  EXPECT_NE(advice::mesh_summary(r).find("3 edges have a triangle on one side only"), std::string::npos)
+      << advice::mesh_summary(r);
 
   m = box_mesh(Vec3::Zero(), Vec3::Ones());
   std::swap(m.triangles[5][0], m.triangles[5][1]);
@@ -99,7 +101,7 @@ TEST(GeometryMesh, ReportNamesFaults) {
   r = inspect(m);
   EXPECT_TRUE(r.consistently_oriented);
   EXPECT_FALSE(r.outward);
-  EXPECT_NE(summary(r).find("normals point into the solid"), std::string::npos);
+  EXPECT_NE(advice::mesh_summary(r).find("normals point into the solid"), std::string::npos);
 
   // A fin on an edge.
   m = box_mesh(Vec3::Zero(), Vec3::Ones());
@@ -114,11 +116,12 @@ TEST(GeometryMesh, ReportNamesFaults) {
   m.vertices.push_back({0.5, 0, 0});
   m.triangles = {{0, 2, 4}, {4, 2, 1}, {0, 1, 3}, {0, 4, 1}, {0, 3, 2}, {1, 2, 3}};
   r = inspect(m);
-  EXPECT_TRUE(r.valid()) << summary(r);
+  EXPECT_TRUE(r.valid()) << advice::mesh_summary(r);
   EXPECT_EQ(r.degenerate, 1);
-  EXPECT_NE(summary(r).find("Note: 1 triangle has no area"), std::string::npos) << summary(r);
+  EXPECT_NE(advice::mesh_summary(r).find("Note: 1 triangle has no area"), std::string::npos)
+      << advice::mesh_summary(r);
 
-  EXPECT_NE(summary(inspect({})).find("empty"), std::string::npos);
+  EXPECT_NE(advice::mesh_summary(inspect({})).find("empty"), std::string::npos);
 }
 
 TEST(GeometryMesh, OrientationRepair) {
@@ -163,7 +166,7 @@ TEST(GeometryMesh, OneSidedSurfacesAreLeftAsFound) {
   const RepairResult r = repair(rp2);
   EXPECT_EQ(r.one_sided, 1);
   EXPECT_EQ(rp2.triangles, before);
-  EXPECT_NE(r.sentence.find("one-sided"), std::string::npos);
+  EXPECT_NE(advice::repaired(r).find("one-sided"), std::string::npos);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <random>
 
+#include "hawser/advice/meshes.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
 #include "hawser/geometry/mesh_weld.hpp"
 #include "hawser/io/mesh_reader.hpp"
@@ -92,7 +93,7 @@ TriangleMesh wigley_hull() {
 }
 
 void expect_clean_again(const TriangleMesh& clean, double size) {
-  ASSERT_TRUE(inspect(clean).valid()) << summary(inspect(clean));
+  ASSERT_TRUE(inspect(clean).valid()) << advice::mesh_summary(inspect(clean));
   TriangleMesh mesh = noisy(clean);
   weld(mesh, 1e-6);
   EXPECT_GT(topology(mesh).components, 5);
@@ -103,7 +104,7 @@ void expect_clean_again(const TriangleMesh& clean, double size) {
   EXPECT_EQ(r.open_edges, 0);
   EXPECT_EQ(r.removed, 0);
   const MeshReport report = inspect(mesh);
-  EXPECT_TRUE(report.valid()) << summary(report);
+  EXPECT_TRUE(report.valid()) << advice::mesh_summary(report);
   EXPECT_EQ(report.components, 1);
   EXPECT_EQ(report.vertices, inspect(clean).vertices);
   const MeshSurface surface(mesh, {}, kSmooth), reference(clean, {}, kSmooth);

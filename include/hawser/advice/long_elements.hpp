@@ -33,5 +33,7 @@ struct LongInFlow {
   double recommended = 0;       // m
 };
 std::string long_in_flow(const LongInFlow& at);
+// A clause after it, on lines that are not listed.
+std::string more_long_in_flow(size_t lines);
 
 }  // namespace hawser::advice

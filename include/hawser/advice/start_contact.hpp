@@ -14,7 +14,8 @@ struct InsideVolume {
   Vec3 place = Vec3::Zero();  // of that, in space
   double length = 0;          // of the line
 };
-std::string where_inside(const InsideVolume& s);
+// A clause on a volume that is switched on.
+std::string line_inside(const std::string& line, const InsideVolume& s);
 std::string starts_inside(const model::Line& line, const std::string& volume, const InsideVolume& s);
 // statics: has not brought it out, or there is none.
 std::string stays_inside(const model::Line& line, const std::string& volume, const InsideVolume& s,
@@ -31,5 +32,10 @@ struct Passes {
   bool own_a = false, own_b = false;  // the volume carries that end, which is above
 };
 std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p);
+
+// Beyond those that are listed.
+std::string more_stretches_inside(size_t stretches);
+std::string more_ends_excluded(size_t ends);
+std::string more_lines_on_wrong_side(size_t lines);
 
 }  // namespace hawser::advice

@@ -14,18 +14,20 @@ std::string no_waterplane(const std::string& body);
 // What of a line lies on the seabed [m]; laid: with friction in statics, which takes N of tension and holds m
 // with force to spare.
 std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double held);
+std::string more_lines_on_bed(size_t lines);
 // Equilibria that statics left on its way; eigenvalues below 0 of the one it found.
 std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
 // So many steps of dynamic relaxation without rest.
 std::string long_relaxation(int steps);
+// Why statics ends without an equilibrium. imbalance: in words.
+std::string no_rest(int steps, const std::string& imbalance);
+std::string automatic_stiffness_unsettled();
+// No stiffness of a mooring without one of its lines.
+std::string singular_mooring();
 // What helps most often where statics fails, of what this case has not tried; docs/how-to/failing-runs.md.
 std::string statics_failed(const model::Case& c);
 
-// A normal stiffness [N/m per m] that was chosen, and why; bounce: s that one on it takes, where it is less
-// than steps of `step` [s] show; 0: it is not.
-std::string chosen_stiffness(const std::string& volume, double stiffness, const std::string& reason,
-                             double bounce, double step);
 // All nodes are on one of several ranks, since whole lines are not cut.
 std::string one_rank_has_all();
 

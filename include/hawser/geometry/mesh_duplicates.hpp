@@ -9,8 +9,6 @@
 // hull written two-sided has, and goes if it has none: a sheet.
 #pragma once
 
-#include <string>
-
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser {
@@ -18,7 +16,6 @@ namespace hawser {
 struct DuplicateResult {
   int copies = 0;        // triangles excluded from which another copy stays
   int back_to_back = 0;  // triangles excluded with all their copies
-  std::string sentence;  // what was done; empty: nothing
 };
 // The order of those that stay is kept; of copies the first of those that face the way most of them do.
 DuplicateResult drop_duplicates(TriangleMesh& mesh);

@@ -9,9 +9,6 @@
 // 3(4), the vote by parity). What is inside afterwards is for the winding number to say (winding_tree.hpp).
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser {
@@ -21,7 +18,6 @@ struct RepairResult {
   int one_sided = 0;     // pieces that are one-sided like a Möbius band: left as they were
   bool closed = false;   // now closed, consistent: MeshReport::closed and consistently_oriented
   double enclosing = 0;  // share of the area that has an inside behind it and an outside before it
-  std::string sentence;  // what was done
 };
 RepairResult repair(TriangleMesh& mesh);
 

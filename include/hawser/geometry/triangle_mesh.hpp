@@ -93,8 +93,6 @@ struct MeshReport {
   bool valid() const { return closed && consistently_oriented && outward; }
 };
 MeshReport inspect(const TriangleMesh& mesh);
-// One or two plain sentences for a person.
-std::string summary(const MeshReport& report);
 
 struct WeldResult {
   int welded = 0;   // vertices that went into another

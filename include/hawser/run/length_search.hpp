@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hawser/advice/lengths.hpp"
 #include "hawser/math/root_search.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/touchdown.hpp"
@@ -60,7 +61,8 @@ class LengthSearch {
  private:
   void begin(double from, double step);
   double reached(const AtRest& now) const;
-  std::string tried() const;
+  advice::LengthSought sought(const model::Case& c) const;
+  advice::LengthsTried tried() const;
   bool narrow() const;
 
   size_t line_;

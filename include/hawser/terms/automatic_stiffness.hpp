@@ -1,8 +1,7 @@
-// A contact stiffness when the case gives none, and the words that say why.
+// A contact stiffness when the case gives none.
 #pragma once
 
-#include <string>
-
+#include "hawser/advice/contact_stiffness.hpp"
 #include "hawser/model/case.hpp"
 
 namespace hawser {
@@ -21,7 +20,7 @@ struct StiffnessDemand {
 
 struct AutomaticStiffness {
   double per_length = 0;  // N/m²
-  std::string reason;     // for the user, no full stop
+  advice::StiffnessReason reason;
 };
 
 // Lets the line's own weight and its hanging tension T, bent to the radius, press in by what is allowed.
@@ -32,17 +31,6 @@ AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
 // N/m², beyond which an automatic stiffness is not raised: all of the line's EA, bent as sharply as its own
 // radius, presses in by what is allowed. What is deeper then is held inside by something else.
 double most_stiffness(const StiffnessDemand& d);
-
-// For the user, no full stop: what an automatic stiffness was raised to, and why.
-std::string raised_note(const std::string& volume, double from, double to, const std::string& when);
-
-// For the user: that a line is deeper in a volume than its law is for [m], where, when [s], and what helps.
-std::string too_soft_for_line(const std::string& place, const model::Volume& v, bool automatic, double depth,
-                              double radius, double time);
-
-// For the user: that a line at this place would be drawn through a volume on its way to an equilibrium, and
-// what helps; too_soft: a stiffness that the case gives.
-std::string volume_blocks_path(const std::string& place, const model::Volume& v, bool too_soft);
 
 // Automatic stiffness between lines: a force F = k s + c s³ a metre at the penetration s. k [N/m²] is chosen
 // so that the line's own weight, by standard gravity, penetrates by 0.5 % of its radius [m]; c [N/m⁴] so that

@@ -1,0 +1,30 @@
+// Sentences about what a run will cost, from a trial run.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hawser::advice {
+
+// Where the trial that a cost comes from ended.
+struct Trial {
+  bool by_statics = false;           // within statics
+  double reached = 0, duration = 0;  // s, simulated; of the run
+};
+// cost: CPU s; not finite: not known. "expected cost: about 12 CPU s, by its first 3.2 of 400 s"
+std::string expected_cost(double cost, const Trial& trial);
+std::string trial_fails(const std::string& why);
+
+// "expected results: about 24 MB (fields 18 MB, histories 4 MB, ...)", and a note below it where that is much
+// or more than the folder's disk has left. All in bytes; left: below 0: not known.
+struct ResultBytes {
+  std::vector<std::pair<std::string, double>> parts;
+  double total = 0, left = -1;
+};
+std::string expected_results(const ResultBytes& size, const std::string& folder);
+
+// bytes; "expected memory: about 0.9 GB"
+std::string expected_memory(double bytes);
+
+}  // namespace hawser::advice

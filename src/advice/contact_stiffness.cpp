@@ -1,0 +1,118 @@
+// Sentences about contact stiffness.
+#include "hawser/advice/contact_stiffness.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace hawser::advice {
+namespace {
+
+constexpr double kProposed = 0.05;  // of the radius: penetration of the stiffness that is proposed
+
+const char* name_of(StiffnessReason::Bend bend) {
+  switch (bend) {
+    case StiffnessReason::Bend::over_edge:
+      return "the smallest to which it bends the line's EI over an edge";
+    case StiffnessReason::Bend::largest:
+      return "no larger one is trusted";
+    case StiffnessReason::Bend::of_shape:
+      return "that of the shape";
+    case StiffnessReason::Bend::unknown:
+      break;
+  }
+  return "as that of the volume is not known";
+}
+
+const char* key_of(model::StiffnessBasis basis) {
+  return basis == model::StiffnessBasis::per_point    ? "per_point"
+         : basis == model::StiffnessBasis::per_length ? "per_length"
+                                                      : "per_area";
+}
+
+// Upwards to two digits.
+double rounded_up(double v) {
+  const double unit = std::pow(10, std::floor(std::log10(v)) - 1);
+  return std::ceil(v / unit) * unit;
+}
+
+}  // namespace
+
+std::string chosen_stiffness(const std::string& volume, double stiffness, const StiffnessReason& reason,
+                             double bounce, double step) {
+  std::string note = fmt::format(
+      "volume {}: normal stiffness {:.3g} N/m per m: a tension of {:.3g} N ({}) bent to a radius of {:.3g} m "
+      "({}) and the line's weight of {:.3g} N/m press in by {}{:.3g} m",
+      volume, stiffness, reason.tension,
+      reason.has_weight ? "the line's weight" : "1e-4 of its EA, as it has no weight", reason.radius,
+      name_of(reason.bend), reason.weight,
+      reason.penetration_given ? "the allowed " : "0.5 % of the line's radius, ", reason.penetration);
+  if (bounce > 0)
+    note += fmt::format(
+        "; a bounce on it takes {:.2g} s, less than the 1.5 steps of {:.2g} s that would show its force",
+        bounce, step);
+  return note;
+}
+
+std::string raised_stiffness(const std::string& volume, double from, double to, const std::string& when) {
+  return fmt::format(
+      "volume {}: normal stiffness raised from {:.3g} to {:.3g} N/m per m {}, so that the line pressed on it "
+      "by its tension times the curvature and by impacts penetrates no deeper than is allowed",
+      volume, from, to, when);
+}
+
+std::string too_deep(const model::Volume& volume, const TooDeep& at) {
+  const bool table = volume.force_table != nullptr;
+  const std::string text = fmt::format(
+      "{}, is {:.3g} m deep in volume {} at t = {:.3g} s, deeper than its radius of {:.3g} m{}", at.place,
+      at.depth, volume.name, at.time, at.radius, table ? " and than the table of forces tells" : "");
+  if (at.automatic)
+    return fmt::format(
+        "{}, at a stiffness of {:.3g} N/m per m, which the program has raised as far as that helps: it "
+        "starts inside the volume or is drawn into it by its ends; move it or the volume, or take that "
+        "volume out of the line's contact",
+        text, volume.normal_stiffness);
+  if (table)
+    return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
+  return fmt::format(
+      "{}, as far as contact goes: a stiffness of {{{}: {:.3g}}} would hold it to about 5 % of the radius "
+      "('auto' finds that by itself), and a line that is to sink in deeper needs a larger "
+      "'contact_diameter'",
+      text, key_of(volume.basis), volume.normal_stiffness * at.depth / (kProposed * at.radius));
+}
+
+std::string drawn_through(const model::Volume& volume, const std::string& place, bool too_soft) {
+  const std::string text = fmt::format("{}, would be drawn through volume {}", place, volume.name);
+  if (!too_soft) return text + "; say on which side it lies with 'start: {points: [[x, y, z], ...]}'";
+  return text + (volume.force_table
+                     ? ": give its table rows up to the forces that are met, or leave the stiffness to 'auto'"
+                     : ": its normal_stiffness is too small for what presses, 'auto' finds one by itself");
+}
+
+std::string lines_pass(const std::string& places) { return places + " would pass through each other"; }
+
+std::string lines_start_too_near(const std::string& places) {
+  return lines_pass(places) + ": from the start they are nearer than their radii allow";
+}
+
+std::string lines_too_soft(const PressedLines& at) {
+  std::string key = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(at.wanted));
+  if (!at.only_of.empty())
+    key = fmt::format("pairs: [{{lines: [{}, {}], {}}}]", at.only_of, at.only_of_other, key);
+  return fmt::format(
+      "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "
+      "through each other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for "
+      "what presses them ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
+      at.places, at.depth, 100 * at.depth / at.radii, at.stiffness, at.energy, key);
+}
+
+std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double met,
+                           double time) {
+  return fmt::format(
+      "at t = {:.6g} s {} and {} are {:.3g} m in each other, where corners and edges that are to meet the "
+      "other met {:.3g} m at most; give them stiffnesses per_area (per_length where edges cross), or a "
+      "sphere or capsule where they meet",
+      time, one, other, depth, met);
+}
+
+}  // namespace hawser::advice

@@ -1,0 +1,51 @@
+// Sentences about what a run will cost.
+#include "hawser/advice/cost.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace hawser::advice {
+
+std::string trial_fails(const std::string& why) { return "a trial run stops: " + why; }
+
+std::string expected_cost(double cost, const Trial& trial) {
+  if (!std::isfinite(cost)) return "expected cost: the trial run did not get far enough to tell";
+  std::string by;
+  if (trial.by_statics)
+    by = ", by the first iterations of statics";
+  else if (trial.reached < trial.duration)
+    by = fmt::format(", by its first {:.2g} of {:.4g} s", trial.reached, trial.duration);
+  return fmt::format("expected cost: {} CPU s{}",
+                     cost < 1 ? std::string("less than 1") : fmt::format("about {:.2g}", cost), by);
+}
+
+std::string expected_results(const ResultBytes& size, const std::string& folder) {
+  constexpr double kMuch = 2e9;  // bytes
+  const auto bytes = [](double n) {
+    const char* units[] = {"kB", "MB", "GB", "TB"};
+    size_t k = 0;
+    for (n /= 1e3; n >= 1e3 && k + 1 < std::size(units); ++k) n /= 1e3;
+    return fmt::format("{:.3g} {}", n, units[k]);
+  };
+  std::string parts;
+  for (const auto& [name, n] : size.parts)
+    if (n > 0.005 * size.total) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, bytes(n));
+  std::string s = fmt::format("expected results: about {} ({})", bytes(size.total), parts);
+  // At its end the file is written once more, without spare room.
+  if (size.left >= 0 && 2 * size.total > size.left)
+    s += fmt::format(
+        "\nnote: the disk of {} has {} left, and a run takes up to twice the size of its results: give a "
+        "larger output.every, or another disk with -o",
+        folder, bytes(size.left));
+  else if (size.total > kMuch)
+    s += "\nnote: output.every says how often fields are written, which is most of it in most runs";
+  return s;
+}
+
+std::string expected_memory(double bytes) {
+  return fmt::format("expected memory: about {:.2g} GB", 1e-9 * bytes);
+}
+
+}  // namespace hawser::advice

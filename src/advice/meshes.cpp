@@ -1,0 +1,142 @@
+// Sentences about triangle meshes.
+#include "hawser/advice/meshes.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <sstream>
+#include <vector>
+
+namespace hawser::advice {
+namespace {
+
+std::string many(int n, const char* one, const char* more) {
+  return fmt::format("{} {}", n, n == 1 ? one : more);
+}
+
+// What makes a mesh unclean, as nouns.
+std::string faults_of(const MeshReport& found) {
+  std::vector<std::string> faults;
+  if (found.open_edges > 0) faults.push_back(many(found.open_edges, "open edge", "open edges"));
+  if (found.non_manifold_edges > 0)
+    faults.push_back(many(found.non_manifold_edges, "edge", "edges") + " of more than two triangles");
+  if (found.flipped_edges > 0)
+    faults.push_back(many(found.flipped_edges, "edge", "edges") + " between triangles turned opposite ways");
+  if (found.degenerate > 0) faults.push_back(many(found.degenerate, "triangle", "triangles") + " of no area");
+  if (faults.empty()) faults.emplace_back("normals that point into the solid");
+  return fmt::format("{}", fmt::join(faults, ", "));
+}
+
+}  // namespace
+
+std::string mesh_summary(const MeshReport& r) {
+  std::ostringstream s;
+  s.precision(6);
+  s << many(r.triangles, "triangle", "triangles") << ", " << many(r.vertices, "vertex", "vertices") << " in "
+    << many(r.components, "piece", "pieces");
+  if (r.triangles > 0) {
+    const Vec3 e = r.box.extent();
+    s << ", " << e.x() << " x " << e.y() << " x " << e.z() << " m, edges " << r.shortest_edge << " to "
+      << r.longest_edge << " m, area " << r.area << " m²";
+  }
+  if (r.valid()) s << ", closed and outward, volume " << r.volume << " m³";
+  s << ".";
+  if (r.welded > 0 || r.removed > 0)
+    s << " Merged " << many(r.welded, "vertex", "vertices") << ", which removed "
+      << many(r.removed, "triangle", "triangles") << ".";
+  std::vector<std::string> faults;
+  if (r.triangles == 0) faults.push_back("it is empty");
+  if (r.open_edges > 0)
+    faults.push_back(many(r.open_edges, "edge has", "edges have") + " a triangle on one side only");
+  if (r.non_manifold_edges > 0)
+    faults.push_back(many(r.non_manifold_edges, "edge joins", "edges join") + " more than two triangles");
+  if (r.flipped_edges > 0)
+    faults.push_back(many(r.flipped_edges, "edge lies", "edges lie") +
+                     " between triangles turned opposite ways");
+  if (r.closed && r.consistently_oriented && !r.outward) faults.push_back("normals point into the solid");
+  if (r.degenerate > 0) faults.push_back(many(r.degenerate, "triangle has", "triangles have") + " no area");
+  for (size_t i = 0; i < faults.size(); ++i)
+    s << (i == 0 ? (r.valid() ? " Note: " : " Not clean: ") : "; ") << faults[i];
+  if (!faults.empty()) s << ".";
+  return s.str();
+}
+
+std::string repaired(const RepairResult& done) {
+  std::string text = done.turned == 0 ? std::string("no triangle turned over")
+                                      : many(done.turned, "triangle", "triangles") +
+                                            " turned over, by rays that count what they cross";
+  if (done.one_sided > 0)
+    text += "; " + many(done.one_sided, "patch is", "patches are") +
+            " one-sided like a Möbius band and left as found";
+  return text;
+}
+
+std::string mesh_not_clean(const MeshReport& found, const RepairResult& done) {
+  return fmt::format("the mesh is not clean: {}; {}", faults_of(found), repaired(done));
+}
+
+std::string mesh_encloses_nothing(const MeshReport& found, const RepairResult& done) {
+  return fmt::format(
+      "the mesh encloses nothing: it has {} among {} triangles, and only {:.0f} % of its area has an inside; "
+      "a sheet needs a thickness, or use a `shape`",
+      faults_of(found), found.triangles, 100 * done.enclosing);
+}
+
+std::string mesh_cannot_be_closed(const RepairResult& done) {
+  return "the triangles cannot be turned outward: " + repaired(done);
+}
+
+std::string holes_not_filled(const RepairResult& done) {
+  return fmt::format(
+      "holes are not filled: inside is where the winding number is above 1/2, as it is behind {:.4g} % of "
+      "the surface",
+      100 * done.enclosing);
+}
+
+std::string mesh_not_closed(const MeshReport& report) {
+  return fmt::format(
+      "the mesh is not closed: {} open edges and {} edges of more than two triangles in {} triangles; the "
+      "volume says `closed: required`",
+      report.open_edges, report.non_manifold_edges, report.triangles);
+}
+
+std::string cracks_closed(const CrackResult& done) {
+  return fmt::format(
+      "{} of open edges that lay up to {:.2g} m apart {} merged{}; {}",
+      many(done.welded, "corner", "corners"), done.widest, done.welded == 1 ? "was" : "were",
+      done.removed > 0 ? fmt::format(", which removed {}", many(done.removed, "triangle", "triangles")) : "",
+      done.open_edges == 0 ? "no edge is open now"
+                           : many(done.open_edges, "edge is", "edges are") + " still open");
+}
+
+std::string duplicates_excluded(const DuplicateResult& done) {
+  std::vector<std::string> parts;
+  if (done.copies > 0)
+    parts.push_back(many(done.copies, "triangle that is", "triangles that are") +
+                    " listed more than once excluded");
+  if (done.back_to_back > 0)
+    parts.push_back(
+        fmt::format("{} triangles that lie back to back and bound nothing excluded", done.back_to_back));
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+std::string flat_pieces_excluded(int pieces) {
+  return many(pieces, "piece", "pieces") + " of no thickness excluded";
+}
+
+std::string only_flat_pieces() {
+  return "the mesh encloses nothing: its triangles lie back to back; a sheet needs a thickness, or use a "
+         "`shape`";
+}
+
+std::string triangles_without_area(int removed) {
+  return fmt::format("{} triangles without area were removed", removed);
+}
+
+std::string vertex_too_far(double distance, double scale) {
+  return fmt::format(
+      "has a vertex {:.4g} m from the origin; is it in other units than metres (scale is {:g})?", distance,
+      scale);
+}
+
+}  // namespace hawser::advice

@@ -1,0 +1,70 @@
+// Sentences about start shapes.
+#include "hawser/advice/start_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "point_text.hpp"
+
+namespace hawser::advice {
+std::string against_direction(const model::Line& line, bool at_b, double angle) {
+  const Vec3& d = *line.end(at_b).direction;
+  return fmt::format(
+      "lines.{}.{}.direction: the line would have to turn by {:.0f} degrees to have this direction at end "
+      "{}: at both ends it is the direction from end A to end B; is [{:.3g}, {:.3g}, {:.3g}] meant?",
+      line.name, at_b ? "end_b" : "end_a", angle * 180 / M_PI, at_b ? 'B' : 'A', 0 - d.x(), 0 - d.y(),
+      0 - d.z());
+}
+
+std::string no_start_shape(const std::string& line) {
+  return fmt::format("lines.{}: both ends are free and no start shape is given", line);
+}
+
+std::string undecided_crossing(const std::string& line, const std::string& other, const Vec3& at) {
+  return fmt::format(
+      "it crosses line '{}' at {}, and nothing says which of the two lies over the other; say so with "
+      "'contact: {{between_lines: {{over: [[{}, {}]]}}}}' (the upper one first)",
+      other, point_text(at), line, other);
+}
+
+std::string cannot_be_over(const std::string& over, const std::string& under, const Vec3& at) {
+  return fmt::format(
+      "line '{}' is to lie over line '{}', and its start shape passes through it at {}; move the points of "
+      "its 'start' over it",
+      over, under, point_text(at));
+}
+
+std::string starts_over_line(const std::string& over, const std::string& under, const Vec3& at) {
+  return fmt::format(
+      "lines.{}: starts over line {}, which it crosses at {} ('contact: {{between_lines: {{over: [[{}, "
+      "{}]]}}}}' would have it under it)",
+      over, under, point_text(at), under, over);
+}
+
+std::string starts_over_volume(const std::string& line, const std::string& volume, const Vec3& at) {
+  return fmt::format("lines.{}: starts over volume {} at {}, as there is no room under it", line, volume,
+                     point_text(at));
+}
+
+std::string more_start_over_lines(size_t lines) {
+  return fmt::format("and {} more lines start over others", lines);
+}
+
+std::string more_start_over_volumes(size_t lines) {
+  return fmt::format("and {} more lines start over volumes", lines);
+}
+
+std::string link_without_length() {
+  return "its ends start at the same point, so that it has no length: give it a 'rest_length', which may be "
+         "0, or place its ends apart";
+}
+
+std::string too_short_for_supports(double length, double way) {
+  return fmt::format(
+      "the line is {:.6g} m long, and the shortest way over its supports to its other end is {:.6g} m; make "
+      "it {:.3g} m longer, or move the end",
+      length, way, way - length);
+}
+
+}  // namespace hawser::advice
