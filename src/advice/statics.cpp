@@ -25,11 +25,11 @@ std::string no_waterplane(const std::string& body) {
       body);
 }
 
-std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double held) {
+std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double sticking) {
   std::string friction = "without friction in statics";
   if (laid)
     friction = fmt::format("where friction takes {:.4g} kN of tension and holds {:.4g} m with force to spare",
-                           1e-3 * taken, held);
+                           1e-3 * taken, sticking);
   return fmt::format("lines.{}: {:.4g} m on the seabed, {}", line, lies, friction);
 }
 

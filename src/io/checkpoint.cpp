@@ -33,11 +33,11 @@ std::string describe(const Checkpoint& c, int nodes_total) {
   out << "mesh " << nodes_total << '\n';
   for (const auto& [name, value] : c.scalars) out << "scalar " << name << '\n';
   for (const auto& [name, field] : c.nodes) out << "nodes " << field.components << ' ' << name << '\n';
-  for (const auto& [term, history] : c.history) {
+  for (const auto& [term, kept] : c.records) {
     out << "history " << term << '\n';
-    for (const HistoryKind& k : history.kinds) {
+    for (const CheckpointKind& k : kept.kinds) {
       out << "kind " << k.name << '\n';
-      for (const HistoryQuantity& q : k.quantities)
+      for (const CheckpointQuantity& q : k.quantities)
         out << "quantity " << q.components << ' ' << q.name << '\t' << q.unit << '\n';
     }
   }
@@ -134,10 +134,10 @@ unsigned long long checkpoint_sum(const std::string& index, long long sequence, 
 }
 
 // Whether a record has a kind that there is, and the length of whole entries of it.
-bool fits(const CheckpointHistory& history, const HistoryRecord& r) {
-  if (r.kind < 0 || static_cast<size_t>(r.kind) >= history.kinds.size()) return false;
+bool fits(const TermCheckpoint& kept, const CheckpointRecord& r) {
+  if (r.kind < 0 || static_cast<size_t>(r.kind) >= kept.kinds.size()) return false;
   size_t size = 0;
-  for (const HistoryQuantity& q : history.kinds[r.kind].quantities) size += static_cast<size_t>(q.components);
+  for (const CheckpointQuantity& q : kept.kinds[r.kind].quantities) size += static_cast<size_t>(q.components);
   return size > 0 && r.values.size() % size == 0;
 }
 
@@ -150,21 +150,21 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_tot
     valid =
         valid && (field.make || field.values.size() == owned.size() * static_cast<size_t>(field.components));
   CheckpointRoom room;
-  for (const auto& [name, history] : c.history) {
-    const auto look = [&, &history = history](const std::vector<HistoryRecord>& records) {
+  for (const auto& [name, kept] : c.records) {
+    const auto look = [&, &kept = kept](const std::vector<CheckpointRecord>& records) {
       for (const auto& r : records) {
-        valid = valid && std::binary_search(owned.begin(), owned.end(), r.node) && fits(history, r);
+        valid = valid && std::binary_search(owned.begin(), owned.end(), r.node) && fits(kept, r);
         room.size += kRecordHead + static_cast<long long>(r.values.size());
       }
     };
-    look(history.records);
+    look(kept.records);
     const int some = nodes_at_a_time(nodes_total);
-    for (int n = 0; history.make && n < nodes_total; n += some) look(history.make({n, n + some}));
+    for (int n = 0; kept.make && n < nodes_total; n += some) look(kept.make({n, n + some}));
   }
   room.index = describe(c, nodes_total);
   agree(comm, valid, room.index);
   all_reduce(comm, MPI_SUM, room.size);
-  room.size += 1 + std::ssize(c.scalars) + std::ssize(c.history);
+  room.size += 1 + std::ssize(c.scalars) + std::ssize(c.records);
   for (const auto& [name, field] : c.nodes)
     room.size += nodes_total * static_cast<long long>(field.components);
   return room;
@@ -204,17 +204,18 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
     field = {};
   }
 
-  for (auto& [name, history] : c.history) {
+  for (auto& [name, kept] : c.records) {
     const long long head = at++;
     const int some = nodes_at_a_time(nodes_total);
     for (NodeRange of{0, some}; of.first < nodes_total; of = {of.end, of.end + some}) {
-      if (history.make) history.records = history.make(of);
-      std::vector<const HistoryRecord*> sorted;
-      for (const auto& r : history.records)
+      if (kept.make) kept.records = kept.make(of);
+      std::vector<const CheckpointRecord*> sorted;
+      for (const auto& r : kept.records)
         if (of.has(r.node)) sorted.push_back(&r);
-      std::stable_sort(sorted.begin(), sorted.end(), [](const HistoryRecord* a, const HistoryRecord* b) {
-        return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
-      });
+      std::stable_sort(sorted.begin(), sorted.end(),
+                       [](const CheckpointRecord* a, const CheckpointRecord* b) {
+                         return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
+                       });
       std::vector<long long> start(static_cast<size_t>(some) + 1,
                                    0);  // of each node's records; then their end
       for (const auto* r : sorted) start[r->node - of.first + 1] += kRecordHead + std::ssize(r->values);
@@ -222,7 +223,7 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
       for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
       std::vector<RowRun> runs;
       values.clear();
-      for (const HistoryRecord* r : sorted) {
+      for (const CheckpointRecord* r : sorted) {
         long long& to = start[r->node - of.first];
         const long long length = kRecordHead + std::ssize(r->values);
         if (runs.empty() || runs.back().first + runs.back().count != at + to) runs.push_back({at + to, 0});
@@ -239,7 +240,7 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
       piece({{head, 1}}, {static_cast<double>(at - head - 1)});
     else
       piece({}, {});
-    history = {};
+    kept = {};
   }
   MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UNSIGNED_LONG_LONG, MPI_SUM, comm);
   return sum;
@@ -257,7 +258,7 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
   };
   Checkpoint c;
   c.time = next();
-  CheckpointHistory* history = nullptr;  // the last one named
+  TermCheckpoint* kept = nullptr;  // the last one named
   std::istringstream lines(index);
   for (std::string kind, name; lines >> kind;) {
     int components = 0;
@@ -281,19 +282,19 @@ Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>
       at += n;
     } else if (kind == "records") {
       throw InputError("an earlier version of hawser wrote it");
-    } else if (kind == "kind" && history) {
-      history->kinds.push_back({name, {}});
-    } else if (kind == "quantity" && history && !history->kinds.empty()) {
+    } else if (kind == "kind" && kept) {
+      kept->kinds.push_back({name, {}});
+    } else if (kind == "quantity" && kept && !kept->kinds.empty()) {
       const size_t tab = std::min(name.find('\t'), name.size());
-      history->kinds.back().quantities.push_back(
+      kept->kinds.back().quantities.push_back(
           {name.substr(0, tab), components, name.substr(std::min(tab + 1, name.size()))});
     } else if (kind == "history") {
-      history = &c.history[name];
-      auto& list = history->records;
+      kept = &c.records[name];
+      auto& list = kept->records;
       const size_t length = count(static_cast<double>(values.size()));
       const size_t end = at + length;
       while (at < end) {
-        HistoryRecord r;
+        CheckpointRecord r;
         r.node = static_cast<int>(count(nodes_total - 1));
         r.kind = static_cast<int>(count(kMostKinds));
         r.key = static_cast<int>(next());

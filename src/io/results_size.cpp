@@ -43,9 +43,9 @@ double checkpoint_numbers(const Checkpoint& c) {
   double n = 1 + static_cast<double>(c.scalars.size());
   for (const auto& [name, field] : c.nodes)
     n += static_cast<double>((field.make ? field.make() : field.values).size());
-  for (const auto& [name, history] : c.history) {
+  for (const auto& [name, kept] : c.records) {
     n += 1;
-    for (const HistoryRecord& r : history.make ? history.make({}) : history.records)
+    for (const CheckpointRecord& r : kept.make ? kept.make({}) : kept.records)
       n += 4 + static_cast<double>(r.values.size());
   }
   return n;

@@ -27,9 +27,9 @@ RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, co
   r.inertia.tail<3>() = b.inertia * s.alpha;
   r.applied.head<3>() = -b.weight;
   r.applied.tail<3>() = s.w.cross(Jw);
-  r.held.head<3>() =
+  r.springs.head<3>() =
       b.stiffness.cwiseProduct(s.x - rest.position) + b.damping.cwiseProduct(s.v - rest.velocity);
-  r.held.tail<3>() = T.transpose() * p + b.turning_damping.cwiseProduct(s.w - W0);
+  r.springs.tail<3>() = T.transpose() * p + b.turning_damping.cwiseProduct(s.w - W0);
   r.K.topLeftCorner<3, 3>() = b.stiffness.asDiagonal();
   r.K.bottomRightCorner<3, 3>() =
       (inverse_jacobian_transposed_slope(phi, p) + T.transpose() * Mat3(b.turning_stiffness.asDiagonal())) *

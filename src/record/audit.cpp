@@ -32,7 +32,7 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   at_start = start.kinetic;
   worked += std::abs(brought_in - brought_before) + passed;
   set_free = std::max(set_free, start.strain - e.strain);
-  held = std::max(held, e.strain);
+  most_strain = std::max(most_strain, e.strain);
   if (error < least_error) {
     least_error = error;
     climb = {};
@@ -63,7 +63,7 @@ void Audit::located(int node, Step::ContactWith with) {
   if (worst.time == climb.time) worst = climb;
 }
 
-double Audit::size() const { return at_start + worked + set_free + kRounding * held + kNothing; }
+double Audit::size() const { return at_start + worked + set_free + kRounding * most_strain + kNothing; }
 
 double Audit::percent() const { return 100 * error / size(); }
 
@@ -72,7 +72,7 @@ double Audit::percent() const { return 100 * error / size(); }
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
   return made.value > kMadeWrong * size() ||
-         most_remains > kRemainsWrong * there + kRounding * held + kNothing ||
+         most_remains > kRemainsWrong * there + kRounding * most_strain + kNothing ||
          lost.value > kLostWrong * size();
 }
 
@@ -91,7 +91,7 @@ std::string Audit::warning(bool fixed, const std::string& where,
 }
 
 std::string Audit::note() const {
-  const double size = std::max(std::abs(brought_in), there) + kRounding * held + kNothing;
+  const double size = std::max(std::abs(brought_in), there) + kRounding * most_strain + kNothing;
   if (now.unresolved < kUnresolvedReported * size) return "";
   return advice::vibration_damped(now.unresolved, size);
 }

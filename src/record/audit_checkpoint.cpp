@@ -25,7 +25,7 @@ void numbers(AnAudit& a, Each&& each) {
   each("audit.worked", a.worked);
   each("audit.set_free", a.set_free);
   each("audit.there", a.there);
-  each("audit.held", a.held);
+  each("audit.held", a.most_strain);
   each("audit.least_error", a.least_error);
   each("audit.taken", a.taken);
   each("audit.remains", a.remains);

@@ -110,14 +110,14 @@ io::ClashTables ClashReport::take() {
 void ClashReport::save(io::Checkpoint& to) {
   collect();
   std::vector<double> values = gather_all(comm_, rank_ == 0 ? log_.save() : std::vector<double>{});
-  io::CheckpointHistory& history = to.history[kRecords];
-  history.kinds = {{"clash log", {{"number", 1, ""}}}};
-  if (subject_.local().owns(subject_.local().find(0))) history.records = {{0, 0, std::move(values)}};
+  io::TermCheckpoint& kept = to.records[kRecords];
+  kept.kinds = {{"clash log", {{"number", 1, ""}}}};
+  if (subject_.local().owns(subject_.local().find(0))) kept.records = {{0, 0, std::move(values)}};
 }
 
 void ClashReport::restore(const io::Checkpoint& from) {
-  const auto at = from.history.find(kRecords);
-  const bool here = at != from.history.end() && !at->second.records.empty();
+  const auto at = from.records.find(kRecords);
+  const bool here = at != from.records.end() && !at->second.records.empty();
   const std::vector<double> values =
       gather_all(comm_, here ? at->second.records.front().values : std::vector<double>{});
   if (rank_ == 0 && !values.empty()) log_.restore(values);

@@ -166,8 +166,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   c.time = d.committed().s.time;
   save_nodes(simulation.local(), d.committed(), d.reactions(), d.mean_forces(), c);
   for (const auto& term : simulation.system().terms())
-    c.history[std::string(term->name())] = {
-        term->history(), {}, [&of = *term](NodeRange nodes) { return of.records(nodes); }};
+    c.records[std::string(term->name())] = {
+        term->checkpoint_kinds(), {}, [&of = *term](NodeRange nodes) { return of.records(nodes); }};
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
   c.scalars["step.wait"] = d.control().wait();
@@ -197,10 +197,10 @@ InputError older(const std::string& path, const std::string& what) {
 
 }  // namespace
 
-void check_history(const io::Checkpoint& c, const System& system, const std::string& path) {
+void check_records(const io::Checkpoint& c, const System& system, const std::string& path) {
   for (const auto& term : system.terms())
-    if (const auto it = c.history.find(std::string(term->name()));
-        it != c.history.end() && it->second.kinds != term->history())
+    if (const auto it = c.records.find(std::string(term->name()));
+        it != c.records.end() && it->second.kinds != term->checkpoint_kinds())
       throw older(path, it->first);
 }
 
@@ -223,7 +223,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError("cannot go on from {}: {}", path, wrong);
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
-  check_history(c, simulation.system(), path);
+  check_records(c, simulation.system(), path);
   return c;
 }
 
@@ -296,7 +296,7 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
     return out;
   };
   for (const auto& term : simulation.system().terms())
-    if (const auto it = c.history.find(std::string(term->name())); it != c.history.end())
+    if (const auto it = c.records.find(std::string(term->name())); it != c.records.end())
       term->restore(it->second.records);
   LineVolumeContact* contact = simulation.contact();
   for (int v = 0; contact && v < contact->volumes(); ++v)

@@ -371,18 +371,18 @@ std::vector<std::string> Simulation::on_bed() const {
   constexpr size_t kShown = 20;
   std::vector<SeabedTerm::OnBed> lines = seabed()->on_bed(state_.view(0));
   std::vector<double> sums;
-  for (const SeabedTerm::OnBed& l : lines) sums.insert(sums.end(), {l.lies, l.laid, l.held, l.taken});
+  for (const SeabedTerm::OnBed& l : lines) sums.insert(sums.end(), {l.lies, l.laid, l.sticking, l.taken});
   all_reduce(system_->comm(), MPI_SUM, sums);
   size_t more = 0;
   for (size_t l = 0; l < lines.size(); ++l) {
-    const double lies = sums[4 * l], laid = sums[4 * l + 1], held = sums[4 * l + 2];
+    const double lies = sums[4 * l], laid = sums[4 * l + 1], sticking = sums[4 * l + 2];
     const double taken = std::abs(sums[4 * l + 3]);
     if (!(lies > 0)) continue;
     if (out.size() == kShown) {
       ++more;
       continue;
     }
-    out.push_back(advice::lies_on_bed(mesh_->lines[l].name, lies, laid > 0, taken, held));
+    out.push_back(advice::lies_on_bed(mesh_->lines[l].name, lies, laid > 0, taken, sticking));
   }
   if (more > 0) out.push_back(advice::more_lines_on_bed(more));
   return out;

@@ -75,7 +75,7 @@ class Start {
  private:
   System& system_;
   State state_;
-  std::vector<std::vector<HistoryRecord>> history_;
+  std::vector<std::vector<CheckpointRecord>> history_;
 };
 
 // Friction forces depend on the path, which Newton's iteration of statics does not have, so relaxation is

@@ -148,23 +148,23 @@ struct FlowWork {
 
 }  // namespace
 
-std::vector<HistoryKind> BodiesInFlow::history() const {
-  return {history_kind<FlowWork>("wind on a body"), history_kind<FlowWork>("current on a body")};
+std::vector<CheckpointKind> BodiesInFlow::checkpoint_kinds() const {
+  return {checkpoint_kind<FlowWork>("wind on a body"), checkpoint_kind<FlowWork>("current on a body")};
 }
 
-std::vector<HistoryRecord> BodiesInFlow::records(NodeRange of) const {
-  std::vector<HistoryRecord> out;
+std::vector<CheckpointRecord> BodiesInFlow::records(NodeRange of) const {
+  std::vector<CheckpointRecord> out;
   for (const Flow& f : list_)
     if (of.has(f.global)) out.push_back(record_of(f.global, 0, FlowWork{f.work}, f.air ? 0 : 1));
   return out;
 }
 
 // prepare() evaluates the forces of the restored state again.
-void BodiesInFlow::restore(const std::vector<HistoryRecord>& records) {
+void BodiesInFlow::restore(const std::vector<CheckpointRecord>& records) {
   for (Flow& f : list_) {
     f.work = 0;
     f.pushed = false;
-    for (const HistoryRecord& r : records)
+    for (const CheckpointRecord& r : records)
       if (r.node == f.global && r.kind == (f.air ? 0 : 1)) f.work = entry<FlowWork>(r).work;
   }
 }

@@ -186,10 +186,12 @@ struct Kept {
 
 }  // namespace
 
-std::vector<HistoryKind> BodiesInWater::history() const { return {history_kind<Kept>("body in water")}; }
+std::vector<CheckpointKind> BodiesInWater::checkpoint_kinds() const {
+  return {checkpoint_kind<Kept>("body in water")};
+}
 
-std::vector<HistoryRecord> BodiesInWater::records(NodeRange of) const {
-  std::vector<HistoryRecord> out;
+std::vector<CheckpointRecord> BodiesInWater::records(NodeRange of) const {
+  std::vector<CheckpointRecord> out;
   for (const Wet& b : list_)
     if (of.has(b.global))
       out.push_back(record_of(b.global, 0, Kept{b.work, b.wave_place.centre, b.wave_place.drag}));
@@ -197,11 +199,11 @@ std::vector<HistoryRecord> BodiesInWater::records(NodeRange of) const {
 }
 
 // A state that is gone on from has been looked at already.
-void BodiesInWater::restore(const std::vector<HistoryRecord>& records) {
+void BodiesInWater::restore(const std::vector<CheckpointRecord>& records) {
   for (Wet& b : list_) {
     b.work = 0;
     b.known = b.flowed = b.has_wave_place = false;
-    for (const HistoryRecord& r : records) {
+    for (const CheckpointRecord& r : records) {
       if (r.node != b.global) continue;
       const Kept kept = entry<Kept>(r);
       b.work = kept.work;

@@ -390,12 +390,12 @@ double BodyContactTerm::largest_penetration() const {
 
 // The sums are kept with the node of the first floating body of a pair; what touches with those of both,
 // since either may be on another rank.
-std::vector<HistoryKind> BodyContactTerm::history() const {
-  return {history_kind<Pair>("sums of a pair"), history_kind<FeaturePoint>("friction of a pair")};
+std::vector<CheckpointKind> BodyContactTerm::checkpoint_kinds() const {
+  return {checkpoint_kind<Pair>("sums of a pair"), checkpoint_kind<FeaturePoint>("friction of a pair")};
 }
 
-std::vector<HistoryRecord> BodyContactTerm::records(NodeRange of) const {
-  std::vector<HistoryRecord> out;
+std::vector<CheckpointRecord> BodyContactTerm::records(NodeRange of) const {
+  std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < pairs_.size(); ++i) {
     const Pair& p = pairs_[i];
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
@@ -403,7 +403,7 @@ std::vector<HistoryRecord> BodyContactTerm::records(NodeRange of) const {
     if (p.counted && of.has(node)) out.push_back(record_of(node, key, p));
     for (const PairBody* body : {&a, &b}) {
       if (p.touching.empty() || !owned(*body) || !of.has(body->global)) continue;
-      HistoryRecord r;
+      CheckpointRecord r;
       r.node = body->global;
       r.key = key;
       r.kind = 1;
@@ -415,9 +415,9 @@ std::vector<HistoryRecord> BodyContactTerm::records(NodeRange of) const {
   return out;
 }
 
-void BodyContactTerm::restore(const std::vector<HistoryRecord>& records) {
+void BodyContactTerm::restore(const std::vector<CheckpointRecord>& records) {
   for (Pair& p : pairs_) p.touching.clear();
-  for (const HistoryRecord& r : records) {
+  for (const CheckpointRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size()) continue;
     Pair& p = pairs_[r.key];
     if (r.kind == 1) {

@@ -148,19 +148,21 @@ void BuriedTerm::fields(FieldRegistry& registry) const {
                 }});
 }
 
-std::vector<HistoryKind> BuriedTerm::history() const { return {history_kind<Point>("points")}; }
+std::vector<CheckpointKind> BuriedTerm::checkpoint_kinds() const {
+  return {checkpoint_kind<Point>("points")};
+}
 
-std::vector<HistoryRecord> BuriedTerm::records(NodeRange of) const {
-  std::vector<HistoryRecord> records;
+std::vector<CheckpointRecord> BuriedTerm::records(NodeRange of) const {
+  std::vector<CheckpointRecord> records;
   for (const Point& p : points_)
     if (of.has(mesh_.global[p.node])) records.push_back(record_of(mesh_.global[p.node], 0, p));
   return records;
 }
 
-void BuriedTerm::restore(const std::vector<HistoryRecord>& records) {
+void BuriedTerm::restore(const std::vector<CheckpointRecord>& records) {
   std::unordered_map<int, size_t> at;
   for (size_t i = 0; i < points_.size(); ++i) at[mesh_.global[points_[i].node]] = i;
-  for (const HistoryRecord& r : records) {
+  for (const CheckpointRecord& r : records) {
     const auto found = at.find(r.node);
     if (found == at.end()) continue;
     Point& p = points_[found->second];

@@ -107,18 +107,20 @@ void EndSprings::commit(const Kinematics& accepted) {
   }
 }
 
-std::vector<HistoryKind> EndSprings::history() const { return {history_kind<WorkDone>("sums of an end")}; }
+std::vector<CheckpointKind> EndSprings::checkpoint_kinds() const {
+  return {checkpoint_kind<WorkDone>("sums of an end")};
+}
 
-std::vector<HistoryRecord> EndSprings::records(NodeRange of) const {
-  std::vector<HistoryRecord> out;
+std::vector<CheckpointRecord> EndSprings::records(NodeRange of) const {
+  std::vector<CheckpointRecord> out;
   for (const size_t i : driven_)
     if (const int node = mesh_.global[springs_[i].node]; of.has(node)) out.push_back({node, 0, {work_[i]}});
   return out;
 }
 
-void EndSprings::restore(const std::vector<HistoryRecord>& records) {
+void EndSprings::restore(const std::vector<CheckpointRecord>& records) {
   for (const size_t i : driven_)
-    for (const HistoryRecord& r : records)
+    for (const CheckpointRecord& r : records)
       if (r.node == mesh_.global[springs_[i].node]) work_[i] = entry<WorkDone>(r).work;
 }
 

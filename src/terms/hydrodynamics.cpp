@@ -316,13 +316,13 @@ struct Place {
 
 // The sums at this rank's first node: over ranks they are what counts. Where the waves of the committed state
 // were looked at, at each node and for each of its neighbours, which another rank may own.
-std::vector<HistoryKind> Hydrodynamics::history() const {
-  return {history_kind<WorkDone>("sums of a rank"), history_kind<Place>("places of waves")};
+std::vector<CheckpointKind> Hydrodynamics::checkpoint_kinds() const {
+  return {checkpoint_kind<WorkDone>("sums of a rank"), checkpoint_kind<Place>("places of waves")};
 }
 
-std::vector<HistoryRecord> Hydrodynamics::records(NodeRange of) const {
+std::vector<CheckpointRecord> Hydrodynamics::records(NodeRange of) const {
   if (mesh_.owned == 0) return {};
-  std::vector<HistoryRecord> out;
+  std::vector<CheckpointRecord> out;
   if (of.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kSums));
   if (place_.empty()) return out;
   const auto put = [&](int node, int key, const Vec3& x) {
@@ -338,13 +338,13 @@ std::vector<HistoryRecord> Hydrodynamics::records(NodeRange of) const {
 }
 
 // A state that is gone on from has been looked at already.
-void Hydrodynamics::restore(const std::vector<HistoryRecord>& records) {
+void Hydrodynamics::restore(const std::vector<CheckpointRecord>& records) {
   work_ = 0;
   flow_ = {};
   start_.clear();
   place_.clear();
   wave_known_ = false;
-  for (const HistoryRecord& r : records) {
+  for (const CheckpointRecord& r : records) {
     if (r.kind == kSums) {
       work_ += entry<WorkDone>(r).work;
       continue;

@@ -145,16 +145,18 @@ void LineMassTerm::commit(const Kinematics& accepted) {
     }
 }
 
-std::vector<HistoryKind> LineMassTerm::history() const { return {history_kind<WorkDone>("sums of a rank")}; }
+std::vector<CheckpointKind> LineMassTerm::checkpoint_kinds() const {
+  return {checkpoint_kind<WorkDone>("sums of a rank")};
+}
 
-std::vector<HistoryRecord> LineMassTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> LineMassTerm::records(NodeRange of) const {
   if (ramped_.empty() || mesh_.owned == 0 || !of.has(mesh_.global[0])) return {};
   return {record_of(mesh_.global[0], 0, WorkDone{work_})};
 }
 
-void LineMassTerm::restore(const std::vector<HistoryRecord>& records) {
+void LineMassTerm::restore(const std::vector<CheckpointRecord>& records) {
   work_ = 0;
-  for (const HistoryRecord& r : records) work_ += entry<WorkDone>(r).work;
+  for (const CheckpointRecord& r : records) work_ += entry<WorkDone>(r).work;
 }
 
 double LineMassTerm::round_off(const Kinematics& at, double h) const {

@@ -30,13 +30,13 @@ struct PairPoint {
 
 // Every rank that owns a node of a pair needs its history, and a rank gets the records of its own nodes only:
 // so it is kept at each node of the pair.
-std::vector<HistoryKind> LinePairs::history() const {
-  return {history_kind<PairPoint>("points that touch"), history_kind<Account>("sums of a node"),
-          history_kind<Deepest>("deepest"), history_kind<SharedPlaces::Kept>("shared places")};
+std::vector<CheckpointKind> LinePairs::checkpoint_kinds() const {
+  return {checkpoint_kind<PairPoint>("points that touch"), checkpoint_kind<Account>("sums of a node"),
+          checkpoint_kind<Deepest>("deepest"), checkpoint_kind<SharedPlaces::Kept>("shared places")};
 }
 
-std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
-  std::vector<HistoryRecord> records;
+std::vector<CheckpointRecord> LinePairs::records(NodeRange of) const {
+  std::vector<CheckpointRecord> records;
   const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
   for (int n = 0; n < mesh_.owned; ++n) {
     const Account& a = accounts_[n];
@@ -54,7 +54,7 @@ std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
     const ContactSegment &a = segment(p.a), &b = segment(p.b);
     const std::array nodes{a.first, a.second, b.first, b.second};
     if (std::none_of(nodes.begin(), nodes.end(), wanted)) continue;
-    HistoryRecord r;
+    CheckpointRecord r;
     int part = 0;
     for (const auto& points : *p.points) {
       for (const LinePairContactPoint& h : points)
@@ -71,7 +71,7 @@ std::vector<HistoryRecord> LinePairs::records(NodeRange of) const {
   return records;
 }
 
-void LinePairs::restore(const std::vector<HistoryRecord>& records) {
+void LinePairs::restore(const std::vector<CheckpointRecord>& records) {
   pairs_.clear();
   kept_.clear();
   candidates_.forget();
@@ -79,7 +79,7 @@ void LinePairs::restore(const std::vector<HistoryRecord>& records) {
   listed_ = false;
   accounts_.assign(accounts_.size(), {});
   deepest_ = {};
-  for (const HistoryRecord& r : records) {
+  for (const CheckpointRecord& r : records) {
     if (r.kind == kSums) {
       const int n = mesh_.find(r.node);
       if (mesh_.owns(n)) accounts_[n] = entry<Account>(r);

@@ -18,13 +18,13 @@ enum Kind { kPoints, kSums, kSprings };
 
 }  // namespace
 
-std::vector<HistoryKind> LineVolumeContact::history() const {
-  return {history_kind<AxisContactPoint>("points that touch"),
-          history_kind<ContactWork>("sums of an element"), history_kind<GapSpring>("gap springs")};
+std::vector<CheckpointKind> LineVolumeContact::checkpoint_kinds() const {
+  return {checkpoint_kind<AxisContactPoint>("points that touch"),
+          checkpoint_kind<ContactWork>("sums of an element"), checkpoint_kind<GapSpring>("gap springs")};
 }
 
-std::vector<HistoryRecord> LineVolumeContact::records(NodeRange of) const {
-  std::vector<HistoryRecord> records;
+std::vector<CheckpointRecord> LineVolumeContact::records(NodeRange of) const {
+  std::vector<CheckpointRecord> records;
   const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
   for (size_t i = 0; i < accounts_.size(); ++i) {
     const LocalElement& e = mesh_.elements[i];
@@ -34,7 +34,7 @@ std::vector<HistoryRecord> LineVolumeContact::records(NodeRange of) const {
   const auto add = [&](const Pair& pair, Kind kind, const auto& all) {
     const LocalElement& e = local(pair);
     if (!wanted(e.first) && !wanted(e.second)) return;
-    HistoryRecord r;
+    CheckpointRecord r;
     r.kind = kind;
     for (const auto& one : all) put(one, r.values);
     for (const int node : {e.first, e.second}) {
@@ -51,7 +51,7 @@ std::vector<HistoryRecord> LineVolumeContact::records(NodeRange of) const {
   return records;
 }
 
-void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
+void LineVolumeContact::restore(const std::vector<CheckpointRecord>& records) {
   std::unordered_map<int, int> behind, before;  // from mesh node to local element
   for (size_t i = 0; i < mesh_.elements.size(); ++i) {
     behind[mesh_.global[mesh_.elements[i].first]] = static_cast<int>(i);
@@ -61,7 +61,7 @@ void LineVolumeContact::restore(const std::vector<HistoryRecord>& records) {
   pairs_.clear();
   near_.clear();
   accounts_.assign(accounts_.size(), {});
-  for (const HistoryRecord& r : records) {
+  for (const CheckpointRecord& r : records) {
     const bool sums = r.kind == kSums;
     const auto& side = !sums && r.key % 2 ? before : behind;
     const auto found = side.find(r.node);

@@ -151,18 +151,20 @@ double Links::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-std::vector<HistoryKind> Links::history() const { return {history_kind<Link>("sums of a link")}; }
+std::vector<CheckpointKind> Links::checkpoint_kinds() const {
+  return {checkpoint_kind<Link>("sums of a link")};
+}
 
-std::vector<HistoryRecord> Links::records(NodeRange of) const {
-  std::vector<HistoryRecord> out;
+std::vector<CheckpointRecord> Links::records(NodeRange of) const {
+  std::vector<CheckpointRecord> out;
   for (size_t i = 0; i < list_.size(); ++i)
     if (list_[i].counted && of.has(list_[i].owner))
       out.push_back(record_of(list_[i].owner, static_cast<int>(i), list_[i]));
   return out;
 }
 
-void Links::restore(const std::vector<HistoryRecord>& records) {
-  for (const HistoryRecord& r : records) {
+void Links::restore(const std::vector<CheckpointRecord>& records) {
+  for (const CheckpointRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= list_.size()) continue;
     Link& l = list_[r.key];
     if (!owned(l.owner)) continue;  // the other end may not be here yet

@@ -35,17 +35,18 @@ struct KeptWork {
 
 }  // namespace
 
-std::vector<HistoryKind> PlatformWater::history() const {
-  return {history_kind<KeptRate>("velocities of a platform"), history_kind<KeptWork>("sums of a platform")};
+std::vector<CheckpointKind> PlatformWater::checkpoint_kinds() const {
+  return {checkpoint_kind<KeptRate>("velocities of a platform"),
+          checkpoint_kind<KeptWork>("sums of a platform")};
 }
 
-std::vector<HistoryRecord> PlatformWater::records(NodeRange of) const {
-  std::vector<HistoryRecord> out;
+std::vector<CheckpointRecord> PlatformWater::records(NodeRange of) const {
+  std::vector<CheckpointRecord> out;
   for (const Group& g : groups_)
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
       if (!p.owned || !of.has(p.node)) continue;
-      HistoryRecord rates{p.node, 0, {}, 0};
+      CheckpointRecord rates{p.node, 0, {}, 0};
       for (const Past& past : g.past) {
         const Vec6 own = past.rate.segment<6>(6 * static_cast<Eigen::Index>(i));
         put(KeptRate{past.time, own.head<3>(), own.tail<3>()}, rates.values);
@@ -57,7 +58,7 @@ std::vector<HistoryRecord> PlatformWater::records(NodeRange of) const {
   return out;
 }
 
-void PlatformWater::restore(const std::vector<HistoryRecord>& records) {
+void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
   for (Group& g : groups_) {
     const auto n = static_cast<Eigen::Index>(g.platforms.size());
     std::vector<double> slow(static_cast<size_t>(15 * n), 0);
@@ -66,7 +67,7 @@ void PlatformWater::restore(const std::vector<HistoryRecord>& records) {
     for (Eigen::Index i = 0; i < n; ++i) {
       Platform& p = g.platforms[static_cast<size_t>(i)];
       if (!p.owned) continue;
-      for (const HistoryRecord& r : records) {
+      for (const CheckpointRecord& r : records) {
         if (r.node != p.node) continue;
         if (r.kind == 1) {
           const KeptWork kept = entry<KeptWork>(r);

@@ -124,22 +124,24 @@ double PointLoads::dead_load() const {
 }
 
 // Records of a node's loads keep their order, which is that of the case.
-std::vector<HistoryKind> PointLoads::history() const { return {history_kind<WorkDone>("sums of a load")}; }
+std::vector<CheckpointKind> PointLoads::checkpoint_kinds() const {
+  return {checkpoint_kind<WorkDone>("sums of a load")};
+}
 
-std::vector<HistoryRecord> PointLoads::records(NodeRange of) const {
-  std::vector<HistoryRecord> records;
+std::vector<CheckpointRecord> PointLoads::records(NodeRange of) const {
+  std::vector<CheckpointRecord> records;
   std::unordered_map<int, int> count;
   for (size_t i = 0; i < work_.size(); ++i)
     if (of.has(global_[i])) records.push_back({global_[i], count[global_[i]]++, {work_[i]}});
   return records;
 }
 
-void PointLoads::restore(const std::vector<HistoryRecord>& records) {
+void PointLoads::restore(const std::vector<CheckpointRecord>& records) {
   std::unordered_map<int, int> count;
   work_.assign(work_.size(), 0);
   for (size_t i = 0; i < work_.size(); ++i) {
     const int key = count[global_[i]]++;
-    for (const HistoryRecord& r : records)
+    for (const CheckpointRecord& r : records)
       if (r.node == global_[i] && r.key == key) work_[i] = entry<WorkDone>(r).work;
   }
 }

@@ -135,7 +135,7 @@ void RigidBodies::powers(const Floating& f, const Kinematics& at, double& dampin
   const Vec3 dv = s.v - r.velocity, dw = s.w - s.q.conjugate() * r.angular_velocity;
   damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw));
   // What holds it brings in: its force on the springs and dampers at their far end.
-  const Vec6 force = rigid_body(f.data, s, r).held;
+  const Vec6 force = rigid_body(f.data, s, r).springs;
   work = -force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
   for (const Load& l : f.loads) work += load_power(l.at(at.time), s);
 }
@@ -163,7 +163,7 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
     }
     if (!assembler.needs_force()) continue;
     assembler.add(blocks, r.applied.data(), nullptr, nullptr, nullptr);
-    assembler.add(blocks, r.held.data(), nullptr, nullptr, nullptr);
+    assembler.add(blocks, r.springs.data(), nullptr, nullptr, nullptr);
   }
 }
 
@@ -234,18 +234,20 @@ double RigidBodies::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-std::vector<HistoryKind> RigidBodies::history() const { return {history_kind<Floating>("sums of a body")}; }
+std::vector<CheckpointKind> RigidBodies::checkpoint_kinds() const {
+  return {checkpoint_kind<Floating>("sums of a body")};
+}
 
-std::vector<HistoryRecord> RigidBodies::records(NodeRange of) const {
-  std::vector<HistoryRecord> out;
+std::vector<CheckpointRecord> RigidBodies::records(NodeRange of) const {
+  std::vector<CheckpointRecord> out;
   for (const Floating& f : list_)
     if (of.has(f.global)) out.push_back(record_of(f.global, 0, f));
   return out;
 }
 
-void RigidBodies::restore(const std::vector<HistoryRecord>& records) {
+void RigidBodies::restore(const std::vector<CheckpointRecord>& records) {
   for (Floating& f : list_)
-    for (const HistoryRecord& r : records)
+    for (const CheckpointRecord& r : records)
       if (r.node == f.global) {
         const Floating kept = entry<Floating>(r);
         f.damping = kept.damping;

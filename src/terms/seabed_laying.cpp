@@ -72,7 +72,7 @@ std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {
     const double across = (h.friction - along * t).norm();
     const double a = f.axial > 0 ? along / (f.axial * h.normal_force) : 0;
     const double l = f.lateral > 0 ? across / (f.lateral * h.normal_force) : 0;
-    if (std::hypot(a, l) < kMobilised) line.held += law(p).length;
+    if (std::hypot(a, l) < kMobilised) line.sticking += law(p).length;
     line.taken += along;
   }
   return out;

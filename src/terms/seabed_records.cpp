@@ -9,12 +9,12 @@
 
 namespace hawser {
 
-std::vector<HistoryKind> SeabedTerm::history() const {
-  return {history_kind<LandedPoint>("points"), history_kind<Account>("sums of a rank")};
+std::vector<CheckpointKind> SeabedTerm::checkpoint_kinds() const {
+  return {checkpoint_kind<LandedPoint>("points"), checkpoint_kind<Account>("sums of a rank")};
 }
 
-std::vector<HistoryRecord> SeabedTerm::records(NodeRange of) const {
-  std::vector<HistoryRecord> records;
+std::vector<CheckpointRecord> SeabedTerm::records(NodeRange of) const {
+  std::vector<CheckpointRecord> records;
   for (const Point& p : points_) {
     if (p.touch < 0) continue;
     for (const int node : {p.node, p.second})
@@ -30,7 +30,7 @@ std::vector<HistoryRecord> SeabedTerm::records(NodeRange of) const {
   return records;
 }
 
-void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
+void SeabedTerm::restore(const std::vector<CheckpointRecord>& records) {
   std::map<std::pair<int, int>, size_t> at;  // by node of the mesh and key
   for (size_t i = 0; i < points_.size(); ++i) {
     Point& p = points_[i];
@@ -42,7 +42,7 @@ void SeabedTerm::restore(const std::vector<HistoryRecord>& records) {
   landed_.clear();
   vacant_.clear();
   account_ = {};
-  for (const HistoryRecord& r : records) {
+  for (const CheckpointRecord& r : records) {
     if (r.kind == 1) {
       const Account sum = entry<Account>(r);
       account_.friction += sum.friction;

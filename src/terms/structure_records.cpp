@@ -43,14 +43,14 @@ struct Bent {
 
 // A rank's sums are stored at its first node; only their sum over the ranks matters. Stretch and bends of an
 // element are stored at each of its nodes, so that every rank that has the element finds them.
-std::vector<HistoryKind> StructureTerm::history() const {
-  return {history_kind<Sums>("sums of a rank"), history_kind<Stretched>("axial vibration"),
-          history_kind<Bent>("plastic bending"), history_kind<Bent>("plastic bending inside a feeder")};
+std::vector<CheckpointKind> StructureTerm::checkpoint_kinds() const {
+  return {checkpoint_kind<Sums>("sums of a rank"), checkpoint_kind<Stretched>("axial vibration"),
+          checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};
 }
 
-std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
+std::vector<CheckpointRecord> StructureTerm::records(NodeRange of) const {
   if (mesh_.owned == 0) return {};
-  std::vector<HistoryRecord> out;
+  std::vector<CheckpointRecord> out;
   const auto wanted = [&](int n) { return n < mesh_.owned && of.has(mesh_.global[n]); };
   if (wanted(0))
     out.push_back(record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums));
@@ -61,7 +61,7 @@ std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
   for (const Beam& b : beams_)
     for (const int n : {b.at.first, b.at.second}) {
       if (!b.reference.set || !wanted(n)) continue;
-      HistoryRecord& r = out.emplace_back(HistoryRecord{mesh_.global[n], b.at.global, {}, kBent});
+      CheckpointRecord& r = out.emplace_back(CheckpointRecord{mesh_.global[n], b.at.global, {}, kBent});
       r.values.assign(set_.data() + b.memory, set_.data() + b.memory + b.remembered());
     }
   for (size_t k = 0; k < fed_.size(); ++k) {
@@ -74,13 +74,13 @@ std::vector<HistoryRecord> StructureTerm::records(NodeRange of) const {
   return out;
 }
 
-void StructureTerm::restore(const std::vector<HistoryRecord>& records) {
+void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
   power_ = 0;
   damping_ = 0;
   filtered_ = 0;
   std::map<int, double> stretch;
   std::map<int, const std::vector<double>*> bent;
-  for (const HistoryRecord& r : records) {
+  for (const CheckpointRecord& r : records) {
     if (r.kind == kSums) {
       const Sums s = entry<Sums>(r);
       power_ += s.power;

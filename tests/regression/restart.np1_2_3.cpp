@@ -133,7 +133,7 @@ TEST_P(Restart, OtherQuantitiesAreRefused) {
   io::Checkpoint k = run::read_restart(path + "/half.h5", s);
   const std::string name = "line contact";
   run::check_history(k, s.system(), "half.h5");
-  k.history.at(name).kinds.at(0).quantities.at(0).unit = "mm";
+  k.records.at(name).kinds.at(0).quantities.at(0).unit = "mm";
   try {
     run::check_history(k, s.system(), "half.h5");
     FAIL();

@@ -5,7 +5,7 @@
 namespace hawser::test::suite_test {
 namespace {
 
-void expect_same(const std::vector<HistoryRecord>& a, const std::vector<HistoryRecord>& b,
+void expect_same(const std::vector<CheckpointRecord>& a, const std::vector<CheckpointRecord>& b,
                  const std::string& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
   for (size_t i = 0; i < a.size(); ++i) {
@@ -15,8 +15,8 @@ void expect_same(const std::vector<HistoryRecord>& a, const std::vector<HistoryR
   }
 }
 
-std::vector<std::vector<HistoryRecord>> history(const System& system) {
-  std::vector<std::vector<HistoryRecord>> out;
+std::vector<std::vector<CheckpointRecord>> history(const System& system) {
+  std::vector<std::vector<CheckpointRecord>> out;
   for (const auto& t : system.terms()) out.push_back(t->save());
   return out;
 }

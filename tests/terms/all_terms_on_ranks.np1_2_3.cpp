@@ -106,7 +106,7 @@ TEST(SuiteRanks, EnergyAndHistory) {
       EXPECT_NEAR(sum(PETSC_COMM_WORLD, x.*part), y.*part, 1e-13 * size) << c.name;
     for (size_t t = 0; t < all.terms().size(); ++t) {
       auto mine = all.terms()[t]->save(), whole = one.terms()[t]->save();
-      const auto sums = [](const std::vector<HistoryRecord>& records) {
+      const auto sums = [](const std::vector<CheckpointRecord>& records) {
         double s = 0;
         for (const auto& r : records)
           for (double v : r.values) s += v;
@@ -119,11 +119,11 @@ TEST(SuiteRanks, EnergyAndHistory) {
         continue;            // a rank's sums, put on any of its nodes
       if (name == "seabed")  // whose second kind they are
         for (auto* records : {&mine, &whole})
-          std::erase_if(*records, [](const HistoryRecord& r) { return r.kind == 1; });
+          std::erase_if(*records, [](const CheckpointRecord& r) { return r.kind == 1; });
       EXPECT_EQ(sum(PETSC_COMM_WORLD, static_cast<double>(mine.size())), static_cast<double>(whole.size()))
           << c.name << ", " << name;
-      for (const HistoryRecord& r : mine) {
-        const auto same = std::find_if(whole.begin(), whole.end(), [&](const HistoryRecord& o) {
+      for (const CheckpointRecord& r : mine) {
+        const auto same = std::find_if(whole.begin(), whole.end(), [&](const CheckpointRecord& o) {
           return o.node == r.node && o.kind == r.kind && o.key == r.key;
         });
         EXPECT_TRUE(same != whole.end() && same->values == r.values)

@@ -117,7 +117,7 @@ std::vector<Scene> scenes() {
 }
 
 struct Outcome {
-  std::vector<HistoryRecord> kept;
+  std::vector<CheckpointRecord> kept;
   double longest = 0;
   std::vector<double> energies;
 };

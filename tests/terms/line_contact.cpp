@@ -34,9 +34,9 @@ TEST(LineContact, Situations) {
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->commit(end.view(m.trial.h));
     const auto records = m.contact->save();
-    const HistoryKind points = m.contact->history().front();
+    const CheckpointKind points = m.contact->checkpoint_kinds().front();
     size_t size = 0, gap_at = 0, normal_at = 0, friction_at = 0, from_at = 0, to_at = 0;
-    for (const HistoryQuantity& q : points.quantities) {
+    for (const CheckpointQuantity& q : points.quantities) {
       for (const auto& [name, at] : {std::pair{"gap", &gap_at},
                                      {"normal force", &normal_at},
                                      {"friction force", &friction_at},
@@ -46,7 +46,7 @@ TEST(LineContact, Situations) {
       size += static_cast<size_t>(q.components);
     }
     int ramp = 0, full = 0, sliding = 0, stuck = 0, moving = 0;
-    for (const HistoryRecord& r : records) {
+    for (const CheckpointRecord& r : records) {
       if (r.kind != 0 || r.key % 2 != 0) continue;  // once an element
       for (size_t i = 0; i < r.values.size(); i += size) {
         const double gap = r.values[i + gap_at], normal = r.values[i + normal_at];

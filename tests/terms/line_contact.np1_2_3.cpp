@@ -16,9 +16,9 @@ TEST(LineContactRanks, SameAsOnOne) {
     const State end_a = state_of(a, all.trial);
     const auto mine = all.contact->save(), whole = one.contact->save();
     EXPECT_EQ(over_ranks(static_cast<double>(mine.size())), static_cast<double>(whole.size())) << c.name;
-    for (const HistoryRecord& r : mine)
+    for (const CheckpointRecord& r : mine)
       EXPECT_TRUE(std::any_of(whole.begin(), whole.end(),
-                              [&](const HistoryRecord& o) {
+                              [&](const CheckpointRecord& o) {
                                 return o.node == r.node && o.kind == r.kind && o.key == r.key &&
                                        o.values == r.values;
                               }))
@@ -26,8 +26,8 @@ TEST(LineContactRanks, SameAsOnOne) {
 
     // Each rank goes on from the records of its own nodes.
     LineModel again(c, PETSC_COMM_WORLD);
-    std::vector<HistoryRecord> records;
-    for (const HistoryRecord& r : whole)
+    std::vector<CheckpointRecord> records;
+    for (const CheckpointRecord& r : whole)
       if (std::find(a.global.begin(), a.global.begin() + a.owned, r.node) != a.global.begin() + a.owned)
         records.push_back(r);
     again.contact->restore(records);

@@ -19,8 +19,8 @@ TEST(LinePairsRanks, SameAsOnOne) {
     const State end_a = state_of(a, all.trial);
     const auto whole = one.contact->save();
     PairModel again(c, PETSC_COMM_WORLD);
-    std::vector<HistoryRecord> records;
-    for (const HistoryRecord& r : whole)
+    std::vector<CheckpointRecord> records;
+    for (const CheckpointRecord& r : whole)
       if (std::find(a.global.begin(), a.global.begin() + a.owned, r.node) != a.global.begin() + a.owned)
         records.push_back(r);
     again.contact->restore(records);

@@ -421,11 +421,11 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
   for (Part* p : {&all, &two[0], &two[1]})
     for (const double x : {0.0, 0.004, 0.02, 0.017}) p->go(x);
   const auto points = [](const SeabedTerm& bed) {
-    std::vector<HistoryRecord> records = bed.save();
-    std::erase_if(records, [](const HistoryRecord& r) { return r.kind != 0; });
+    std::vector<CheckpointRecord> records = bed.save();
+    std::erase_if(records, [](const CheckpointRecord& r) { return r.kind != 0; });
     return records;
   };
-  const std::vector<HistoryRecord> whole = points(*all.bed);
+  const std::vector<CheckpointRecord> whole = points(*all.bed);
   EXPECT_EQ(whole.size(), 2u);
   EXPECT_GT(all.bed->energy(all.state.view(h)).friction, 1);
   EXPECT_EQ(
@@ -435,10 +435,10 @@ TEST(SeabedHalfWay, HistoryIsWithBothNodes) {
     Part& p = two[rank];
     EXPECT_EQ(p.force(rank), all.force(rank));
     EXPECT_NEAR(p.force(rank).z(), 500, 1e-9);
-    const std::vector<HistoryRecord> own = points(*p.bed);
+    const std::vector<CheckpointRecord> own = points(*p.bed);
     ASSERT_EQ(own.size(), 1u);
-    std::vector<HistoryRecord> of_whole;
-    for (const HistoryRecord& r : whole)
+    std::vector<CheckpointRecord> of_whole;
+    for (const CheckpointRecord& r : whole)
       if (r.node == rank) of_whole.push_back(r);
     ASSERT_EQ(of_whole.size(), 1u);
     EXPECT_EQ(own[0].key, of_whole[0].key);

@@ -57,7 +57,7 @@ Checkpoint checkpoint(int output) {
   c.time = output;
   c.nodes["state"].components = kState;
   for (int i = 0; i < kNodes * kState; ++i) c.nodes["state"].values.push_back(value(output, i));
-  CheckpointHistory& friction = c.history["friction"];
+  TermCheckpoint& friction = c.records["friction"];
   friction.kinds = {{"points", {{"slip", 1, "m"}, {"force", 1, "N"}}}};
   for (int i = 0; i < kNodes; ++i)
     if (i % 100 < output % 100) friction.records.push_back({i, 0, {1.0 * i, 1.0 * output}});
@@ -234,7 +234,7 @@ void expect_whole(const std::string& path, const Progress& progress) {
     EXPECT_LT(k, written[0]);
     const auto right = checkpoint(k);
     EXPECT_EQ(read.nodes.at("state").values, right.nodes.at("state").values);
-    const auto &found = read.history.at("friction").records, &records = right.history.at("friction").records;
+    const auto &found = read.records.at("friction").records, &records = right.records.at("friction").records;
     ASSERT_EQ(found.size(), records.size());
     for (size_t i = 0; i < records.size(); ++i) EXPECT_EQ(found[i].values, records[i].values);
   }

@@ -111,8 +111,8 @@ Checkpoint checkpoint(const std::vector<int>& owned, double time) {
   auto& x = c.nodes["position"];
   x.components = 3;
   c.nodes["tension"].components = 1;
-  c.history["none"];
-  CheckpointHistory& drum = c.history["friction drum"];
+  c.records["none"];
+  TermCheckpoint& drum = c.records["friction drum"];
   drum.kinds = {{"points of it", {{"slip of it", 1, "N m"}}}, {"sums", {{"work", 1, ""}}}};
   for (const int n : owned) {
     for (int i = 0; i < 3; ++i) x.values.push_back(std::sqrt(n + i / 3.0) * time);
@@ -141,12 +141,12 @@ void expect_same(const Checkpoint& a, Checkpoint b) {
     EXPECT_EQ(f.components, b.nodes.at(name).components);
     EXPECT_EQ(bits(f.values), bits(b.nodes.at(name).values)) << name;
   }
-  ASSERT_EQ(a.history.size(), b.history.size());
-  for (const auto& [name, history] : a.history) {
-    const auto& list = history.records;
-    auto& other = b.history.at(name).records;
-    EXPECT_EQ(history.kinds, b.history.at(name).kinds) << name;
-    std::stable_sort(other.begin(), other.end(), [](const HistoryRecord& p, const HistoryRecord& q) {
+  ASSERT_EQ(a.records.size(), b.records.size());
+  for (const auto& [name, kept] : a.records) {
+    const auto& list = kept.records;
+    auto& other = b.records.at(name).records;
+    EXPECT_EQ(kept.kinds, b.records.at(name).kinds) << name;
+    std::stable_sort(other.begin(), other.end(), [](const CheckpointRecord& p, const CheckpointRecord& q) {
       return p.node != q.node ? p.node < q.node : p.key < q.key;
     });
     ASSERT_EQ(list.size(), other.size()) << name;

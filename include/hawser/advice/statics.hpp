@@ -13,7 +13,7 @@ std::string slack_at_rest(const std::string& line, double length, bool fell);
 std::string no_waterplane(const std::string& body);
 // What of a line lies on the seabed [m]; laid: with friction in statics, which takes N of tension and holds m
 // with force to spare.
-std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double held);
+std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double sticking);
 std::string more_lines_on_bed(size_t lines);
 // Equilibria that statics left on its way; eigenvalues below 0 of the one it found.
 std::string unstable_equilibria_left(int equilibria);

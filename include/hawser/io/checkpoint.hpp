@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hawser/io/results_rows.hpp"
-#include "hawser/system/history.hpp"
+#include "hawser/system/checkpoint_record.hpp"
 
 namespace hawser::io {
 
@@ -22,20 +22,20 @@ struct CheckpointField {
 };
 
 // What a term keeps, and how; the kinds are the same on all ranks.
-struct CheckpointHistory {
-  std::vector<HistoryKind> kinds;
-  std::vector<HistoryRecord> records;  // of this rank's owned nodes
+struct TermCheckpoint {
+  std::vector<CheckpointKind> kinds;
+  std::vector<CheckpointRecord> records;  // of this rank's owned nodes
   // As in CheckpointField, of some nodes at a time.
-  std::function<std::vector<HistoryRecord>(NodeRange)> make = {};
+  std::function<std::vector<CheckpointRecord>(NodeRange)> make = {};
 };
 
 // Names (map keys) are the same on all ranks; a rank without records of a term gives an empty list.
 // Keys hold no line breaks.
 struct Checkpoint {
-  double time = 0;                                   // s
-  std::map<std::string, double> scalars;             // same on all ranks
-  std::map<std::string, CheckpointField> nodes;      // this rank's owned nodes
-  std::map<std::string, CheckpointHistory> history;  // by term
+  double time = 0;                                // s
+  std::map<std::string, double> scalars;          // same on all ranks
+  std::map<std::string, CheckpointField> nodes;   // this rank's owned nodes
+  std::map<std::string, TermCheckpoint> records;  // by term
 };
 
 // The newest complete checkpoint in the results file `path`, cut to the nodes this rank owns

@@ -32,10 +32,10 @@ struct RigidBodyState {
 struct RigidBodyResidual {
   Vec6 inertia = Vec6::Zero();  // m a; J alpha
   Vec6 applied = Vec6::Zero();  // - W; w x J w
-  Vec6 held = Vec6::Zero();     // by springs and dampers
+  Vec6 springs = Vec6::Zero();  // and dampers
   Mat6 K = Mat6::Zero(), C = Mat6::Zero(), M = Mat6::Zero();
 
-  Vec6 f() const { return inertia + applied + held; }
+  Vec6 f() const { return inertia + applied + springs; }
 };
 
 // `rest`: where the springs pull the centre of mass to, with its velocities. Rotations of half a turn from

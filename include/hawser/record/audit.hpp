@@ -20,7 +20,7 @@ struct Audit {
   // every step whichever way it went, and the strain energy that the start has set free.
   double at_start = 0, worked = 0, set_free = 0;
   double there = 0;        // the most that moved and was strained at a time, without what was made
-  double held = 0;         // the most strain energy: what rounding of an error is a part of
+  double most_strain = 0;  // the most strain energy: what rounding of an error is a part of
   double least_error = 0;  // so far
   // Dissipated so far: by friction, damping and the scheme, and what water has taken out and not brought
   // back.

@@ -8,8 +8,8 @@
 
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/assembler.hpp"
+#include "hawser/system/checkpoint_record.hpp"
 #include "hawser/system/field_registry.hpp"
-#include "hawser/system/history.hpp"
 #include "hawser/system/roles.hpp"
 
 namespace hawser {
@@ -58,13 +58,13 @@ class ForceTerm {
   }
   virtual void fields(FieldRegistry& registry) const { (void)registry; }
 
-  // The kinds of history records of the term, the same on all ranks.
-  virtual std::vector<HistoryKind> history() const { return {}; }
+  // The kinds of checkpoint records of the term, the same on all ranks.
+  virtual std::vector<CheckpointKind> checkpoint_kinds() const { return {}; }
   // Committed history of these of the owned nodes. Checkpoints are written in parts, one range at a time.
-  virtual std::vector<HistoryRecord> records(NodeRange) const { return {}; }
-  std::vector<HistoryRecord> save() const { return records({}); }
+  virtual std::vector<CheckpointRecord> records(NodeRange) const { return {}; }
+  std::vector<CheckpointRecord> save() const { return records({}); }
   // Restores the committed history; records may arrive in any order.
-  virtual void restore(const std::vector<HistoryRecord>& records) { (void)records; }
+  virtual void restore(const std::vector<CheckpointRecord>& records) { (void)records; }
 };
 
 }  // namespace hawser

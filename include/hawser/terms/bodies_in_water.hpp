@@ -33,9 +33,9 @@ class BodiesInWater final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   // Both centres of a body, in space.

@@ -62,9 +62,9 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
   // SolveError where two volumes are far deeper in each other than corners and edges have met. Collective.
   void watch(const Kinematics& at);

@@ -37,9 +37,9 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   void fields(FieldRegistry& registry) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
   // The springs have the directions of the line at the start of a step. A search of statics keeps those it
   // begins with, for its forces to have a potential, and goes on with those of the equilibrium that it finds,
   // until they are the same.

@@ -35,9 +35,9 @@ class EndSprings final : public ForceTerm {
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   // A spring on a body that moves: the body's rotation, and its moment on the spring, N m, body axes.

@@ -59,9 +59,9 @@ class Hydrodynamics final : public ForceTerm,
   double round_off(const Kinematics& at, double h) const override;
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   void fields(FieldRegistry& registry) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   // For the wall tension: areas of the bore and of the bare pipe, density and pressure of the contents.

@@ -48,9 +48,9 @@ class LineMassTerm final : public ForceTerm,
   void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
   void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations excluded
   double round_off(const Kinematics& at, double h) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   struct Built {

@@ -75,9 +75,9 @@ class LinePairs final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   // line_contact_force, line_contact_normal_force, line_friction_force, line_penetration.
   void fields(FieldRegistry& registry) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
   // Of the pairs this rank counts, over the run; elements of the mesh, -1: never touched.
   struct Deepest {

@@ -49,9 +49,9 @@ class LineVolumeContact final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   // contact_force, contact_normal_force and friction_force, distributed by the element's shape functions.
   void fields(FieldRegistry& registry) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override;
   // Sets whether lines touch a volume from now on. Called between steps, the same on all ranks.

@@ -38,9 +38,9 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   double round_off(const Kinematics& at, double h) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   struct Link {

@@ -47,10 +47,10 @@ class PlatformWater final : public ForceTerm,
   void oscillate(double omega) override;
   std::vector<std::string> origins(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
   // Collective: a rank has the records of its own bodies, and needs the velocities of all of a group.
-  void restore(const std::vector<HistoryRecord>& records) override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   struct Group;

@@ -33,9 +33,9 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   // ramp (trapezoid). In statics a moment has a potential too, good from the prepared state on only.
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   std::vector<NodeLoad> loads_;

@@ -38,9 +38,9 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   struct Load {

@@ -58,9 +58,9 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   // Force of the bed on a local node in the accepted state, N, space axes.
   Vec3 node_force(int node) const;
   void fields(FieldRegistry& registry) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override { friction_ = on ? Friction::contact : Friction::none; }
   // Friction in statics is counted from where the lines were laid, in two stages, until the first step in
@@ -78,7 +78,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   // The part of a line that is on the bed in the accepted state.
   struct OnBed {
     // m of line: on the bed; with friction; with friction that is not fully mobilised.
-    double lies = 0, laid = 0, held = 0;
+    double lies = 0, laid = 0, sticking = 0;
     double taken = 0;  // N, tension that friction takes up, positive from end A to end B
   };
   // By line of the mesh, summed over the points that this rank counts.

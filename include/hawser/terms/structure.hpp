@@ -61,9 +61,9 @@ class StructureTerm final : public ForceTerm,
   bool soften(double most) override;
   double axial_stiffness() const override;
   void fields(FieldRegistry& registry) const override;
-  std::vector<HistoryKind> history() const override;
-  std::vector<HistoryRecord> records(NodeRange of) const override;
-  void restore(const std::vector<HistoryRecord>& records) override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }
   // Called before the feed point of a feeder moves to the next element, inwards where a node is released: the

@@ -1,5 +1,5 @@
-// History of a term as a checkpoint stores it: numbers with names and units, so that a record of another
-// version with another layout is detected and not misread.
+// What a checkpoint stores of a term's committed history: numbers with names and units, so that a record of
+// another version with another layout is detected and not misread.
 #pragma once
 
 #include <limits>
@@ -11,22 +11,22 @@
 
 namespace hawser {
 
-struct HistoryQuantity {
+struct CheckpointQuantity {
   std::string name;
   int components = 1;
   std::string unit;
-  bool operator==(const HistoryQuantity&) const = default;
+  bool operator==(const CheckpointQuantity&) const = default;
 };
 
 // The contents of all records of a kind.
-struct HistoryKind {
+struct CheckpointKind {
   std::string name;
-  std::vector<HistoryQuantity> quantities;
-  bool operator==(const HistoryKind&) const = default;
+  std::vector<CheckpointQuantity> quantities;
+  bool operator==(const CheckpointKind&) const = default;
 };
 
 // A piece of a term's committed history that belongs to a node.
-struct HistoryRecord {
+struct CheckpointRecord {
   int node = 0;                // mesh node (file order)
   int key = 0;                 // distinguishes the term's records of a node (for example by the volume)
   std::vector<double> values;  // the quantities of its kind, for one entry or for several in sequence
@@ -46,8 +46,8 @@ struct NodeRange {
 // They are numbers, flags, vectors and arrays of two numbers. The functions below derive from it.
 
 template <class T>
-HistoryKind history_kind(std::string name) {
-  HistoryKind kind{std::move(name), {}};
+CheckpointKind checkpoint_kind(std::string name) {
+  CheckpointKind kind{std::move(name), {}};
   T one{};
   T::quantities(one, [&kind](const char* quantity, const char* unit, const auto& value) {
     using V = std::remove_cvref_t<decltype(value)>;
@@ -70,20 +70,19 @@ void put(const T& entry, std::vector<double>& values) {
 }
 
 template <class T>
-HistoryRecord record_of(int node, int key, const T& entry, int kind = 0) {
-  HistoryRecord r{node, key, {}, kind};
+CheckpointRecord record_of(int node, int key, const T& entry, int kind = 0) {
+  CheckpointRecord r{node, key, {}, kind};
   put(entry, r.values);
   return r;
 }
 
 // The entries of a record. Throws std::invalid_argument if its length is no multiple of an entry's.
 template <class T>
-std::vector<T> entries(const HistoryRecord& record) {
+std::vector<T> entries(const CheckpointRecord& record) {
   std::vector<T> all;
   std::size_t at = 0;
   const auto next = [&] {
-    if (at == record.values.size())
-      throw std::invalid_argument("a record of history in the checkpoint is truncated");
+    if (at == record.values.size()) throw std::invalid_argument("a record of the checkpoint is truncated");
     return record.values[at++];
   };
   while (at < record.values.size())
@@ -101,10 +100,9 @@ std::vector<T> entries(const HistoryRecord& record) {
 
 // The only entry of a record. Throws std::invalid_argument if there is not exactly one.
 template <class T>
-T entry(const HistoryRecord& record) {
+T entry(const CheckpointRecord& record) {
   std::vector<T> all = entries<T>(record);
-  if (all.size() != 1)
-    throw std::invalid_argument("a record of history in the checkpoint has the wrong size");
+  if (all.size() != 1) throw std::invalid_argument("a record of the checkpoint has the wrong size");
   return all.front();
 }
 
