@@ -33,7 +33,7 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& 
                                       std::span<const LineVolumeContact::Load> loads, double from,
                                       double to) const {
   Vec12 f = Vec12::Zero();
-  system_.element_force(at, e, f.data());
+  system_.element_force(at, e, f);
   const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
   const Quat &q1 = at.q[e.first], &q2 = at.q[e.second];
   const Vec3 x1 = shape.point(0);

@@ -92,7 +92,7 @@ SectionForce EndForces::section(const Kinematics& at, int element, bool second,
   const LocalMesh& local = system_.mesh();
   const LocalElement& e = local.elements[element];
   Vec12 f = Vec12::Zero();
-  system_.element_force(at, e, f.data());
+  system_.element_force(at, e, f);
   const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
   const size_t i = e.first, j = e.second, n = second ? j : i;
   SectionForce s;

@@ -169,11 +169,10 @@ void Assembler::add_between(int a, int b, const Vec3& f, const Mat3* k, const Ma
   if (!matrix_) return;
   const int blocks[2] = {a, b};
   if (tied(a) || tied(b)) {
-    double K[36], C[36];
-    for (const auto& [from, to] : {std::pair(k, K), std::pair(c, C)})
-      for (int i = 0; i < 36; ++i)
-        to[i] = from ? ((i / 18 == i % 6 / 3) ? 1 : -1) * (*from)(i / 6 % 3, i % 3) : 0;
-    return add_tied(blocks, blocks, K, C, nullptr);
+    Mat6 K = Mat6::Zero(), C = Mat6::Zero();
+    if (k) K << *k, -*k, -*k, *k;
+    if (c) C << *c, -*c, -*c, *c;
+    return add_tied(blocks, blocks, K.data(), C.data(), nullptr);
   }
   double J[37];
   for (int i = 0; i < 3; ++i)
@@ -195,7 +194,7 @@ void Assembler::add_mean_between(int a, int b, const Vec3& f, const Mat3* k) {
   add_between(a, b, counted, &stiffness, nullptr);
 }
 
-void Assembler::add_weighted(int a, int b, const double* f, const double* J) {
+void Assembler::add_weighted(int a, int b, const Vec6& f, const Mat6& J) {
   if (force_) {
     add_force(a, f[0], f[1], f[2]);
     add_force(b, f[3], f[4], f[5]);
@@ -203,11 +202,11 @@ void Assembler::add_weighted(int a, int b, const double* f, const double* J) {
   if (!matrix_) return;
   const int blocks[2] = {a, b};
   double own[37];
-  std::copy(J, J + 36, own);
+  std::copy_n(J.data(), 36, own);
   put(blocks, blocks, own);
 }
 
-void Assembler::add_masses(int a, int b, const double* f, double own, double shared) {
+void Assembler::add_masses(int a, int b, const Vec6& f, double own, double shared) {
   if (force_) {
     add_force(a, f[0], f[1], f[2]);
     add_force(b, f[3], f[4], f[5]);

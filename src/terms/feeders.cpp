@@ -249,7 +249,6 @@ void Feeders::prepare(const Kinematics& committed, double) {
 
 void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
   if (!(trial.step > 0)) return;
-  using Six = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
   for (const Feeder& f : feeders_) {
     const LocalElement* e = at_feed_point(f);
     if (!e) continue;
@@ -258,9 +257,9 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     force(f, m, trial, *e, out);
     const int blocks[2] = {mesh_.block[f.at_b ? e->second : e->first],
                            mesh_.block[f.at_b ? e->first : e->second]};
-    const double r[6] = {out[0].x(), out[0].y(), out[0].z(), out[1].x(), out[1].y(), out[1].z()};
+    const Vec6 r = (Vec6() << out[0], out[1]).finished();
     if (!assembler.needs_tangent()) {
-      assembler.add(blocks, r, nullptr, nullptr, nullptr);
+      assembler.add(blocks, r.data(), nullptr, nullptr, nullptr);
       continue;
     }
     const MassShares mass = mass_shares(f.beam);
@@ -270,8 +269,8 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     // the opposite sign.
     const double by_x = m.acceleration / m.length - 2 * rate * rate, by_v = 2 * rate;
     const double own = f.mass_per_length * m.speed * rate;
-    Six K = Six::Zero(), C = Six::Zero(), M = Six::Zero();
-    const auto put = [](Six& to, int i, double value) {
+    Mat6 K = Mat6::Zero(), C = Mat6::Zero(), M = Mat6::Zero();
+    const auto put = [](Mat6& to, int i, double value) {
       to.block<3, 3>(3 * i, 3).diagonal().array() = value;
       to.block<3, 3>(3 * i, 0).diagonal().array() = -value;
     };
@@ -279,11 +278,11 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     put(K, 1, shared * by_x);
     put(C, 0, held * by_v);
     put(C, 1, shared * by_v);
-    assembler.add(blocks, r, K.data(), C.data(), M.data());
+    assembler.add(blocks, r.data(), K.data(), C.data(), M.data());
   }
 }
 
-void Feeders::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   if (!(at.step > 0)) return;
   for (const Feeder& feeder : feeders_) {
     if (element(feeder, feeder.feed_point) != e.global) continue;
@@ -292,10 +291,8 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, double*
     // The feeder, not the line, provides the momentum of the material that it sets in motion.
     const Flow o = flow(feed_point(feeder, at, false), at, e, feeder.at_b);
     out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
-    for (int i = 0; i < 3; ++i) {
-      f[i] += out[feeder.at_b ? 1 : 0][i];
-      f[6 + i] += out[feeder.at_b ? 0 : 1][i];
-    }
+    f.head<3>() += out[feeder.at_b ? 1 : 0];
+    f.segment<3>(6) += out[feeder.at_b ? 0 : 1];
   }
 }
 

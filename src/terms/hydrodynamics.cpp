@@ -244,7 +244,7 @@ double Hydrodynamics::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   const Piece* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);

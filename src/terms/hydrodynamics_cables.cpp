@@ -109,7 +109,7 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& 
               b = mesh_.block[static_cast<size_t>(p.at.second)];
     // Of a tied end the derivatives are asked one by one.
     if (wet >> i & 1 && !(assembler.tied(a) || assembler.tied(b)))
-      assembler.add_weighted(a, b, f[i].data(), J[i].data());
+      assembler.add_weighted(a, b, f[i], J[i]);
     else
       evaluate(p, trial, assembler);
   }

@@ -96,7 +96,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       Vec6 f;
       cable_mass_force(p.section, trial.a[i], trial.a[j], w, f);
       const CableMass m = cable_mass(p.section);
-      assembler.add_masses(a, b, f.data(), m.own, m.shared);
+      assembler.add_masses(a, b, f, m.own, m.shared);
     } else if (assembler.needs_tangent()) {
       Vec12 f;
       Mat12 K, C, M;
@@ -110,7 +110,7 @@ void LineMassTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+void LineMassTerm::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   const Piece* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   if (p->beam) {

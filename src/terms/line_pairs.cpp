@@ -153,7 +153,8 @@ AttachedForces LinePairs::forces(const Pair& pair, const PairAxis& A, const Pair
 void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool tangent = assembler.needs_tangent();
   const AxisContactMode mode{trial.step > 0, tangent, assembler.convex()};
-  double f[24], K[576], C[576];
+  BlockVector f;
+  BlockMatrix K, C;
   const std::vector<Rod> is = rods(trial);
   for (Pair& pair : pairs_) {
     if (!near(pair, is)) continue;
@@ -161,11 +162,15 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
     Trial& found = find(pair, A, B);
     if (!found.active) continue;
     const AttachedForces g = forces(pair, A, B, found, mode);
-    std::fill(std::begin(f), std::end(f), 0.0);
+    const Stencil stencil = stencil_of(A, B);
+    const Eigen::Index size = 3 * stencil.blocks;
+    f.setZero(size);
     const bool damped = tangent && trial.step > 0 && pair.law.normal.damping > 0;
-    if (tangent) std::fill(std::begin(K), std::end(K), 0.0);
-    if (damped) std::fill(std::begin(C), std::end(C), 0.0);
-    stencil_of(A, B).to_blocks(g, !assembler.convex(), f, tangent ? K : nullptr, damped ? C : nullptr);
+    if (tangent) K.setZero(size, size);
+    if (damped) C.setZero(size, size);
+    const double *by_x = tangent ? K.data() : nullptr, *by_v = damped ? C.data() : nullptr;
+    stencil.to_blocks(g, !assembler.convex(), f.data(), tangent ? K.data() : nullptr,
+                      damped ? C.data() : nullptr);
     int blocks[8], n = 0;
     for (const bool second : {false, true}) {
       const ContactSegment& s = segment(second ? pair.b : pair.a);
@@ -175,7 +180,7 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
         if ((second ? B : A).beam()) blocks[n++] = b + 1;
       }
     }
-    assembler.add({blocks, static_cast<size_t>(n)}, f, tangent ? K : nullptr, damped ? C : nullptr, nullptr);
+    assembler.add({blocks, static_cast<size_t>(n)}, f.data(), by_x, by_v, nullptr);
   }
 }
 

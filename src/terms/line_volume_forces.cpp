@@ -60,20 +60,22 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
     const bool beam = near.shape.count() == AxisShape::kMost;
     Stencil stencil;
     near.shape.attach(stencil);
-    double f[12] = {}, K[144], C[144];
+    const Eigen::Index size = 3 * stencil.blocks;
+    BlockVector f = BlockVector::Zero(size);
+    BlockMatrix K, C;
     if (tangent) {
-      std::fill(std::begin(K), std::end(K), 0.0);
-      std::fill(std::begin(C), std::end(C), 0.0);
+      K.setZero(size, size);
+      C.setZero(size, size);
     }
     contact(pair, near.shape, {moves, tangent, assembler.convex()})
-        .to_blocks(stencil, f, tangent ? K : nullptr, tangent ? C : nullptr);
-    const double *by_x = tangent ? K : nullptr, *by_v = tangent && moves ? C : nullptr;
+        .to_blocks(stencil, f.data(), tangent ? K.data() : nullptr, tangent ? C.data() : nullptr);
+    const double *by_x = tangent ? K.data() : nullptr, *by_v = tangent && moves ? C.data() : nullptr;
     const LocalElement& e = local(pair);
     const int a = mesh_.block[e.first], b = mesh_.block[e.second];
     const int blocks[4] = {a, beam ? a + 1 : b, b, b + 1};
     const size_t count = stencil.blocks;
     if (!volumes_.floats(pair.volume)) {
-      assembler.add({blocks, count}, f, by_x, by_v, nullptr);
+      assembler.add({blocks, count}, f.data(), by_x, by_v, nullptr);
       continue;
     }
     std::array<LineBlock, 4> line;
@@ -82,7 +84,7 @@ void LineVolumeContact::evaluate(const Kinematics& trial, Assembler& assembler) 
       line[i] = {blocks[i], beam && i % 2 == 1, trial.x[n], trial.v[n], trial.q[n].toRotationMatrix()};
     }
     add_against_body(assembler, {line.data(), count}, volumes_.floating_frame(pair.volume, trial), e.counted,
-                     f, by_x, by_v);
+                     f.data(), by_x, by_v);
   }
 }
 

@@ -159,8 +159,8 @@ void PointMasses::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (size_t i = 0; i < masses_.size(); ++i) {
     const double m = masses_[i].mass;
     const Vec3 force = m * (trial.a[masses_[i].node] + gravity_ * Vec3::UnitZ());
-    const double M[9] = {m, 0, 0, 0, m, 0, 0, 0, m};
-    assembler.add({&block_[i], 1}, force.data(), nullptr, nullptr, M);
+    const Mat3 M = m * Mat3::Identity();
+    assembler.add({&block_[i], 1}, force.data(), nullptr, nullptr, M.data());
   }
 }
 

@@ -357,7 +357,7 @@ Energy StructureTerm::energy(const Kinematics& at) const {
 }
 
 // Adds the force of element e to f, in the sign of the residual. Both lists are in the order of the mesh.
-void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;
     Vec12 own;

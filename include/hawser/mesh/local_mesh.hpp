@@ -74,12 +74,12 @@ const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
   return at != kept.end() && at->at.global == e.global ? &*at : nullptr;
 }
 
-// Adds a beam's residual (x1, theta1, x2, theta2), or a cable's (x1, x2), to f[12], which is laid out as a
+// Adds a beam's residual (x1, theta1, x2, theta2), or a cable's (x1, x2), to f, which is laid out as a
 // beam's.
-inline void add_ends(const Vec12& own, double* f) { Eigen::Map<Vec12>{f} += own; }
-inline void add_ends(const Vec6& own, double* f) {
-  Eigen::Map<Vec3>{f} += own.head<3>();
-  Eigen::Map<Vec3>{f + 6} += own.tail<3>();
+inline void add_ends(const Vec12& own, Vec12& f) { f += own; }
+inline void add_ends(const Vec6& own, Vec12& f) {
+  f.head<3>() += own.head<3>();
+  f.segment<3>(6) += own.tail<3>();
 }
 
 // Makes the coupling ghosts those of `nodes` (of the mesh, sorted) that are no local nodes already. Local

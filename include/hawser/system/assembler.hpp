@@ -24,6 +24,10 @@ struct Weights {
   double stiffer = 0;
 };
 
+// Force on up to eight blocks and its derivatives, 3n and (3n)x(3n), in memory of their own.
+using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1>;
+using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 24, 24>;
+
 class Assembler {
  public:
   bool needs_force() const { return force_ != nullptr; }
@@ -49,18 +53,18 @@ class Assembler {
   // is then no mean and enters as by add_between. f is also summed, without the weight, for
   // System::mean_forces().
   void add_mean_between(int a, int b, const Vec3& f, const Mat3* k);
-  // For masses that couple positions: f[6]. M is `own` times the identity on the diagonal and `shared` times
-  // it off the diagonal.
-  void add_masses(int a, int b, const double* f, double own, double shared);
-  // For kernels that apply weights() to their derivatives themselves. They call add_weighted() with f[6] and
-  // J[36] of two positions.
+  // For masses that couple positions, with the force f on both. M is `own` times the identity on the diagonal
+  // and `shared` times it off the diagonal.
+  void add_masses(int a, int b, const Vec6& f, double own, double shared);
+  // For kernels that apply weights() to their derivatives themselves. They call add_weighted() with force
+  // and derivatives of two positions.
   const Weights& weights() const { return weights_; }
   // While this is on, contributions to rows of other ranks are kept and sent to their owners, which do not
   // compute them themselves.
   void send(bool on) { sending_ = on; }
   // Whether derivatives by a block also act on a frame, so that add_weighted() cannot take them.
   bool tied(int block) const { return ties_->tied(block); }
-  void add_weighted(int a, int b, const double* f, const double* J);
+  void add_weighted(int a, int b, const Vec6& f, const Mat6& J);
 
  private:
   friend class System;

@@ -61,9 +61,9 @@ class RaisesStiffness {
 class ActsOnElements {
  public:
   virtual ~ActsOnElements() = default;
-  // Adds the contribution of this term to the residual of a local element, from the state alone: f[12] = (x1,
+  // Adds the contribution of this term to the residual of a local element, from the state alone: f = (x1,
   // theta1, x2, theta2), forces in space axes [N], moments in material axes [N m]. Cables have no moments.
-  virtual void element_force(const Kinematics& at, const LocalElement& e, double* f) const = 0;
+  virtual void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const = 0;
 };
 
 // Has mass on lines.

@@ -66,7 +66,7 @@ class System {
     return out;
   }
   // Adds the forces of all terms on an element of a line, see ActsOnElements.
-  void element_force(const Kinematics& at, const LocalElement& e, double* f) const {
+  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
     for (const ActsOnElements* t : on_elements_) t->element_force(at, e, f);
   }
 

@@ -103,7 +103,7 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
+  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
   void limit_step(const Kinematics&, ImpactEvents&) const override {}
   Verdict check_step(const Kinematics& trial) const override;
 

@@ -57,7 +57,7 @@ class Hydrodynamics final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
-  void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
+  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;

@@ -45,7 +45,7 @@ class LineMassTerm final : public ForceTerm,
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
-  void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
+  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
   void motion(const Kinematics& at, std::span<LineMotion> lines) const override;  // rotations excluded
   double round_off(const Kinematics& at, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;

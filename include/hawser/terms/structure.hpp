@@ -52,7 +52,7 @@ class StructureTerm final : public ForceTerm,
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  void element_force(const Kinematics& at, const LocalElement& e, double* f) const override;
+  void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const override;
   double round_off(const Kinematics& at, double h) const override;
   Overstretch overstretched(const Kinematics& at) const override;
   void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
