@@ -53,7 +53,7 @@ std::string text_of(const LengthsTried& tried, const model::LengthTarget& t) {
 
 }  // namespace
 
-std::string length_tried(const LengthSought& at) {
+std::string length_tried(const LengthSearched& at) {
   const model::LengthTarget& t = at.target;
   const std::string where = at.in_feeder ? fmt::format("inside the feeder at {}", end_of(t))
                                          : fmt::format("of section {}", t.section + 1);
@@ -61,7 +61,7 @@ std::string length_tried(const LengthSought& at) {
                      name_of(t), value_text(t, at.value), value_text(t, t.value));
 }
 
-std::string length_found(const LengthSought& at, int trials) {
+std::string length_found(const LengthSearched& at, int trials) {
   const model::LengthTarget& t = at.target;
   if (at.in_feeder)
     return fmt::format(
@@ -73,13 +73,13 @@ std::string length_found(const LengthSought& at, int trials) {
       at.line, t.section + 1, at.length, at.given, name_of(t), value_text(t, at.value), trials);
 }
 
-std::string length_not_found(const LengthSought& at, const LengthsTried& tried) {
+std::string length_not_found(const LengthSearched& at, const LengthsTried& tried) {
   const model::LengthTarget& t = at.target;
   return fmt::format("no length of section {} between {:g} and {:g} m was found that gives {} as the {}{}",
                      t.section + 1, t.least, t.most, value_text(t, t.value), name_of(t), text_of(tried, t));
 }
 
-std::string feeder_not_at_rest(const LengthSought& at, const LengthsTried& tried) {
+std::string feeder_not_at_rest(const LengthSearched& at, const LengthsTried& tried) {
   const model::LengthTarget& t = at.target;
   return fmt::format(
       "line {}: the feeder at {} does not begin with its tension of {}, but with {:g} m inside as given: no "

@@ -42,7 +42,7 @@ std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndFo
   if (ClashReport::wanted(s)) add(std::make_unique<ClashReport>(s));
   if (!c.supports.empty()) add(std::make_unique<SupportLog>(s));
   if (c.output.touchdowns && c.environment.seabed.present) add(std::make_unique<TouchdownHistory>(s));
-  add(std::make_unique<LinkHistory>(s));
+  add(std::make_unique<TermHistory>(s));
   add(std::make_unique<FeederHistory>(s));
   add(std::make_unique<EnergyHistory>(s));
   add(std::make_unique<StepHistory>(s));

@@ -8,7 +8,6 @@
 
 #include "hawser/base/gather.hpp"
 #include "hawser/terms/feeders.hpp"
-#include "hawser/terms/links.hpp"
 
 namespace hawser::record {
 namespace {
@@ -45,23 +44,16 @@ void TouchdownHistory::rows(const Snapshot& s, Rows& to) {
   }
 }
 
-LinkHistory::LinkHistory(const Subject& subject) : subject_(subject), links_(subject.term<Links>()) {}
+TermHistory::TermHistory(const Subject& subject) : terms_(subject.system.with<HasSeries>()) {}
 
-void LinkHistory::declare(Declarations& to) {
-  for (const model::Link& l : subject_.model.links)
-    to.contents.series.push_back(
-        {l.name + " link",
-         {{"tension", "N", 1}, {"length", "m", 1}, {"speed", "m/s", 1}, {"force", "N", 3}}});
+void TermHistory::declare(Declarations& to) {
+  for (const HasSeries* term : terms_)
+    for (Series& s : term->series()) to.contents.series.push_back({std::move(s.name), std::move(s.columns)});
 }
 
-void LinkHistory::rows(const Snapshot& s, Rows& to) {
-  for (size_t i = 0; i < subject_.model.links.size(); ++i) {
-    const Links::Now l = links_->now(i, s.at);
-    std::vector<double>& row = to.emplace_back();
-    if (!l.known) continue;
-    row = {l.force.along.tension, l.force.length, l.force.speed};
-    row.insert(row.end(), l.force.pull.begin(), l.force.pull.end());
-  }
+void TermHistory::rows(const Snapshot& s, Rows& to) {
+  for (const HasSeries* term : terms_)
+    for (std::vector<double>& row : term->rows(s.at)) to.push_back(std::move(row));
 }
 
 FeederHistory::FeederHistory(const Subject& subject) : subject_(subject), feeders_(subject.term<Feeders>()) {}

@@ -118,7 +118,7 @@ bool LengthSearch::update(const AtRest& now) {
   return was && !met_;
 }
 
-advice::LengthSought LengthSearch::sought(const model::Case& c) const {
+advice::LengthSearched LengthSearch::searched(const model::Case& c) const {
   return {.line = c.lines[line_].name,
           .target = t_,
           .in_feeder = feeder_ >= 0,
@@ -127,10 +127,10 @@ advice::LengthSought LengthSearch::sought(const model::Case& c) const {
           .value = value_};
 }
 
-std::string LengthSearch::now(const model::Case& c) const { return advice::length_tried(sought(c)); }
+std::string LengthSearch::now(const model::Case& c) const { return advice::length_tried(searched(c)); }
 
 std::string LengthSearch::found(const model::Case& c, int trials) const {
-  return failed_ ? advice::feeder_not_at_rest(sought(c), tried()) : advice::length_found(sought(c), trials);
+  return failed_ ? advice::feeder_not_at_rest(searched(c), tried()) : advice::length_found(searched(c), trials);
 }
 
 // Of the trials, which are lengths with what their values lack.
@@ -150,7 +150,7 @@ advice::LengthsTried LengthSearch::tried() const {
 void LengthSearch::throw_not_found(const model::Case& c) {
   if (feeder_ < 0)
     c.refuse(fmt::format("lines.{}.target", c.lines[line_].name),
-             advice::length_not_found(sought(c), tried()));
+             advice::length_not_found(searched(c), tried()));
   failed_ = met_ = true;
   length_ = given_;
 }

@@ -140,18 +140,18 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   distribute(comm);
   if (std::any_of(case_.lines.begin(), case_.lines.end(),
                   [](const auto& l) { return l.end_a.feed || l.end_b.feed; }))
-    feeders_ = add<Feeders>(local(), case_);
+    add<Feeders>(local(), case_);
   add_line_terms();
   StartShape start = start_shape(case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
   const Kinematics at = start.state.view(0);
   bodies_->fix_drawn(comm, case_, at);
   if (!case_.links.empty()) add<Links>(comm, case_, local(), bodies_, at);
-  if (feeders_) {
-    feeders_->clamp(start.ends);
-    start.tied = feeders_->with_held(start.tied);
+  if (Feeders* fed = feeders()) {
+    fed->clamp(start.ends);
+    start.tied = fed->with_held(start.tied);
   }
-  const std::vector<int> held = held_nodes(case_, local(), feeders_, start.tied);
+  const std::vector<int> held = held_nodes(case_, local(), feeders(), start.tied);
   add_seabed(at, held);
   add_contact(at, held, surfaces);
   add_bodies(std::move(surfaces), std::move(skeletons));
@@ -207,7 +207,7 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
     if (volume.settings.basis == model::StiffnessBasis::automatic)
       choose_stiffness(case_, *mesh_, volume, notes_);
   bodies_->exchange_poses(comm, start);
-  start_contact_ = start_contact(comm, case_, local(), start, *bodies_, feeders_, volumes_);
+  start_contact_ = start_contact(comm, case_, local(), start, *bodies_, feeders(), volumes_);
   notes_.insert(notes_.end(), start_contact_.notes.begin(), start_contact_.notes.end());
   if (!case_.supports.empty()) {
     std::vector<RigidPose> poses;
@@ -254,6 +254,7 @@ std::optional<RigidPose> Simulation::body_pose(int body, const Kinematics& at) c
 }
 
 SeabedTerm* Simulation::seabed() const { return system_->find<SeabedTerm>(); }
+Feeders* Simulation::feeders() const { return system_->find<Feeders>(); }
 const BodyContactTerm* Simulation::body_contact() const { return system_->find<BodyContactTerm>(); }
 const RigidBodies* Simulation::floating() const { return system_->find<RigidBodies>(); }
 
@@ -390,7 +391,7 @@ std::vector<std::string> Simulation::on_bed() const {
 
 void Simulation::check_inside() const {
   bodies_->exchange_poses(system_->comm(), state_.view(0));
-  const std::string wrong = still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, feeders_,
+  const std::string wrong = still_inside(system_->comm(), case_, local(), state_.view(0), *bodies_, feeders(),
                                          volumes_, start_contact_);
   if (!wrong.empty()) throw InputError(case_.path + ": " + wrong);
 }
@@ -405,7 +406,7 @@ std::string Simulation::inside(int volume, const Kinematics& at) const {
       excluded_ends.push_back(l);
     }
   bodies_->exchange_poses(system_->comm(), at);
-  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders_, v, excluded_ends);
+  return inside_text(system_->comm(), case_, local(), at, *bodies_, feeders(), v, excluded_ends);
 }
 
 void Simulation::enable_contact(const model::Action& action) {

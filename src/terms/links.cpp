@@ -1,5 +1,5 @@
 // The class Links: which ranks have a link, its force and tangent on what carries its ends, its energy, and
-// the work of dampers and of bodies with prescribed motion.
+// the work of dampers and of bodies with prescribed motion, and its history.
 #include "hawser/terms/links.hpp"
 
 #include <cmath>
@@ -28,6 +28,7 @@ Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::sh
   const int rank = rank_of(comm);
   for (const model::Link& m : c.links) {
     Link& l = list_.emplace_back();
+    l.name = m.name;
     l.a = attached(m.end_a, c, mesh);
     l.b = attached(m.end_b, c, mesh);
     l.law = m.law;
@@ -81,9 +82,23 @@ Links::Stretched Links::stretched(const Link& l, const Kinematics& at, bool conv
   return s;
 }
 
-Links::Now Links::now(size_t i, const Kinematics& at) const {
-  const Link& l = list_[i];
-  return l.counted ? Now{true, stretched(l, at).force} : Now{};
+std::vector<Series> Links::series() const {
+  std::vector<Series> out;
+  for (const Link& l : list_)
+    out.push_back({l.name + " link",
+                   {{"tension", "N", 1}, {"length", "m", 1}, {"speed", "m/s", 1}, {"force", "N", 3}}});
+  return out;
+}
+
+std::vector<std::vector<double>> Links::rows(const Kinematics& at) const {
+  std::vector<std::vector<double>> out;
+  for (const Link& l : list_) {
+    std::vector<double>& row = out.emplace_back();
+    if (!l.counted) continue;
+    const LinkForce f = stretched(l, at).force;
+    row = {f.along.tension, f.length, f.speed, f.pull.x(), f.pull.y(), f.pull.z()};
+  }
+  return out;
 }
 
 void Links::evaluate(const Kinematics& trial, Assembler& assembler) {

@@ -10,16 +10,16 @@
 namespace hawser::advice {
 
 // A search for the length of a section, or of what is inside a feeder (whose target is its tension).
-struct LengthSought {
+struct LengthSearched {
   std::string line;
   const model::LengthTarget& target;
   bool in_feeder = false;
   double given = 0, length = 0, value = 0;  // m, of the case; m, tried last; in the unit of the target
 };
 // Of one trial.
-std::string length_tried(const LengthSought& at);
+std::string length_tried(const LengthSearched& at);
 // The end of the search, after so many statics.
-std::string length_found(const LengthSought& at, int trials);
+std::string length_found(const LengthSearched& at, int trials);
 
 // What a search without result has tried: (length, value), and why statics failed beyond those.
 struct LengthsTried {
@@ -31,8 +31,8 @@ struct LengthsTried {
   std::optional<double> jumps;  // m, where the value jumps over the target
   std::string why;
 };
-std::string length_not_found(const LengthSought& at, const LengthsTried& tried);
-std::string feeder_not_at_rest(const LengthSought& at, const LengthsTried& tried);
+std::string length_not_found(const LengthSearched& at, const LengthsTried& tried);
+std::string feeder_not_at_rest(const LengthSearched& at, const LengthsTried& tried);
 std::string targets_do_not_settle();
 // Of a run that continues from another one, which has found it.
 std::string length_of_other_run(const std::string& line, int section, double length);

@@ -24,7 +24,7 @@ std::string overstretched(const Overstretched& at);
 std::string overstretched_in_statics(const std::string& what);
 std::string overstretched_at(double time, const std::string& what);  // s
 
-// Tension known within a part `share` of itself; sufficient: EA [N] that is as good as no stretch.
+// Tension known within a part `share` of itself; sufficient: EA [N] equivalent to no stretch.
 std::string tension_lost_in_rounding(const std::string& line, double share, double EA, double sufficient);
 
 // Of a step: clauses that say why it is not taken.

@@ -1,14 +1,14 @@
-// Histories of a few numbers at every step: touchdown points, links, feeders, energies and the steps
-// themselves.
+// Histories of a few numbers at every step: touchdown points, those of force terms, feeders, energies and the
+// steps themselves.
 #pragma once
 
 #include "hawser/record/recording.hpp"
 #include "hawser/record/subject.hpp"
 #include "hawser/record/touchdown.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 class Feeders;
-class Links;
 }  // namespace hawser
 
 namespace hawser::record {
@@ -25,16 +25,15 @@ class TouchdownHistory : public Recording {
   Touchdowns touchdowns_;
 };
 
-// Of each link of the case.
-class LinkHistory : public Recording {
+// What force terms declare by themselves.
+class TermHistory : public Recording {
  public:
-  explicit LinkHistory(const Subject& subject);
+  explicit TermHistory(const Subject& subject);
   void declare(Declarations& to) override;
   void rows(const Snapshot& s, Rows& to) override;
 
  private:
-  const Subject& subject_;
-  const Links* links_;  // null: there are none
+  std::vector<HasSeries*> terms_;
 };
 
 // Of each end that is fed.

@@ -61,7 +61,7 @@ class LengthSearch {
  private:
   void begin(double from, double step);
   double reached(const AtRest& now) const;
-  advice::LengthSought sought(const model::Case& c) const;
+  advice::LengthSearched searched(const model::Case& c) const;
   advice::LengthsTried tried() const;
   bool narrow() const;
 

@@ -56,8 +56,7 @@ class Simulation {
   SeabedTerm* seabed() const;
   const BodyContactTerm* body_contact() const;
   const RigidBodies* floating() const;
-  // Of ends of lines; null: there are none.
-  Feeders* feeders() const { return feeders_; }
+  Feeders* feeders() const;
   // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
   // For what records it; surfaces: one for each volume of the case.
@@ -128,7 +127,6 @@ class Simulation {
   std::optional<bool> static_friction_;  // by a stage; none: as the case has it
   bool any_laid_ = false;                // of any line of the case it is known where it was laid
   std::vector<Vec3> laid_;               // m, where local nodes were laid on the bed; as in StartShape
-  Feeders* feeders_ = nullptr;
 };
 
 }  // namespace hawser::run

@@ -10,24 +10,22 @@
 #include "hawser/model/case.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/between_points.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
 
 // The links of a case, in its order. Every rank that owns one of the nodes that carry its ends has both; the
 // owner of the first of them counts it. See docs/theory/links.md.
-class Links final : public ForceTerm, public CouplesNodes, public ScalesResiduals {
+class Links final : public ForceTerm, public CouplesNodes, public ScalesResiduals, public HasSeries {
  public:
   // Rest lengths that are not given are those of the start shape, once the bodies that are drawn in space are
   // fixed (Bodies::fix_drawn). Refuses (model::Case::refuse) a link that has none then. Collective.
   Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
         const Kinematics& start);
 
-  // Of link i in a state, on the rank that counts it; elsewhere not `known`.
-  struct Now {
-    bool known = false;
-    LinkForce force;
-  };
-  Now now(size_t i, const Kinematics& at) const;
+  // Of each link, on the rank that counts it.
+  std::vector<Series> series() const override;
+  std::vector<std::vector<double>> rows(const Kinematics& at) const override;
 
   std::string_view name() const override { return "links"; }
   bool recouple(const Kinematics& committed, double h) override;
@@ -44,6 +42,7 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
 
  private:
   struct Link {
+    std::string name;
     Attached a, b;
     LinkLaw law;
     int owner = -1;                            // mesh node, of the first end that one carries

@@ -7,6 +7,7 @@
 
 #include "hawser/math/types.hpp"
 #include "hawser/state/kinematics.hpp"
+#include "hawser/system/field.hpp"
 
 namespace hawser {
 
@@ -31,6 +32,22 @@ class InCurrent {
   virtual ~InCurrent() = default;
   // What the velocities of the case are multiplied by.
   virtual void scale_current(double factor) = 0;
+};
+
+// A named row of numbers at every step, beside the fields of nodes.
+struct Series {
+  std::string name;
+  std::vector<Field> columns;  // name, unit and components
+};
+
+// Has rows of its own at every step.
+class HasSeries {
+ public:
+  virtual ~HasSeries() = default;
+  virtual std::vector<Series> series() const = 0;  // the same on all ranks
+  // A row for each of them in an accepted state, with all components of its columns; empty on all ranks but
+  // one.
+  virtual std::vector<std::vector<double>> rows(const Kinematics& at) const = 0;
 };
 
 // A force on a body by what it comes from: on its centre of mass and about it, axes of space.
