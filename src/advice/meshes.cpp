@@ -133,6 +133,32 @@ std::string triangles_without_area(int removed) {
   return fmt::format("{} triangles without area were removed", removed);
 }
 
+std::string flat_facets() { return "Facets are flat."; }
+
+std::string curved_facets(long curved, double bulge, long sharp_edges) {
+  if (curved == 0) return "No facet is part of a curved surface.";
+  return fmt::format("{} facets are curved, by up to {:.3g} m; {} edges are sharp.", curved, bulge,
+                     sharp_edges);
+}
+
+std::string exact_shape(size_t triangles) {
+  return fmt::format("exact shape; {} triangles for pictures only", triangles);
+}
+
+std::string drawn_coarser(size_t drawn, size_t vertices) {
+  return fmt::format("ParaView is shown {} of its {} vertices or fewer, as it moves; contact has all.", drawn,
+                     vertices);
+}
+
+std::string internal_facets(long facets) {
+  return fmt::format("{} triangles have the inside on both sides and are excluded from contact", facets);
+}
+
+std::string slow_inside_test(size_t triangles) {
+  return fmt::format("the inside test visits all {} triangles at every query; `sign: automatic` is faster",
+                     triangles);
+}
+
 std::string vertex_too_far(double distance, double scale) {
   return fmt::format(
       "has a vertex {:.4g} m from the origin; is it in other units than metres (scale is {:g})?", distance,

@@ -1,10 +1,9 @@
 // The part of the class Events that is kept in checkpoints: when each event happened, and what it found.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <set>
 #include <tuple>
 
+#include "hawser/advice/restart.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/run/events.hpp"
@@ -38,6 +37,9 @@ void Events::save(io::Checkpoint& to) const {
 
 std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   watch();
+  const auto refusal = [this](const std::string& why) {
+    return InputError("{}: events: {}", sim_.model().path, why);
+  };
   std::vector<Happening*> happened;
   std::set<std::string> known;  // keys
   for (Happening& h : events_) {
@@ -48,15 +50,8 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
     if (at == from.scalars.end()) {
       if (h.what.cause.kind == Cause::Kind::time &&
           h.what.cause.time < from.time - record::time_tolerance(from.time))
-        throw InputError(
-            "{}: events: {} was to be {} at {:g} s, before t = {:g} s from which the run goes on, and was "
-            "not; give it a later time",
-            sim_.model().path, h.what.action.subject(), h.what.action.participle(), h.what.cause.time,
-            from.time);
-      if (h.what.cause.kind == Cause::Kind::stage)
-        throw InputError("{}: events: {} is to be {} {}, and was not in the run that this one goes on from",
-                         sim_.model().path, h.what.action.subject(), h.what.action.participle(),
-                         h.what.cause.text());
+        throw refusal(advice::event_before_restart(h.what, from.time));
+      if (h.what.cause.kind == Cause::Kind::stage) throw refusal(advice::event_of_statics_missing(h.what));
       continue;
     }
     h.happened = at->second;
@@ -71,10 +66,7 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   }
   for (const auto& [key, time] : from.scalars)
     if (key.starts_with(kHappened) && !known.count(key))
-      throw InputError(
-          "{}: events: '{}' happened at t = {:g} s of the run that this one goes on from, and no event of "
-          "the case says so; keep that event",
-          sim_.model().path, key.substr(kHappened.size()), time);
+      throw refusal(advice::event_unknown(std::string(key.substr(kHappened.size())), time));
   std::stable_sort(happened.begin(), happened.end(), [](const Happening* a, const Happening* b) {
     return std::tie(a->happened, a->order) < std::tie(b->happened, b->order);
   });
@@ -82,8 +74,7 @@ std::vector<std::string> Events::restore(const io::Checkpoint& from) {
   actions_.begin();
   for (const Happening* h : happened) {
     actions_.repeat(h->what.action, h->found, h->happened);
-    messages.push_back(fmt::format("note: {} was {} at t = {:.6g} s", h->what.action.subject(),
-                                   h->what.action.participle(), h->happened));
+    messages.push_back("note: " + advice::event_happened(h->what, h->happened));
   }
   if (messages.empty()) return messages;
   System& system = sim_.system();

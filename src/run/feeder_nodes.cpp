@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "hawser/advice/lengths.hpp"
+#include "hawser/advice/restart.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
@@ -247,25 +248,20 @@ void FeederNodes::save(io::Checkpoint& to) const {
 }
 
 void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
-  const auto refuse = [&](const std::string& why) {
-    return InputError("cannot go on from {}: {}", path, why);
-  };
+  const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_go_on(path, why)); };
   size_t there = 0, here = sim_.feeders() ? sim_.feeders()->list().size() : 0;
   for (const auto& [name, value] : from.scalars)
     there += name.starts_with("feeder.") && name.ends_with(".feed_point");
-  if (there != here)
-    throw refuse(fmt::format("{} of its lines' ends {} fed, and {} in this case", there,
-                             there == 1 ? "is" : "are", here));
+  if (there != here) throw refuse(advice::other_number_of_feeds(there, here));
   if (!sim_.feeders()) return;
   const int rank = rank_of(sim_.system().comm());
   sim_.feeders()->set_work(rank == 0 ? from.scalars.at("feeders.work") : 0);
   for (Feeder& f : sim_.feeders()->list()) {
-    if (!from.scalars.count(key(f, "feed_point"))) throw refuse(f.name + " is not fed there");
+    if (!from.scalars.count(key(f, "feed_point"))) throw refuse(advice::not_fed_there(f.name));
     const auto take = [&](const char* what) { return from.scalars.at(key(f, what)); };
     const double feed_point = take("feed_point");
     if (!(feed_point >= 0 && feed_point < sim_.feeders()->elements(f)) || !(take("length") > 0))
-      throw refuse(
-          fmt::format("its checkpoint is damaged: the feed point of {} is {:g}", f.name, feed_point));
+      throw refuse(advice::damaged_checkpoint("the feed point of " + f.name, feed_point));
     f.feed_point = static_cast<int>(feed_point);
     f.length = take("length");
     f.speed = take("speed");

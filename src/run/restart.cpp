@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "hawser/advice/restart.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
@@ -94,14 +95,14 @@ std::string difference(const std::map<std::string, double>& there,
   for (const std::string& name : names) {
     const auto a = there.find(name), b = here.find(name);
     if (a != there.end() && b != here.end() && a->second == b->second) continue;
-    if (name == "case.rotating nodes") return "other nodes are of beams";
-    if (name == "case.plastic bending") return "another 'plasticity' of line types";
-    if (name.starts_with("case.volume ")) return "other volumes";
+    if (name == "case.rotating nodes") return advice::other_beams();
+    if (name == "case.plastic bending") return advice::other_plasticity();
+    if (name.starts_with("case.volume ")) return advice::other_volumes();
     if (!name.starts_with(kKey)) continue;
     const std::string key = name.substr(kKey.size());
-    return a == there.end()  ? key + " is not in it"
-           : b == here.end() ? "it has " + key
-                             : key + " is another there";
+    return advice::other_key(key, a == there.end()  ? advice::KeyDiffers::missing_there
+                                  : b == here.end() ? advice::KeyDiffers::missing_here
+                                                    : advice::KeyDiffers::other_value);
   }
   return "";
 }
@@ -109,9 +110,7 @@ std::string difference(const std::map<std::string, double>& there,
 // What is wrong with the time, the numbers that steps go by, or this rank's part of the state; empty:
 // nothing.
 std::string damage(const io::Checkpoint& c) {
-  const auto wrong = [](const std::string& what, double value) {
-    return fmt::format("its checkpoint is damaged: {} is {:g}", what, value);
-  };
+  const auto wrong = advice::damaged_checkpoint;
   if (!(c.time >= 0 && c.time < HUGE_VAL)) return wrong("the time", c.time);
   for (const auto& [name, value] : c.scalars)
     if (name.starts_with("step.") && !(value >= 0 && value <= 1e9)) return wrong(name, value);
@@ -189,10 +188,7 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
 namespace {
 
 InputError older(const std::string& path, const std::string& what) {
-  return InputError(
-      "cannot go on from {}: another version of hawser wrote it, which kept other quantities of {}; begin "
-      "with its last shape by 'start: {{from: {}}}', or anew",
-      path, what, path);
+  return InputError(advice::cannot_go_on(path, advice::other_version(path, what)));
 }
 
 }  // namespace
@@ -213,7 +209,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   io::Checkpoint c = io::read_checkpoint(comm, path, static_cast<int>(simulation.mesh().nodes.size()),
                                          {m.global.begin(), m.global.begin() + m.owned});
   const auto refuse = [&](const std::string& why) {
-    return InputError("cannot go on from {}: it holds another case: {}", path, why);
+    return InputError(advice::cannot_go_on(path, advice::other_case(why)));
   };
   std::map<std::string, double> there = c.scalars;
   std::erase_if(there,
@@ -221,7 +217,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   if (!c.scalars.count(kKeys)) throw older(path, "the case");
   if (const std::string other = difference(there, signature(simulation)); !other.empty()) throw refuse(other);
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
-    throw InputError("cannot go on from {}: {}", path, wrong);
+    throw InputError(advice::cannot_go_on(path, wrong));
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
   check_records(c, simulation.system(), path);
   return c;
@@ -235,11 +231,7 @@ io::Checkpoint read_restart(const std::string& path, Simulation& simulation) {
   } catch (const InputError& e) {
     const std::vector<std::string>& changes = simulation.model().changes;
     if (changes.empty()) throw;
-    throw InputError(
-        "{} (the case is changed by --set {}; a run that goes on may have another duration, other motions, "
-        "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or "
-        "volumes)",
-        e.what(), fmt::join(changes, " --set "));
+    throw InputError(advice::changed_by_set(e.what(), changes));
   }
 }
 
@@ -253,9 +245,7 @@ std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
     std::string there;
     for (std::string line; std::getline(lines, line);) there += " --set " + line;
     const std::string here = changes.empty() ? "" : fmt::format(" --set {}", fmt::join(changes, " --set "));
-    if (there != here)
-      notes.push_back(fmt::format("the run of {} was made with{}, and goes on with{}", path,
-                                  there.empty() ? "out --set" : there, here.empty() ? "out --set" : here));
+    if (there != here) notes.push_back(advice::other_changes(path, there, here));
   });
   return notes;
 }

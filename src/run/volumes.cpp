@@ -72,25 +72,14 @@ class Meshes {
       c_.refuse("volumes." + v.name + ".mesh", e.what());
     }
     if (surface->internal_facets() > 0)
-      l.notes.push_back(
-          fmt::format("{}: {} triangles have the inside on both sides and are excluded from contact", v.mesh,
-                      surface->internal_facets()));
-    if (!v.smooth) {
-      l.report += " Facets are flat.";
-    } else if (surface->curved() == 0) {
-      l.report += " No facet is part of a curved surface.";
-    } else {
-      l.report += fmt::format(" {} facets are curved, by up to {:.3g} m; {} edges are sharp.",
-                              surface->curved(), surface->bulge(), surface->sharp_edges());
-    }
+      l.notes.push_back(v.mesh + ": " + advice::internal_facets(surface->internal_facets()));
+    l.report +=
+        " " + (v.smooth ? advice::curved_facets(surface->curved(), surface->bulge(), surface->sharp_edges())
+                        : advice::flat_facets());
     if (drawn_coarser(c_, i, surface->mesh().vertices.size()))
-      l.report +=
-          fmt::format(" ParaView is shown {} of its {} vertices or fewer, as it moves; contact has all.",
-                      kDrawnVertices, surface->mesh().vertices.size());
+      l.report += " " + advice::drawn_coarser(kDrawnVertices, surface->mesh().vertices.size());
     if (v.sign == SignTest::tetrahedra || v.sign == SignTest::ray || v.sign == SignTest::solid_angle)
-      l.notes.push_back(
-          fmt::format("the inside test visits all {} triangles at every query; `sign: automatic` is faster",
-                      surface->mesh().triangles.size()));
+      l.notes.push_back(advice::slow_inside_test(surface->mesh().triangles.size()));
     return surface;
   }
   // After the last.
@@ -184,7 +173,7 @@ LoadedVolume load_shape(const model::Case& c, const model::Volume& v) {
   kept->view = kept->mesh;
   l.facets = {kept, &kept->view};
   l.active.assign(l.facets->triangles.size(), true);
-  l.report = fmt::format("exact shape; {} triangles for pictures only", l.facets->triangles.size());
+  l.report = advice::exact_shape(l.facets->triangles.size());
   return l;
 }
 

@@ -28,7 +28,7 @@ def configured(script):
 
 
 class OneBuild(unittest.TestCase):
-    def test_both_configure_alike(self):
+    def test_both_configure_the_same_build(self):
         known = {**defaults(), **preset("native")}
         name, given = configured("run")
         self.assertEqual((name, given), ("native", {}))

@@ -27,6 +27,13 @@ std::string duplicates_excluded(const DuplicateResult& done);
 std::string flat_pieces_excluded(int pieces);
 std::string only_flat_pieces();
 std::string triangles_without_area(int removed);
+// What contact and pictures have of a surface: sentences for `hawser check`, and notes.
+std::string flat_facets();
+std::string curved_facets(long curved, double bulge, long sharp_edges);  // m
+std::string exact_shape(size_t triangles);
+std::string drawn_coarser(size_t drawn, size_t vertices);
+std::string internal_facets(long facets);
+std::string slow_inside_test(size_t triangles);
 std::string vertex_too_far(double distance, double scale);  // m
 
 }  // namespace hawser::advice

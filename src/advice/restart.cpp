@@ -1,0 +1,110 @@
+// Sentences about runs that continue from a checkpoint.
+#include "hawser/advice/restart.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace hawser::advice {
+
+std::string cannot_go_on(const std::string& file, const std::string& because) {
+  return fmt::format("cannot go on from {}: {}", file, because);
+}
+
+std::string no_file() { return "there is no such file"; }
+
+std::string not_readable() { return "it cannot be read"; }
+
+std::string not_hdf5() { return "it is no HDF5 file"; }
+
+std::string not_results() { return "it is no results file of hawser, or damaged"; }
+
+std::string damaged_checkpoint(const std::string& quantity, double value) {
+  return fmt::format("its checkpoint is damaged: {} is {:g}", quantity, value);
+}
+
+std::string other_version(const std::string& file, const std::string& kept) {
+  return fmt::format(
+      "another version of hawser wrote it, which kept other quantities of {}; begin with its last shape by "
+      "'start: {{from: {}}}', or anew",
+      kept, file);
+}
+
+std::string other_case(const std::string& difference) { return "it holds another case: " + difference; }
+
+std::string other_number_of_lines(size_t there, size_t here) {
+  return fmt::format("lines: {} there, {} here", there, here);
+}
+
+std::string other_line(size_t place, const std::string& there, const std::string& here) {
+  return fmt::format("its line {} is {}, not {}", place, there, here);
+}
+
+std::string other_number_of_nodes(const std::string& line, double there, int here) {
+  return fmt::format("line {} has {} nodes there, {} here", line, there, here);
+}
+
+std::string other_node(const std::string& line, double there, double here) {
+  return fmt::format("a node of line {} is at {:.6g} m there, {:.6g} m here", line, there, here);
+}
+
+std::string other_beams() { return "other nodes are of beams"; }
+
+std::string other_plasticity() { return "another 'plasticity' of line types"; }
+
+std::string other_volumes() { return "other volumes"; }
+
+std::string other_key(const std::string& key, KeyDiffers how) {
+  switch (how) {
+    case KeyDiffers::missing_there:
+      return key + " is not in it";
+    case KeyDiffers::missing_here:
+      return "it has " + key;
+    case KeyDiffers::other_value:
+      break;
+  }
+  return key + " is another there";
+}
+
+std::string other_number_of_feeds(size_t there, size_t here) {
+  return fmt::format("{} of its lines' ends {} fed, and {} in this case", there, there == 1 ? "is" : "are",
+                     here);
+}
+
+std::string not_fed_there(const std::string& end) { return end + " is not fed there"; }
+
+std::string changed_by_set(const std::string& text, const std::vector<std::string>& changes) {
+  return fmt::format(
+      "{} (the case is changed by --set {}; a run that goes on may have another duration, other motions, "
+      "waves, loads, friction, steps and outputs, but not other lines, lengths, elements, links or volumes)",
+      text, fmt::join(changes, " --set "));
+}
+
+std::string other_changes(const std::string& file, const std::string& there, const std::string& here) {
+  return fmt::format("the run of {} was made with{}, and goes on with{}", file,
+                     there.empty() ? "out --set" : there, here.empty() ? "out --set" : here);
+}
+
+std::string event_before_restart(const model::Event& event, double time) {
+  return fmt::format(
+      "{} was to be {} at {:g} s, before t = {:g} s from which the run goes on, and was not; give it a later "
+      "time",
+      event.action.subject(), event.action.participle(), event.cause.time, time);
+}
+
+std::string event_of_statics_missing(const model::Event& event) {
+  return fmt::format("{} is to be {} {}, and was not in the run that this one goes on from",
+                     event.action.subject(), event.action.participle(), event.cause.text());
+}
+
+std::string event_unknown(const std::string& name, double time) {
+  return fmt::format(
+      "'{}' happened at t = {:g} s of the run that this one goes on from, and no event of the case says so; "
+      "keep that event",
+      name, time);
+}
+
+std::string event_happened(const model::Event& event, double time) {
+  return fmt::format("{} was {} at t = {:.6g} s", event.action.subject(), event.action.participle(), time);
+}
+
+}  // namespace hawser::advice
