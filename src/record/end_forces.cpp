@@ -60,30 +60,35 @@ void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
   if (feeders_) evaluate_feed_points(at, carried);
 }
 
-// The ends of what is inside feeders have what is at the feed point.
+// The ends of what is inside feeders have what is at the feed point. One rank knows it; the maximum over the
+// ranks of all feeders' numbers is one exchange.
 void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried) {
+  constexpr size_t kNumbers = 10;  // force, moment, direction, what the feeder feels
   const auto& elements = system_.mesh().elements;
-  feed_points_.assign(feeders_->list().size(), {});
-  feeder_forces_.assign(feed_points_.size(), 0);
-  for (size_t k = 0; k < feed_points_.size(); ++k) {
-    const Feeder& f = feeders_->list()[k];
-    SectionForce& m = feed_points_[k];
-    double feeder_force = -HUGE_VAL;
-    m.force = m.moment = m.direction = Vec3::Constant(-HUGE_VAL);
-    if (const LocalElement* e = feeders_->at_feed_point(f); e && e->counted) {
-      m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
-      feeder_force = m.tension();
-      if (f.beam && !f.bar.plastic) {
-        const Vec3 own = at.q[f.at_b ? e->second : e->first].conjugate() * m.moment;
-        feeder_force += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
-      }
+  const std::vector<Feeder>& feeders = feeders_->list();
+  std::vector<double> all(kNumbers * feeders.size(), -HUGE_VAL);
+  for (size_t k = 0; k < feeders.size(); ++k) {
+    const Feeder& f = feeders[k];
+    const LocalElement* e = feeders_->at_feed_point(f);
+    if (!e || !e->counted) continue;
+    const SectionForce m = section(at, static_cast<int>(e - elements.data()), f.at_b, carried);
+    double* to = all.data() + kNumbers * k;
+    for (const Vec3* v : {&m.force, &m.moment, &m.direction}) to = std::copy(v->begin(), v->end(), to);
+    *to = m.tension();
+    if (f.beam && !f.bar.plastic) {
+      const Vec3 own = at.q[f.at_b ? e->second : e->first].conjugate() * m.moment;
+      *to += 0.5 * (own.y() * own.y() / f.bar.EI2 + own.z() * own.z() / f.bar.EI3);
     }
-    for (Vec3* v : {&m.force, &m.moment, &m.direction}) all_reduce(system_.comm(), MPI_MAX, *v);
-    all_reduce(system_.comm(), MPI_MAX, feeder_force);
-    m.beam = f.beam;
-    feeder_forces_[k] = feeder_force;
+  }
+  all_reduce(system_.comm(), MPI_MAX, all);
+  feed_points_.assign(feeders.size(), {});
+  feeder_forces_.assign(feeders.size(), 0);
+  for (size_t k = 0; k < feeders.size(); ++k) {
+    const double* from = all.data() + kNumbers * k;
+    feed_points_[k] = {Vec3(from), Vec3(from + 3), Vec3(from + 6), feeders[k].beam};
+    feeder_forces_[k] = from[9];
     for (Place& p : places_)
-      if (p.end == 2 * f.line + f.at_b) p.sides = {feed_points_[k], feed_points_[k]};
+      if (p.end == 2 * feeders[k].line + feeders[k].at_b) p.sides = {feed_points_[k], feed_points_[k]};
   }
 }
 
