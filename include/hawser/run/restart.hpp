@@ -25,7 +25,7 @@ std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
                                          const std::vector<std::string>& changes);
 
 // Throws InputError, naming the term, where terms keep other quantities than the checkpoint holds.
-void check_history(const io::Checkpoint& checkpoint, const System& system, const std::string& path);
+void check_records(const io::Checkpoint& checkpoint, const System& system, const std::string& path);
 
 // Puts dynamics and terms where the checkpoint was taken, on whatever ranks there are now. Collective.
 void restore(const io::Checkpoint& checkpoint, Simulation& simulation);
