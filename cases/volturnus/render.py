@@ -10,4 +10,4 @@ import sys
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
 from render import main  # noqa: E402
 
-main(direction=[0.6, 1.0, -0.35], focus=[0.0, 0.0, -40.0], height=420.0, size=[900, 520], at=[1760])
+main(direction=[0.6, 1.0, -0.35], focus=[0.0, 0.0, -20.0], height=460.0, size=[900, 520], at=[1760])
