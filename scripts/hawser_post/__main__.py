@@ -1,4 +1,4 @@
-"""The commands written in Python: hawser report, plot, export, extremes, fatigue, pipe, lay, compare, view and new."""
+"""The commands written in Python: hawser report, plot, export, rao, extremes, fatigue, pipe, lay, compare, view and new."""
 import os
 import sys
 import traceback
@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 
 try:
-    from . import export, extremes_report, fatigue, fatigue_report, lay, pipe_report, plot, report, scene
+    from . import export, extremes_report, fatigue, fatigue_report, lay, pipe_report, plot, report, responses_report, scene
     from .arguments import Parser, add_set, place_for, port_from, time_from
     from .given import modes_of, refuse_since, results_of
     from .results import Refusal
@@ -83,6 +83,17 @@ def commands():
     p.add_argument("--since", **since)
     add_set(p)
     p.set_defaults(do=make_export)
+
+    p = sub.add_parser("rao", help="responses of a body to the waves of a run: amplitudes and lags over the period, as table and figure")
+    p.add_argument("results", nargs="+", metavar="RESULTS", help=of + "; of several, such as runs in waves of several periods, all count")
+    p.add_argument("--name", help="history of the body, as in output.histories (default: the first of a body)")
+    p.add_argument("--at", type=responses_report.point_from, default=[0.0, 0.0, 0.0], metavar="X,Y,Z",
+                   help="point whose motion it is, m in the body's frame (default: its origin)")
+    p.add_argument("--segment", metavar="T", help="of an irregular sea: length of the segments of its spectra (default: an eighth of the time)")
+    p.add_argument("--since", **since)
+    p.add_argument("-o", "--output", help=".csv, or .rao for `motion.rao` of a case (default: <results>-rao.csv); a figure goes beside it")
+    add_set(p)
+    p.set_defaults(do=responses_report.make)
 
     p = sub.add_parser("extremes", help="most probable maximum and quantile of a history in a duration, by fitted distributions")
     p.add_argument("results", nargs="+", metavar="RESULTS", help=of + "; of several runs of one sea state, all count")

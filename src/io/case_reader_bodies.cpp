@@ -47,18 +47,20 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     if (&other == &b) break;
     if (!other.mass || !other.mass->hydrodynamics) continue;
     const model::BodyHydrodynamics& before = *other.mass->hydrodynamics;
-    if (before.wamit == h.wamit && before.length == h.length && before.second_order == h.second_order)
+    if (before.wamit == h.wamit && before.length == h.length && before.second_order == h.second_order &&
+        before.mirrored == h.mirrored)
       h.data = before.data;
   }
   if (!h.data) {
-    WamitUnits units;
-    units.length = h.length;
-    units.density = c.environment.water.density;
-    units.gravity = c.environment.gravity;
+    WamitForm form;
+    form.length = h.length;
+    form.density = c.environment.water.density;
+    form.gravity = c.environment.gravity;
+    form.mirrored = h.mirrored;
     std::vector<std::string> notes, read;
     try {
       h.data = std::make_shared<const model::HydrodynamicData>(
-          read_wamit(h.wamit, units, h.second_order, read, notes));
+          read_wamit(h.wamit, form, h.second_order, read, notes));
     } catch (const std::runtime_error& e) {
       model::refuse(v["wamit"], e.what());
     }

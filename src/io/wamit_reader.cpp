@@ -54,7 +54,7 @@ NumberTable required(const std::string& stem, const char* ending, const std::vec
 }
 
 // A = rho L^k Abar, B = rho omega L^k Bbar; k = 3 between translations, 5 between rotations, else 4.
-void read_radiation(const std::string& stem, const WamitUnits& units, std::vector<std::string>& read,
+void read_radiation(const std::string& stem, const WamitForm& form, std::vector<std::string>& read,
                     HydrodynamicData& data, bool& has_infinite) {
   const NumberTable table = required(stem, ".1", {4, 5}, "added mass and damping", read);
   int modes = 6;
@@ -73,7 +73,7 @@ void read_radiation(const std::string& stem, const WamitUnits& units, std::vecto
   for (const NumberRow& row : table.rows) {
     const double period = row.values[0];
     const int i = mode_of(table, row, 1, modes), j = mode_of(table, row, 2, modes);
-    const double scale = units.density * std::pow(units.length, 3 + rotates(i) + rotates(j));
+    const double scale = form.density * std::pow(form.length, 3 + rotates(i) + rotates(j));
     if (period == 0) {
       has_infinite = true;
       data.infinite(i, j) = scale * row.values[3];
@@ -97,7 +97,7 @@ void read_radiation(const std::string& stem, const WamitUnits& units, std::vecto
 }
 
 // C33 = rho g L², C34, C35: L³, the rest: L⁴ times Cbar.
-void read_hydrostatics(const std::string& stem, const WamitUnits& units, std::vector<std::string>& read,
+void read_hydrostatics(const std::string& stem, const WamitForm& form, std::vector<std::string>& read,
                        HydrodynamicData& data) {
   const NumberTable table = required(stem, ".hst", {3}, "hydrostatic stiffness", read);
   const int n = 6 * data.bodies;
@@ -105,7 +105,7 @@ void read_hydrostatics(const std::string& stem, const WamitUnits& units, std::ve
   for (const NumberRow& row : table.rows) {
     const int i = mode_of(table, row, 0, n), j = mode_of(table, row, 1, n);
     data.hydrostatic(i, j) =
-        units.density * units.gravity * std::pow(units.length, 2 + rotates(i) + rotates(j)) * row.values[2];
+        form.density * form.gravity * std::pow(form.length, 2 + rotates(i) + rotates(j)) * row.values[2];
   }
 }
 
@@ -113,7 +113,7 @@ void read_hydrostatics(const std::string& stem, const WamitUnits& units, std::ve
 // -180 and 180 degrees are the same.
 class ForceRows {
  public:
-  explicit ForceRows(int bodies) : bodies_(bodies) {}
+  ForceRows(int bodies, bool mirrored) : bodies_(bodies), mirrored_(mirrored) {}
   void add(double period, double direction_deg, int mode, Complex value) {
     double direction = std::fmod(direction_deg, 360.0);
     if (direction < 0) direction += 360;
@@ -125,7 +125,8 @@ class ForceRows {
     at[static_cast<size_t>(mode)] = value;
   }
   // Of each body. A pair of frequency and direction without any row: refused.
-  std::vector<WaveForceTable> tables(const std::string& path) const {
+  std::vector<WaveForceTable> tables(const std::string& path) {
+    if (mirrored_) add_other_side(path);
     std::vector<double> omega, directions;
     for (const auto& [at, value] : values_)
       if (omega.empty() || at.first > omega.back()) omega.push_back(at.first);
@@ -148,22 +149,47 @@ class ForceRows {
   }
 
  private:
+  static constexpr long kRound = 360000000;  // key of 360 deg
+
+  // X(-beta) is X(beta) with sway, roll and yaw reversed.
+  void add_other_side(const std::string& path) {
+    const auto on = [this](bool port) {
+      return std::any_of(directions_.begin(), directions_.end(), [port](const auto& d) {
+        return port ? d.first > 0 && d.first < kRound / 2 : d.first > kRound / 2;
+      });
+    };
+    if (on(true) && on(false))
+      throw std::runtime_error(path +
+                               ": has directions on both sides of the body, and 'symmetry: port_starboard' "
+                               "makes the other side of files of one side");
+    const auto given = values_;
+    for (const auto& [at, value] : given) {
+      const auto [omega, key] = at;
+      if (key == 0 || key == kRound / 2) continue;
+      std::vector<Complex> image = value;
+      for (size_t mode = 1; mode < image.size(); mode += 2) image[mode] = -image[mode];
+      directions_[kRound - key] = 2 * M_PI - directions_.at(key);
+      values_[{omega, kRound - key}] = std::move(image);
+    }
+  }
+
   int bodies_;
+  bool mirrored_;
   std::map<long, double> directions_;
   std::map<std::pair<double, long>, std::vector<Complex>> values_;
 };
 
 // X = rho g L^m (re + i im): m = 2 of forces, 3 of moments.
-void read_excitation(const std::string& stem, const WamitUnits& units, std::vector<std::string>& read,
+void read_excitation(const std::string& stem, const WamitForm& form, std::vector<std::string>& read,
                      HydrodynamicData& data) {
   NumberTable table = table_of(stem, ".3", {7}, read);
   if (table.path.empty()) table = table_of(stem, ".2", {7}, read);
   if (table.path.empty()) return;
-  ForceRows rows(data.bodies);
+  ForceRows rows(data.bodies, form.mirrored);
   for (const NumberRow& row : table.rows) {
     if (!(row.values[0] > 0)) continue;
     const int mode = mode_of(table, row, 2, 6 * data.bodies);
-    const double scale = units.density * units.gravity * std::pow(units.length, 2 + rotates(mode));
+    const double scale = form.density * form.gravity * std::pow(form.length, 2 + rotates(mode));
     rows.add(row.values[0], row.values[1], mode, scale * Complex(row.values[5], row.values[6]));
   }
   data.excitation = rows.tables(table.path);
@@ -171,15 +197,15 @@ void read_excitation(const std::string& stem, const WamitUnits& units, std::vect
 
 // Mean forces in a regular wave: rho g A² L^k re, k = 1 of forces, 2 of moments; of two directions only equal
 // ones count. Modes below 0 are moments about other axes.
-bool read_drift(const std::string& stem, const char* ending, const WamitUnits& units,
+bool read_drift(const std::string& stem, const char* ending, const WamitForm& form,
                 std::vector<std::string>& read, HydrodynamicData& data) {
   const NumberTable table = table_of(stem, ending, {8}, read);
   if (table.path.empty()) return false;
-  ForceRows rows(data.bodies);
+  ForceRows rows(data.bodies, form.mirrored);
   for (const NumberRow& row : table.rows) {
     if (row.values[1] != row.values[2] || !(row.values[0] > 0) || row.values[3] < 0) continue;
     const int mode = mode_of(table, row, 3, 6 * data.bodies);
-    const double scale = units.density * units.gravity * std::pow(units.length, 1 + rotates(mode));
+    const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
     rows.add(row.values[0], row.values[1], mode, scale * row.values[6]);
   }
   data.drift = rows.tables(table.path);
@@ -190,7 +216,7 @@ bool read_drift(const std::string& stem, const char* ending, const WamitUnits& u
 constexpr double kSamePeriod = 1e-4;
 
 // F_ij = rho g L^k (re + i im); half of the matrix is given, F_ji = conj F_ij. One direction.
-bool read_difference(const std::string& stem, const WamitUnits& units, std::vector<std::string>& read,
+bool read_difference(const std::string& stem, const WamitForm& form, std::vector<std::string>& read,
                      HydrodynamicData& data, std::vector<std::string>& notes) {
   const NumberTable table = table_of(stem, ".12d", {9}, read);
   if (table.path.empty()) return false;
@@ -221,7 +247,7 @@ bool read_difference(const std::string& stem, const WamitUnits& units, std::vect
       continue;
     }
     const int mode = mode_of(table, row, 4, 6);
-    const double scale = units.density * units.gravity * std::pow(units.length, 1 + rotates(mode));
+    const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
     const Complex value = scale * Complex(row.values[7], row.values[8]);
     const size_t i = place(row.values[0]), j = place(row.values[1]);
     values[i * n + j][mode] = value;
@@ -315,19 +341,24 @@ double asymmetry(const Eigen::MatrixXd& m) {
 
 }  // namespace
 
-HydrodynamicData read_wamit(const std::string& stem, const WamitUnits& units, SecondOrder order,
+HydrodynamicData read_wamit(const std::string& stem, const WamitForm& form, SecondOrder order,
                             std::vector<std::string>& read, std::vector<std::string>& notes) {
   HydrodynamicData data;
   data.name = stem;
   bool has_infinite = false;
-  read_radiation(stem, units, read, data, has_infinite);
-  read_hydrostatics(stem, units, read, data);
-  read_excitation(stem, units, read, data);
+  read_radiation(stem, form, read, data, has_infinite);
+  read_hydrostatics(stem, form, read, data);
+  if (form.mirrored && data.bodies > 1)
+    throw std::runtime_error(fmt::format(
+        "{}.1: has {} bodies, which are no mirror image of themselves: 'symmetry: port_starboard' is for "
+        "files of one body",
+        stem, data.bodies));
+  read_excitation(stem, form, read, data);
   if (order != SecondOrder::none) {
-    const bool found = (data.bodies == 1 && read_difference(stem, units, read, data, notes)) ||
-                       (order != SecondOrder::full && (read_drift(stem, ".8", units, read, data) ||
-                                                       read_drift(stem, ".7", units, read, data) ||
-                                                       read_drift(stem, ".9", units, read, data)));
+    const bool found = (data.bodies == 1 && read_difference(stem, form, read, data, notes)) ||
+                       (order != SecondOrder::full && (read_drift(stem, ".8", form, read, data) ||
+                                                       read_drift(stem, ".7", form, read, data) ||
+                                                       read_drift(stem, ".9", form, read, data)));
     if (!found)
       throw std::runtime_error(
           fmt::format("{}: 'second_order' needs {}, and there is none", stem,

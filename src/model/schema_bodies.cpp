@@ -166,6 +166,11 @@ Key body_hydrodynamics() {
               "has it; 0: "
               "at `place` and `heading_deg`, wherever it is",
               at_least(0), or_else("100")),
+       word({"symmetry", &H::mirrored}, {{"none", false}, {"port_starboard", true}},
+            "of files with directions of one side (0 to 180 deg): `port_starboard` has waves from the other "
+            "side "
+            "act as in a mirror, with sway, roll and yaw the other way",
+            or_else("none")),
        boolean({"excitation", &H::excitation}, "whether the waves of the case act on it", or_else("true")),
        word({"second_order", &H::second_order},
             {{"none", SecondOrder::none},

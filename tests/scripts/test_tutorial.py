@@ -77,8 +77,8 @@ class Tutorial(unittest.TestCase):
             with tempfile.TemporaryDirectory() as root:
                 here = Path(root) / "docs/tutorial"
                 here.mkdir(parents=True)
-                for case in (ROOT / "docs/tutorial").glob("*.yaml"):
-                    shutil.copy(case, here)
+                for file in [*(ROOT / "docs/tutorial").glob("*.yaml"), *(ROOT / "docs/tutorial").glob("spar.*")]:
+                    shutil.copy(file, here)
                 (Path(root) / "cases").symlink_to(ROOT / "cases")
                 for command, expected in steps(page.read_text(encoding="utf-8")):
                     count += 1

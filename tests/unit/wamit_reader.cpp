@@ -1,6 +1,7 @@
 // WAMIT's files: scales, rows that are excluded, files packed by gzip, and what is refused.
 #include "hawser/io/wamit_reader.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
 
@@ -25,7 +26,7 @@ class WamitReader : public ::testing::Test {
   void write(const std::string& ending, const std::string& text) { std::ofstream(stem() + ending) << text; }
   std::string stem() const { return (folder_ / "body").string(); }
   model::HydrodynamicData read(SecondOrder order = SecondOrder::none) {
-    return io::read_wamit(stem(), {2, 1000, 10}, order, files, notes);
+    return io::read_wamit(stem(), form, order, files, notes);
   }
   std::string refusal(SecondOrder order = SecondOrder::none) {
     try {
@@ -35,6 +36,7 @@ class WamitReader : public ::testing::Test {
     }
     return "";
   }
+  io::WamitForm form{2, 1000, 10};
   std::vector<std::string> files, notes;
 
  private:
@@ -71,6 +73,36 @@ TEST_F(WamitReader, ScalesByLengthDensityAndFrequency) {
   EXPECT_NEAR(std::abs(ahead[4] - 8e4 * Complex(5, 6)), 0, 1e-9);
   EXPECT_NEAR(std::abs(astern[2] - 4e4 * Complex(7, 8)), 0, 1e-9);
   EXPECT_EQ(files.size(), 3u);
+}
+
+// Of a wave to 315 deg sway is that to 45 deg reversed, and what goes to 270 deg is on the straight line
+// between 180 and 315 deg.
+TEST_F(WamitReader, MirrorsTheOtherSide) {
+  std::string rows;
+  for (const int deg : {0, 45, 180})
+    for (const char* period : {"6.283185307179586", "3.141592653589793"})
+      for (int mode = 1; mode <= 6; ++mode)
+        rows += fmt::format("{} {} {} 9 9 {} {}\n", period, deg, mode, deg + mode, mode);
+  write(".3", rows);
+  form = {1, 1, 1, true};
+  const model::HydrodynamicData d = read();
+  const WaveForceTable& table = d.excitation[0];
+  EXPECT_EQ(table.directions().size(), 4u);
+  for (int mode = 1; mode <= 6; ++mode) {
+    const double sign = mode % 2 == 0 ? -1 : 1;
+    EXPECT_NEAR(std::abs(table.at(1.5, 315 * M_PI / 180)[mode - 1] - sign * Complex(45 + mode, mode)), 0,
+                1e-9)
+        << mode;
+    EXPECT_NEAR(std::abs(table.at(1.5, 45 * M_PI / 180)[mode - 1] - Complex(45 + mode, mode)), 0, 1e-9)
+        << mode;
+    const Complex between = (2 * sign * Complex(45 + mode, mode) + Complex(180 + mode, mode)) / 3.0;
+    EXPECT_NEAR(std::abs(table.at(1.5, 270 * M_PI / 180)[mode - 1] - between), 0, 1e-9) << mode;
+  }
+  write(".3", rows + "6.283185307179586 300 1 9 9 1 1\n3.141592653589793 300 1 9 9 1 1\n");
+  EXPECT_NE(refusal().find("has directions on both sides of the body"), std::string::npos) << refusal();
+  write(".3", rows);
+  write(".1", "6.28 1 1 1 1\n3.14 1 1 1 1\n3.14 7 7 1 1\n");
+  EXPECT_NE(refusal().find("has 2 bodies, which are no mirror image"), std::string::npos) << refusal();
 }
 
 TEST_F(WamitReader, ReadsPackedFiles) {

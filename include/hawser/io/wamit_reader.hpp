@@ -10,15 +10,18 @@
 
 namespace hawser::io {
 
-struct WamitUnits {
+struct WamitForm {
   double length = 1;  // ULEN, m
   double density = 1025, gravity = 9.80665;
+  // The forces of waves are given from one side of a body that is symmetric about x and z; those from the
+  // other side are their mirror images, with sway, roll and yaw reversed.
+  bool mirrored = false;
 };
 
 // Reads the files `stem`.1 and so on. Throws std::runtime_error with a whole sentence that names file and
 // line where one is missing or is not what it should be. read: gets the files that were there; notes: what
 // was found odd and what was assumed, a sentence each.
-model::HydrodynamicData read_wamit(const std::string& stem, const WamitUnits& units, SecondOrder order,
+model::HydrodynamicData read_wamit(const std::string& stem, const WamitForm& form, SecondOrder order,
                                    std::vector<std::string>& read, std::vector<std::string>& notes);
 
 }  // namespace hawser::io

@@ -24,7 +24,8 @@ struct BodyHydrodynamics {
   int body = 1;                 // which of the files' bodies it is
   Vec3 in_file = Vec3::Zero();  // m, of the body's origin in the axes of the files
   SecondOrder second_order = SecondOrder::none;
-  bool excitation = true;             // waves act on it
+  bool excitation = true;  // waves act on it
+  bool mirrored = false;   // wave forces from the other side are mirror images of those of the files
   bool gravity_in_stiffness = false;  // the hydrostatic stiffness has the part of its weight
   double volume = 0;                  // m³ that it displaces where `place` has it; 0: that of its mass
   std::optional<Vec3> place;          // m, of its origin where motion is counted from

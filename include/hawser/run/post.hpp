@@ -13,6 +13,7 @@ inline constexpr PostCommand kPostCommands[] = {
     {"report", "Make one HTML file of a run: pictures, tables, range graphs, histories, energy."},
     {"plot", "Make one figure: range graph, history, spectrum, phase, plan, elevation, in space."},
     {"export", "Write the tables, histories and range graphs of a run as CSV files."},
+    {"rao", "Make a table and a figure of a body's responses to the waves of a run."},
     {"extremes", "Tell the extremes of a history in a duration, by distributions fitted to its maxima."},
     {"fatigue", "Tell the damage along a line, by rainflow cycles and a published curve."},
     {"pipe", "Tell strain, stress and the code checks of a pipe on its supports and in its sagbend."},

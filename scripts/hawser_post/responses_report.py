@@ -1,0 +1,159 @@
+"""hawser rao: the responses of a body to the waves of one or several runs, as text, table and figure."""
+import argparse
+from pathlib import Path
+
+import numpy as np
+
+from . import export, responses
+from .arguments import place_for
+from .charts import COLOURS, WIDE, legend, plt
+from .given import refuse_since, results_of, seconds
+from .responses import FREEDOMS
+from .results import Refusal
+
+SHOWN_ROWS = 16  # of a sea, in the terminal
+STEADY = 0.01  # change from the first to the second half of the time, beyond which a wave's response is not steady
+COHERENT = 0.95  # below it a response is not one to this wave alone
+SMALL = 1e-4  # of the largest of its kind, m/m or rad/m: noise
+
+
+def point_from(text):
+    """A point of --at."""
+    try:
+        numbers = [float(word) for word in text.split(",")]
+    except ValueError:
+        numbers = []
+    if len(numbers) != 3 or not np.all(np.isfinite(numbers)):
+        raise argparse.ArgumentTypeError(f"'{text}' is no point X,Y,Z of the body, in m")
+    return numbers
+
+
+def of_run(results, options):
+    """(responses, the steps that count, whether the sea is irregular, change of the response over the time)."""
+    refuse_since(results, options.since)
+    name = options.name or next((key for key in results.histories if "rotation_vector_x" in results.series_columns(key)[0]), None)
+    if name is None:
+        raise Refusal(f"{results.path} has no history of a body: ask for it by output.histories, '- {{body: NAME}}'")
+    motion, waves = responses.Motion(results, results.series(name), options.at), responses.Waves(results)
+    last = motion.time[-1]
+    since = options.since if options.since is not None else max(waves.ramp, 0.5 * last) if waves.regular else waves.ramp
+    keep = motion.time >= since - 1e-9 * last  # times are sums of steps
+    if np.count_nonzero(keep) < 32:
+        raise Refusal(f"{results.path}: from t = {since:g} s on there are {np.count_nonzero(keep)} steps, and a response needs 32")
+    if waves.regular:
+        if options.segment:
+            raise Refusal(f"{results.path}: has a regular wave, and --segment is of irregular seas")
+        return [responses.to_regular_wave(motion, waves, keep)], motion, keep, None, responses.steadiness(motion, waves, keep)
+    segment = seconds(options.segment) if options.segment else None
+    found = responses.to_irregular_sea(motion, waves, keep, segment)
+    return found, motion, keep, segment or (last - motion.time[keep][0]) / responses.SEGMENTS, None
+
+
+def degrees(response):
+    """Six numbers, m/m and deg/m."""
+    return np.abs(response.value) * np.repeat([1.0, 180 / np.pi], 3)
+
+
+def lags(response):
+    """deg from 0 to 360; zero where the motion is noise."""
+    size = np.abs(response.value)
+    most = np.repeat([max(size[:3].max(), 1e-300), max(size[3:].max(), 1e-300)], 3)
+    return np.where(size < SMALL * most, 0.0, np.degrees(-np.angle(response.value)) % 360)
+
+
+def table_of(found):
+    head = ["period [s]", "direction [deg]", *(f"{name} {what}" for name, unit in zip(FREEDOMS, 3 * ["[m/m]"] + 3 * ["[deg/m]"])
+                                               for what in (unit, "lag [deg]")),
+            *(f"share of {name} that is explained [-]" for name in FREEDOMS)]
+    rows = [[2 * np.pi / r.omega, r.direction, *np.column_stack([degrees(r), lags(r)]).ravel(), *r.explained] for r in found]
+    return head, rows
+
+
+def write(path, found):
+    """A table of responses: .csv with its heads, or .rao as `motion.rao` of a body reads it."""
+    head, rows = table_of(found)
+    if path.suffix == ".csv":
+        export.write(path, head, rows)
+        return
+    lines = ["# period [s], direction [deg] from the bow, then surge, sway, heave [m/m], roll, pitch, yaw [deg/m], each with its lag [deg]"]
+    lines += [" ".join(f"{v:.7g}" for v in row[:14]) for row in rows]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+
+def show(found, irregular):
+    print(f"{'period [s]':>10} {'to [deg]':>8}" + "".join(f" {name:>8} {'lag':>5}" for name in FREEDOMS))
+    step = max(1, -(-len(found) // SHOWN_ROWS))
+    for r in found[::step]:
+        pairs = "".join(f" {a:>8.4g} {lag:>5.0f}" for a, lag in zip(degrees(r), lags(r)))
+        print(f"{2 * np.pi / r.omega:>10.4g} {r.direction:>8.4g}{pairs}")
+        if irregular:
+            size = np.abs(r.value)
+            most = np.repeat([max(size[:3].max(), 1e-300), max(size[3:].max(), 1e-300)], 3)
+            print(f"{'coherence':>19}" + "".join(" " * 15 if s < SMALL * m else f" {c:>8.3f}      " for s, m, c in zip(size, most, r.explained)))
+    if step > 1:
+        print(f"every {step} of {len(found)} frequencies is shown; all are in the table")
+
+
+def draw(found, path):
+    """Amplitudes over the period, and lags below them; translations to the left."""
+    figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.6), sharex=True, layout="constrained", height_ratios=(2, 1))
+    period = np.array([2 * np.pi / r.omega for r in found])
+    order = np.argsort(period)
+    amplitude, lag = (np.array([of(r) for r in found])[order] for of in (degrees, lags))
+    sure = np.array([r.explained for r in found])[order] >= COHERENT
+    for k, name in enumerate(FREEDOMS):
+        column = k // 3
+        if not amplitude[:, k].max() > 1e-3 * amplitude[:, 3 * column:3 * column + 3].max():
+            continue
+        for rows, values in ((0, amplitude[:, k]), (1, lag[:, k])):
+            axes[rows, column].plot(period[order], np.where(sure[:, k], values, np.nan), ".-", ms=3, lw=1 if rows == 0 else 0, color=COLOURS[k % 3],
+                                    label=name if rows == 0 else None)
+    for column, unit in ((0, "m/m"), (1, "deg/m")):
+        axes[0, column].set(ylabel=unit, ylim=(0, None))
+        axes[1, column].set(xlabel="period [s]", ylabel="lag [deg]", ylim=(0, 360), yticks=(0, 90, 180, 270, 360))
+        legend(axes[0, column])
+    figure.savefig(path, dpi=150)
+    plt.close(figure)
+
+
+def make(options):
+    runs = [results_of(given, options.changes) for given in options.results]
+    first = runs[0].path
+    table = place_for(options.output or first.with_name(f"{first.stem}-rao.csv"), runs, (".csv", ".rao"), "a table of responses")
+    picture = place_for(table.with_suffix(".png"), runs)
+    found, warnings = [], []
+    for results in runs:
+        own, motion, keep, segment, change = of_run(results, options)
+        time = motion.time[keep]
+        x, y, z = options.at
+        sea = f"regular wave of {own[0].amplitude:.4g} m amplitude" if segment is None else f"sea, segments of {segment:.4g} s"
+        print(f"{results.path}: {motion.body} at ({x:g}, {y:g}, {z:g}) in its frame, from t = {time[0]:.6g} to {time[-1]:.6g} s; {sea}")
+        found += own
+        if change is not None and change > STEADY:
+            warnings.append(f"{results.path}: the response still changes, by {100 * change:.2g} % from the first to the second half of "
+                            "the time: run longer, or exclude more of the start by --since")
+        warnings += incoherent(results, own) if segment is not None else []
+    found.sort(key=lambda r: (r.direction, -r.omega))
+    print("amplitudes in m/m and deg/m, lags in deg behind the crest at the body's origin")
+    show(found, any(r.explained.min() < 1 for r in found) and len(found) > len(runs))
+    for warning in warnings:
+        print(f"warning: {warning}")
+    write(Path(table), found)
+    print(f"responses: {table}")
+    if len({r.omega for r in found}) > 1:
+        draw(found, picture)
+        print(f"figure: {picture}")
+
+
+def incoherent(results, found):
+    """A sentence on what in a sea is not a response to its waves."""
+    out = []
+    for k, name in enumerate(FREEDOMS):
+        size = np.array([abs(r.value[k]) for r in found])
+        kind = max(np.abs(r.value[3 * (k // 3):3 * (k // 3) + 3]).max() for r in found)
+        poor = [2 * np.pi / r.omega for r, s in zip(found, size) if s > 0.01 * kind and r.explained[k] < COHERENT]
+        if poor:
+            where = f"{min(poor):.3g} s" if len(poor) == 1 else f"{min(poor):.3g} to {max(poor):.3g} s"
+            out.append(f"{results.path}: {name} has a coherence below {COHERENT:g} at {len(poor)} of {len(found)} frequencies, {where}: "
+                       "a resonance that is narrower than the segments resolve, slow drift, drag, or little wave there; run longer")
+    return out
