@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
+
+#include "hawser/model/body_pairs.hpp"
 
 namespace hawser::advice {
 
@@ -31,6 +34,16 @@ std::string lies_on_bed(const std::string& line, double lies, bool laid, double 
     friction = fmt::format("where friction takes {:.4g} kN of tension and holds {:.4g} m with force to spare",
                            1e-3 * taken, sticking);
   return fmt::format("lines.{}: {:.4g} m on the seabed, {}", line, lies, friction);
+}
+
+std::string held_without_weight(const std::string& body) {
+  return fmt::format(
+      "bodies.{}: statics holds it where it starts, without its weight, since bodies have no friction there; "
+      "it sinks "
+      "in, and slides where friction is too low, when the motion begins; 'statics: {{contact_friction: "
+      "true}}' lets "
+      "it come to rest on what it touches",
+      body);
 }
 
 std::string unstable_equilibria_left(int equilibria) {
@@ -70,11 +83,17 @@ std::string statics_failed(const model::Case& c) {
   std::vector<std::string> ways;
   if (c.statics.relaxation == model::Relaxation::never)
     ways.emplace_back("without 'dynamic_relaxation: never'");
-  else if (c.statics.relaxation == model::Relaxation::automatic)
+  else if (c.statics.relaxation == model::Relaxation::automatic && !c.statics.contact_friction)
     ways.emplace_back("'statics: {dynamic_relaxation: always}'");
   if (c.environment.water.present && !c.environment.water.current.profile.empty() &&
       !(c.environment.water.current.ramp > 0) && c.dynamics.enabled)
     ways.emplace_back("a 'ramp' of the current, which then begins in dynamics");
+  const std::vector<model::BodyPair> bodies = model::body_pairs(c);
+  const bool on_bodies = std::any_of(bodies.begin(), bodies.end(),
+                                     [](const model::BodyPair& p) { return p.friction.axial > 0; });
+  if (on_bodies)
+    ways.emplace_back(c.statics.contact_friction ? "more 'friction' of volumes on which a body slides"
+                                                 : "'contact_friction: true', so that friction holds bodies");
   if (c.statics.contact_friction)
     ways.emplace_back("'contact_friction: false'");
   else if (c.environment.seabed.present && c.environment.seabed.full)

@@ -20,10 +20,9 @@ Vec3 rate(const Vector3<Dual>& v) {
   return {v[0].derivatives()[0], v[1].derivatives()[0], v[2].derivatives()[0]};
 }
 
-}  // namespace
-
-Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
-                         const ContactRates& by) {
+// turn, turn_rate: of the surface at the arm trial.lever.
+Vec3 force_along(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                 const ContactRates& by, const Vec3& turn, const Vec3& turn_rate) {
   const Vec3& n = trial.normal;
   const NormalForce N = normal_force(law.normal, trial.gap, n.dot(trial.velocity));
   if (!(N.force > 0)) return Vec3::Zero();
@@ -37,14 +36,28 @@ Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const
   there.gap = dual(trial.gap, gap_rate);
   there.force = dual(N.force, N_rate);
   there.lever = trial.lever;
+  there.step = trial.step;
+  there.turn = dual(turn, turn_rate);
   there.point = dual(trial.point, by.point);
   there.normal = dual(n, n_rate);
   there.velocity = dual(trial.velocity, by.velocity);
   const ContactStartOf<Dual> from{dual(start.point, by.start_point), dual(start.gap, by.start_gap),
                                   dual(start.tangent, by.start_tangent), dual(start.slip, by.start_slip),
                                   dual(start.normal, by.start_normal)};
-  if (trial.lever > 0) there.turn = from.tangent * dual(trial.roll, by.roll);
   return normal_part + rate(point_friction(law, from, there).force);
+}
+
+}  // namespace
+
+Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                         const ContactRates& by) {
+  return force_along(law, start, trial, by, trial.roll * start.tangent,
+                     trial.roll * by.start_tangent + by.roll * start.tangent);
+}
+
+Vec3 ball_force_along(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                      const Vec3& turn, const ContactRates& by) {
+  return force_along(law, start, trial, by, turn, Vec3::Zero());
 }
 
 SlipBetween slip_between(const Vec3& slip_a, const Vec3& normal_a, const Vec3& slip_b, const Vec3& normal_b,

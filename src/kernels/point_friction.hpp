@@ -11,29 +11,35 @@ namespace hawser {
 template <class S>
 struct PointState {
   S gap, force;
-  double lever = 0;
+  double lever = 0, step = 0;
   // turn: rad, the rotation since the start of the step, which moves the surface at the arm -lever normal;
   // not set without a lever. velocity: used only if friction depends on it.
   Vector3<S> turn, point, normal, velocity;
 };
 
+// Displacement in the tangent plane since the start of the step, or since the point touched in it.
 template <class S, class U>
-Vector3<S> trial_slip(const ContactLaw& law, const ContactStartOf<U>& start, const PointState<S>& t) {
+Vector3<S> slip_in_step(const ContactLaw& law, const ContactStartOf<U>& start, const PointState<S>& t) {
   Vector3<S> moved = t.point - start.point.template cast<S>();
   moved -= t.normal * S(t.normal.dot(moved));
   if (t.lever > 0) moved -= t.turn.cross(t.normal) * S(t.lever);
   const double touch = law.normal.smoothing;
   if (start.gap > touch) moved *= S((S(touch) - t.gap) / (S(start.gap) - t.gap));
-  return moved + transport_slip(start.slip, start.normal, t.normal);
+  return moved;
 }
 
 template <class S, class U>
 Friction<S> point_friction(const ContactLaw& law, const ContactStartOf<U>& start, const PointState<S>& t) {
-  const Vector3<S> slip = trial_slip(law, start, t);
-  if (!law.friction.blends()) return friction(law.friction, t.force, slip, t.normal, start.tangent);
+  const Vector3<S> moved = slip_in_step(law, start, t);
+  const Vector3<S> before = transport_slip(start.slip, start.normal, t.normal);
+  const auto act = [&](const auto& mu) -> Friction<S> {
+    if (law.friction.damping > 0 && t.step > 0)
+      return damped_friction(law.friction, mu, t.force, before, moved, t.step);
+    return friction(law.friction, mu, t.force, Vector3<S>(moved + before), t.normal, start.tangent);
+  };
+  if (!law.friction.blends()) return act(Coulomb<double>{law.friction.axial, law.friction.lateral});
   const Vector3<S> along = t.velocity - t.normal * S(t.normal.dot(t.velocity));
-  const Coulomb<S> mu = coulomb_at<S>(law.friction, along.squaredNorm());
-  return friction(law.friction, mu, t.force, slip, t.normal, start.tangent);
+  return act(coulomb_at<S>(law.friction, along.squaredNorm()));
 }
 
 }  // namespace hawser

@@ -42,6 +42,7 @@ PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const
     s.velocity[c] = made(t.velocity[c], none, Vec3::Unit(c));
   }
   s.lever = t.lever;
+  s.step = t.step;
   for (int c = 0; c < 3 && t.lever > 0; ++c) {
     s.turn[c] = made(r.turn[c], none, none);
     s.turn[c].derivatives().template tail<kTurns>() = r.by.row(c).transpose();
@@ -68,8 +69,8 @@ void add_friction(const ContactLaw& law, const ContactStart& start, const Contac
   } else {
     const Friction<double> f =
         point_friction(law, start,
-                       PointState<double>{trial.gap, r.normal.force, trial.lever, rotation.turn, trial.point,
-                                          trial.normal, trial.velocity});
+                       PointState<double>{trial.gap, r.normal.force, trial.lever, trial.step, rotation.turn,
+                                          trial.point, trial.normal, trial.velocity});
     r.friction = f.force;
     r.slip = f.slip;
     r.slides = f.slides;

@@ -32,7 +32,6 @@ bool hides(const Volume& v) {
 
 // Of the volume `a` that leads and the one that it meets.
 Friction friction_between(const Volume& a, const Volume& b) {
-  if (is_bar(a) && a.basis == StiffnessBasis::per_length) return {};
   Friction f = a.friction;
   const Friction& g = b.friction;
   f.axial = f.lateral = std::min({f.axial, f.lateral, g.axial, g.lateral});

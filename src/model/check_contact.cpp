@@ -52,11 +52,6 @@ void check_friction_of_bodies(const Case& c, const Issues& issue) {
   for (const BodyPair& p : body_pairs(c)) {
     const Volume &a = c.volumes[p.a], &b = c.volumes[p.b];
     if (p.friction.axial > 0 || !(has(a) || has(b))) continue;
-    if (has(a) && has(b))
-      return issue(
-          "volumes." + a.name + ".friction",
-          "has no effect: a capsule or torus with a stiffness per length touches bodies without friction; "
-          "give it 'normal_stiffness: {{per_point: ...}}'");
     return issue(
         "volumes." + (has(a) ? a : b).name + ".friction",
         "has no effect: between bodies the lower coefficient counts, and {} has none; give it friction, "

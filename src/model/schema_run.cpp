@@ -12,8 +12,9 @@ Key statics() {
             number({"tolerance", &Statics::tolerance}, none, "residual over the size of the internal forces",
                    above(0), at_most(1e-2), or_else("1e-8")),
             boolean({"contact_friction", &Statics::contact_friction},
-                    "friction of volumes and between lines acts in statics too, against the way of the lines "
-                    "from where their `start` puts them; else it acts from the equilibrium without it on",
+                    "friction of volumes, between lines and of bodies on each other acts in statics too, "
+                    "against the way "
+                    "from where the case puts them; else it acts from the equilibrium without it on",
                     or_else("false")),
             integer({"max_iterations", &Statics::max_iterations}, "Newton iterations of a stage",
                     in_range(1, 1e6), or_else("500")),

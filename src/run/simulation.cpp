@@ -298,7 +298,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
     seabed->mobilise_by(kFirstSlip);
   }
   const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
-  for (RestrainedInStatics* t : restrained) t->hold(true);
+  for (RestrainedInStatics* t : restrained) t->hold(true, static_friction());
   StaticsSettings settings;
   settings.tolerance = case_.statics.tolerance;
   settings.max_iterations = case_.statics.max_iterations;
@@ -312,7 +312,7 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   StaticsReport report = hawser::solve_statics(*system_, settings, state_);
   if (lays_lines()) follow_contact(settings, report);
   for (HasFriction* t : with_friction) t->enable_friction(true);
-  for (RestrainedInStatics* t : restrained) t->hold(false);
+  for (RestrainedInStatics* t : restrained) t->hold(false, true);
   if (!restrained.empty()) {
     for (size_t n = 0; n < static_cast<size_t>(local().owned); ++n) {
       state_.v[n] = v[n];
@@ -320,8 +320,8 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
     }
     system_->spread(state_);
   }
-  if (contact || line_pairs) system_->commit(state_.view(0));
   if (auto* body_contact = system_->find<BodyContactTerm>()) body_contact->watch(state_.view(0));
+  if (contact || line_pairs) system_->commit(state_.view(0));
   check_inside();
   if (contact)
     if (const std::string why = first_text(system_->comm(), contact->deeper_than_allowed(state_.view(0)));
@@ -331,6 +331,12 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   if (line_pairs)
     if (std::string note = shared_places_note(line_pairs->shared(), *mesh_); !note.empty())
       notes_.push_back(std::move(note));
+  for (size_t b = 0; b < case_.bodies.size() && !static_friction(); ++b) {
+    const model::Body& body = case_.bodies[b];
+    if (!body.mass || !body.mass->weight || body.mass->stiffness.z() > 0) continue;
+    const StaticRest rest = static_rest(case_, static_cast<int>(b));
+    if (rest.by_friction && !rest.always) notes_.push_back(advice::held_without_weight(body.name));
+  }
   std::vector<double> slack = structure().slack(state_.view(0));
   all_reduce(system_->comm(), MPI_SUM, slack);
   for (size_t l = 0; l < slack.size(); ++l)

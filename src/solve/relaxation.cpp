@@ -28,15 +28,18 @@ constexpr double kHeaviest = 1e12;  // ratio of the mass to the first one at whi
 // and do not halve the imbalance. A heap of line would creep on for ever.
 constexpr int kWatched = 50;
 constexpr double kCreep = 1e-4;
+constexpr double kLost =
+    10;  // times the longest line: a body that has gone so far against friction finds no rest
 
 // The step of pseudo-time is 1, so velocities are increments and the mass is a stiffness: N/m at positions, N
 // m at rotations.
 class Relaxation : StaticTrial {
  public:
   Relaxation(System& system, const RelaxationSettings& settings, State& state)
-      : StaticTrial(system, state), settings_(settings) {
+      : StaticTrial(system, state),
+        settings_(settings),
+        start_(state.x.begin(), state.x.begin() + system.mesh().owned) {
     momentum_.assign(3 * static_cast<size_t>(system.mesh().owned_blocks), 0);
-    for (const LineSpan& l : system.mesh().mesh->lines) longest_ = std::max(longest_, l.length);
     turns_.assign(system.mesh().owned_blocks, 0);
     for (int n = 0; n < system.mesh().owned; ++n)
       if (system.mesh().rotates(n)) turns_[system.mesh().block[n] + 1] = 1;
@@ -72,6 +75,7 @@ class Relaxation : StaticTrial {
       if (iterations <= kEasyIterations) weigh(kLighter);
       if (settings_.friction) {
         system_.commit(state_.view(0));
+        check_bodies();
         continue;
       }
       if (viscous_) {
@@ -111,6 +115,24 @@ class Relaxation : StaticTrial {
     last_places_.assign(state_.x.begin(), state_.x.begin() + system_.mesh().owned);
     left_ = report.norms.relative();
     return stuck;
+  }
+  // SolveError where a body slides or falls on and on.
+  void check_bodies() const {
+    const LocalMesh& m = system_.mesh();
+    struct {
+      double far;
+      int node;
+    } most{0, -1};
+    for (size_t n = 0; n < start_.size(); ++n) {
+      const double far = (state_.x[n] - start_[n]).norm();
+      if (m.node(n).body >= 0 && far > most.far) most = {far, m.global[n]};
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
+    if (most.far > kLost * longest_)
+      throw SolveError(
+          "statics: {} has moved by {:.3g} m and finds no rest: it falls, or friction is too low where it "
+          "lies",
+          m.mesh->place(most.node), most.far);
   }
   // Changes the mass. This is equivalent to another step of time, so increments are scaled to keep the speed.
   void weigh(double factor) {
@@ -182,12 +204,13 @@ class Relaxation : StaticTrial {
   const RelaxationSettings& settings_;
   std::vector<double> momentum_;  // of owned components
   std::vector<char> turns_;       // by owned block: whether it is a rotation
-  double mass_ = 0, longest_ = 0;
+  double mass_ = 0;
   bool viscous_ = false;  // momentum is dropped after each step
   // relative imbalance at which a step is solved, and at which it has failed
   double goal_ = 0, hopeless_ = 0;
   std::vector<Vec3> last_places_;  // places of owned nodes at the last test in creeps()
   double left_ = 0;                // relative imbalance at that test
+  const std::vector<Vec3> start_;  // places of owned nodes where relaxation began
 };
 
 }  // namespace

@@ -19,7 +19,9 @@ constexpr int kMostHalvings = 30;
 
 StaticTrial::StaticTrial(System& system, State& state) : system_(system), state_(state), trial_(state) {
   for (const Element& e : system.mesh().mesh->elements) length_ = std::max(length_, e.length);
+  for (const LineSpan& l : system.mesh().mesh->lines) longest_ = std::max(longest_, l.length);
   if (length_ == 0) length_ = 0.05 * kBodies;
+  if (longest_ == 0) longest_ = kBodies;
   check(SNESCreate(system.comm(), snes_.out()));
   check(SNESSetOptionsPrefix(snes_.get(), "statics_"));
   build();
@@ -116,10 +118,7 @@ double StaticTrial::limit() const {
     x = std::max(x, Eigen::Map<const Vec3>(p).norm());
     if (m.rotates(n)) turn = std::max(turn, Eigen::Map<const Vec3>(p + 3).norm());
   }
-  double longest = 0;
-  for (const LineSpan& l : m.mesh->lines) longest = std::max(longest, l.length);
-  if (m.mesh->lines.empty()) longest = kBodies;
-  double worst = std::max(x / (0.05 * longest), turn / 0.5);
+  double worst = std::max(x / (0.05 * longest_), turn / 0.5);
   all_reduce(system_.comm(), MPI_MAX, worst);
   return worst > 1 ? 1 / worst : 1;
 }

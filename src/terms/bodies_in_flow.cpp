@@ -55,7 +55,7 @@ void BodiesInFlow::add(const model::Case& c, int body, int node, const LocalMesh
   f.block = mesh.block[node];
   f.global = mesh.global[node];
   f.body = body;
-  f.rests = finds_rest(c, body);
+  f.rest = static_rest(c, body);
 }
 
 // Gusts act in dynamics only.

@@ -30,7 +30,7 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
     b.block = mesh.block[n];
     b.global = global;
     b.body = body;
-    b.rests = finds_rest(c, body);
+    b.rest = static_rest(c, body);
   }
 }
 

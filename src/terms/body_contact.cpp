@@ -1,8 +1,9 @@
 // The part of BodyContactTerm that acts: pairs of volumes, forces and tangent summed over points and edges,
-// energies, history; steps are in body_contact_step_limits.cpp.
+// energies; slip and history are in body_contact_friction.cpp, steps in body_contact_step_limits.cpp.
 #include "hawser/terms/body_contact.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <stdexcept>
 
@@ -11,7 +12,6 @@
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/contact_laws.hpp"
-#include "hawser/terms/previous_slip.hpp"
 
 namespace hawser {
 namespace {
@@ -21,27 +21,11 @@ constexpr double kMostSmoothing = 0.01;  // m
 constexpr double kDeepestAtOnce = 0.05;  // of that size, m/m; less where it would get through something thin
 constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/32
 
-// A contact point of a feature, in a checkpoint.
-struct FeaturePoint {
-  int feature = 0;
-  AxisContactPoint point;
-
-  template <class Self, class Each>
-  static void quantities(Self& self, Each&& each) {
-    each("feature", "", self.feature);
-    AxisContactPoint::quantities(self.point, each);
-  }
-};
-
-Vec3 place(const SkeletonPart& part, double xi) { return part.from + xi * (part.to - part.from); }
-
 AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
   AxisEnds e;
   e.beam = false;
   e.x1 = body.to_space(from);
   e.x2 = body.to_space(to);
-  e.v1 = body.velocity(from);
-  e.v2 = body.velocity(to);
   return AxisShape(e);
 }
 
@@ -74,6 +58,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     pair.hides = p.hides;
     pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
     pair.size = boxes_[p.a].extent().maxCoeff();  // no plane leads
+    pair.round = std::min(kSmoothing * pair.size, kMostSmoothing);
     pair.most_depth = kDeepestAtOnce * pair.size;
     for (const auto& [i, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {
       const Vec3 e = boxes_[i].extent();
@@ -88,11 +73,12 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
                          : v.basis == model::StiffnessBasis::per_length ? pair.size
                                                                         : pair.size * pair.size;
     // Where the other volume is softer the stiffness of the two is that one's.
-    pair.law = normal_law(v, p.stiffness / v.normal_stiffness,
-                          std::min(kSmoothing * pair.size, kMostSmoothing), pair.mass / units);
+    pair.law = normal_law(v, p.stiffness / v.normal_stiffness, pair.round, pair.mass / units);
     pair.friction = friction_law(p.friction, 1, pair.size);
     if (p.friction.mobilisation_length == 0 && p.friction.shear_stiffness == 0)
       pair.friction.stiffness = pair.law.stiffness;
+    // c = 2 zeta sqrt(k m) along the surface as normal to it.
+    pair.friction.damping = pair.law.damping / std::sqrt(pair.law.stiffness);
     if (!pairs_.empty() && pairs_.back().a == pair.b && pairs_.back().b == pair.a) {
       pair.other = static_cast<int>(pairs_.size()) - 1;
       pairs_.back().other = static_cast<int>(pairs_.size());
@@ -165,109 +151,75 @@ bool BodyContactTerm::near(size_t volume, const Vec3& centre, double radius, dou
 
 void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const RigidPose& pose,
                                       const SkeletonPart& e, const AxisContactMode& mode,
-                                      const FrictionLaw& friction, double* f, double* K, double* C, Sum& sum,
-                                      TouchingPoints* touching) const {
+                                      const Slipping& friction, BodyContactPoints& points) const {
   const Surface& surface = *volumes_[pair.b].surface;
   const double contact_distance = e.radius + pair.law.smoothing, length = (e.to - e.from).norm(),
                weight = pair.share * length;
   const AxisShape shape = chord(at.A, e.from, e.to);
-  const auto query = [&](double xi, double within) {
-    return surface.query(pose.to_body(shape.point(xi)), within);
-  };
+  const auto place = [&](double xi) { return points.place(e.place(xi)); };
   ContactQuadrature found;
   auto gap = axis_distance(surface, pose, shape, contact_distance);
   found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
-                   [&](double xi) { return query(xi, contact_distance); });
-  if (found.quadrature.empty()) return;
-  const auto law = [&](const ContactPanel&) { return ContactLaw{pair.law, friction}; };
-  const auto beyond = [&](const ContactPanel&, double xi) { return query(xi, contact_distance + 1e-9); };
-  const auto start = [&](const ContactPanel&, double xi, ContactRates* rates) {
-    return start_of(pair, at, e, xi, rates);
+                   [&](double xi) { return surface.query(place(xi), contact_distance); });
+  const Vec3 slope = place(1) - place(0);
+  // An end of a panel that moves with the bodies; it has no by_motion where the edge is along the surface.
+  const auto moving_end = [&](double xi) -> std::optional<Vec6> {
+    const Vec3 z = place(xi);
+    const auto p = surface.query(z, contact_distance + 1e-9);
+    if (!p || std::abs(p->normal.dot(slope)) < 1e-9 * length) return std::nullopt;
+    return points.end_by_motion(z, p->normal, slope);
   };
-  AxisContact contact(shape, pose, e.radius, weight, mode);
-  std::vector<AxisContactPoint> points;
-  contact.add(found, {law, beyond, start}, &points);
-  if (points.empty()) return;
-  Stencil stencil;
-  stencil.blocks = 2;
-  for (const Vec3& y : {e.from, e.to}) stencil.add({0, 1, {y - at.A.centre, at.A.R, at.A.w}});
-  contact.to_blocks(stencil, f, K, C);
-  sum.active = true;
-  for (const AxisContactPoint& p : points) {
-    const Vec3 x = shape.point(p.xi), speed = shape.velocity(p.xi) - pose.velocity_at(x);
-    sum.potential += p.weight * p.potential;
-    sum.damping_power -= p.weight * p.damping_force * (pose.rotation * p.normal).dot(speed);
-    sum.depth = std::max(sum.depth, -p.gap);
+  const ContactLaw law{pair.law, friction.law};
+  const bool with_ends = mode.tangent && !mode.convex;
+  std::vector<BodyFrictionPoint> touching;
+  std::array<std::optional<Vec6>, 2> ends;
+  for (size_t i = 0; i < found.quadrature.size(); ++i) {
+    const QuadraturePoint& q = found.quadrature[i];
+    const ContactPanel& panel = found.panels[q.panel];
+    if (with_ends && (i == 0 || found.quadrature[i - 1].panel != q.panel))
+      ends = {panel.from_moves ? moving_end(panel.from) : std::nullopt,
+              panel.to_moves ? moving_end(panel.to) : std::nullopt};
+    std::array<BodyContactPoints::MovingEnd, 2> moving;
+    size_t n = 0;
+    const double span = panel.to - panel.from;
+    for (size_t k = 0; k < 2; ++k)
+      if (ends[k])
+        moving[n++] = {*ends[k], weight * (k ? q.part : -q.part),
+                       weight * span * q.part * (k ? q.along : 1 - q.along)};
+    ContactRates rates;
+    const ContactStart start =
+        friction.law.active() ? start_of(pair, at, e, q.xi, n > 0 ? &rates : nullptr) : ContactStart();
+    const Vec3 z = place(q.xi);
+    const AxisContactPoint point = points.add(law, start, q.at, z, e.radius, q.weight);
+    if (n > 0)
+      points.add_moving_ends(law, start, q.at, z, e.radius, point, slope, rates, std::span(moving).first(n));
+    if (friction.points && point.elastic_force() > 0)
+      touching.push_back(
+          {q.xi, panel.from, panel.to, point.weight, point.slip, point.normal, point.friction});
   }
-  if (touching) (*touching)[volumes_[pair.a].skeleton.features.index(e)] = std::move(points);
-}
-
-bool BodyContactTerm::driven(const Pair& pair, const Both& at) const {
-  const auto moves = [&](size_t volume, const BodyFrame& f) {
-    return bodies_of_volumes_[volume].global < 0 && !(f.v.isZero(0) && f.w.isZero(0));
-  };
-  return moves(pair.a, at.A) || moves(pair.b, at.B);
-}
-
-ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, const SkeletonPart& part,
-                                       double xi, ContactRates* rates) const {
-  const Vec3 y = place(part, xi), slope = pair.at.turn() * (part.to - part.from);
-  ContactStart s;
-  s.point = pair.at.across(y);
-  if (part.from != part.to) s.tangent = slope.normalized();
-  if (rates) rates->start_point = slope;
-  const auto known = pair.touching.find(volumes_[pair.a].skeleton.features.index(part));
-  if (known != pair.touching.end() && previous_slip(known->second, xi, s, rates)) return s;
-  // What touches now was no farther away than it has moved since.
-  const double within =
-      (trial.across(y) - s.point).norm() + part.radius + pair.law.smoothing + 1e-6 * pair.size;
-  const auto q = volumes_[pair.b].surface->query(s.point, within);
-  s.gap = q ? q->distance - part.radius : within;
-  if (q && rates) rates->start_gap = q->normal.dot(slope);
-  return s;
-}
-
-// Of the trapezoidal rule: friction on the displacement z1 - z0 of the point against the surface, with that
-// of the surface of a ball by its rotation phi, -r phi x n.
-double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
-                                         const TouchingPoints& points) const {
-  const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
-  const Vec3 turned = trial.turned_since(pair.at);
-  double sum = 0;
-  for (const auto& [feature, touching] : points) {
-    const SkeletonPart& part = parts[feature];
-    for (const AxisContactPoint& p : touching) {
-      const Vec3 y = place(part, p.xi);
-      const Vec3 moved = trial.across(y) - pair.at.across(y) - part.radius * turned.cross(p.normal);
-      sum -= 0.5 * p.weight * p.friction.dot(moved);
-    }
-  }
-  return sum;
+  if (friction.points) friction.points->add(volumes_[pair.a].skeleton.features.index(e), touching);
 }
 
 BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at, const AxisContactMode& mode,
-                                              const FrictionLaw& friction, TouchingPoints* touching) const {
+                                              const Slipping& friction) const {
   const BodyFrame &A = at.A, &B = at.B;
   RigidPose pose;  // of the surface
   pose.position = B.to_space(Vec3::Zero());
   pose.rotation = Quat(B.R);
-  pose.velocity = B.velocity(Vec3::Zero());
-  pose.angular_velocity = B.R * B.w;
   Sum sum;
   sum.on.f = Vec12::Zero();
-  std::array<double, 6> f{};
-  std::array<double, 36> K{}, C{};
-  double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
-  BodyContactPoints points(A, B, friction.active() ? at.turned_since(pair.at) : Vec3(Vec3::Zero()), mode);
+  const bool slips = friction.law.active();
+  BodyContactPoints points(A, B, slips ? at.turned_since(pair.at) : Vec3(Vec3::Zero()), friction.step, mode);
   const auto point = [&](const SkeletonPart& p) {
     const Vec3 z = points.place(p.from);
     const auto s = volumes_[pair.b].surface->query(z, p.radius + pair.law.smoothing);
     if (!s) return;
-    const ContactStart start = friction.active() ? start_of(pair, at, p, 0, nullptr) : ContactStart();
+    const ContactStart start = slips ? start_of(pair, at, p, 0, nullptr) : ContactStart();
     const AxisContactPoint at_point =
-        points.add({pair.law, friction}, start, *s, z, p.radius, pair.share * p.weight);
-    if (touching && at_point.normal_force > 0)
-      (*touching)[volumes_[pair.a].skeleton.features.index(p)] = {at_point};
+        points.add({pair.law, friction.law}, start, *s, z, p.radius, pair.share * p.weight);
+    if (!friction.points || !(at_point.normal_force > 0)) return;
+    const BodyFrictionPoint left{0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction};
+    friction.points->add(volumes_[pair.a].skeleton.features.index(p), {&left, 1});
   };
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& y, double r) { return near(pair.b, at.across(y), r, pair.law.smoothing); },
@@ -275,16 +227,17 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at, 
         if (p.from == p.to)
           point(p);
         else
-          contact_of_edge(pair, at, pose, p, mode, friction, f.data(), k, c, sum, touching);
+          contact_of_edge(pair, at, pose, p, mode, friction, points);
       });
-  if (points.active()) {
-    points.to_body(f.data(), k, c);
-    sum.active = true;
-    sum.potential += points.potential();
-    sum.damping_power += points.damping_power();
-    sum.depth = std::max(sum.depth, points.depth());
-  }
+  sum.active = points.active();
+  sum.potential = points.potential();
+  sum.damping_power = points.damping_power();
+  sum.depth = points.depth();
   if (!sum.active) return sum;
+  std::array<double, 6> f{};
+  std::array<double, 36> K{}, C{};
+  double *k = mode.tangent ? K.data() : nullptr, *c = mode.tangent ? C.data() : nullptr;
+  points.to_body(f.data(), k, c);
   const std::array<LineBlock, 2> blocks{LineBlock{0, false, A.x, A.v, A.R}, {1, true, A.x, A.v, A.R}};
   sum.on = against_body(blocks, {2, B.x, B.v, B.R}, !mode.convex, f.data(), k, c);
   const Vec12 rates = at.rates();
@@ -299,7 +252,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     if (!p.here) continue;
     const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
     const bool tangent = assembler.needs_tangent();
-    const Sum s = contact(p, both(p, trial), {true, tangent, false}, friction_in(p, trial.step));
+    const Sum s = contact(p, both(p, trial), {trial.step > 0, tangent, false}, slipping(p, trial.step));
     if (!s.active) continue;
     // Rows and columns of bodies with unknowns.
     const Eigen::Index first = a.global < 0 ? 6 : 0, count = a.global < 0 || b.global < 0 ? 6 : 12;
@@ -321,31 +274,30 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     p.at = both(p, committed);
     const Sum s = contact(p, p.at, kStiffness);
     p.potential = s.potential;
+    p.stiffness = s.active ? s.on.K.topLeftCorner<3, 3>().norm() : 0;
     p.penetration = s.depth;
     p.elastic = s.active ? Vec12(contact(p, p.at, kSprings).on.f) : Vec12(Vec12::Zero());
     p.frequency = h > 0 ? frequency(p, s) : 0;
     p.energy = relative_energy(p, p.at) + s.potential;
     p.damping_power = s.damping_power;
-    p.work_power = s.work_power;
-    const FrictionLaw friction = friction_in(p, h);
-    if (s.active && friction.active() && driven(p, p.at))
-      p.work_power = contact(p, p.at, {true}, friction).work_power;
+    p.work_power = s.work_power + friction_power(p);
   }
   if (h > 0) check_overlap(committed.time);
 }
 
 void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
-    const FrictionLaw friction = friction_in(p, accepted.step);
+    Slipping friction = slipping(p, accepted.step);
+    const bool slips = friction.law.active();
     // The slip is kept on the ranks of both bodies.
-    if (!p.here || !(p.counted || friction.active())) continue;
+    if (!p.here || !(p.counted || slips)) continue;
     const Both now = both(p, accepted);
-    TouchingPoints touching;
-    const Sum s = contact(p, now, {true}, friction, friction.active() ? &touching : nullptr);
-    if (accepted.step > 0) {
+    BodyFrictionPoints touching;
+    if (slips) friction.points = &touching;
+    const Sum s = contact(p, now, {accepted.step > 0}, friction);
+    if (slips && accepted.step > 0)
       p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
-      p.touching = std::move(touching);
-    }
+    p.touching = std::move(touching);
     if (!p.counted) continue;
     p.depth = std::max(p.depth, s.depth);
     p.potential = s.potential;
@@ -371,6 +323,14 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
   return e;
 }
 
+// A spring feels the round-off of places.
+double BodyContactTerm::round_off(const Kinematics&, double) const {
+  double sum = 0;
+  for (const Pair& p : pairs_)
+    if (p.counted) sum += std::pow(4 * DBL_EPSILON * p.stiffness * (p.at.A.x.norm() + p.at.B.x.norm()), 2);
+  return sum;
+}
+
 // Of a pair of which both lead it is one contact, reported by two.
 void BodyContactTerm::active_contacts(ActiveContacts& out) const {
   for (const Pair& p : pairs_) {
@@ -386,53 +346,6 @@ double BodyContactTerm::largest_penetration() const {
   double depth = 0;
   for (const Pair& p : pairs_) depth = std::max(depth, p.depth);
   return depth;
-}
-
-// The sums are kept with the node of the first floating body of a pair; what touches with those of both,
-// since either may be on another rank.
-std::vector<CheckpointKind> BodyContactTerm::checkpoint_kinds() const {
-  return {checkpoint_kind<Pair>("sums of a pair"), checkpoint_kind<FeaturePoint>("friction of a pair")};
-}
-
-std::vector<CheckpointRecord> BodyContactTerm::records(NodeRange of) const {
-  std::vector<CheckpointRecord> out;
-  for (size_t i = 0; i < pairs_.size(); ++i) {
-    const Pair& p = pairs_[i];
-    const PairBody &a = bodies_of_volumes_[p.a], &b = bodies_of_volumes_[p.b];
-    const int node = a.global >= 0 ? a.global : b.global, key = static_cast<int>(i);
-    if (p.counted && of.has(node)) out.push_back(record_of(node, key, p));
-    for (const PairBody* body : {&a, &b}) {
-      if (p.touching.empty() || !owned(*body) || !of.has(body->global)) continue;
-      CheckpointRecord r;
-      r.node = body->global;
-      r.key = key;
-      r.kind = 1;
-      for (const auto& [feature, points] : p.touching)
-        for (const AxisContactPoint& c : points) put(FeaturePoint{feature, c}, r.values);
-      out.push_back(std::move(r));
-    }
-  }
-  return out;
-}
-
-void BodyContactTerm::restore(const std::vector<CheckpointRecord>& records) {
-  for (Pair& p : pairs_) p.touching.clear();
-  for (const CheckpointRecord& r : records) {
-    if (r.key < 0 || static_cast<size_t>(r.key) >= pairs_.size()) continue;
-    Pair& p = pairs_[r.key];
-    if (r.kind == 1) {
-      p.touching.clear();  // a rank that owns both bodies has the record twice
-      for (const FeaturePoint& f : entries<FeaturePoint>(r)) p.touching[f.feature].push_back(f.point);
-      continue;
-    }
-    if (!p.counted) continue;
-    const Pair kept = entry<Pair>(r);
-    p.damping = kept.damping;
-    p.dissipated = kept.dissipated;
-    p.work = kept.work;
-    p.depth = kept.depth;
-    p.met = kept.met;
-  }
 }
 
 }  // namespace hawser

@@ -9,7 +9,7 @@
 namespace hawser {
 
 BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& surface, const Vec3& turned,
-                                     const AxisContactMode& mode)
+                                     double step, const AxisContactMode& mode)
     : body_(body),
       mode_(mode),
       turn_(surface.R.transpose() * body.R),
@@ -20,7 +20,20 @@ BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& sur
       own_turning_(turn_ * body.w),
       surface_turning_(surface.w),
       turned_(turned),
+      step_(step),
       turned_by_turn_(inverse_right_jacobian(-turned)) {}
+
+ContactTrial BodyContactPoints::trial(const SurfacePoint& at, const Vec3& z, double radius) const {
+  ContactTrial t;
+  t.point = z;
+  t.gap = at.distance - radius;
+  t.normal = at.normal;
+  if (!mode_.convex) t.curvature = at.curvature;
+  if (mode_.moves) t.velocity = velocity_ + turning_.cross(z - centre_);
+  t.lever = radius;
+  t.step = step_;
+  return t;
+}
 
 // A motion (d, t) of the body, in axes of the surface, moves the point at the arm b by d + t x b, changes its
 // velocity by t x (w x b) and the velocity of that motion, and the rotation vector phi since the start of the
@@ -29,14 +42,8 @@ BodyContactPoints::BodyContactPoints(const BodyFrame& body, const BodyFrame& sur
 // less t x m, since the moment is taken in axes of the body.
 AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStart& start,
                                         const SurfacePoint& at, const Vec3& z, double radius, double weight) {
-  const Vec3 arm = z - centre_, speed = velocity_ + turning_.cross(arm);
-  ContactTrial trial;
-  trial.point = z;
-  trial.gap = at.distance - radius;
-  trial.normal = at.normal;
-  if (!mode_.convex) trial.curvature = at.curvature;
-  if (mode_.moves) trial.velocity = speed;
-  trial.lever = radius;
+  const Vec3 arm = z - centre_;
+  const ContactTrial trial = this->trial(at, z, radius);
   const BallContact c = radius > 0 ? ball_contact(law, start, trial, turned_, mode_.tangent)
                                    : BallContact{volume_contact(law, start, trial, mode_.tangent)};
   AxisContactPoint point(c, trial.normal);
@@ -45,7 +52,7 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   if (c.normal.elastic > 0) {
     active_ = true;
     potential_ += weight * c.normal.potential;
-    damping_power_ -= weight * (c.normal.force - c.normal.elastic) * trial.normal.dot(speed);
+    damping_power_ -= weight * (c.normal.force - c.normal.elastic) * trial.normal.dot(trial.velocity);
     depth_ = std::max(depth_, -trial.gap);
   }
   if (!(c.normal.force > 0)) return point;
@@ -77,6 +84,30 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   K_.bottomLeftCorner<3, 3>() += sinks;
   K_.bottomRightCorner<3, 3>() += radius * hat(f) * hat(trial.normal) - sinks * b;
   return point;
+}
+
+// The gap g(z(xi)) stays where it is: n . (d + t x b + z' dxi) = 0.
+Vec6 BodyContactPoints::end_by_motion(const Vec3& z, const Vec3& normal, const Vec3& slope) const {
+  return (Vec6() << normal, (z - centre_).cross(normal)).finished() / -normal.dot(slope);
+}
+
+// The sum of the panel changes with the end e by d(w)/de (f, c x f) + w d(xi)/de d/dxi (f, c x f), where
+// c = b - r n, c' = z' - r H z'.
+void BodyContactPoints::add_moving_ends(const ContactLaw& law, const ContactStart& start,
+                                        const SurfacePoint& at, const Vec3& z, double radius,
+                                        const AxisContactPoint& point, const Vec3& slope, ContactRates rates,
+                                        std::span<const MovingEnd> ends) {
+  if (!(point.normal_force > 0)) return;
+  const ContactTrial trial = this->trial(at, z, radius);
+  rates.point = slope;
+  if (mode_.moves) rates.velocity = turning_.cross(slope);
+  const Vec3 f = -point.force, along = -ball_force_along(law, start, trial, turned_, rates);
+  const Vec3 touch = z - centre_ - radius * trial.normal,
+             touch_along = slope - radius * trial.curvature * slope;
+  const Vec6 here = (Vec6() << f, touch.cross(f)).finished(),
+             change = (Vec6() << along, touch_along.cross(f) + touch.cross(along)).finished();
+  for (const MovingEnd& end : ends)
+    K_ += (end.weight * here + end.place * change) * end.by_motion.transpose();
 }
 
 // Positions are in space axes, rotations in those of the body.

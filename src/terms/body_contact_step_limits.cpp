@@ -155,11 +155,11 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
 }
 
 // Corners, edges and balls, in the frame of the other body; a corner is taken for as round as the ramp of its
-// law is wide.
+// law is wide, or that of a law without one by default.
 bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
   const Both &was = pair.at, is = both(pair, trial);
   auto field = distance_to(*volumes_[pair.b].surface);
-  const double smoothing = pair.law.smoothing;
+  const double smoothing = pair.law.smoothing, round = std::max(smoothing, pair.round);
   bool through = false;
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& centre, double radius) {
@@ -169,15 +169,14 @@ bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
       [&](const SkeletonPart& p) {
         through = through || goes_through(field, BezierAxis::straight(was.across(p.from), was.across(p.to)),
                                           BezierAxis::straight(is.across(p.from), is.across(p.to)),
-                                          std::max(p.radius, smoothing), true);
+                                          std::max(p.radius, round), true);
       });
   return through;
 }
 
 Verdict BodyContactTerm::check_step(const Kinematics& trial) const {
-  const bool through = trial.step > 0 && std::any_of(pairs_.begin(), pairs_.end(), [&](const Pair& pair) {
-                         return pair.counted && tunnels(pair, trial);
-                       });
+  const bool through = std::any_of(pairs_.begin(), pairs_.end(),
+                                   [&](const Pair& pair) { return pair.counted && tunnels(pair, trial); });
   return through ? Verdict{Verdict::Kind::shorter, advice::body_passes_body()} : Verdict{};
 }
 

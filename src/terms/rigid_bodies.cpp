@@ -9,13 +9,12 @@
 
 #include "hawser/math/broken_line.hpp"
 #include "hawser/math/so3.hpp"
-#include "hawser/model/check.hpp"
 
 namespace hawser {
 
 RigidBodyData RigidBodies::data(const Floating& f) const {
   RigidBodyData d = f.data;
-  for (int i = 0; i < 3 && hold_ && !f.rests; ++i) {
+  for (int i = 0; i < 3 && hold_ && !f.rest.found(friction_); ++i) {
     if (!(d.stiffness[i] > 0)) {
       d.stiffness[i] = d.mass;
       d.weight[i] = 0;
@@ -56,33 +55,7 @@ namespace {
 // where Newton's iteration starts from, so that only the way to the equilibrium knows it.
 constexpr double kDrift = 0.01;
 
-bool in_lines_or_links(const model::Case& c, int body) {
-  const std::string& name = c.bodies[body].name;
-  return !model::line_ends_at(c, c.bodies[body]).empty() ||
-         std::any_of(c.links.begin(), c.links.end(),
-                     [&](const model::Link& l) { return l.end_a.body == name || l.end_b.body == name; }) ||
-         (!c.lines.empty() && std::any_of(c.volumes.begin(), c.volumes.end(), [&](const model::Volume& v) {
-           return v.body == name && c.contact.takes_part(v);
-         }));
-}
-
-// By buoyancy and springs alone.
-bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
-  if (!m.in_water) return false;
-  const model::Water& w = c.environment.water;
-  const bool carried = m.stiffness.z() > 0 || w.density * m.in_water->volume > m.mass;
-  const bool flows = !w.current.profile.empty() && !(w.current.ramp > 0);
-  return carried && (!flows || m.stiffness.head<2>().minCoeff() > 0);
-}
-
 }  // namespace
-
-bool finds_rest(const model::Case& c, int body) {
-  const model::BodyMass& m = *c.bodies[body].mass;
-  const bool held_in_flow = (m.wind || m.current) && m.stiffness.head<2>().minCoeff() > 0;
-  return m.hydrodynamics || held_in_flow || !m.loads.empty() || in_lines_or_links(c, body) ||
-         floats_at_rest(c, m);
-}
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
     : bodies_(std::move(bodies)) {
@@ -101,7 +74,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     f.data.turning_damping = m.turning_damping;
     for (const model::BodyLoad& l : m.loads)
       f.loads.push_back({{l.force, l.moment, l.at - m.centre, l.body_fixed, l.table.empty()}, l.table});
-    f.rests = finds_rest(c, body);
+    f.rest = static_rest(c, body);
     f.centre = m.centre;
     f.body = body;
     f.node = n;
@@ -151,11 +124,11 @@ void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Floating& f : list_) {
     const RigidBodyState s = floating_state(trial, f.node);
     RigidBodyResidual r = rigid_body(data(f), s, rest(f, trial.time));
-    if (!hold_ || f.rests)
+    if (!hold_ || f.rest.found(friction_))
       for (const Load& l : f.loads) add_load(l.at(trial.time), s, r);
     const int blocks[2] = {f.block, f.block + 1};
     assembler.add(blocks, r.inertia.data(), r.K.data(), r.C.data(), r.M.data());
-    if (hold_ && f.rests && assembler.needs_tangent()) {
+    if (hold_ && f.rest.found(friction_) && assembler.needs_tangent()) {
       Mat6 K = Mat6::Zero();
       K.topLeftCorner<3, 3>() = kDrift * kDrift * f.data.mass * Mat3::Identity();
       K.bottomRightCorner<3, 3>() = kDrift * kDrift * f.data.inertia;
@@ -225,8 +198,9 @@ double RigidBodies::round_off(const Kinematics& at, double h) const {
   double sum = 0;
   for (const Floating& f : list_) {
     const size_t n = f.node;
-    sum += std::pow(4 * eps * f.data.stiffness.maxCoeff() * at.x[n].norm(), 2);
-    sum += std::pow(4 * eps * f.data.turning_stiffness.maxCoeff(), 2);
+    const RigidBodyData d = data(f);
+    sum += std::pow(4 * eps * d.stiffness.maxCoeff() * at.x[n].norm(), 2);
+    sum += std::pow(4 * eps * d.turning_stiffness.maxCoeff(), 2);
     if (!(h > 0)) continue;
     sum += std::pow(4 * eps * f.data.mass * at.v[n].norm() / h, 2);
     sum += std::pow(4 * eps * f.data.inertia.diagonal().maxCoeff() * at.w[n].norm() / h, 2);

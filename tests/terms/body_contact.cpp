@@ -109,7 +109,7 @@ struct BodyModel {
 
   // gap [m] between the two in the trial; closing [m/s] as they come together.
   BodyModel(const TouchCase& what, double gap, bool floats, double closing,
-            const model::Friction& friction = {}) {
+            const model::Friction& friction = {}, double damping = 0.2) {
     const auto volume = [&](const char* body, const Primitive& shape, StiffnessBasis basis) {
       model::Volume v;
       v.name = v.body = body;
@@ -117,7 +117,7 @@ struct BodyModel {
       v.basis = basis;
       v.normal_stiffness = 1e5;
       v.smoothing = kGapSmoothing;
-      v.relative_damping = 0.2;
+      v.relative_damping = damping;
       v.friction = friction;
       c.volumes.push_back(v);
       c.bodies.emplace_back().name = body;
@@ -232,12 +232,14 @@ model::Friction friction(double coefficient, double mobilisation) {
 // that an accepted step left.
 TEST(BodyContactTerm, TangentsWithFriction) {
   for (const TouchCase& c : touch_cases()) {
-    if (std::holds_alternative<CapsuleShape>(c.shape)) continue;  // a bar per length has none
     for (const bool floats : {true, false})
       for (const auto& [law, name] :
            {std::pair(friction(0.4, 1), "sticks"), {friction(0.4, 1e-3), "slides"}}) {
         const std::string what = c.name + ", " + name + (floats ? ", two" : ", one");
-        BodyModel m(c, -5e-3, floats, 0.1, law), smooth(c, -5e-3, floats, 0.1);
+        // With damping the pieces of a face that are hardly pressed slide while others stick, and there is
+        // always one on the way from one to the other, where the force has a kink.
+        const double damping = c.basis == StiffnessBasis::per_area && law.mobilisation_length == 1 ? 0 : 0.2;
+        BodyModel m(c, -5e-3, floats, 0.1, law, damping), smooth(c, -5e-3, floats, 0.1, {}, damping);
         const State s = state_of(m.system->mesh(), m.trial);
         const std::vector<double> with = residual(*m.system, s, m.trial.h),
                                   without = residual(*smooth.system, s, m.trial.h);

@@ -18,7 +18,8 @@ struct Place {
 struct Situation {
   std::string name;
   double axial = 0.3, lateral = 0.3, stiffness = 0, slip = 1e-4, before = -1e-3;
-  double blend = 0;  // m/s
+  double blend = 0;    // m/s
+  double damping = 0;  // sqrt(kg)
 };
 
 Place at(const Situation& s, double xi) {
@@ -29,6 +30,7 @@ Place at(const Situation& s, double xi) {
   p.trial.gap = r - ball - radius;
   p.trial.normal = p.trial.point / r;
   p.trial.curvature = (Mat3::Identity() - p.trial.normal * p.trial.normal.transpose()) / r;
+  p.trial.step = 0.01;
   p.trial.velocity = Vec3(0.1 + 0.3 * xi, 0.2 * xi * xi, -0.4 + 0.1 * xi);
   p.start.point = p.trial.point + s.slip * Vec3(2 - xi, 1 + 2 * xi, 0.4 * xi * xi);
   p.start.gap = s.before + 2e-3 * (s.before > 0) * xi;
@@ -57,6 +59,8 @@ TEST(ContactAlong, DerivativeOfTheForce) {
                            {"spring slides, anisotropic", 0.3, 0.6, 2e4, 0.2},
                            {"slides at a speed", 0.3, 0.3, 0, 0.05, -1e-3, 0.4},
                            {"slides at a speed, anisotropic", 0.3, 0.6, 2e4, 0.2, -1e-3, 0.4},
+                           {"sticks, damped", 0.3, 0.3, 0, 1e-5, -1e-3, 0, 0.5},
+                           {"slides, damped", 0.3, 0.3, 2e4, 0.2, -1e-3, 0.4, 2},
                            {"met in the step, sticks", 0.3, 0.3, 0, 1e-4, 0.02},
                            {"met in the step, slides, anisotropic", 0.3, 0.6, 0, 0.1, 0.02}};
   for (const Situation& s : all) {
@@ -66,6 +70,7 @@ TEST(ContactAlong, DerivativeOfTheForce) {
     law.friction.lateral = s.lateral;
     law.friction.stiffness = s.stiffness;
     law.friction.blend_speed = s.blend;
+    law.friction.damping = s.damping;
     law.friction.axial_kinetic = 0.5 * s.axial;
     law.friction.lateral_kinetic = 0.6 * s.lateral;
     law.friction.axial_length = law.friction.lateral_length = 2e-3;
@@ -93,6 +98,18 @@ TEST(ContactAlong, DerivativeOfTheForce) {
       const Vec3 found = contact_force_along(law, p.start, p.trial, by);
       EXPECT_LT((found - expected).norm(), 1e-7 * expected.norm()) << s.name << " at " << xi;
       EXPECT_GT(expected.norm(), 1) << s.name;
+      // A ball that turns: its surface slips as well.
+      const Vec3 turn(0.002, -0.001, 0.003);
+      const auto ball = [&](double x) {
+        Place q = at(s, x);
+        q.trial.lever = 0.1;
+        return ball_contact(law, q.start, q.trial, turn, false);
+      };
+      Place q = at(s, xi);
+      q.trial.lever = 0.1;
+      const Vec3 of_ball = rate([&](double x) { return ball(x).force; });
+      EXPECT_LT((ball_force_along(law, q.start, q.trial, turn, by) - of_ball).norm(), 1e-7 * of_ball.norm())
+          << s.name << " at " << xi;
     }
   }
   ContactTrial away;

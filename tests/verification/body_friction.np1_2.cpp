@@ -4,11 +4,7 @@
 
 #include <cmath>
 
-#include "hawser/io/case_reader.hpp"
-#include "hawser/math/so3.hpp"
-#include "hawser/run/volumes.hpp"
-#include "support/rig.hpp"
-#include "verification/dynamics_rig.hpp"
+#include "verification/bodies_rig.hpp"
 
 namespace hawser::test::body_friction {
 namespace {
@@ -21,32 +17,9 @@ struct Motion {
 };
 
 Motion run(const std::string& yaml) {
-  const model::Case c = io::read_case_text(yaml, "bodies.yaml");
-  const auto volumes = run::load_volumes(c);
-  run::Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes));
-  Dynamics& d = s.dynamics();
-  d.start(s.state());
-  integrate(d, c.dynamics.duration, c.dynamics.duration, [](const StepInfo&) {});
-  Motion m;
-  for (size_t b = 0; b < c.bodies.size(); ++b) {
-    std::vector<double> of(13, 0);
-    const auto pose = s.body_pose(static_cast<int>(b), d.kinematics());
-    if (pose) {
-      Eigen::Map<Vec3>(of.data()) = pose->position;
-      Eigen::Map<Eigen::Vector4d>(of.data() + 3) = pose->rotation.coeffs();
-      Eigen::Map<Vec3>(of.data() + 7) = pose->velocity;
-      Eigen::Map<Vec3>(of.data() + 10) = pose->angular_velocity;
-    }
-    MPI_Allreduce(MPI_IN_PLACE, of.data(), 13, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-    RigidPose& p = m.end.emplace_back();
-    p.position = Eigen::Map<Vec3>(of.data());
-    p.rotation = Quat(Eigen::Map<Eigen::Vector4d>(of.data() + 3)).normalized();
-    p.velocity = Eigen::Map<Vec3>(of.data() + 7);
-    p.angular_velocity = Eigen::Map<Vec3>(of.data() + 10);
-  }
-  m.friction = s.system().energy(d.kinematics()).friction;
-  MPI_Allreduce(MPI_IN_PLACE, &m.friction, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-  return m;
+  BodiesRun r(yaml);
+  r.run_without_statics();
+  return {r.poses(), r.energy().friction};
 }
 
 constexpr double kMass = 600, kPress = 1e7;  // kg; N/m, N/m² or N/m³
@@ -147,8 +120,46 @@ TEST(BodyFriction, BallsAndBarsRoll) {
   };
   for (const double mu : {0.6, 0.1}) {
     check("{sphere: {centre: [0, 0, 0], radius: 0.5}}", "per_point", 1, 60, mu);
-    check("{capsule: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}", "per_point", 2, 75, mu);
+    for (const char* basis : {"per_point", "per_length"})
+      check("{capsule: {from: [0, -1, 0], to: [0, 1, 0], radius: 0.5}}", basis, 2, 75, mu);
   }
+}
+
+// What sticks vibrates on its friction springs k_t with the damping of the contact: of four corners, each
+// with c = 2 zeta sqrt(k_t m), w = sqrt(4 k_t/m) and the damping ratio 2 zeta. Friction takes the energy of
+// the motion.
+TEST(BodyFriction, WhatSticksIsDamped) {
+  const double zeta = 0.05, k = 2.5e6, speed = 0.02, w = std::sqrt(4 * k / kMass), D = 2 * zeta;
+  const std::string yaml = fmt::format(R"(hawser: 1
+bodies:
+  load:
+    position: [0, 0, {:.15f}]
+    floating: {{mass: {}, inertia: [1e9, 1e9, 1e9], weight: true, velocity: [{}, 0, 0]}}
+volumes:
+  floor: {{shape: {{plane: {{point: [0, 0, 0], normal: [0, 0, 1]}}}}, friction: 1}}
+  load:
+    shape: {}
+    body: load
+    normal_stiffness: {{per_point: {}}}
+    relative_damping: {}
+    smoothing: 1e-3
+    friction: {{axial: 1, shear_stiffness: {}}}
+statics: false
+dynamics: {{duration: 1, max_step: 2e-4, rho_infinity: 1}}
+)",
+                                       0.1 + gap_at_rest(0, kCorners), kMass, speed, kBox, kPress, zeta, k);
+  BodiesRun r(yaml);
+  r.start();
+  double error = 0;
+  r.move(0.3, [&](const StepInfo&) {
+    const double t = r.sim.dynamics().kinematics().time, wd = w * std::sqrt(1 - D * D);
+    const double x = speed / wd * std::exp(-D * w * t) * std::sin(wd * t);
+    error = std::max(error, std::abs(r.poses()[0].position.x() - x));
+  });
+  EXPECT_LT(error, 0.01 * speed / w);
+  r.move(1);
+  const double energy = 0.5 * kMass * speed * speed;
+  EXPECT_NEAR(r.energy().friction, energy, 0.005 * energy);
 }
 
 // A slab that slides on a free block, pressed together by 3000 N, takes it along: momentum stays, both end

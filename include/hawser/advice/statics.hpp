@@ -16,6 +16,8 @@ std::string no_waterplane(const std::string& body);
 std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double sticking);
 std::string more_lines_on_bed(size_t lines);
 // Equilibria that statics left on its way; eigenvalues below 0 of the one it found.
+// Of a body with weight that only friction on others would keep in place.
+std::string held_without_weight(const std::string& body);
 std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
 // So many steps of dynamic relaxation without rest.

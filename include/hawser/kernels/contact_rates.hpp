@@ -18,6 +18,9 @@ struct ContactRates {
 // nothing touches.
 Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                          const ContactRates& by_xi);
+// The same of a ball_contact() whose `turn` is that of all places.
+Vec3 ball_force_along(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
+                      const Vec3& turn, const ContactRates& by_xi);
 
 // Slip and normal between two places a and b of the line at which they are known, and their derivatives by
 // the share t (0 at a, 1 at b): the normal in between, each slip turned to it.

@@ -26,6 +26,9 @@ struct FrictionLaw {
   FrictionSpring spring = FrictionSpring::elliptic;
   double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients far above the blend speed
   double blend_speed = 0;                         // m/s; 0: the coefficients at rest apply at every speed
+  // sqrt(kg), 2 zeta sqrt(m), of isotropic laws: what sticks on the stiffness k has the damper c = damping
+  // sqrt(k).
+  double damping = 0;
 
   bool operator==(const FrictionLaw&) const = default;
   bool active() const { return axial > 0 || lateral > 0; }
@@ -72,6 +75,43 @@ Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
           S(rest * (law.lateral - law.lateral_kinetic) + law.lateral_kinetic)};
 }
 
+// N/m, k of an isotropic law under the normal force N [N].
+template <class S, class M>
+S isotropic_stiffness(const FrictionLaw& law, const Coulomb<M>& mu, const S& N) {
+  return law.stiffness > 0 ? S(law.stiffness) : S(N * M(mu.axial / law.axial_length));
+}
+
+// A spring that slides where its slip is larger than `limit` [m].
+template <class S>
+Friction<S> on_spring(const Vector3<S>& slip, const S& limit, const S& stiffness) {
+  using std::sqrt;
+  Friction<S> r;
+  r.slip = slip;
+  const S s2 = slip.squaredNorm();
+  if (s2 > S(limit * limit)) {
+    const S shrink = limit / sqrt(s2);
+    r.slip = slip * shrink;
+    r.slides = true;
+  }
+  r.force = r.slip * S(-stiffness);
+  return r;
+}
+
+// Friction of an isotropic law with damping in a step of length h [s], from the slip s0 at its start, turned
+// to the present normal, over the displacement d in the tangent plane. Spring and damper stick together, in
+// series with the slider: F = -(k s + c (s - s0)/h), |F| <= mu N. With k' = k + c/h and w = k/k', and s = s0
+// + d while it sticks, F = -k' (w s0 + d); what slides leaves the s that belongs to F, s = (1 - w) s0 - F/k'.
+template <class S, class M>
+Friction<S> damped_friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const Vector3<S>& s0,
+                            const Vector3<S>& d, double h) {
+  if (!(N > 0.0) || !(mu.axial > 0.0)) return {};
+  using std::sqrt;
+  const S k = isotropic_stiffness(law, mu, N), damped = k + sqrt(k) * S(law.damping / h), w = k / damped;
+  Friction<S> r = on_spring<S>(s0 * w + d, N * mu.axial / damped, damped);
+  r.slip += s0 * S(S(1) - w);
+  return r;
+}
+
 // Force and remaining slip for a trial slip in the tangent plane of `normal`. N [N] >= 0; `tangent` is the
 // direction of the line (unit vector, need not lie in the plane); mu holds the coefficients that apply.
 //
@@ -86,17 +126,8 @@ Friction<S> friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, c
   if (!(N > 0.0)) return r;
   using std::abs, std::sqrt;
   if (law.isotropic()) {
-    const S s2 = slip.squaredNorm();
     const S limit = law.stiffness > 0 ? S(N * M(mu.axial / law.stiffness)) : S(law.axial_length);
-    const S stiffness = law.stiffness > 0 ? S(law.stiffness) : S(N * M(mu.axial / law.axial_length));
-    r.slip = slip;
-    if (s2 > S(limit * limit)) {
-      const S shrink = limit / sqrt(s2);
-      r.slip = slip * shrink;
-      r.slides = true;
-    }
-    r.force = r.slip * S(-stiffness);
-    return r;
+    return on_spring(slip, limit, isotropic_stiffness(law, mu, N));
   }
   Vector3<S> a = tangent.template cast<S>();
   a -= normal * S(a.dot(normal));

@@ -36,6 +36,7 @@ struct ContactTrial {
   // Friction at the line's surface: `roll`, by how much the line has rolled about its axis relative to the
   // body since the start of the step, rad, and `lever`, the line's radius, m; 0: friction acts at the axis.
   double roll = 0, lever = 0;
+  double step = 0;  // s, length of the step; 0: statics, where friction has no damping
 };
 
 struct PointContact {

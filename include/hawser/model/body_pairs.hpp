@@ -22,7 +22,7 @@ struct BodyPair {
 // volumes (sphere, capsule, torus) lead, then those with a stiffness per point, per length, per area; of
 // equals both lead, but round ones, where either would say the same. The softer of two of one basis counts.
 // A pair without any stiffness has stiffness 0. Friction has the lowest coefficient of both volumes, along
-// and across lines, and the law of a otherwise. A round bar that leads with a stiffness per length has none.
+// and across lines, and the law of a otherwise.
 std::vector<BodyPair> body_pairs(const Case& c);
 
 }  // namespace hawser::model

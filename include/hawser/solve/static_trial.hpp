@@ -86,6 +86,7 @@ class StaticTrial {
   KspHandle ksp_;
   std::vector<double> local_, zero_;  // 3 * local blocks: the increment; zeros
   double length_ = 0;                 // m, length of the longest element
+  double longest_ = 0;                // m, of the longest line; both of bodies alone: what suits them
   int layout_ = 0;                    // how often build() has created the vectors
   // What blocks the path to the last trial that was not clear, in words, and that trial; empty: nothing does.
   std::string blocked_by_;

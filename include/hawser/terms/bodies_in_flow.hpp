@@ -9,6 +9,7 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
+#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -23,7 +24,10 @@ class BodiesInFlow final : public ForceTerm,
   BodiesInFlow(const model::Case& c, const LocalMesh& mesh);
 
   // In statics nothing flows past bodies that are held where they start (RigidBodies::hold).
-  void hold(bool on) override { hold_ = on; }
+  void hold(bool on, bool friction) override {
+    hold_ = on;
+    friction_ = friction;
+  }
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
   std::vector<std::string> origins(int body) const override;
@@ -51,7 +55,7 @@ class BodiesInFlow final : public ForceTerm,
     double height = 0;                    // m above the still water, of the wind that the coefficients mean
     int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
     int body = 0;                         // of the case
-    bool rests = false;
+    StaticRest rest;
     Push push;  // of the last accepted state; in statics of the last iteration
     bool pushed = false;
     double work = 0;  // J, over the accepted steps
@@ -60,13 +64,13 @@ class BodiesInFlow final : public ForceTerm,
   FlowVelocity velocity(const Flow& f, const Kinematics& at, const RigidBodyState& s) const;
   Push push(const Flow& f, const Kinematics& at) const;
   static double work(const Push& from, const Push& to);
-  bool idle(const Flow& f) const { return hold_ && !f.rests; }
+  bool idle(const Flow& f) const { return hold_ && !f.rest.found(friction_); }
 
   Sea sea_;
   Wind wind_;
   std::vector<std::vector<std::string>> origins_;  // by body of the case
   std::vector<Flow> list_;
-  bool hold_ = false;
+  bool hold_ = false, friction_ = false;
 };
 
 }  // namespace hawser

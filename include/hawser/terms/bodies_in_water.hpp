@@ -8,6 +8,7 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/run_roles.hpp"
 #include "hawser/terms/sea.hpp"
+#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -20,7 +21,10 @@ class BodiesInWater final : public ForceTerm,
   BodiesInWater(const model::Case& c, const LocalMesh& mesh);
 
   // In statics no water acts on bodies that are held where they start (RigidBodies::hold).
-  void hold(bool on) override { hold_ = on; }
+  void hold(bool on, bool friction) override {
+    hold_ = on;
+    friction_ = friction;
+  }
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
   // Those of this rank's bodies that the surface cuts, by their index in the case.
@@ -51,7 +55,7 @@ class BodiesInWater final : public ForceTerm,
     BodyInWater data;
     int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
     int body = 0;                         // of the case
-    bool rests = false;
+    StaticRest rest;
     // Waves are looked at once a step: at its end, where the centres get with their speed at its start.
     Places start, speed;              // m, m/s, at the start of the step
     Places wave_place;                // m, for the state at start_time_
@@ -67,11 +71,11 @@ class BodiesInWater final : public ForceTerm,
   Places wave_places(const Wet& b, const Kinematics& at) const;
   Water water(const Wet& b, const Kinematics& at, const Vec3& x, WaveMotion Wet::*wave) const;
   Flow flow(const Wet& b, const Kinematics& at) const;
-  bool idle(const Wet& b) const { return hold_ && !b.rests; }
+  bool idle(const Wet& b) const { return hold_ && !b.rest.found(friction_); }
 
   Sea sea_;
   std::vector<Wet> list_;
-  bool hold_ = false;
+  bool hold_ = false, friction_ = false;
   double start_time_ = 0;  // s
 };
 

@@ -2,14 +2,13 @@
 //
 // An edge is an axis like the element of a line (contact_along_axis.hpp), attached to its body; a corner is a
 // point of it. By the basis of its stiffness a volume touches with its corners and balls (per_point), its
-// edges (per_length) or its faces (per_area); model::body_pairs says who leads. In motion friction acts at
-// each point of contact, with an elastic slip of its own. See docs/theory/body-contact.md.
+// edges (per_length) or its faces (per_area); model::body_pairs says who leads. Friction acts at each point
+// of contact, with an elastic slip of its own. See docs/theory/body-contact.md.
 #pragma once
 
 #include <mpi.h>
 
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,11 +18,15 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/against_body.hpp"
+#include "hawser/terms/body_friction_points.hpp"
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
+
+class BodyContactPoints;
 
 // Where a rigid body is and how it moves: of the point its unknowns belong to, which is at `centre` in the
 // frame of its shapes. Places y are in that frame.
@@ -43,7 +46,11 @@ struct BodyVolume {
   BodySkeleton skeleton;
 };
 
-class BodyContactTerm final : public ForceTerm, public CouplesNodes, public LimitsSteps {
+class BodyContactTerm final : public ForceTerm,
+                              public CouplesNodes,
+                              public LimitsSteps,
+                              public ScalesResiduals,
+                              public HasFriction {
  public:
   // volumes: all of the case, in its order. Pairs are those of model::body_pairs. comm: of all ranks.
   BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
@@ -52,6 +59,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   std::string_view name() const override { return "body contact"; }
   void couple(Couplings& to) const override;
   bool recouple(const Kinematics&, double) override;
+  void enable_friction(bool on) override { friction_on_ = on; }
   void update_ghosts() override;
   // Of a step in time it watches.
   void prepare(const Kinematics& committed, double h) override;
@@ -62,8 +70,10 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
+  double round_off(const Kinematics& at, double h) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;
+  // Collective.
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   // SolveError where two volumes are far deeper in each other than corners and edges have met. Collective.
@@ -92,14 +102,13 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     // Rotation vector of A against B from there on, rad, axes of B.
     Vec3 turned_since(const Both& start) const;
   };
-  // Points that touch, by feature of what leads.
-  using TouchingPoints = std::map<int, std::vector<AxisContactPoint>>;
   struct Pair {
     size_t a = 0, b = 0;         // volumes
     NormalLaw law;               // of what stands out of a against the surface of b, per unit of the basis
     FrictionLaw friction;        // likewise
     double share = 1, mass = 0;  // of the force; kg, effective
     double size = 0;             // m, of what stands out
+    double round = 0;            // m, radius for which tunnelling takes a corner
     double most_depth = 0;       // m, most that passes in a step where they may meet
     // A root of the inverse of the mass of the twelve unknowns; none where motion is prescribed.
     Mat12 root = Mat12::Zero();
@@ -111,15 +120,16 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
     double damping_power = 0, work_power = 0;  // W, at the start of the step
     // In the committed state, for the step that is tried:
     double potential = 0;           // J
+    double stiffness = 0;           // N/m, of all springs that touch
     double frequency = 0;           // rad/s, of the fastest motion on its springs; 0: nothing touches
     double energy = 0;              // J, of the motion of the bodies against each other, and potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     Both at;
-    double penetration = 0;   // m, penetration
-    double met = 0;           // m, largest of that since the two were clear of each other
-    double depth = 0;         // m, largest, over the accepted steps
-    ActiveContact now;        // in the accepted state
-    TouchingPoints touching;  // likewise, where there is friction
+    double penetration = 0;       // m, penetration
+    double met = 0;               // m, largest of that since the two were clear of each other
+    double depth = 0;             // m, largest, over the accepted steps
+    ActiveContact now;            // in the accepted state
+    BodyFrictionPoints touching;  // likewise, where there is friction
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
@@ -148,21 +158,32 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   bool owned(const PairBody& body) const { return body.node >= 0 && body.node < mesh_.owned; }
   BodyFrame frame(size_t volume, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
-  // With friction if its law is given. Contact points are added to `points` if it is given.
-  Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode, const FrictionLaw& friction = {},
-              TouchingPoints* points = nullptr) const;
+  // The law of friction in a step of length h [s], 0 in statics; the contact points go to `points`, if given.
+  struct Slipping {
+    FrictionLaw law;
+    double step = 0;
+    BodyFrictionPoints* points = nullptr;
+  };
+  Slipping slipping(const Pair& pair, double h) const {
+    return {friction_on_ ? pair.friction : FrictionLaw(), h, nullptr};
+  }
+  // Without friction unless it is given.
+  Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const {
+    return contact(pair, at, mode, Slipping());
+  }
+  Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode, const Slipping& friction) const;
   void contact_of_edge(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
-                       const AxisContactMode& mode, const FrictionLaw& friction, double* f, double* K,
-                       double* C, Sum& sum, TouchingPoints* points) const;
-  // Whether a body with prescribed motion moves.
-  bool driven(const Pair& pair, const Both& at) const;
-  // The friction that acts in a step of length h [s]; none in statics.
-  static FrictionLaw friction_in(const Pair& pair, double h) { return h > 0 ? pair.friction : FrictionLaw(); }
+                       const AxisContactMode& mode, const Slipping& friction,
+                       BodyContactPoints& points) const;
   // The state at the start of the step of the place xi of a part that touches in the trial.
   ContactStart start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
                         ContactRates* rates) const;
   // J, half of the work that friction at these points takes on the way of the step.
-  double half_dissipation(const Pair& pair, const Both& trial, const TouchingPoints& points) const;
+  double half_dissipation(const Pair& pair, const Both& trial, const BodyFrictionPoints& points) const;
+  // W, what prescribed motion brings in against the friction at the points of the committed state.
+  double friction_power(const Pair& pair) const;
+  // Sends the slip of pairs of two floating bodies from the rank of the first to that of the second.
+  void share_slip();
   // Whether a ball, in the frame of a volume, may be nearer to its surface than `gap` [m].
   bool near(size_t volume, const Vec3& centre, double radius, double gap) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
@@ -190,7 +211,7 @@ class BodyContactTerm final : public ForceTerm, public CouplesNodes, public Limi
   std::vector<PairBody> bodies_of_volumes_;  // likewise
   std::vector<Pair> pairs_;
   std::vector<std::string> names_;  // of volumes, with their bodies
-  bool coupled_ = false;
+  bool coupled_ = false, friction_on_ = true;
 };
 
 }  // namespace hawser

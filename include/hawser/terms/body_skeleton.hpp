@@ -16,6 +16,7 @@ struct SkeletonPart {
   double radius = 0;  // m, of a bar or a ball
   double weight = 1;  // 1, or m² of a piece of a face
 
+  Vec3 place(double xi) const { return from + xi * (to - from); }
   static SkeletonPart point(const Vec3& at, double radius = 0, double weight = 1) {
     return {at, at, radius, weight};
   }

@@ -1,17 +1,40 @@
 // The elastic slip that friction at a place of an axis starts from in a step.
 #pragma once
 
-#include <span>
+#include <algorithm>
 
 #include "hawser/kernels/contact_rates.hpp"
-#include "hawser/terms/surface_contact_points.hpp"
 
 namespace hawser {
 
 // Sets slip and normal of `start`, and on request their derivatives along the axis, at the place xi from the
 // contact points of the last accepted state, by increasing xi: between points of one interval interpolated.
-// False: the material there did not touch, and nothing is set.
-bool previous_slip(std::span<const AxisContactPoint> points, double xi, ContactStart& start,
-                   ContactRates* rates);
+// False: the material there did not touch, and nothing is set. Points: a vector or span of contact points
+// that have xi, from, to, slip and normal.
+template <class Points>
+bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRates* rates) {
+  using Point = typename Points::value_type;
+  if (std::none_of(points.begin(), points.end(), [&](const Point& p) { return p.from <= xi && xi <= p.to; }))
+    return false;
+  const auto after = std::find_if(points.begin(), points.end(), [&](const Point& p) { return p.xi > xi; });
+  const Point* b = after != points.end() ? &*after : nullptr;
+  const Point* a = after != points.begin() ? &*(after - 1) : nullptr;
+  if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
+  if (!a || !b) {
+    const Point& p = a ? *a : *b;
+    s.slip = p.slip;
+    s.normal = p.normal;
+    return true;
+  }
+  const double gap = b->xi - a->xi, t = (xi - a->xi) / gap;
+  const SlipBetween between = slip_between(a->slip, a->normal, b->slip, b->normal, t, rates != nullptr);
+  s.slip = between.slip;
+  s.normal = between.normal;
+  if (rates) {
+    rates->start_slip = between.slip_by_t / gap;
+    rates->start_normal = between.normal_by_t / gap;
+  }
+  return true;
+}
 
 }  // namespace hawser

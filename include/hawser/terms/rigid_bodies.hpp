@@ -14,6 +14,7 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/bodies.hpp"
 #include "hawser/terms/run_roles.hpp"
+#include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
 
@@ -25,7 +26,10 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   // Statics holds a body that nothing holds: as if by a spring that would swing it once in 2 pi s, without
   // weight. Of those that find their own rest (below) only what nothing resists (a load that turns about its
   // sling) is kept from drifting.
-  void hold(bool on) override { hold_ = on; }
+  void hold(bool on, bool friction) override {
+    hold_ = on;
+    friction_ = friction;
+  }
 
   // N and N m about its centre of mass, space axes: what lines and contact exert on a body of the case in a
   // state in balance, from what its own motion, springs and weight need. On the rank that owns it.
@@ -51,10 +55,10 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   struct Floating {
     RigidBodyData data;
     std::vector<Load> loads;
-    Vec3 centre;                               // m, body frame
-    int body = 0, node = 0;                    // of the case; local
-    int block = 0, global = 0;                 // local block of the position; mesh node
-    bool rests = false;                        // finds its own rest
+    Vec3 centre;                // m, body frame
+    int body = 0, node = 0;     // of the case; local
+    int block = 0, global = 0;  // local block of the position; mesh node
+    StaticRest rest;
     RigidBodyState start;                      // at the last prepare()
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
@@ -72,12 +76,9 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   RigidBodyData data(const Floating& f) const;
 
   std::vector<Floating> list_;
-  bool hold_ = false;
+  bool hold_ = false, friction_ = false;
 };
 
-// Whether statics finds the rest of a body: it is a platform, has loads, carries lines or links or can be
-// touched by lines, or springs hold it in wind and current, or it floats in water where no current moves it.
-bool finds_rest(const model::Case& c, int body);
 // Where the centre of mass of a floating body starts, and its velocities (w in body axes).
 RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest);
 // The pose of a body's frame from the state of its centre of mass.

@@ -23,7 +23,8 @@ class HasFriction {
 class RestrainedInStatics {
  public:
   virtual ~RestrainedInStatics() = default;
-  virtual void hold(bool on) = 0;
+  // friction: contact has it in statics.
+  virtual void hold(bool on, bool friction) = 0;
 };
 
 // Is in the water's current.

@@ -1,0 +1,73 @@
+// What friction of bodies keeps of an accepted step: the points that touch, by the corner, edge or piece of a
+// face that they are on. Faces have thousands of them, of which each evaluation asks for all.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hawser/math/types.hpp"
+
+namespace hawser {
+
+// In the frame of the surface; forces per unit of `weight`, 1, m or m².
+struct BodyFrictionPoint {
+  double xi = 0, from = 0, to = 0;  // where on an edge; its panel: all of it touches
+  double weight = 1;
+  Vec3 slip = Vec3::Zero(), normal = Vec3::UnitZ();  // m, elastic slip that is left
+  Vec3 friction = Vec3::Zero();                      // N, N/m or N/m²
+
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("place", "", self.xi);
+    each("from", "", self.from);
+    each("to", "", self.to);
+    each("weight", "1, m or m2", self.weight);
+    each("slip", "m", self.slip);
+    each("normal", "", self.normal);
+    each("friction force", "N, N/m or N/m2", self.friction);
+  }
+};
+
+class BodyFrictionPoints {
+ public:
+  bool empty() const { return points_.empty(); }
+  void clear() {
+    points_.clear();
+    features_.clear();
+    place_.clear();
+  }
+  // All points of a feature at once.
+  void add(int feature, std::span<const BodyFrictionPoint> points) {
+    if (points.empty()) return;
+    const size_t i = feature;
+    if (i >= place_.size()) place_.resize(i + 1, -1);
+    place_[i] = static_cast<int>(features_.size());
+    features_.push_back({feature, points_.size(), points.size()});
+    points_.insert(points_.end(), points.begin(), points.end());
+  }
+  // None where nothing of the feature touched.
+  std::span<const BodyFrictionPoint> of(int feature) const {
+    const size_t i = feature;
+    if (i >= place_.size() || place_[i] < 0) return {};
+    return points(features_[place_[i]]);
+  }
+  // Calls visit(feature, points) for each, in the order in which they were added.
+  template <class Visit>
+  void each(const Visit& visit) const {
+    for (const Feature& f : features_) visit(f.index, points(f));
+  }
+
+ private:
+  struct Feature {
+    int index = 0;
+    size_t first = 0, count = 0;
+  };
+  std::span<const BodyFrictionPoint> points(const Feature& f) const {
+    return std::span(points_).subspan(f.first, f.count);
+  }
+  std::vector<BodyFrictionPoint> points_;
+  std::vector<Feature> features_;
+  std::vector<int> place_;  // in features_, by Feature::index; -1: none
+};
+
+}  // namespace hawser

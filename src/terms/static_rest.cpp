@@ -1,0 +1,49 @@
+// What keeps a floating body at rest in statics: buoyancy and springs, lines and links, friction on other
+// bodies.
+#include "hawser/terms/static_rest.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "hawser/model/body_pairs.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser {
+namespace {
+
+bool in_lines_or_links(const model::Case& c, int body) {
+  const std::string& name = c.bodies[body].name;
+  return !model::line_ends_at(c, c.bodies[body]).empty() ||
+         std::any_of(c.links.begin(), c.links.end(),
+                     [&](const model::Link& l) { return l.end_a.body == name || l.end_b.body == name; }) ||
+         (!c.lines.empty() && std::any_of(c.volumes.begin(), c.volumes.end(), [&](const model::Volume& v) {
+           return v.body == name && c.contact.takes_part(v);
+         }));
+}
+
+// By buoyancy and springs alone.
+bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
+  if (!m.in_water) return false;
+  const model::Water& w = c.environment.water;
+  const bool carried = m.stiffness.z() > 0 || w.density * m.in_water->volume > m.mass;
+  const bool flows = !w.current.profile.empty() && !(w.current.ramp > 0);
+  return carried && (!flows || m.stiffness.head<2>().minCoeff() > 0);
+}
+
+}  // namespace
+
+StaticRest static_rest(const model::Case& c, int body) {
+  const model::BodyMass& m = *c.bodies[body].mass;
+  const bool held_in_flow = (m.wind || m.current) && m.stiffness.head<2>().minCoeff() > 0;
+  StaticRest rest;
+  rest.always = m.hydrodynamics || held_in_flow || !m.loads.empty() || in_lines_or_links(c, body) ||
+                floats_at_rest(c, m);
+  const std::vector<model::BodyPair> pairs = model::body_pairs(c);
+  rest.by_friction = std::any_of(pairs.begin(), pairs.end(), [&](const model::BodyPair& p) {
+    const std::string& name = c.bodies[body].name;
+    return p.friction.axial > 0 && (c.volumes[p.a].body == name || c.volumes[p.b].body == name);
+  });
+  return rest;
+}
+
+}  // namespace hawser
