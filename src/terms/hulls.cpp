@@ -1,0 +1,227 @@
+// The class Hulls: surfaces from the volumes of the case, pressure of the sea on them, its work and
+// potential.
+#include "hawser/terms/hulls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "hawser/geometry/mesh_split.hpp"
+#include "hawser/geometry/primitives.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser {
+namespace {
+
+// The head is linear along edges: one of the length L underestimates the mean head of a wave of the number k
+// by (k L)²/12, which is 0.2 % where the wave is this many edges long.
+constexpr double kEdgesInWave = 40;
+constexpr std::size_t kMostTriangles = 200000;
+
+// 1/m, mean of the sea by energy.
+double mean_number(const WaveField& waves) {
+  double sum = 0, energy = 0;
+  for (const WaveComponent& c : waves.components()) {
+    sum += c.amplitude * c.amplitude * c.number;
+    energy += c.amplitude * c.amplitude;
+  }
+  return energy > 0 ? sum / energy : 0;
+}
+
+}  // namespace
+
+HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& facets, double longest) {
+  const model::BodyMass& m = *c.bodies[body].mass;
+  HullSurface out;
+  for (const std::string& name : m.hull->volumes) {
+    const auto is = [&name](const model::Volume& v) { return v.name == name; };
+    const size_t v =
+        static_cast<size_t>(std::find_if(c.volumes.begin(), c.volumes.end(), is) - c.volumes.begin());
+    if (v >= facets.size()) throw std::logic_error("a hull without the triangles of its volumes");
+    TriangleMesh mesh = c.volumes[v].shape ? facets_of_volume(*c.volumes[v].shape) : facets[v]->copy();
+    split_edges(mesh, longest, kMostTriangles);
+    const int first = static_cast<int>(out.corners.size());
+    for (const Vec3& corner : mesh.vertices) out.corners.push_back(corner - m.centre);
+    for (const auto& t : mesh.triangles) out.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  return out;
+}
+
+Hulls::Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& facets)
+    : sea_(sea_of(c)), origins_(c.bodies.size()) {
+  const double number = mean_number(sea_.waves);
+  for (size_t b = 0; b < c.bodies.size(); ++b)
+    if (c.bodies[b].mass && c.bodies[b].mass->hull) {
+      origins_[b] = {"buoyancy"};
+      if (number > 0 && c.bodies[b].mass->hull->wave_pressure) origins_[b].push_back("froude_krylov");
+    }
+  for (int n = 0; n < mesh.owned; ++n) {
+    const int global = mesh.global[n];
+    const int body = mesh.mesh->nodes[global].body;
+    if (body < 0 || origins_[static_cast<size_t>(body)].empty()) continue;
+    Hull& hull = list_.emplace_back();
+    hull.in_waves = origins_[static_cast<size_t>(body)].size() > 1;
+    const double longest = hull.in_waves ? 2 * M_PI / (kEdgesInWave * number) : HUGE_VAL;
+    hull.surface = hull_surface(c, body, facets, longest);
+    hull.node = n;
+    hull.block = mesh.block[n];
+    hull.global = global;
+    hull.body = body;
+    hull.rests = finds_rest(c, body);
+    constexpr double kDeep = 1e6;  // m
+    const double volume = displaced_volumes(hull.surface, kDeep, {}).x();
+    hull.whole = sea_.density * sea_.gravity * volume;
+  }
+}
+
+const std::vector<double>& Hulls::heads(const Hull& hull, const Kinematics& at) const {
+  if (hull.known && hull.time == at.time) return hull.heads;
+  const double since = at.time - start_time_;
+  const RigidBodyState& s = hull.start;
+  const Vec3 centre = s.x + since * s.v;
+  const Mat3 R = (s.q * exp_so3(since * s.w)).toRotationMatrix();
+  hull.heads.resize(hull.surface.corners.size());
+  for (size_t i = 0; i < hull.heads.size(); ++i)
+    hull.heads[i] = sea_.wave_head(centre + R * hull.surface.corners[i], at.time);
+  hull.time = at.time;
+  hull.known = true;
+  return hull.heads;
+}
+
+HullPressure Hulls::still(const Hull& hull, const RigidBodyState& s, bool tangent) const {
+  return hull_pressure(hull.surface, sea_.density * sea_.gravity, sea_.surface, {}, s, tangent);
+}
+
+// What the waves add to the pressure of still water: axes of space.
+BodyForce Hulls::wave_force(const Hull& hull, const Kinematics& at) const {
+  if (!hull.in_waves || !(at.step > 0)) return {};
+  const RigidBodyState s = floating_state(at, hull.node);
+  const double weight_density = sea_.density * sea_.gravity;
+  const Vec6 f = still(hull, s, false).f -
+                 hull_pressure(hull.surface, weight_density, sea_.surface, heads(hull, at), s, false).f;
+  return {f.head<3>(), s.q * f.tail<3>()};
+}
+
+void Hulls::prepare(const Kinematics& committed, double h) {
+  start_time_ = committed.time;
+  Kinematics now = committed;
+  // Where no step went before, waves act from here on.
+  if (!(now.step > 0)) now.step = h;
+  for (Hull& hull : list_) {
+    hull.start = floating_state(committed, hull.node);
+    hull.known = false;
+    if (hull.has_waves && committed.step > 0) continue;
+    hull.waves = wave_force(hull, now);
+    hull.has_waves = true;
+  }
+}
+
+void Hulls::evaluate(const Kinematics& trial, Assembler& assembler) {
+  for (const Hull& hull : list_) {
+    if (idle(hull)) continue;
+    const RigidBodyState s = floating_state(trial, hull.node);
+    std::span<const double> now;
+    if (hull.in_waves && trial.step > 0) now = heads(hull, trial);
+    const bool tangent = assembler.needs_tangent();
+    const HullPressure p =
+        hull_pressure(hull.surface, sea_.density * sea_.gravity, sea_.surface, now, s, tangent);
+    const int blocks[2] = {hull.block, hull.block + 1};
+    assembler.add(blocks, p.f.data(), tangent ? p.K.data() : nullptr, nullptr, nullptr);
+  }
+}
+
+void Hulls::commit(const Kinematics& accepted) {
+  for (Hull& hull : list_) {
+    const RigidBodyState s = floating_state(accepted, hull.node);
+    const BodyForce now = wave_force(hull, accepted);
+    if (accepted.step > 0 && hull.has_waves)
+      hull.work += 0.5 * ((now.force + hull.waves.force).dot(s.x - hull.start.x) +
+                          (now.moment + hull.waves.moment).dot(log_so3(s.q * hull.start.q.conjugate())));
+    hull.waves = now;
+    hull.has_waves = true;
+  }
+  start_time_ = accepted.time;
+}
+
+Energy Hulls::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Hull& hull : list_) {
+    e.work += hull.work;
+    e.by_water += hull.work;
+    if (!idle(hull)) e.potential += still(hull, floating_state(at, hull.node), false).potential;
+  }
+  return e;
+}
+
+double Hulls::dead_load() const {
+  double sum = 0;
+  for (const Hull& hull : list_) sum += hull.whole;
+  return sum;
+}
+
+// Of a sum over the triangles, each with a pressure of up to that of the whole hull under water.
+double Hulls::round_off(const Kinematics&, double) const {
+  const double eps = std::numeric_limits<double>::epsilon();
+  double sum = 0;
+  for (const Hull& hull : list_)
+    sum += std::pow(eps * hull.whole, 2) * static_cast<double>(hull.surface.triangles.size());
+  return sum;
+}
+
+std::vector<std::string> Hulls::origins(int body) const { return origins_[static_cast<size_t>(body)]; }
+
+std::vector<BodyForce> Hulls::forces_on(int body, const Kinematics& at) const {
+  for (const Hull& hull : list_) {
+    if (hull.body != body) continue;
+    const RigidBodyState s = floating_state(at, hull.node);
+    const Vec6 f = still(hull, s, false).f;
+    std::vector<BodyForce> out = {{-f.head<3>(), -(s.q * f.tail<3>())}};
+    if (hull.in_waves) out.push_back(wave_force(hull, at));
+    return out;
+  }
+  return {};
+}
+
+namespace {
+
+struct Kept {
+  double work = 0;
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("work", "J", self.work);
+    each("force of waves", "N", self.force);
+    each("moment of waves", "N m", self.moment);
+  }
+};
+
+}  // namespace
+
+std::vector<HistoryKind> Hulls::history() const { return {history_kind<Kept>("hull in water")}; }
+
+std::vector<HistoryRecord> Hulls::records(NodeRange of) const {
+  std::vector<HistoryRecord> out;
+  for (const Hull& hull : list_)
+    if (of.has(hull.global))
+      out.push_back(record_of(hull.global, 0, Kept{hull.work, hull.waves.force, hull.waves.moment}));
+  return out;
+}
+
+void Hulls::restore(const std::vector<HistoryRecord>& records) {
+  for (Hull& hull : list_) {
+    hull.work = 0;
+    hull.known = hull.has_waves = false;
+    for (const HistoryRecord& r : records) {
+      if (r.node != hull.global) continue;
+      const Kept kept = entry<Kept>(r);
+      hull.work = kept.work;
+      hull.waves = {kept.force, kept.moment};
+      hull.has_waves = true;
+    }
+  }
+}
+
+}  // namespace hawser
