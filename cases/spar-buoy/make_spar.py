@@ -7,7 +7,7 @@ The radius of the corners is such that each ring has the area of its circle.
 import math
 import sys
 
-AROUND = 48
+AROUND = 24
 PROFILE = [(0, -120), (4.7, -120), (4.7, -90), (4.7, -60), (4.7, -30), (4.7, -12), (3.25, -4), (3.25, 4), (3.25, 10), (0, 10)]
 
 

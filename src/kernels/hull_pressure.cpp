@@ -26,15 +26,21 @@ Mat3 corner_moments(const Vec3& s, int i) {
   return a * b / 12 * (sum * sum.transpose() + p * p.transpose());
 }
 
-Mat3 wet_moments(const Vec3& s) {
-  const Mat3 whole = (Mat3::Ones() + Mat3::Identity()) / 12;
-  const int wet = static_cast<int>((s.array() > 0).count());
-  if (wet == 3) return whole;
-  for (int i = 0; i < 3; ++i) {
-    if (wet == 1 && s[i] > 0) return corner_moments(s, i);
-    if (wet == 2 && !(s[i] > 0)) return whole - corner_moments(s, i);
-  }
-  return Mat3::Zero();
+// J where some corners are wet and others are not.
+Mat3 partly_wet_moments(const Vec3& s) {
+  const bool one = (s.array() > 0).count() == 1;
+  int i = 0;  // the corner that is alone
+  while ((s[i] > 0) != one) ++i;
+  const Mat3 corner = corner_moments(s, i);
+  if (one) return corner;
+  return (Mat3::Ones() + Mat3::Identity()) / 12 - corner;
+}
+
+// J times something by corners; where all is wet (sum + each)/12.
+template <class Rows>
+Rows mean_by_corner(const Mat3* J, const Rows& rows) {
+  if (J) return *J * rows;
+  return (rows.colwise().sum().replicate(3, 1) + rows) / 12;
 }
 
 // Heads of the corners, of which the upward vertical in body axes is n.
@@ -46,16 +52,22 @@ std::vector<double> corner_heads(const HullSurface& hull, double level, std::spa
   return out;
 }
 
-// Calls visit(corners y by columns, area vector, heads, J) for the triangles that the water wets.
+// Calls visit(corners y by columns, area vector, heads, J) for the triangles that the water wets; without J
+// where all of one is wet.
 template <class Visit>
 void for_each_wet(const HullSurface& hull, const std::vector<double>& heads, const Visit& visit) {
-  for (const std::array<int, 3>& t : hull.triangles) {
-    const Vec3 s(heads[t[0]], heads[t[1]], heads[t[2]]);
+  for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
+    const std::array<int, 3>& c = hull.triangles[t];
+    const Vec3 s(heads[c[0]], heads[c[1]], heads[c[2]]);
     if (!(s.maxCoeff() > 0)) continue;
     Mat3 y;
-    y << hull.corners[t[0]], hull.corners[t[1]], hull.corners[t[2]];
-    const Vec3 area = 0.5 * (y.col(1) - y.col(0)).cross(y.col(2) - y.col(0));
-    visit(y, area, s, wet_moments(s));
+    y << hull.corners[c[0]], hull.corners[c[1]], hull.corners[c[2]];
+    if (s.minCoeff() > 0) {
+      visit(y, hull.areas[t], s, nullptr);
+    } else {
+      const Mat3 J = partly_wet_moments(s);
+      visit(y, hull.areas[t], s, &J);
+    }
   }
 }
 
@@ -75,8 +87,8 @@ HullPressure hull_pressure(const HullSurface& hull, double weight_density, doubl
   using Slope = Eigen::Matrix<double, 3, 4>;
   Eigen::Matrix<double, 6, 4> by_pose = Eigen::Matrix<double, 6, 4>::Zero();  // by z and theta, body axes
   const std::vector<double> all = corner_heads(hull, level, heads, s, n);
-  for_each_wet(hull, all, [&](const Mat3& y, const Vec3& area, const Vec3& head, const Mat3& J) {
-    const Vec3 mean = J * head;
+  for_each_wet(hull, all, [&](const Mat3& y, const Vec3& area, const Vec3& head, const Mat3* J) {
+    const Vec3 mean = mean_by_corner(J, head);
     force += mean.sum() * area;
     moment += (y * mean).cross(area);
     potential -= 0.5 * n.dot(area) * head.dot(mean);
@@ -87,7 +99,7 @@ HullPressure hull_pressure(const HullSurface& hull, double weight_density, doubl
       by_mean.col(i) << area, y.col(i).cross(area);
       by.row(i) << -1, -y.col(i).cross(n).transpose();
     }
-    by_pose += by_mean * (J * by);
+    by_pose += by_mean * mean_by_corner(J, by);
   });
   HullPressure out;
   out.f << weight_density * (R * force), weight_density * moment;
@@ -105,13 +117,12 @@ Vec3 displaced_volumes(const HullSurface& hull, double level, const RigidBodySta
   const Mat3 R = s.q.toRotationMatrix();
   const std::vector<double> heads = corner_heads(hull, level, {}, s, R.row(2).transpose());
   Vec3 out = Vec3::Zero();
-  for_each_wet(hull, heads, [&](const Mat3& y, const Vec3& area, const Vec3& head, const Mat3& J) {
-    const Vec3 share = J * Vec3::Ones();  // means of lambda over the wet part
+  for_each_wet(hull, heads, [&](const Mat3& y, const Vec3& area, const Vec3&, const Mat3* J) {
+    const Vec3 share = mean_by_corner(J, Vec3(Vec3::Ones()));  // means of lambda over the wet part
     const Vec3 from_level(0, 0, level - s.x.z());
     // z counts from the level, so that the waterplane has no flux.
     const Vec3 flux = (R * y - from_level.replicate<1, 3>()) * share;
     out += flux.cwiseProduct(R * area);
-    (void)head;
   });
   return out;
 }

@@ -45,7 +45,7 @@ HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& fac
     split_edges(mesh, longest, kMostTriangles);
     const int first = static_cast<int>(out.corners.size());
     for (const Vec3& corner : mesh.vertices) out.corners.push_back(corner - m.centre);
-    for (const auto& t : mesh.triangles) out.triangles.push_back({first + t[0], first + t[1], first + t[2]});
+    for (const auto& t : mesh.triangles) out.add({first + t[0], first + t[1], first + t[2]});
   }
   return out;
 }
@@ -91,18 +91,24 @@ const std::vector<double>& Hulls::heads(const Hull& hull, const Kinematics& at) 
   return hull.heads;
 }
 
-HullPressure Hulls::still(const Hull& hull, const RigidBodyState& s, bool tangent) const {
-  return hull_pressure(hull.surface, sea_.density * sea_.gravity, sea_.surface, {}, s, tangent);
+HullPressure Hulls::pressure(const Hull& hull, const Kinematics& at, bool waves, bool tangent) const {
+  std::span<const double> now;
+  if (waves && hull.in_waves && at.step > 0) now = heads(hull, at);
+  return hull_pressure(hull.surface, sea_.density * sea_.gravity, sea_.surface, now,
+                       floating_state(at, hull.node), tangent);
 }
 
-// What the waves add to the pressure of still water: axes of space.
-BodyForce Hulls::wave_force(const Hull& hull, const Kinematics& at) const {
-  if (!hull.in_waves || !(at.step > 0)) return {};
+// In a state that is asked about more than once.
+const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& at) const {
   const RigidBodyState s = floating_state(at, hull.node);
-  const double weight_density = sea_.density * sea_.gravity;
-  const Vec6 f = still(hull, s, false).f -
-                 hull_pressure(hull.surface, weight_density, sea_.surface, heads(hull, at), s, false).f;
-  return {f.head<3>(), s.q * f.tail<3>()};
+  Forces& known = hull.forces;
+  if (known.time == at.time && known.step == at.step && known.x == s.x && known.q.coeffs() == s.q.coeffs())
+    return known;
+  known = {at.time, at.step, s.x, s.q, pressure(hull, at, false, false), {}};
+  if (!hull.in_waves || !(at.step > 0)) return known;
+  const Vec6 f = known.still.f - pressure(hull, at, true, false).f;
+  known.waves = {f.head<3>(), s.q * f.tail<3>()};
+  return known;
 }
 
 void Hulls::prepare(const Kinematics& committed, double h) {
@@ -113,8 +119,9 @@ void Hulls::prepare(const Kinematics& committed, double h) {
   for (Hull& hull : list_) {
     hull.start = floating_state(committed, hull.node);
     hull.known = false;
+    hull.forces = {};
     if (hull.has_waves && committed.step > 0) continue;
-    hull.waves = wave_force(hull, now);
+    hull.waves = forces(hull, now).waves;
     hull.has_waves = true;
   }
 }
@@ -122,12 +129,8 @@ void Hulls::prepare(const Kinematics& committed, double h) {
 void Hulls::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Hull& hull : list_) {
     if (idle(hull)) continue;
-    const RigidBodyState s = floating_state(trial, hull.node);
-    std::span<const double> now;
-    if (hull.in_waves && trial.step > 0) now = heads(hull, trial);
     const bool tangent = assembler.needs_tangent();
-    const HullPressure p =
-        hull_pressure(hull.surface, sea_.density * sea_.gravity, sea_.surface, now, s, tangent);
+    const HullPressure p = pressure(hull, trial, true, tangent);
     const int blocks[2] = {hull.block, hull.block + 1};
     assembler.add(blocks, p.f.data(), tangent ? p.K.data() : nullptr, nullptr, nullptr);
   }
@@ -136,7 +139,7 @@ void Hulls::evaluate(const Kinematics& trial, Assembler& assembler) {
 void Hulls::commit(const Kinematics& accepted) {
   for (Hull& hull : list_) {
     const RigidBodyState s = floating_state(accepted, hull.node);
-    const BodyForce now = wave_force(hull, accepted);
+    const BodyForce now = forces(hull, accepted).waves;
     if (accepted.step > 0 && hull.has_waves)
       hull.work += 0.5 * ((now.force + hull.waves.force).dot(s.x - hull.start.x) +
                           (now.moment + hull.waves.moment).dot(log_so3(s.q * hull.start.q.conjugate())));
@@ -151,7 +154,7 @@ Energy Hulls::energy(const Kinematics& at) const {
   for (const Hull& hull : list_) {
     e.work += hull.work;
     e.by_water += hull.work;
-    if (!idle(hull)) e.potential += still(hull, floating_state(at, hull.node), false).potential;
+    if (!idle(hull)) e.potential += forces(hull, at).still.potential;
   }
   return e;
 }
@@ -177,9 +180,9 @@ std::vector<BodyForce> Hulls::forces_on(int body, const Kinematics& at) const {
   for (const Hull& hull : list_) {
     if (hull.body != body) continue;
     const RigidBodyState s = floating_state(at, hull.node);
-    const Vec6 f = still(hull, s, false).f;
-    std::vector<BodyForce> out = {{-f.head<3>(), -(s.q * f.tail<3>())}};
-    if (hull.in_waves) out.push_back(wave_force(hull, at));
+    const Forces& now = forces(hull, at);
+    std::vector<BodyForce> out = {{-now.still.f.head<3>(), -(s.q * now.still.f.tail<3>())}};
+    if (hull.in_waves) out.push_back(now.waves);
     return out;
   }
   return {};

@@ -23,7 +23,7 @@ constexpr double kWeight = 10;  // N/m³
 HullSurface surface(const TriangleMesh& mesh, const Vec3& centre) {
   HullSurface out;
   for (const Vec3& v : mesh.vertices) out.corners.push_back(v - centre);
-  out.triangles = mesh.triangles;
+  for (const auto& t : mesh.triangles) out.add(t);
   return out;
 }
 
@@ -111,6 +111,7 @@ TEST(HullPressure, VolumesAgreeWhereTheSurfaceIsClosed) {
   EXPECT_NEAR(closed.y(), closed.z(), 1e-11);
   EXPECT_NEAR(closed.z(), -hull_pressure(hull, kWeight, 0, {}, s, false).f[2] / kWeight, 1e-11);
   hull.triangles.erase(hull.triangles.begin(), hull.triangles.begin() + 2);  // its bottom
+  hull.areas.erase(hull.areas.begin(), hull.areas.begin() + 2);
   const Vec3 open = displaced_volumes(hull, 0, s);
   EXPECT_GT(open.maxCoeff() - open.minCoeff(), 10);
 }

@@ -15,10 +15,20 @@
 
 namespace hawser {
 
-// Corners from the centre of mass, m, axes of the body, anticlockwise seen from the water.
+// Corners from the centre of mass, m, axes of the body; triangles anticlockwise seen from the water, with
+// their area vectors, m², outwards.
 struct HullSurface {
   std::vector<Vec3> corners;
   std::vector<std::array<int, 3>> triangles;
+  std::vector<Vec3> areas;
+
+  void add(const std::array<int, 3>& triangle) {
+    const Vec3& a = corners[static_cast<std::size_t>(triangle[0])];
+    const Vec3 ab = corners[static_cast<std::size_t>(triangle[1])] - a;
+    const Vec3 ac = corners[static_cast<std::size_t>(triangle[2])] - a;
+    triangles.push_back(triangle);
+    areas.push_back(0.5 * ab.cross(ac));
+  }
 };
 
 // The residual by the position of the centre of mass (space axes) and rotation (body axes) as in

@@ -45,6 +45,14 @@ class Hulls final : public ForceTerm,
   void restore(const std::vector<HistoryRecord>& records) override;
 
  private:
+  // Of a state: of still water, and what waves add on the centre of mass and about it, axes of space.
+  struct Forces {
+    double time = -1, step = -1;
+    Vec3 x = Vec3::Zero();
+    Quat q = Quat::Identity();
+    HullPressure still;
+    BodyForce waves;
+  };
   struct Hull {
     HullSurface surface;
     int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
@@ -57,13 +65,14 @@ class Hulls final : public ForceTerm,
     mutable std::vector<double> heads;
     mutable double time = 0;
     mutable bool known = false;
-    BodyForce waves;  // of the last accepted state
+    mutable Forces forces;  // as asked for last
+    BodyForce waves;        // of the last accepted state
     bool has_waves = false;
     double work = 0;  // J, of the waves over the accepted steps
   };
   const std::vector<double>& heads(const Hull& hull, const Kinematics& at) const;
-  HullPressure still(const Hull& hull, const RigidBodyState& s, bool tangent) const;
-  BodyForce wave_force(const Hull& hull, const Kinematics& at) const;
+  HullPressure pressure(const Hull& hull, const Kinematics& at, bool waves, bool tangent) const;
+  const Forces& forces(const Hull& hull, const Kinematics& at) const;
   bool idle(const Hull& hull) const { return hold_ && !hull.rests; }
 
   Sea sea_;
