@@ -102,7 +102,7 @@ class BodyProportions {
   void weight(const BodyMass& m) {
     constexpr double kAbove = 5;  // m, over the still water
     const Water& w = c_.environment.water;
-    if (!w.present || m.in_water || m.hydrodynamics) return;
+    if (!w.present || m.in_water || m.hull || m.hydrodynamics) return;
     const double z = b_.position.z() - w.surface;
     const bool held = m.stiffness.z() > 0;
     if (!m.weight && !held && z > kAbove && c_.environment.gravity > 0)

@@ -108,10 +108,14 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
         if (const Value* t = loads->items[i].find("table")) read_load_table(*t, source, b.mass->loads[i]);
     if (const Value* w = f->find("wind")) read_flow_on_body(*w, source, *b.mass->wind);
     if (const Value* w = f->find("current")) read_flow_on_body(*w, source, *b.mass->current);
-    if (const Value* h = f->find("hydrodynamics")) {
-      if (!(*f)["weight"].given) b.mass->weight = true;
-      read_hydrodynamics(*h, source, b, c);
-    }
+    const Value* waves = f->find("hydrodynamics");
+    const Value* hull = f->find("hull");
+    if ((waves || hull) && !(*f)["weight"].given) b.mass->weight = true;
+    if (hull && waves && !(*hull)["wave_pressure"].given) b.mass->hull->wave_pressure = false;
+    if (const Value* members = f->find("members"))
+      for (size_t i = 0; i < members->items.size(); ++i)
+        if (waves && !members->items[i]["Ca"].given) b.mass->members[i].added = 0;
+    if (waves) read_hydrodynamics(*waves, source, b, c);
   }
   const Value* m = v.find("motion");
   if (!m) return;

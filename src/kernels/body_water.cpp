@@ -2,6 +2,8 @@
 // velocities and accelerations, and the potential of buoyancy.
 #include "hawser/kernels/body_water.hpp"
 
+#include <cmath>
+
 #include "hawser/kernels/wetting.hpp"
 #include "hawser/math/so3.hpp"
 
@@ -29,11 +31,28 @@ Whole whole(const BodyInWater& b, const RigidBodyState& s, const Water& centre, 
   o.relative = back * Vec3(centre.acceleration - s.a) - o.g;
   o.at_centre = o.steady + b.added.cwiseProduct(o.relative);
   o.flow = back * Vec3(drag.velocity - s.v) - s.w.cross(b.drag_centre);
-  o.at_drag = o.flow.norm() * b.drag.cwiseProduct(o.flow);
+  o.at_drag = body_drag(b, o.flow);
   return o;
 }
 
 }  // namespace
+
+Vec3 body_drag(const BodyInWater& b, const Vec3& u) {
+  if (!b.cross_flow) return u.norm() * b.drag.cwiseProduct(u);
+  const double across = u.head<2>().norm();
+  return b.drag.cwiseProduct(Vec3(across * u.x(), across * u.y(), std::abs(u.z()) * u.z()));
+}
+
+// d(|u| c o u) = (|u| diag(c) + (c o u) u'/|u|) du, of the velocity across likewise; d(|u_z| u_z) = 2 |u_z|
+// du_z.
+Mat3 body_drag_by_velocity(const BodyInWater& b, const Vec3& u) {
+  const Vec3 counts = b.cross_flow ? Vec3(u.x(), u.y(), 0) : u;
+  const double speed = counts.norm();
+  Mat3 D = speed * Mat3(b.drag.asDiagonal());
+  if (speed > 0) D += b.drag.cwiseProduct(counts) * counts.transpose() / speed;
+  if (b.cross_flow) D(2, 2) = 2 * b.drag.z() * std::abs(u.z());
+  return D;
+}
 
 // f_b = F [rho g V e_z + rho V a_w + R A R' (a_w - a_b)]      at b: buoyancy, Froude-Krylov, added mass
 // f_d = F R (|u| c o u),  u = R' (u_w - v_d)                  at d: drag (docs/theory/bodies-in-water.md)
@@ -73,9 +92,7 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
     return;
   }
   // Drag by the velocity of the water.
-  const double speed = o.flow.norm();
-  Mat3 D = speed * Mat3(b.drag.asDiagonal());
-  if (speed > 0) D += b.drag.cwiseProduct(o.flow) * o.flow.transpose() / speed;
+  const Mat3 D = body_drag_by_velocity(b, o.flow);
   const Mat3 A = b.added.asDiagonal();
   // Of the two forces in the body's axes, by (x, theta), (v, w), (a, alpha).
   Columns centre_K = Columns::Zero(), centre_C = Columns::Zero(), centre_M = Columns::Zero();

@@ -196,6 +196,20 @@ WaveMotion StokesWave::at(const Vec3& x, double t, double factor, double rate) c
   return m;
 }
 
+double StokesWave::head_at(const Vec3& x, double t, double factor) const {
+  const double theta = angle(x.x(), x.y(), t);
+  const double surface = factor * at_phase(theta);
+  const double y = std::max(0.0, std::min(x.z(), surface) + depth_);
+  double along = drift_ - omega_ / k_;
+  double up = 0;
+  for (size_t j = 1; j <= 5; ++j) {
+    const double n = static_cast<double>(j);
+    along += potential_[j] * std::cosh(n * k_ * y) * std::cos(n * theta);
+    up += potential_[j] * std::sinh(n * k_ * y) * std::sin(n * theta);
+  }
+  return factor * ((head_ - 0.5 * (along * along + up * up)) / input_.gravity - depth_);
+}
+
 double highest_wave(double length, double depth) {
   if (!(depth > 0)) return 0.141063 * length;
   const double r = length / depth;

@@ -75,6 +75,7 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) : depth_
     x_.push_back(c.x);
     y_.push_back(c.y);
     speed_.push_back(c.amplitude * c.omega / (1 - bottom));
+    head_.push_back(c.amplitude / (1 + bottom));
     bottom_.push_back(bottom);
   }
   height_beyond_.assign(components.size() + 1, 0);
@@ -128,6 +129,22 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
   }
   velocity += Vec3(ux, uy, uz);
   acceleration += Vec3(ax, ay, az);
+}
+
+// cosh k(z + h)/cosh kh.
+HAWSER_CLONES double WaveSums::head(const Phases& at, double z) const {
+  const std::size_t n = std::min(significant_components(z), at.cosine.size());
+  const double above = std::max(depth_ + z, 0.0);  // the bed
+  const std::size_t shallow = depth_ > 0 ? std::min(n, up_to(kNothing / std::max(2 * above, 1e-9))) : 0;
+  const double* cosine = at.cosine.data();
+  double sum = 0;
+  for (std::size_t i = 0; i < shallow; ++i) {
+    const double e = std::exp(number_[i] * z);
+    const double back = bottom_[i] / std::max(e, std::numeric_limits<double>::min());
+    sum += head_[i] * (e + back) * cosine[i];
+  }
+  for (std::size_t i = shallow; i < n; ++i) sum += head_[i] * std::exp(number_[i] * z) * cosine[i];
+  return sum;
 }
 
 }  // namespace hawser

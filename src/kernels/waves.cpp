@@ -60,14 +60,25 @@ WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) co
   double z = x.z();
   if (z > m.surface) z = m.surface;  // only what is partly wet is asked for above it
   if (stretching_ == Stretching::none && z > 0) return m;
-  if (stretching_ == Stretching::vertical) z = std::min(z, 0.0);
-  if (stretching_ == Stretching::wheeler)
-    z = depth_ > 0 ? depth_ * (z - m.surface) / (depth_ + m.surface) : z - m.surface;
   Vec3 u = Vec3::Zero(), a = Vec3::Zero();
-  sums_.add_motion(phases, z, u, a);
+  sums_.add_motion(phases, stretched(z, m.surface), u, a);
   m.velocity = factor * u;
   m.acceleration = factor * a + rate * u;
   return m;
+}
+
+// The height at which linear theory is asked for what there is at z.
+double WaveField::stretched(double z, double surface) const {
+  if (stretching_ != Stretching::wheeler) return std::min(z, 0.0);
+  return depth_ > 0 ? depth_ * (z - surface) / (depth_ + surface) : z - surface;
+}
+
+double WaveField::head(const Vec3& x, double t, double factor) const {
+  if (stokes_) return stokes_->head_at(x, t, factor);
+  thread_local WaveSums::Phases phases;  // room that is used again
+  sums_.phases(x.x(), x.y(), t, components_summed(x.z()), phases);
+  const double surface = factor * phases.surface;
+  return factor * sums_.head(phases, stretched(std::min(x.z(), surface), surface));
 }
 
 namespace {

@@ -69,6 +69,10 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
   if (m.in_water) issue("", "stands in the place of 'in_water': give one of them");
   if (!m.weight)
     issue("", "brings the buoyancy of the body, so that its weight acts as well: remove 'weight'");
+  if (m.hull && m.hull->wave_pressure && h.excitation && !h.data->excitation.empty())
+    issue("excitation",
+          "the wave forces of the files contain the pressure of the waves, which 'hull' adds again: set "
+          "'wave_pressure: false' there, or 'excitation: false'");
   if (h.excitation && c.environment.water.present && c.environment.water.waves.kind != Waves::Kind::none &&
       h.data->excitation.empty())
     issue("wamit",
@@ -77,6 +81,34 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
           h.data->name);
   check_long_waves(c, b, issue);
   check_matrices(h, issue);
+}
+
+void check_hull(const Case& c, const Body& b, const Issues& issue) {
+  const BodyMass& m = *b.mass;
+  if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
+  if (m.in_water)
+    issue("", "'in_water' brings buoyancy as well: give one of them, and drag and added mass by 'members'");
+  if (!m.weight)
+    issue("", "brings the buoyancy of the body, so that its weight acts as well: remove 'weight'");
+  for (const std::string& name : m.hull->volumes) {
+    const auto is = [&name](const Volume& v) { return v.name == name; };
+    const auto volume = std::find_if(c.volumes.begin(), c.volumes.end(), is);
+    if (volume == c.volumes.end()) continue;  // said already
+    if (volume->body != b.name)
+      issue("volumes", "volume '{}' moves with {}, not with this body: set 'body: {}' there", name,
+            volume->body.empty() ? "nothing" : "body '" + volume->body + "'", b.name);
+    if (volume->shape && std::holds_alternative<PlaneShape>(*volume->shape))
+      issue("volumes", "volume '{}' is a plane, which displaces no finite volume", name);
+    if (std::count(m.hull->volumes.begin(), m.hull->volumes.end(), name) > 1)
+      issue("volumes", "names volume '{}' twice", name);
+  }
+}
+
+void check_members(const Case& c, const Body& b, const Issues& issue) {
+  if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
+  for (size_t i = 0; i < b.mass->members.size(); ++i)
+    if (const BodyMember& m = b.mass->members[i]; m.from == m.to)
+      issue(fmt::format("[{}].to", i), "is the same point as 'from': a member has a length");
 }
 
 void check_flow(const Case& c, const Body& b, const Issues& issue) {
@@ -94,6 +126,11 @@ void check_platforms(const Case& c, const Issues& issue) {
   for (const Body& b : c.bodies)
     if (b.mass && b.mass->hydrodynamics)
       check_platform(c, b, issue.below("bodies." + b.name + ".floating.hydrodynamics"));
+  for (const Body& b : c.bodies) {
+    if (b.mass && b.mass->hull) check_hull(c, b, issue.below("bodies." + b.name + ".floating.hull"));
+    if (b.mass && !b.mass->members.empty())
+      check_members(c, b, issue.below("bodies." + b.name + ".floating.members"));
+  }
   for (const std::vector<int>& group : radiating_groups(c)) {
     const Body& first = c.bodies[group.front()];
     const HydrodynamicData& data = *first.mass->hydrodynamics->data;

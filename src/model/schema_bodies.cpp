@@ -193,6 +193,42 @@ Key body_hydrodynamics() {
       "([theory](../theory/platforms.md)); its `weight` acts");
 }
 
+Key body_hull() {
+  const Field names = by<BodyHull>([](BodyHull& h, const Value& v) {
+    for (const Value& n : v.items) h.volumes.push_back(n.text);
+  });
+  return map({"hull", &BodyMass::hull},
+             {list({"volumes", names}, reference("", "volumes"),
+                   "volumes of this body that displace water: closed meshes or shapes that do not overlap",
+                   items(1), required),
+              boolean({"wave_pressure", &BodyHull::wave_pressure},
+                      "the pressure of the waves (Froude-Krylov) acts on the wetted surface as well",
+                      or_else_note("true; beside `hydrodynamics`, whose wave forces contain it, false"))},
+             "the pressure of the water acts on its surface up to the water level of the moment "
+             "([theory](../theory/hulls.md)), in place of the hydrostatic stiffness of `hydrodynamics`; its "
+             "`weight` acts");
+}
+
+Key body_members() {
+  return list(
+      {"members", &BodyMass::members},
+      map("", {vec3({"from", &BodyMember::from}, length, "middle of one end, in the body's frame", required),
+               vec3({"to", &BodyMember::to}, length, "middle of the other", required),
+               number({"diameter", &BodyMember::diameter}, length, "that drag and added mass count with",
+                      above(0), required),
+               number({"Cd", &BodyMember::drag}, none, "drag coefficient across it", in_range(0, 100),
+                      or_else("1")),
+               number({"Ca", &BodyMember::added}, none, "added mass coefficient across it", in_range(0, 100),
+                      or_else_note("1; 0 beside `hydrodynamics`, which has the added mass")),
+               number({"axial_Cd", &BodyMember::axial_drag}, none,
+                      "drag coefficient along it, on the area of an end", in_range(0, 100), or_else("0")),
+               number({"axial_Ca", &BodyMember::axial_added}, none,
+                      "added mass along it over that of half a ball of its diameter", in_range(0, 100),
+                      or_else("0"))}),
+      "straight round members, which have drag and added mass by Morison's equation along their wet length "
+      "([theory](../theory/bodies-in-water.md#members))");
+}
+
 // A table of coefficients of the flow, and what makes forces of them.
 Key flow_on_body(const char* name, std::optional<FlowOnBody> BodyMass::*field, std::vector<Key> more,
                  const std::string& about) {
@@ -284,7 +320,8 @@ Key floating() {
                    "springs against turning from there, axes of the body", at_least(0), or_else(kZero)),
               vec3({"turning_damping", &BodyMass::turning_damping}, turning_damping, "dampers beside them",
                    at_least(0), or_else(kZero)),
-              body_in_water(), body_hydrodynamics(), body_wind(), body_current(), body_loads()},
+              body_in_water(), body_hydrodynamics(), body_hull(), body_members(), body_wind(), body_current(),
+              body_loads()},
              "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
              "prescribed");
 }

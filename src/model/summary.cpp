@@ -55,6 +55,7 @@ std::string motion_text(const Case& c, const Body& b) {
     const BodyMass& m = *b.mass;
     s = fmt::format("moves by its mass of {:.6g} kg, {}{}", m.mass,
                     m.hydrodynamics ? std::string("in the sea by its hydrodynamic coefficients")
+                    : m.hull        ? std::string("with the pressure of the water on its hull")
                     : m.in_water    ? fmt::format("in water with a volume of {:g} m³", m.in_water->volume)
                     : m.weight && c.environment.gravity > 0 ? "with its weight"
                                                             : "without weight",

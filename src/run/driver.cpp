@@ -28,6 +28,7 @@
 #include "hawser/run/cost.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/feeder_nodes.hpp"
+#include "hawser/run/hull_check.hpp"
 #include "hawser/run/node_owners.hpp"
 #include "hawser/run/output_place.hpp"
 #include "hawser/run/progress.hpp"
@@ -200,7 +201,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
-  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
+  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
   io::Checkpoint checkpoint;
@@ -329,6 +330,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
     fmt::print("volume {}: {}\n", v.name, v.report);
     for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
   }
+  fmt::print("{}", hulls_text(c, volumes));
   if (!met) {
     fmt::print(
         "note: a trial of {:g} CPU s does not find the lengths that lines need to have at rest what is asked "
@@ -347,7 +349,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   fmt::print("partition: {} rank{}, {} nodes{}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
              ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
              ranks > 8 ? " each" : "", cut_elements(mesh, owner));
-  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes));
+  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   if (verbose)
     for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
   fmt::print("{}", starts_well ? "the case is valid\n"

@@ -186,7 +186,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   c = with_targets_met(comm, std::move(c), volumes, progress);
   if (!options.added_mass)
     for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
-  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
+  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   for (const auto& n : place.notes()) progress.print("note: " + n);
   for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
   for (const auto& w : sim.warnings()) progress.print("warning: " + w);

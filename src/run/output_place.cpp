@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/io/old_results.hpp"
 #include "hawser/io/xml_text.hpp"
 

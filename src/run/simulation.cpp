@@ -31,6 +31,7 @@
 #include "hawser/terms/buried.hpp"
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/feeders.hpp"
+#include "hawser/terms/hulls.hpp"
 #include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
 #include "hawser/terms/links.hpp"
@@ -135,7 +136,7 @@ Term* Simulation::add(From&&... from) {
 
 Simulation::Simulation(MPI_Comm comm, const model::Case& c,
                        std::vector<std::shared_ptr<const Surface>> surfaces,
-                       std::vector<BodySkeleton> skeletons)
+                       std::vector<BodySkeleton> skeletons, const VolumeFacets& facets)
     : case_(c), mesh_(std::make_unique<Mesh>(build_mesh(c))), bodies_(std::make_shared<Bodies>(c.bodies)) {
   distribute(comm);
   if (std::any_of(case_.lines.begin(), case_.lines.end(),
@@ -154,7 +155,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
   const std::vector<int> held = held_nodes(case_, local(), feeders(), start.tied);
   add_seabed(at, held);
   add_contact(at, held, surfaces);
-  add_bodies(std::move(surfaces), std::move(skeletons));
+  add_bodies(std::move(surfaces), std::move(skeletons), facets);
   if (auto between = make_line_pairs(comm, case_, local(), details_)) system_->add(std::move(between));
 
   state_ = std::move(start.state);
@@ -229,17 +230,18 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
 
 // Bodies with mass, the water they are in, and contact of bodies with each other.
 void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces,
-                            std::vector<BodySkeleton> skeletons) {
+                            std::vector<BodySkeleton> skeletons, const VolumeFacets& facets) {
+  const auto any = [this](const auto& has) {
+    return std::any_of(case_.bodies.begin(), case_.bodies.end(),
+                       [&has](const model::Body& b) { return b.mass && has(*b.mass); });
+  };
   if (mesh_->line_nodes() < static_cast<int>(mesh_->nodes.size())) {
     add<RigidBodies>(case_, local(), bodies_);
-    if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
-                    [](const model::Body& b) { return b.mass && b.mass->in_water; }))
+    if (any([](const model::BodyMass& m) { return m.in_water || !m.members.empty(); }))
       add<BodiesInWater>(case_, local());
-    if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
-                    [](const model::Body& b) { return b.mass && (b.mass->wind || b.mass->current); }))
-      add<BodiesInFlow>(case_, local());
-    if (std::any_of(case_.bodies.begin(), case_.bodies.end(),
-                    [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; }))
+    if (any([](const model::BodyMass& m) { return m.hull.has_value(); })) add<Hulls>(case_, local(), facets);
+    if (any([](const model::BodyMass& m) { return m.wind || m.current; })) add<BodiesInFlow>(case_, local());
+    if (any([](const model::BodyMass& m) { return m.hydrodynamics.has_value(); }))
       add<PlatformWater>(system_->comm(), case_, local());
   }
   if (model::body_pairs(case_).empty() || skeletons.size() != case_.volumes.size()) return;

@@ -175,7 +175,7 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   c = with_targets_met(comm, std::move(c), volumes, progress);
   const bool floats = c.bodies[static_cast<size_t>(body)].mass.has_value();
   c = with_mass(std::move(c), body);
-  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes));
+  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
   for (const auto& w : sim.warnings()) progress.print("warning: " + w);
   Events events(comm, sim);

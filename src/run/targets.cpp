@@ -68,7 +68,8 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
     bool parted = false;
     try {
       MetTargets out{io::with_lengths(c, lengths, comm), {}};
-      Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes));
+      Simulation sim(comm, out.model, surfaces(volumes), skeletons(out.model, volumes),
+                     volume_facets(volumes));
       Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
       const AtRest now = at_rest(comm, sim);
       for (LengthSearch& s : all) parted |= s.update(now);

@@ -19,6 +19,7 @@
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/run/hull_check.hpp"
 
 namespace hawser::run {
 namespace {
@@ -203,12 +204,19 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm,
   io::rethrow_on_all_ranks(comm, [&] {
     if (host.leads()) meshes.check_leaders();
   });
+  check_hulls(c, out);
   return out;
 }
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes) {
   std::vector<std::shared_ptr<const Surface>> out;
   for (const auto& v : volumes) out.push_back(v.surface);
+  return out;
+}
+
+std::vector<std::shared_ptr<const MeshView>> volume_facets(const std::vector<LoadedVolume>& volumes) {
+  std::vector<std::shared_ptr<const MeshView>> out;
+  for (const auto& v : volumes) out.push_back(v.facets);
   return out;
 }
 

@@ -2,9 +2,11 @@
 // and what a checkpoint keeps of it.
 #include "hawser/terms/bodies_in_water.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "hawser/math/so3.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 
@@ -12,26 +14,72 @@ namespace hawser {
 
 BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_(sea_of(c)) {
   for (int n = 0; n < mesh.owned; ++n) {
-    const int global = mesh.global[n];
-    const int body = mesh.mesh->nodes[global].body;
+    const int body = mesh.mesh->nodes[mesh.global[n]].body;
     if (body < 0) continue;
     const model::BodyMass& m = *c.bodies[body].mass;
-    if (!m.in_water) continue;
-    const model::BodyInWater& w = *m.in_water;
-    Wet& b = list_.emplace_back();
-    b.data.centre = w.centre - m.centre;
-    b.data.drag_centre = w.drag_centre - m.centre;
-    b.data.height = w.height;
-    b.data.displaced_mass = sea_.density * w.volume;
-    b.data.buoyancy = sea_.gravity * b.data.displaced_mass;
-    b.data.added = w.added_mass;
-    b.data.drag = 0.5 * sea_.density * w.drag_area;
-    b.node = n;
-    b.block = mesh.block[n];
-    b.global = global;
-    b.body = body;
-    b.rest = static_rest(c, body);
+    int key = 0;
+    if (m.in_water) {
+      const model::BodyInWater& w = *m.in_water;
+      BodyInWater whole;
+      whole.centre = w.centre - m.centre;
+      whole.drag_centre = w.drag_centre - m.centre;
+      whole.height = w.height;
+      whole.displaced_mass = sea_.density * w.volume;
+      whole.buoyancy = sea_.gravity * whole.displaced_mass;
+      whole.added = w.added_mass;
+      whole.drag = 0.5 * sea_.density * w.drag_area;
+      add(c, mesh, n, whole, Quat::Identity(), key++);
+    }
+    for (const model::BodyMember& member : m.members) add_member(c, mesh, n, member, key);
   }
+}
+
+void BodiesInWater::add(const model::Case& c, const LocalMesh& mesh, int node, BodyInWater data,
+                        const Quat& axes, int key) {
+  Wet& b = list_.emplace_back();
+  b.data = data;
+  b.axes = axes;
+  b.node = node;
+  b.block = mesh.block[node];
+  b.global = mesh.global[node];
+  b.body = mesh.mesh->nodes[b.global].body;
+  b.key = key;
+  b.rest = static_rest(c, b.body);
+}
+
+// In pieces of half a diameter, but of at most a 50th and at least a quarter of its length, each wet over the
+// height that it has in a body that is not tilted. Each has its share of what acts along the member:
+//   rho/2 Cd D L across, rho/2 Cd pi D²/4 along;   rho Ca pi D²/4 L across, rho Ca pi D³/12 along
+void BodiesInWater::add_member(const model::Case& c, const LocalMesh& mesh, int node,
+                               const model::BodyMember& m, int& key) {
+  const model::Body& body = c.bodies[mesh.mesh->nodes[mesh.global[node]].body];
+  const Vec3 along = m.to - m.from;
+  const double length = along.norm();
+  const int pieces = std::clamp(static_cast<int>(std::ceil(2 * length / m.diameter)), 4, 50);
+  const Quat axes = Quat::FromTwoVectors(Vec3::UnitZ(), along);
+  const double piece = length / pieces;
+  const double area = 0.25 * M_PI * m.diameter * m.diameter;
+  const double rise = std::abs((exp_so3(body.rotation) * along).z()) / length;
+  BodyInWater data;
+  data.height = piece * rise + m.diameter * std::sqrt(std::max(1 - rise * rise, 0.0));
+  const double drag = 0.5 * sea_.density * m.drag * m.diameter * piece;
+  const double added = sea_.density * m.added * area * piece;
+  data.drag = Vec3(drag, drag, 0.5 * sea_.density * m.axial_drag * area / pieces);
+  data.added = Vec3(added, added, sea_.density * m.axial_added * area * m.diameter / (3 * pieces));
+  data.cross_flow = true;
+  for (int i = 0; i < pieces; ++i) {
+    const Vec3 centre = m.from + (i + 0.5) / pieces * along - body.mass->centre;
+    data.centre = data.drag_centre = axes.conjugate() * centre;
+    add(c, mesh, node, data, axes, key++);
+  }
+}
+
+RigidBodyState BodiesInWater::state(const Wet& b, const Kinematics& at) {
+  RigidBodyState s = floating_state(at, b.node);
+  s.q = s.q * b.axes;
+  s.w = b.axes.conjugate() * s.w;
+  s.alpha = b.axes.conjugate() * s.alpha;
+  return s;
 }
 
 BodiesInWater::Places BodiesInWater::places(const Wet& b, const RigidBodyState& s) {
@@ -50,7 +98,7 @@ Water BodiesInWater::water(const Wet& b, const Kinematics& at, const Vec3& x, Wa
   if (!b.known || b.time != at.time) {
     const Places there = wave_places(b, at);
     b.centre = sea_.waves_at(there.centre, at.time);
-    b.drag = sea_.waves_at(there.drag, at.time);
+    b.drag = there.drag == there.centre ? b.centre : sea_.waves_at(there.drag, at.time);
     b.time = at.time;
     b.known = true;
   }
@@ -59,7 +107,7 @@ Water BodiesInWater::water(const Wet& b, const Kinematics& at, const Vec3& x, Wa
 
 BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) const {
   Flow out;
-  const RigidBodyState s = floating_state(at, b.node);
+  const RigidBodyState s = state(b, at);
   out.at = places(b, s);
   out.force = body_water_force(b.data, s, water(b, at, out.at.centre, &Wet::centre),
                                water(b, at, out.at.drag, &Wet::drag));
@@ -76,7 +124,8 @@ BodiesInWater::Flow BodiesInWater::flow(const Wet& b, const Kinematics& at) cons
 std::vector<int> BodiesInWater::in_surface(const Kinematics& at) const {
   std::vector<int> out;
   for (const Wet& b : list_) {
-    const double z = places(b, floating_state(at, b.node)).centre.z();
+    const double z = places(b, state(b, at)).centre.z();
+    if (!(b.data.buoyancy > 0)) continue;
     if (std::abs(sea_.surface - z) < 0.5 * b.data.height) out.push_back(b.body);
   }
   return out;
@@ -94,7 +143,7 @@ double work(const Flow& from, const Flow& to) {
 
 void BodiesInWater::prepare(const Kinematics& committed, double h) {
   for (Wet& b : list_) {
-    const RigidBodyState s = floating_state(committed, b.node);
+    const RigidBodyState s = state(b, committed);
     b.start = places(b, s);
     if (!(committed.step > 0) || !b.has_wave_place) {
       b.wave_place = b.start;
@@ -119,10 +168,17 @@ void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   BodyWaterResidual r;
   for (const Wet& b : list_) {
     if (idle(b)) continue;
-    const RigidBodyState s = floating_state(trial, b.node);
+    const RigidBodyState s = state(b, trial);
     const Places at = places(b, s);
     body_water(b.data, s, water(b, trial, at.centre, &Wet::centre), water(b, trial, at.drag, &Wet::drag),
                tangent, assembler.convex(), r);
+    // Moments and rotations in the axes of the body.
+    const Mat3 turn = b.axes.toRotationMatrix();
+    r.f.tail<3>() = turn * r.f.tail<3>().eval();
+    for (Mat6* m : {&r.K, &r.C, &r.M}) {
+      m->bottomRows<3>() = turn * m->bottomRows<3>().eval();
+      m->rightCols<3>() = m->rightCols<3>().eval() * turn.transpose();
+    }
     const int blocks[2] = {b.block, b.block + 1};
     if (tangent)
       assembler.add(blocks, r.f.data(), r.K.data(), r.C.data(), r.M.data());
@@ -151,7 +207,7 @@ Energy BodiesInWater::energy(const Kinematics& at) const {
     e.work += b.work;
     e.by_water += b.work;
     if (idle(b)) continue;
-    e.potential += body_water_potential(b.data, floating_state(at, b.node), sea_.surface);
+    e.potential += body_water_potential(b.data, state(b, at), sea_.surface);
     if (!(at.step > 0) && b.flowed) e.potential -= work(b.flow, flow(b, at));
   }
   return e;
@@ -194,7 +250,7 @@ std::vector<CheckpointRecord> BodiesInWater::records(NodeRange of) const {
   std::vector<CheckpointRecord> out;
   for (const Wet& b : list_)
     if (of.has(b.global))
-      out.push_back(record_of(b.global, 0, Kept{b.work, b.wave_place.centre, b.wave_place.drag}));
+      out.push_back(record_of(b.global, b.key, Kept{b.work, b.wave_place.centre, b.wave_place.drag}));
   return out;
 }
 
@@ -204,7 +260,7 @@ void BodiesInWater::restore(const std::vector<CheckpointRecord>& records) {
     b.work = 0;
     b.known = b.flowed = b.has_wave_place = false;
     for (const CheckpointRecord& r : records) {
-      if (r.node != b.global) continue;
+      if (r.node != b.global || r.key != b.key) continue;
       const Kept kept = entry<Kept>(r);
       b.work = kept.work;
       b.wave_place = {kept.centre, kept.drag};

@@ -30,7 +30,8 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.slow = SlowPose::at({b.position.x(), b.position.y(), heading});
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
   p.potential.stiffness = h.stiffness;
-  p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
+  // A hull has its own (terms/hulls.hpp).
+  if (!m.hull) p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.hydrostatics.level = p.potential.place.z();
   p.damping = h.damping;
   p.quadratic = h.quadratic_damping;

@@ -26,6 +26,11 @@ WaveMotion Sea::waves_at(const Vec3& x, double time) const {
   return waves.at(x - surface * Vec3::UnitZ(), time, ramp.value, ramp.rate);
 }
 
+double Sea::wave_head(const Vec3& x, double time) const {
+  const double factor = wave_ramp > 0 ? quintic_ramp(time, wave_ramp).value : 1;
+  return waves.head(x - surface * Vec3::UnitZ(), time, factor);
+}
+
 Water operator+(Water still, const WaveMotion& wave) {
   still.surface += wave.surface;
   still.velocity += wave.velocity;

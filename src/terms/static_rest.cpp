@@ -23,9 +23,9 @@ bool in_lines_or_links(const model::Case& c, int body) {
 
 // By buoyancy and springs alone.
 bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
-  if (!m.in_water) return false;
+  if (!m.in_water && !m.hull) return false;
   const model::Water& w = c.environment.water;
-  const bool carried = m.stiffness.z() > 0 || w.density * m.in_water->volume > m.mass;
+  const bool carried = m.hull || m.stiffness.z() > 0 || w.density * m.in_water->volume > m.mass;
   const bool flows = !w.current.profile.empty() && !(w.current.ramp > 0);
   return carried && (!flows || m.stiffness.head<2>().minCoeff() > 0);
 }

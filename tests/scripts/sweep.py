@@ -172,6 +172,10 @@ VARIANTS = (
      "hydrodynamics: {wamit: barge, length_scale: 10, body: 1, origin_in_file: [0, 0, 0], displaced_volume: 500, gravity_in_stiffness: false, "
      "place: [200, 0, 0], heading_deg: 0, follow_period: 60, symmetry: none, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, 1], "
      "stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], damping: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]]}}}"},
+    {"bodies.spar": "{position: [260, 0, 0], floating: {mass: 5e4, inertia: [1e6, 1e6, 1e5], centre_of_mass: [0, 0, -4], "
+     "hull: {volumes: [column], wave_pressure: true}, "
+     "members: [{from: [0, 0, -8], to: [0, 0, 2], diameter: 3, Cd: 1, Ca: 1, axial_Cd: 1, axial_Ca: 1}]}}",
+     "volumes.column": "{shape: {cylinder: {from: [0, 0, -8], to: [0, 0, 2], radius: 1.5}}, body: spar}"},
     # Feeders, events, stages.
     {"lines.mooring.masses": "null", "lines.mooring.loads": "null", "bodies.clump": "null", "contact": "null", "output.clearances": "null",
      "lines.mooring.sections": "[{type: chain, length: 100, elements: 20}]",

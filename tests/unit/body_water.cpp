@@ -55,12 +55,13 @@ BodyWaterResidual residual(const BodyInWater& b, const RigidBodyState& s, bool t
   return r;
 }
 
-// Half wet, at the edge of it, wholly wet.
+// Half wet, at the edge of it, wholly wet; of a body, and of a part of a member.
 TEST(BodyWater, TangentsAreDerivatives) {
-  const BodyInWater b = module();
+  BodyInWater b = module();
   const Vec6 zero = Vec6::Zero();
   double worst = 0;
-  for (const double z : {-0.6, 0.9, -1.9, -8.0}) {
+  for (const double z : {-0.6, 0.9, -1.9, -8.0, -0.5, -8.1}) {
+    b.cross_flow = z == -0.5 || z == -8.1;
     const BodyWaterResidual r = residual(b, state(z), true);
     EXPECT_GT(r.f.norm(), 0.1);
     for (int k = 0; k < 6; ++k) {
@@ -116,6 +117,15 @@ TEST(BodyWater, RoundBodyHasNoAxes) {
   const Vec3 u = sea(-8).velocity - s.v, a = sea(-8).acceleration;
   const Vec3 force = 3 * u.norm() * u + (6 + 4) * a - 4 * s.a + 60 * Vec3::UnitZ();
   EXPECT_LT((residual(b, s).f.head<3>() + force).norm(), 1e-12);
+}
+
+// The principle of cross flow: what goes along a member does not add to the drag across it.
+TEST(BodyWater, CrossFlow) {
+  BodyInWater b;
+  b.drag = Vec3(3, 3, 0.5);
+  b.cross_flow = true;
+  EXPECT_LT((body_drag(b, Vec3(0.6, -0.8, 7)) - Vec3(1.8, -2.4, 24.5)).norm(), 1e-14);
+  EXPECT_LT((body_drag(b, Vec3(0, 0, -2)) - Vec3(0, 0, -2)).norm(), 1e-14);
 }
 
 TEST(BodyWater, EvenWetting) {

@@ -109,6 +109,28 @@ TEST(StokesWave, IsPotentialFlow) {
   EXPECT_EQ(w.at({5, 6, -35}, 1).velocity.z(), 0);
 }
 
+// Minus the acceleration of the water is the gradient of pressure; at the surface there is none.
+TEST(StokesWave, HeadIsItsPressure) {
+  StokesInput in = input(6, 9, 35);
+  in.direction = 0.7;
+  in.phase = 0.4;
+  in.current = 0.8;
+  const StokesWave w(in);
+  const double h = 1e-3;
+  const double t = 4.2;
+  for (const Vec3& x : {Vec3(3, -2, -5), Vec3(40, 10, -3.5), Vec3(-7, 100, -34)}) {
+    Vec3 gradient;
+    for (int i = 0; i < 3; ++i)
+      gradient[i] = (w.head_at(x + h * Vec3::Unit(i), t) - w.head_at(x - h * Vec3::Unit(i), t)) / (2 * h);
+    EXPECT_LT((kG * gradient + w.at(x, t).acceleration).norm(), 1e-5);
+  }
+  for (double x = 0; x < 120; x += 7) {
+    const double crest = w.at({x, 0, 0}, t).surface;
+    EXPECT_NEAR(w.head_at({x, 0, crest}, t), crest, 5e-3);
+    EXPECT_EQ(w.head_at({x, 0, 50}, t), w.head_at({x, 0, crest}, t));
+  }
+}
+
 // The water that goes through a fixed plane is what fills and empties the space behind it; its mean is what
 // `transport` says.
 TEST(StokesWave, ContinuityAndTransport) {

@@ -192,6 +192,35 @@ TEST(Waves, IsPotentialFlow) {
 // In-line force and moment on a pile of 1 m, Cd 1.2, Cm 2: closed forms of the integrals to the still water
 // (linear), and of the drag under the crest to the surface by three stretchings. The velocity at the surface
 // as well.
+// Under the still water rho du/dt = -grad p, in waves of several directions; at the surface and above it the
+// head is the elevation, on any depth.
+TEST(Waves, HeadIsTheirPressure) {
+  for (const double depth : {0.0, 15.0, 200.0}) {
+    const std::vector<WaveComponent> sea = {{0.8, 0.6, 0, 1, 0, 0.3}, {0.4, 1.1, 0, 0.6, 0.8, 1.7}};
+    const WaveField flat(sea, depth, kG, Stretching::vertical);
+    const double h = 1e-3;
+    const double t = 3.1;
+    for (const Vec3& x : {Vec3(3, -2, -1), Vec3(40, 10, -6), Vec3(-7, 100, -14.5)}) {
+      Vec3 gradient;
+      for (int i = 0; i < 3; ++i)
+        gradient[i] = (flat.head(x + h * Vec3::Unit(i), t) - flat.head(x - h * Vec3::Unit(i), t)) / (2 * h);
+      EXPECT_LT((kG * gradient + flat.at(x, t).acceleration).norm(),
+                1e-4 * flat.at(x, t).acceleration.norm());
+      EXPECT_NEAR(flat.head(x, t, 0.4), 0.4 * flat.head(x, t), 1e-14);
+    }
+    for (const Stretching stretching : {Stretching::wheeler, Stretching::vertical, Stretching::none}) {
+      const WaveField waves(sea, depth, kG, stretching);
+      for (double s = 0; s < 12; s += 0.7) {
+        const double crest = waves.at({5, 1, 0}, s).surface;
+        if (crest > 0 || stretching == Stretching::wheeler) {
+          EXPECT_NEAR(waves.head({5, 1, crest}, s), crest, 1e-12);
+        }
+        EXPECT_NEAR(waves.head({5, 1, 30}, s), waves.head({5, 1, std::max(crest, 0.0)}, s), 0.2);
+      }
+    }
+  }
+}
+
 TEST(Waves, ForceOnAPile) {
   struct Row {
     double height, period, depth, inertia, drag, moment_inertia, moment_drag, wheeler, constant;

@@ -24,6 +24,11 @@ std::shared_ptr<const Surface> make_surface(const Primitive& shape);
 // The shape as triangles, corners on the surface; closed and outward, except the plane: that is a square
 // patch centred at the foot of `seen.centre()` and large enough for the foot of every point of `seen`.
 TriangleMesh facets(const Primitive& shape, const Box& extent);
+// The same with the radius enlarged so that the mesh has the volume of the shape. std::invalid_argument for a
+// plane, which has none.
+TriangleMesh facets_of_volume(const Primitive& shape);
+// m³; std::invalid_argument for a plane.
+double volume(const Primitive& shape);
 
 // Patches: (i + 1) + 3 (j + 1) + 9 (k + 1), with i, j, k in {-1, 0, 1} the side of the box on which the
 // nearest point lies, in the box's axes; features face, edge0 and vertex0.

@@ -12,7 +12,16 @@ struct BodyInWater {
   double height = 1;                                       // m, over which it gets wet
   double buoyancy = 0, displaced_mass = 0;                 // N, kg, of the whole volume
   Vec3 added = Vec3::Zero(), drag = Vec3::Zero();          // kg; kg/m, rho Cd A/2: along the body's axes
+  // A part of a member along z: drag across it goes with the velocity across it, and along it with that along
+  // it, in place of the whole velocity.
+  bool cross_flow = false;
 };
+
+// N, axes of the body, by the relative velocity u of the water:
+//   |u| c o u,   or with cross_flow  c o (|u_n| u_x, |u_n| u_y, |u_z| u_z),   u_n = (u_x, u_y)
+// and its derivative.
+Vec3 body_drag(const BodyInWater& body, const Vec3& u);
+Mat3 body_drag_by_velocity(const BodyInWater& body, const Vec3& u);
 
 // Forces on the body, N, space axes: at the centre of buoyancy and at that of drag.
 struct BodyWaterForce {

@@ -40,6 +40,10 @@ class StokesWave {
   // As of WaveField::at; the acceleration is that of the water, with its convective part. What is above the
   // surface has the motion of the surface.
   WaveMotion at(const Vec3& x, double t, double factor = 1, double rate = 0) const;
+  // Pressure of the wave over rho g, m, as of WaveField::head. In axes that move with it, at the speed c, the
+  // flow is steady; with its velocity u along and w upwards, R = head() and the depth d, by Bernoulli's law
+  //   head = (R - ((u - c)² + w²)/2)/g - d
+  double head_at(const Vec3& x, double t, double factor = 1) const;
 
  private:
   double at_phase(double theta) const;

@@ -40,6 +40,8 @@ class WaveSums {
   // Adds velocity [m/s] and its derivative in time [m/s²] at the height z [m] from the still water, of what
   // is significant there and has phases.
   void add_motion(const Phases& at, double z, Vec3& velocity, Vec3& acceleration) const;
+  // Pressure of the waves over rho g at the height z [m] from the still water, of the same: m.
+  double head(const Phases& at, double z) const;
 
  private:
   // How many components have a number up to `most`, in whole vectors.
@@ -50,6 +52,7 @@ class WaveSums {
   std::vector<double> along_x_, along_y_, per_time_, phase_;  // of the angle, in quarter turns
   std::vector<double> x_, y_;                                 // direction
   std::vector<double> speed_;                                 // m/s: a omega/(1 - exp(-2 k h))
+  std::vector<double> head_;                                  // m: a/(1 + exp(-2 k h))
   std::vector<double> bottom_;                                // exp(-2 k h)
   std::vector<double> height_beyond_ = {0};                   // m, from each component on; then 0
   double depth_ = 0;                                          // m; <= 0: infinite

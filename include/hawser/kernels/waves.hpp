@@ -39,9 +39,13 @@ class WaveField {
   const std::vector<WaveComponent>& components() const { return components_; }
   // z from the still water. `factor`, `rate`: of a ramp, and its derivative, 1/s.
   WaveMotion at(const Vec3& x, double t, double factor = 1, double rate = 0) const;
+  // Pressure of the waves over rho g [m]; above the surface it is that of the surface, its elevation. Without
+  // stretching the pressure above the still water is that in it.
+  double head(const Vec3& x, double t, double factor = 1) const;
 
  private:
   std::size_t components_summed(double z) const;
+  double stretched(double z, double surface) const;
   std::vector<WaveComponent> components_;
   WaveSums sums_;
   double depth_ = 0;

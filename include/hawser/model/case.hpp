@@ -111,6 +111,21 @@ struct BodyInWater {
 };
 
 // A body that moves by its own equations.
+// Volumes that displace water: closed surfaces that move with their body.
+struct BodyHull {
+  std::vector<std::string> volumes;
+  bool wave_pressure = true;  // of Froude and Krylov, on the wetted surface
+};
+
+// A straight round part of a body that is slender beside the waves, on which water acts across it by
+// Morison's equation, and along it on the area of an end.
+struct BodyMember {
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // m, body frame
+  double diameter = 0;                          // m
+  double drag = 1, axial_drag = 0;              // Cd; of rho/2 pi D²/4
+  double added = 1, axial_added = 0;            // Ca; of rho pi D³/12
+};
+
 struct BodyMass {
   double mass = 0;                       // kg
   Vec3 inertia = Vec3::Zero();           // kg m², about the centre of mass, along the body's axes
@@ -123,6 +138,8 @@ struct BodyMass {
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
   std::optional<BodyInWater> in_water;
   std::optional<BodyHydrodynamics> hydrodynamics;
+  std::optional<BodyHull> hull;
+  std::vector<BodyMember> members;
   std::optional<FlowOnBody> wind, current;
   std::vector<BodyLoad> loads;
 

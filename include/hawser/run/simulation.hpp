@@ -19,6 +19,7 @@
 #include "hawser/system/system.hpp"
 #include "hawser/terms/bodies.hpp"
 #include "hawser/terms/body_skeleton.hpp"
+#include "hawser/terms/hulls.hpp"
 #include "hawser/terms/line_pairs.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
 #include "hawser/terms/structure.hpp"
@@ -40,9 +41,9 @@ struct WrongPlaces : InputError {
 class Simulation {
  public:
   // surfaces: one for each volume of the case, in its order; skeletons: likewise, for contact of bodies with
-  // bodies. Collective.
+  // bodies; facets: likewise, for hulls. Collective.
   Simulation(MPI_Comm comm, const model::Case& c, std::vector<std::shared_ptr<const Surface>> surfaces = {},
-             std::vector<BodySkeleton> skeletons = {});
+             std::vector<BodySkeleton> skeletons = {}, const VolumeFacets& facets = {});
 
   const model::Case& model() const { return case_; }
   const Mesh& mesh() const { return *mesh_; }
@@ -107,7 +108,8 @@ class Simulation {
   void add_seabed(const Kinematics& start, const std::vector<int>& held);
   void add_contact(const Kinematics& start, const std::vector<int>& held,
                    const std::vector<std::shared_ptr<const Surface>>& surfaces);
-  void add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces, std::vector<BodySkeleton> skeletons);
+  void add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces, std::vector<BodySkeleton> skeletons,
+                  const VolumeFacets& facets);
   std::string inside(int volume, const Kinematics& at) const;
   bool lays_lines() const;  // whether statics has friction of the bed
   void follow_contact(StaticsSettings settings, StaticsReport& report);

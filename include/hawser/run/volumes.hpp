@@ -33,6 +33,7 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI
                                        const io::ReadProgress& read_progress = {});
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
+std::vector<std::shared_ptr<const MeshView>> volume_facets(const std::vector<LoadedVolume>& volumes);
 // What stands out of the volumes that touch other bodies with it, and where they are watched.
 std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vector<LoadedVolume>& volumes);

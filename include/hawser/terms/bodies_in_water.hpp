@@ -1,4 +1,5 @@
-// What the sea does to floating bodies that say how they lie in it. See docs/theory/bodies-in-water.md.
+// What the sea does to floating bodies by Morison's equation: to a body as a whole (`in_water`), and to its
+// members, in pieces along their length. See docs/theory/bodies-in-water.md.
 #pragma once
 
 #include <vector>
@@ -11,6 +12,10 @@
 #include "hawser/terms/static_rest.hpp"
 
 namespace hawser {
+
+namespace model {
+struct BodyMember;
+}  // namespace model
 
 class BodiesInWater final : public ForceTerm,
                             public ScalesResiduals,
@@ -52,9 +57,11 @@ class BodiesInWater final : public ForceTerm,
     Places at;
   };
   struct Wet {
-    BodyInWater data;
+    BodyInWater data;                     // in axes of its own,
+    Quat axes = Quat::Identity();         // which these turn to those of the body
     int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
     int body = 0;                         // of the case
+    int key = 0;                          // of the body's
     StaticRest rest;
     // Waves are looked at once a step: at its end, where the centres get with their speed at its start.
     Places start, speed;              // m, m/s, at the start of the step
@@ -67,6 +74,13 @@ class BodiesInWater final : public ForceTerm,
     bool flowed = false;
     double work = 0;  // J, of the flow over the accepted steps
   };
+  void add(const model::Case& c, const LocalMesh& mesh, int node, BodyInWater data, const Quat& axes,
+           int key);
+  // Adds the pieces of a member.
+  void add_member(const model::Case& c, const LocalMesh& mesh, int node, const model::BodyMember& m,
+                  int& key);
+  // Of the body, in the axes of the data.
+  static RigidBodyState state(const Wet& b, const Kinematics& at);
   static Places places(const Wet& b, const RigidBodyState& s);
   Places wave_places(const Wet& b, const Kinematics& at) const;
   Water water(const Wet& b, const Kinematics& at, const Vec3& x, WaveMotion Wet::*wave) const;

@@ -27,6 +27,8 @@ struct Sea {
   Water still_at(double z, double time) const;
   // Of the waves alone. A term looks once a step (docs/theory/waves.md#in-a-step).
   WaveMotion waves_at(const Vec3& x, double time) const;
+  // Pressure of the waves over rho g, m, at a place of space.
+  double wave_head(const Vec3& x, double time) const;
 };
 // Both.
 Water operator+(Water still, const WaveMotion& wave);

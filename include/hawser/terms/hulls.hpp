@@ -1,0 +1,89 @@
+// Pressure of the sea on the hulls of floating bodies: buoyancy of what is under water, exactly, and the
+// pressure of waves (Froude-Krylov) on the instantaneous wetted surface. See docs/theory/hulls.md.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hawser/geometry/triangle_mesh.hpp"
+#include "hawser/kernels/hull_pressure.hpp"
+#include "hawser/mesh/local_mesh.hpp"
+#include "hawser/system/force_term.hpp"
+#include "hawser/terms/run_roles.hpp"
+#include "hawser/terms/sea.hpp"
+#include "hawser/terms/static_rest.hpp"
+
+namespace hawser {
+
+// Triangles of the volumes of a case, in its order.
+using VolumeFacets = std::vector<std::shared_ptr<const MeshView>>;
+
+// The surface of a body's hull from its centre of mass, body axes. longest: m, edges beyond it are split.
+HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& facets, double longest);
+
+class Hulls final : public ForceTerm,
+                    public ScalesResiduals,
+                    public RestrainedInStatics,
+                    public ActsOnBodies {
+ public:
+  // Of the bodies of the case that this rank owns.
+  Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& facets);
+
+  // In statics no water acts on bodies that are held where they start (RigidBodies::hold).
+  void hold(bool on, bool friction) override {
+    hold_ = on;
+    friction_ = friction;
+  }
+
+  std::string_view name() const override { return "hulls in water"; }
+  void prepare(const Kinematics& committed, double h) override;
+  void evaluate(const Kinematics& trial, Assembler& assembler) override;
+  void commit(const Kinematics& accepted) override;
+  Energy energy(const Kinematics& at) const override;
+  double dead_load() const override;
+  double round_off(const Kinematics& at, double h) const override;
+  std::vector<std::string> origins(int body) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
+  std::vector<CheckpointKind> checkpoint_kinds() const override;
+  std::vector<CheckpointRecord> records(NodeRange of) const override;
+  void restore(const std::vector<CheckpointRecord>& records) override;
+
+ private:
+  // Of a state: of still water, and what waves add on the centre of mass and about it, axes of space.
+  struct Forces {
+    double time = -1, step = -1;
+    Vec3 x = Vec3::Zero();
+    Quat q = Quat::Identity();
+    HullPressure still;
+    BodyForce waves;
+  };
+  struct Hull {
+    HullSurface surface;
+    int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
+    int body = 0;                         // of the case
+    StaticRest rest;
+    bool in_waves = false;
+    double whole = 0;      // N, buoyancy of all of it
+    RigidBodyState start;  // of the step
+    // Heads at `time`, where the body gets with the velocity that it has at the start of the step.
+    mutable std::vector<double> heads;
+    mutable double time = 0;
+    mutable bool known = false;
+    mutable Forces forces;  // as asked for last
+    BodyForce waves;        // of the last accepted state
+    bool has_waves = false;
+    double work = 0;  // J, of the waves over the accepted steps
+  };
+  const std::vector<double>& heads(const Hull& hull, const Kinematics& at) const;
+  HullPressure pressure(const Hull& hull, const Kinematics& at, bool waves, bool tangent) const;
+  const Forces& forces(const Hull& hull, const Kinematics& at) const;
+  bool idle(const Hull& hull) const { return hold_ && !hull.rest.found(friction_); }
+
+  Sea sea_;
+  std::vector<Hull> list_;
+  std::vector<std::vector<std::string>> origins_;  // by body of the case
+  bool hold_ = false, friction_ = false;
+  double start_time_ = 0;  // s
+};
+
+}  // namespace hawser
