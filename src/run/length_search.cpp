@@ -130,7 +130,8 @@ advice::LengthSearched LengthSearch::searched(const model::Case& c) const {
 std::string LengthSearch::now(const model::Case& c) const { return advice::length_tried(searched(c)); }
 
 std::string LengthSearch::found(const model::Case& c, int trials) const {
-  return failed_ ? advice::feeder_not_at_rest(searched(c), tried()) : advice::length_found(searched(c), trials);
+  return failed_ ? advice::feeder_not_at_rest(searched(c), tried())
+                 : advice::length_found(searched(c), trials);
 }
 
 // Of the trials, which are lengths with what their values lack.
