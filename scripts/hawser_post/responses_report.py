@@ -95,7 +95,7 @@ def show(found, irregular):
 
 
 def draw(found, path):
-    """Amplitudes over the period, and lags below them; translations to the left."""
+    """Amplitudes over the period, and lags below them; translations to the left, open circles where the coherence is poor."""
     figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.6), sharex=True, layout="constrained", height_ratios=(2, 1))
     period = np.array([2 * np.pi / r.omega for r in found])
     order = np.argsort(period)
@@ -106,8 +106,10 @@ def draw(found, path):
         if not amplitude[:, k].max() > 1e-3 * amplitude[:, 3 * column:3 * column + 3].max():
             continue
         for rows, values in ((0, amplitude[:, k]), (1, lag[:, k])):
-            axes[rows, column].plot(period[order], np.where(sure[:, k], values, np.nan), ".-", ms=3, lw=1 if rows == 0 else 0, color=COLOURS[k % 3],
-                                    label=name if rows == 0 else None)
+            own = axes[rows, column]
+            own.plot(period[order], np.where(sure[:, k], values, np.nan), ".-", ms=3, lw=1 if rows == 0 else 0, color=COLOURS[k % 3],
+                     label=name if rows == 0 else None)
+            own.plot(period[order], np.where(sure[:, k], np.nan, values), "o", ms=3, mfc="none", mew=0.6, color=COLOURS[k % 3])
     for column, unit in ((0, "m/m"), (1, "deg/m")):
         axes[0, column].set(ylabel=unit, ylim=(0, None))
         axes[1, column].set(xlabel="period [s]", ylabel="lag [deg]", ylim=(0, 360), yticks=(0, 90, 180, 270, 360))
