@@ -128,6 +128,24 @@ void expect_same(const Results& whole, const Results& rest, double tolerance) {
   EXPECT_LE(largest_difference(whole.summary, rest.summary), tolerance * largest(whole.summary));
 }
 
+// A slab with edges and a bar that slides on a block, sticks and turns, both free: where there are more
+// ranks, on different ones.
+const char* const kBodies = R"(hawser: 1
+environment: {gravity: 0}
+bodies:
+  block: {position: [0, 0, 0], floating: {mass: 900, inertia: [1e3, 1e3, 1e3], loads: [{force: [0, 0, 3000]}]}}
+  slab:
+    position: [-0.5, 0, 0.60045]
+    floating: {mass: 300, inertia: [26, 58, 68], velocity: [0.3, 0.1, 0], loads: [{force: [0, 0, -3000]}]}
+volumes:
+  block: {shape: {box: {centre: [0, 0, 0], size: [6, 2, 1]}}, body: block, normal_stiffness: {per_length: 1.0e7}, friction: 0.3}
+  slab: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}, body: slab, normal_stiffness: {per_point: 1.0e6}, friction: 0.3, relative_damping: 0.1}
+  rail: {shape: {capsule: {from: [-0.4, 0, 0.05], to: [0.4, 0, 0.05], radius: 0.15}}, body: slab, normal_stiffness: {per_length: 1.0e6}, friction: 0.3, relative_damping: 0.1}
+statics: false
+dynamics: {duration: 0.25, step: 0.0005}
+output: {every: 0.0625, histories: [{body: slab, name: slab}, {body: block, name: block}]}
+)";
+
 // The first output at `after` [s] or later that shows the force; 0: none.
 double touches_at(const Results& r, const char* force, double after) {
   const auto& f = r.fields.at(force);
@@ -167,6 +185,21 @@ void compare(const std::string& name, const std::string& text, const Edits& edit
   EXPECT_EQ(on.output_times.size(), whole.output_times.size());
   expect_same(whole, on, kSame);
   expect_same(whole, read(path + "/fewer.h5"), other_ranks);
+}
+
+TEST(RestartContact, BodiesWithFriction) {
+  const std::string path = folder("restart_bodies"), input = path + "/case.yaml";
+  write_case(input, kBodies, {});
+  run_on_all({input, path + "/whole.h5"});
+  for (const double half : {0.0625, 0.1875}) {
+    run_on_all({input, path + "/half.h5", "", half});
+    run_on_all({input, path + "/rest.h5", path + "/half.h5"});
+    run_on_one({input, path + "/fewer.h5", path + "/half.h5"});
+    if (rank_of(MPI_COMM_WORLD) > 0) continue;
+    SCOPED_TRACE("stopped at " + std::to_string(half) + " s");
+    for (const char* rest : {"/rest.h5", "/fewer.h5"})
+      expect_same(read(path + "/whole.h5"), read(path + rest), 1e-9);
+  }
 }
 
 // Stopped where one wall is near, where both are and where the second comes near.

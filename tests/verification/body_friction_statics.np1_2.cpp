@@ -98,6 +98,21 @@ TEST(BodyFrictionStatics, CrateAboveASlope) {
   for (const std::string& n : r.sim.notes()) EXPECT_EQ(n.find("without its weight"), std::string::npos) << n;
 }
 
+// It falls by 3 m onto a deck of 5 cm and does not pass it, however long the steps have become.
+TEST(BodyFrictionStatics, CrateAboveAThinDeck) {
+  BodiesRun r(R"(hawser: 1
+bodies:
+  crate: {position: [0.3, 0.2, 3], floating: {mass: 600, inertia: [20, 52, 68], weight: true}}
+volumes:
+  deck: {shape: {box: {centre: [0, 0, -0.025], size: [6, 6, 0.05]}}, normal_stiffness: {per_length: 1e8}, friction: 0.4}
+  crate: {shape: {box: {centre: [0, 0, 0], size: [1, 0.6, 0.2]}}, body: crate, normal_stiffness: {per_point: 1e7}, smoothing: 0, friction: 0.4}
+statics: {contact_friction: true}
+dynamics: {duration: 1}
+)");
+  r.sim.solve_statics();
+  EXPECT_NEAR(r.poses(r.sim.state().view(0))[0].position.z(), 0.1 - kMass * kGravity / (4 * kPress), 1e-6);
+}
+
 // Two crates, one on the other, both free, on different ranks where there are two.
 TEST(BodyFrictionStatics, StackOnASlope) {
   const double slope = 15 * M_PI / 180, s = std::sin(slope), c = std::cos(slope);
