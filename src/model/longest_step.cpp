@@ -184,6 +184,12 @@ void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own
       oscillates(afloat, mass, c.environment.water.density * c.environment.gravity * w.volume / w.height,
                  b.name + " in the surface");
     }
+    if (b.mass->hull && !b.mass->hydrodynamics) {
+      const Vec3& restoring = b.mass->hull->restoring;
+      oscillates(afloat, mass, restoring[0], b.name + " in heave");
+      oscillates(afloat, b.mass->inertia.x(), restoring[1], b.name + " in roll");
+      oscillates(afloat, b.mass->inertia.y(), restoring[2], b.name + " in pitch");
+    }
     if (b.mass->hydrodynamics) {
       const PlatformPeriods periods = platform_periods(c, b);
       has_period(afloat, periods.heave, b.name + " in heave");

@@ -200,6 +200,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (restarted && !c.dynamics.enabled)
     throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
+  set_hydrostatics(c, volumes);
   c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   const double end =
@@ -310,6 +311,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   Progress progress(rank == 0);
   model::Case c = io::read_case(case_path, read_progress(progress), comm, changes);
   const std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
+  set_hydrostatics(c, volumes);
   if (rank != 0) return 0;
   progress.end();
   const double begun = cpu_time();

@@ -30,10 +30,10 @@ double top_of(const HullSurface& hull, const RigidBodyState& s) {
   return top;
 }
 
-template <class Visit>
-void for_each_hull(const model::Case& c, const std::vector<LoadedVolume>& volumes, const Visit& visit) {
+template <class Case, class Visit>
+void for_each_hull(Case& c, const std::vector<LoadedVolume>& volumes, const Visit& visit) {
   for (size_t b = 0; b < c.bodies.size(); ++b)
-    if (const model::Body& body = c.bodies[b]; body.mass && body.mass->hull)
+    if (auto& body = c.bodies[b]; body.mass && body.mass->hull)
       visit(body, hull_surface(c, static_cast<int>(b), volume_facets(volumes), HUGE_VAL));
 }
 
@@ -59,9 +59,9 @@ double rise_to_float(const HullSurface& hull, const RigidBodyState& at, double w
 
 }  // namespace
 
-void check_hulls(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
+void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes) {
   const double density = c.environment.water.density;
-  for_each_hull(c, volumes, [&](const model::Body& b, const HullSurface& hull) {
+  for_each_hull(c, volumes, [&](model::Body& b, const HullSurface& hull) {
     const std::string key = "bodies." + b.name + ".floating.hull.volumes";
     const RigidBodyState s = start_of(b);
     const Vec3 whole = displaced_volumes(hull, top_of(hull, s), s);

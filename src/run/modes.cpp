@@ -13,6 +13,7 @@
 #include "hawser/model/check.hpp"
 #include "hawser/record/result_parts.hpp"
 #include "hawser/run/events.hpp"
+#include "hawser/run/hull_check.hpp"
 #include "hawser/run/output_place.hpp"
 #include "hawser/run/run_parts.hpp"
 #include "hawser/run/simulation.hpp"
@@ -75,6 +76,13 @@ Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& v
 }
 
 double period_of(const NaturalMode& mode) { return 2 * M_PI / std::sqrt(mode.squared); }
+
+void without_added_mass(model::Case& c) {
+  for (model::LineType& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
+  for (model::Body& b : c.bodies)
+    if (b.mass)
+      for (model::BodyMember& m : b.mass->members) m.added = m.axial_added = 0;
+}
 
 // Whether the modes have damping ratios: they come with the added mass of each frequency.
 bool has_platforms(const model::Case& c) {
@@ -183,9 +191,9 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
     throw InputError(c.path +
                      ": statics: modes are about the static equilibrium, which this case does not compute");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
+  set_hydrostatics(c, volumes);
   c = with_targets_met(comm, std::move(c), volumes, progress);
-  if (!options.added_mass)
-    for (auto& t : c.line_types) t.Ca_normal = t.Ca_axial = 0;
+  if (!options.added_mass) without_added_mass(c);
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   for (const auto& n : place.notes()) progress.print("note: " + n);
   for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);

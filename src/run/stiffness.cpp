@@ -21,6 +21,7 @@
 #include "hawser/model/nearest.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/held_bodies.hpp"
+#include "hawser/run/hull_check.hpp"
 #include "hawser/run/output_place.hpp"
 #include "hawser/run/run_parts.hpp"
 #include "hawser/run/volumes.hpp"
@@ -172,6 +173,7 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   if (!c.statics.enabled)
     throw InputError(c.path + ": statics: the stiffness is that at rest, which this case does not compute");
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
+  set_hydrostatics(c, volumes);
   c = with_targets_met(comm, std::move(c), volumes, progress);
   const bool floats = c.bodies[static_cast<size_t>(body)].mass.has_value();
   c = with_mass(std::move(c), body);

@@ -19,7 +19,6 @@
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"
-#include "hawser/run/hull_check.hpp"
 
 namespace hawser::run {
 namespace {
@@ -204,7 +203,6 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm,
   io::rethrow_on_all_ranks(comm, [&] {
     if (host.leads()) meshes.check_leaders();
   });
-  check_hulls(c, out);
   return out;
 }
 

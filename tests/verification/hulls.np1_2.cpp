@@ -7,6 +7,7 @@
 #include "../regression/runs.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/run/hull_check.hpp"
 #include "hawser/run/volumes.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "verification/dynamics_rig.hpp"
@@ -69,6 +70,39 @@ TEST(Hulls, HeaveAndRollOfABox) {
   const double stiffness = kRho * kG * (20 * 512 / 12.0 + 400 * (-1.25 - 0.5 + 1));
   const double roll = 2 * M_PI * std::sqrt(inertia / stiffness);
   EXPECT_NEAR(found("angular_velocity: [0.005, 0, 0]", 3, roll), roll, 1e-3 * roll);
+}
+
+// Heave and roll together with the steps that the program takes are those of steps of a thousandth of a
+// period.
+TEST(Hulls, AutomaticStepsFollowThePeriodsOfAHull) {
+  const auto end = [](const std::string& step) {
+    model::Case c = read(barge(
+        fmt::format(
+            "position: [0, 0, 1.7], floating: {{mass: {}, inertia: [4e6, 2e7, 2e7], centre_of_mass: [0, 0, "
+            "-2], angular_velocity: [0.05, 0, 0], hull: {{volumes: [side]}}}}",
+            kMass),
+        "", "statics: false\ndynamics: {duration: 8" + step + "}\noutput: {every: 8}"));
+    const auto volumes = run::load_volumes(c, PETSC_COMM_WORLD);
+    run::set_hydrostatics(c, volumes);
+    Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes),
+                 run::volume_facets(volumes));
+    Dynamics& d = s.dynamics();
+    d.start(s.state());
+    integrate(d, c.dynamics.duration, c.dynamics.duration, [](const StepInfo&) {});
+    Vec3 out;
+    for (int axis = 0; axis < 3; ++axis)
+      out[axis] = from_owner(s, [&](size_t n) {
+        if (axis == 2) return d.kinematics().x[n].z() + 0.5;
+        return log_so3(floating_state(d.kinematics(), static_cast<int>(n)).q)[axis];
+      });
+    return out;
+  };
+  const Vec3 automatic = end("");
+  const Vec3 fine = end(", step: 0.004");
+  printf("hull afloat: heave %.5f and roll %.6f, with short steps %.5f and %.6f\n", automatic.z(),
+         automatic.x(), fine.z(), fine.x());
+  EXPECT_NEAR(automatic.z(), fine.z(), 0.01 * 0.2);
+  EXPECT_NEAR(automatic.x(), fine.x(), 0.01 * 0.045);
 }
 
 // Of a wall-sided ship with the centre of mass off its middle (Barrass and Derrett, Ship Stability):

@@ -115,6 +115,9 @@ struct BodyInWater {
 struct BodyHull {
   std::vector<std::string> volumes;
   bool wave_pressure = true;  // of Froude and Krylov, on the wetted surface
+  // N/m, N m/rad: against heave, roll and pitch about the centre of mass where the case puts the body, once
+  // the volumes are read.
+  Vec3 restoring = Vec3::Zero();
 };
 
 // A straight round part of a body that is slender beside the waves, on which water acts across it by
