@@ -175,7 +175,7 @@ VARIANTS = (
     {"bodies.spar": "{position: [260, 0, 0], floating: {mass: 5e4, inertia: [1e6, 1e6, 1e5], centre_of_mass: [0, 0, -4], "
      "hull: {volumes: [column], wave_pressure: true}, "
      "members: [{from: [0, 0, -8], to: [0, 0, 2], diameter: 3, Cd: 1, Ca: 1, axial_Cd: 1, axial_Ca: 1}]}}",
-     "volumes.column": "{shape: {cylinder: {from: [0, 0, -8], to: [0, 0, 2], radius: 1.5}}, body: spar}"},
+     "volumes.column": "{shape: {cylinder: {from: [0, 0, -8], to: [0, 0, 2], radius: 1.5}}, body: spar, normal_stiffness: {per_point: 1e5}}"},
     # Feeders, events, stages.
     {"lines.mooring.masses": "null", "lines.mooring.loads": "null", "bodies.clump": "null", "contact": "null", "output.clearances": "null",
      "lines.mooring.sections": "[{type: chain, length: 100, elements: 20}]",

@@ -101,8 +101,8 @@ TEST(Hulls, AutomaticStepsFollowThePeriodsOfAHull) {
   const Vec3 fine = end(", step: 0.004");
   printf("hull afloat: heave %.5f and roll %.6f, with short steps %.5f and %.6f\n", automatic.z(),
          automatic.x(), fine.z(), fine.x());
-  EXPECT_NEAR(automatic.z(), fine.z(), 0.01 * 0.2);
-  EXPECT_NEAR(automatic.x(), fine.x(), 0.01 * 0.045);
+  EXPECT_NEAR(automatic.z(), fine.z(), 0.05 * 0.2);
+  EXPECT_NEAR(automatic.x(), fine.x(), 0.05 * 0.045);
 }
 
 // Of a wall-sided ship with the centre of mass off its middle (Barrass and Derrett, Ship Stability):
