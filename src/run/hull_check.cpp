@@ -80,6 +80,9 @@ void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes) 
           "it cannot float: the hull displaces {:.5g} kg of water when it is wholly under water, and its "
           "mass is {:.5g} kg",
           density * volume, b.mass->mass);
+    const Mat6 K =
+        hull_pressure(hull, density * c.environment.gravity, c.environment.water.surface, {}, s, true).K;
+    b.mass->hull->restoring = K.diagonal().segment<3>(2);
   });
 }
 
