@@ -61,6 +61,15 @@ void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>&
        35});
 }
 
+void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
+  const BodyMass& m = *b.mass;
+  if (m.hull && m.members.empty() && !m.hydrodynamics)
+    out.push_back({"bodies." + b.name + ".floating.hull",
+                   "the pressure of the water alone acts on this body, without drag and added mass: give its "
+                   "'members', or the 'hydrodynamics' of a diffraction program",
+                   36});
+}
+
 }  // namespace
 
 void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
@@ -69,6 +78,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     out.push_back({"environment.wind",
                    "acts on no body and never on lines: give a body coefficients, 'floating.wind'", 34});
   for (const Body& b : c.bodies) {
+    if (b.mass) warn_of_hull(b, out);
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);
     warn_of_sea_of_platform(c, b, out);

@@ -105,10 +105,10 @@ void check_hull(const Case& c, const Body& b, const Issues& issue) {
 }
 
 void check_members(const Case& c, const Body& b, const Issues& issue) {
-  if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
+  if (!c.environment.water.present) issue("members", "there is no water: give 'environment: {{water: ...}}'");
   for (size_t i = 0; i < b.mass->members.size(); ++i)
     if (const BodyMember& m = b.mass->members[i]; m.from == m.to)
-      issue(fmt::format("[{}].to", i), "is the same point as 'from': a member has a length");
+      issue(fmt::format("members[{}].to", i), "is the same point as 'from': a member has a length");
 }
 
 void check_flow(const Case& c, const Body& b, const Issues& issue) {
@@ -129,7 +129,7 @@ void check_platforms(const Case& c, const Issues& issue) {
   for (const Body& b : c.bodies) {
     if (b.mass && b.mass->hull) check_hull(c, b, issue.below("bodies." + b.name + ".floating.hull"));
     if (b.mass && !b.mass->members.empty())
-      check_members(c, b, issue.below("bodies." + b.name + ".floating.members"));
+      check_members(c, b, issue.below("bodies." + b.name + ".floating"));
   }
   for (const std::vector<int>& group : radiating_groups(c)) {
     const Body& first = c.bodies[group.front()];

@@ -50,7 +50,8 @@ void warn_of_supports(const model::Case& c, std::vector<InputWarning>& out);
 void warn_of_elements(const model::Case& c, std::vector<InputWarning>& out);
 // Rotations about axes of space that are other axes of the body.
 void warn_of_rotations(const model::Case& c, std::vector<InputWarning>& out);
-// Of platforms: inertia that no body has, currents and waves of which their coefficients know nothing.
+// Of platforms: inertia that no body has, currents and waves that their coefficients do not contain, hulls
+// without drag and added mass.
 void warn_of_platforms(const model::Case& c, std::vector<InputWarning>& out);
 // Depths of water and bed, soil that is none, ends far from the bed, and currents that push aside what lies
 // on it or that would change the waves.
