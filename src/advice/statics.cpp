@@ -73,6 +73,12 @@ std::string no_rest(int steps, const std::string& imbalance) {
   return fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", steps, imbalance);
 }
 
+std::string body_moves_on(const std::string& place, double far) {
+  return fmt::format(
+      "statics: {} has moved by {:.3g} m and finds no rest: it falls, or friction is too low where it lies",
+      place, far);
+}
+
 std::string more_lines_on_bed(size_t lines) { return fmt::format("{} more lines are on the seabed", lines); }
 
 std::string singular_mooring() {

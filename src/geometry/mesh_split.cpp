@@ -2,27 +2,34 @@
 #include "hawser/geometry/mesh_split.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
+#include <vector>
+
+#include "edge_uses.hpp"
 
 namespace hawser {
 namespace {
 
-using Edge = std::pair<int, int>;
-Edge edge_of(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
-
-// New vertices in the middle of the edges that are too long.
-std::map<Edge, int> middles(TriangleMesh& mesh, double longest) {
-  std::map<Edge, int> out;
-  for (const std::array<int, 3>& t : mesh.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const Edge e = edge_of(t[i], t[(i + 1) % 3]);
-      const Vec3 from = mesh.vertices[static_cast<std::size_t>(e.first)];
-      const Vec3 to = mesh.vertices[static_cast<std::size_t>(e.second)];
-      if ((to - from).norm() <= longest) continue;
-      if (out.try_emplace(e, static_cast<int>(mesh.vertices.size())).second)
+// New vertices in the middle of the edges that are too long, by triangle and edge; -1: the edge is not.
+std::vector<std::array<int, 3>> middles(TriangleMesh& mesh, double longest, bool& any) {
+  const std::vector<detail::EdgeUse> uses = detail::edge_uses(mesh);
+  std::vector<std::array<int, 3>> out(mesh.triangles.size(), {-1, -1, -1});
+  any = false;
+  int middle = -1;
+  for (std::size_t u = 0; u < uses.size(); ++u) {
+    const detail::EdgeUse& use = uses[u];
+    if (u == 0 || !use.same_edge(uses[u - 1])) {
+      const Vec3 from = mesh.vertices[static_cast<std::size_t>(use.low)];
+      const Vec3 to = mesh.vertices[static_cast<std::size_t>(use.high)];
+      middle = -1;
+      if ((to - from).norm() > longest) {
+        middle = static_cast<int>(mesh.vertices.size());
         mesh.vertices.push_back(0.5 * (from + to));
+        any = true;
+      }
     }
+    out[static_cast<std::size_t>(use.triangle)][static_cast<std::size_t>(use.i)] = middle;
+  }
   return out;
 }
 
@@ -60,16 +67,12 @@ void split_edges(TriangleMesh& mesh, double longest, std::size_t most) {
   mesh.part.clear();
   mesh.parts.clear();
   while (mesh.triangles.size() <= most / 4) {
-    const std::map<Edge, int> middle = middles(mesh, longest);
-    if (middle.empty()) return;
+    bool any = false;
+    const std::vector<std::array<int, 3>> middle = middles(mesh, longest, any);
+    if (!any) return;
     std::vector<std::array<int, 3>> triangles;
     triangles.reserve(2 * mesh.triangles.size());
-    for (const std::array<int, 3>& t : mesh.triangles) {
-      std::array<int, 3> m{-1, -1, -1};
-      for (int i = 0; i < 3; ++i)
-        if (const auto at = middle.find(edge_of(t[i], t[(i + 1) % 3])); at != middle.end()) m[i] = at->second;
-      split(t, m, triangles);
-    }
+    for (std::size_t t = 0; t < middle.size(); ++t) split(mesh.triangles[t], middle[t], triangles);
     mesh.triangles = std::move(triangles);
   }
 }

@@ -37,14 +37,6 @@ struct Enlarged {
   }
 };
 
-double mesh_volume(const TriangleMesh& mesh) {
-  const MeshView view = mesh;
-  double sum = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    sum += view.area_vector(t).dot(view.centroid(t)) / 3;
-  return sum;
-}
-
 }  // namespace
 
 double volume(const Primitive& shape) { return std::visit(Volume{}, shape); }
@@ -58,7 +50,7 @@ TriangleMesh facets_of_volume(const Primitive& shape) {
   double by = 1;
   TriangleMesh mesh = facets(shape, {});
   for (int i = 0; i < kRounds; ++i) {
-    const double ratio = exact / mesh_volume(mesh);
+    const double ratio = exact / inspect(mesh).volume;
     if (std::abs(ratio - 1) < kRound) break;
     by *= std::cbrt(ratio);
     mesh = facets(std::visit(Enlarged{by}, shape), {});

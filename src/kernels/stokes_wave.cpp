@@ -171,43 +171,47 @@ double StokesWave::at_phase(double theta) const {
   return sum;
 }
 
-WaveMotion StokesWave::at(const Vec3& x, double t, double factor, double rate) const {
-  const double theta = angle(x.x(), x.y(), t);
-  WaveMotion m;
-  m.surface = factor * at_phase(theta);
-  // From the bed; in deep water nothing moves below.
-  const double y = std::max(0.0, std::min(x.z(), m.surface) + depth_);
-  double u = drift_, w = 0, ux = 0, uz = 0, ut = 0, wt = 0;
+// With theta the angle and y the height over the bed; w_x = u_z, w_z = -u_x.
+StokesWave::Flow StokesWave::flow(double theta, double y) const {
+  Flow f;
+  f.u = drift_;
   for (size_t j = 1; j <= 5; ++j) {
     const double n = static_cast<double>(j);
     const double c = std::cos(n * theta), s = std::sin(n * theta);
     const double across = potential_[j] * std::cosh(n * k_ * y), up = potential_[j] * std::sinh(n * k_ * y);
-    u += across * c;
-    w += up * s;
-    ux -= n * k_ * across * s;
-    uz += n * k_ * up * c;
-    ut += n * omega_ * across * s;
-    wt -= n * omega_ * up * c;
+    f.u += across * c;
+    f.w += up * s;
+    f.ux -= n * k_ * across * s;
+    f.uz += n * k_ * up * c;
+    f.ut += n * omega_ * across * s;
+    f.wt -= n * omega_ * up * c;
   }
-  const double carried = u * ux + w * uz, lifted = u * uz - w * ux;  // w_x = u_z, w_z = -u_x
+  return f;
+}
+
+// From the bed; in deep water nothing moves below.
+double StokesWave::over_bed(double z, double surface) const {
+  return std::max(0.0, std::min(z, surface) + depth_);
+}
+
+WaveMotion StokesWave::at(const Vec3& x, double t, double factor, double rate) const {
+  const double theta = angle(x.x(), x.y(), t);
+  WaveMotion m;
+  m.surface = factor * at_phase(theta);
+  const Flow f = flow(theta, over_bed(x.z(), m.surface));
+  const double carried = f.u * f.ux + f.w * f.uz, lifted = f.u * f.uz - f.w * f.ux;
   const auto vector = [this](double along, double z) { return Vec3(cos_ * along, sin_ * along, z); };
-  m.velocity = factor * vector(u, w);
-  m.acceleration = factor * vector(ut, wt) + rate * vector(u, w) + factor * factor * vector(carried, lifted);
+  m.velocity = factor * vector(f.u, f.w);
+  m.acceleration =
+      factor * vector(f.ut, f.wt) + rate * vector(f.u, f.w) + factor * factor * vector(carried, lifted);
   return m;
 }
 
 double StokesWave::head_at(const Vec3& x, double t, double factor) const {
   const double theta = angle(x.x(), x.y(), t);
-  const double surface = factor * at_phase(theta);
-  const double y = std::max(0.0, std::min(x.z(), surface) + depth_);
-  double along = drift_ - omega_ / k_;
-  double up = 0;
-  for (size_t j = 1; j <= 5; ++j) {
-    const double n = static_cast<double>(j);
-    along += potential_[j] * std::cosh(n * k_ * y) * std::cos(n * theta);
-    up += potential_[j] * std::sinh(n * k_ * y) * std::sin(n * theta);
-  }
-  return factor * ((head_ - 0.5 * (along * along + up * up)) / input_.gravity - depth_);
+  const Flow f = flow(theta, over_bed(x.z(), factor * at_phase(theta)));
+  const double along = f.u - omega_ / k_;
+  return factor * ((head_ - 0.5 * (along * along + f.w * f.w)) / input_.gravity - depth_);
 }
 
 double highest_wave(double length, double depth) {

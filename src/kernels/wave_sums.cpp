@@ -88,6 +88,11 @@ std::size_t WaveSums::up_to(double most) const {
   return (static_cast<std::size_t>(end - number_.begin()) + kVector - 1) / kVector * kVector;
 }
 
+std::size_t WaveSums::components_over_bed(double z) const {
+  const double above = std::max(depth_ + z, 0.0);  // the bed
+  return depth_ > 0 ? up_to(kNothing / std::max(2 * above, 1e-9)) : 0;
+}
+
 std::size_t WaveSums::significant_components(double z) const {
   return z < 0 ? up_to(kNegligibleExponent / -z) : number_.size();
 }
@@ -104,8 +109,7 @@ HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n,
 HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
                                         Vec3& acceleration) const {
   const std::size_t n = std::min(significant_components(z), at.sine.size());
-  const double above = std::max(depth_ + z, 0.0);  // the bed
-  const std::size_t shallow = depth_ > 0 ? std::min(n, up_to(kNothing / std::max(2 * above, 1e-9))) : 0;
+  const std::size_t shallow = std::min(n, components_over_bed(z));
   const double *sine = at.sine.data(), *cosine = at.cosine.data();
   double ux = 0, uy = 0, uz = 0, ax = 0, ay = 0, az = 0;
   const auto add = [&](std::size_t i, double across, double up) {
@@ -134,8 +138,7 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
 // cosh k(z + h)/cosh kh.
 HAWSER_CLONES double WaveSums::head(const Phases& at, double z) const {
   const std::size_t n = std::min(significant_components(z), at.cosine.size());
-  const double above = std::max(depth_ + z, 0.0);  // the bed
-  const std::size_t shallow = depth_ > 0 ? std::min(n, up_to(kNothing / std::max(2 * above, 1e-9))) : 0;
+  const std::size_t shallow = std::min(n, components_over_bed(z));
   const double* cosine = at.cosine.data();
   double sum = 0;
   for (std::size_t i = 0; i < shallow; ++i) {

@@ -40,10 +40,26 @@ Friction friction_between(const Volume& a, const Volume& b) {
   return f;
 }
 
+bool touch(const Case& c, const Volume& a, const Volume& b) {
+  const auto floats = [&c](const Volume& v) { return c.floats(c.body_index(v.body)); };
+  const auto takes_part = [&c](const Volume& v) {
+    return !v.roller && c.contact.takes_part(v) && !c.rides(c.body_index(v.body));
+  };
+  return a.body != b.body && takes_part(a) && takes_part(b) && (floats(a) || floats(b));
+}
+
 }  // namespace
 
+bool has_friction_on_bodies(const Case& c, const std::string& body) {
+  for (const Volume& own : c.volumes) {
+    if (own.body != body) continue;
+    for (const Volume& other : c.volumes)
+      if (touch(c, own, other) && friction_between(own, other).axial > 0) return true;
+  }
+  return false;
+}
+
 std::vector<BodyPair> body_pairs(const Case& c) {
-  const auto floats = [&](const Volume& v) { return c.floats(c.body_index(v.body)); };
   std::vector<BodyPair> pairs;
   const auto add = [&](std::size_t leads, std::size_t other, double stiffness, double share) {
     const Volume &a = c.volumes[leads], &b = c.volumes[other];
@@ -52,9 +68,7 @@ std::vector<BodyPair> body_pairs(const Case& c) {
   for (std::size_t i = 0; i < c.volumes.size(); ++i)
     for (std::size_t j = i + 1; j < c.volumes.size(); ++j) {
       const Volume &a = c.volumes[i], &b = c.volumes[j];
-      if (a.body == b.body || a.roller || b.roller || !c.contact.takes_part(a) || !c.contact.takes_part(b) ||
-          (!floats(a) && !floats(b)) || c.rides(c.body_index(a.body)) || c.rides(c.body_index(b.body)))
-        continue;
+      if (!touch(c, a, b)) continue;
       const int ra = rank(a), rb = rank(b);
       const double k = a.basis == b.basis ? std::min(a.normal_stiffness, b.normal_stiffness) : 0;
       const auto stiffness = [&](const Volume& v) { return k > 0 ? k : v.normal_stiffness; };

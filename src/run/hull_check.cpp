@@ -32,9 +32,10 @@ double top_of(const HullSurface& hull, const RigidBodyState& s) {
 
 template <class Case, class Visit>
 void for_each_hull(Case& c, const std::vector<LoadedVolume>& volumes, const Visit& visit) {
+  const VolumeFacets facets = volume_facets(volumes);
   for (size_t b = 0; b < c.bodies.size(); ++b)
     if (auto& body = c.bodies[b]; body.mass && body.mass->hull)
-      visit(body, hull_surface(c, static_cast<int>(b), volume_facets(volumes), HUGE_VAL));
+      visit(body, hull_surface(c, static_cast<int>(b), facets, HUGE_VAL));
 }
 
 // m, by which the body rises to where its buoyancy carries its weight alone, at the same rotation. Buoyancy
@@ -69,8 +70,8 @@ void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes) 
     if (!(volume > 0) || whole.maxCoeff() - whole.minCoeff() > kGaps * volume)
       c.refuse(
           key,
-          "the surface is open: its volume is {:.5g}, {:.5g} or {:.5g} m³ by what goes through it along x, "
-          "y and z; close its deck and bottom in the mesh",
+          "the surface is not closed: its volume is {:.5g}, {:.5g} or {:.5g} m³ when it is integrated along "
+          "x, y or z; close its deck and bottom in the mesh",
           whole.x(), whole.y(), whole.z());
     const bool carried =
         b.mass->stiffness.z() > 0 || !line_ends_at(c, b).empty() || b.mass->mass <= density * volume;

@@ -129,10 +129,7 @@ class Relaxation : StaticTrial {
     }
     MPI_Allreduce(MPI_IN_PLACE, &most, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     if (most.far > kLost * longest_)
-      throw SolveError(
-          "statics: {} has moved by {:.3g} m and finds no rest: it falls, or friction is too low where it "
-          "lies",
-          m.mesh->place(most.node), most.far);
+      throw SolveError(advice::body_moves_on(m.mesh->place(most.node), most.far));
   }
   // Changes the mass. This is equivalent to another step of time, so increments are scaled to keep the speed.
   void weigh(double factor) {

@@ -14,63 +14,55 @@ namespace hawser {
 
 BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_(sea_of(c)) {
   for (int n = 0; n < mesh.owned; ++n) {
-    const int body = mesh.mesh->nodes[mesh.global[n]].body;
-    if (body < 0) continue;
-    const model::BodyMass& m = *c.bodies[body].mass;
-    int key = 0;
+    Wet b;
+    b.node = n;
+    b.block = mesh.block[n];
+    b.global = mesh.global[n];
+    b.body = mesh.mesh->nodes[b.global].body;
+    if (b.body < 0) continue;
+    const model::Body& body = c.bodies[b.body];
+    const model::BodyMass& m = *body.mass;
+    if (!m.in_water && m.members.empty()) continue;
+    b.rest = static_rest(c, b.body);
+    const size_t first = list_.size();
     if (m.in_water) {
       const model::BodyInWater& w = *m.in_water;
-      BodyInWater whole;
-      whole.centre = w.centre - m.centre;
-      whole.drag_centre = w.drag_centre - m.centre;
-      whole.height = w.height;
-      whole.displaced_mass = sea_.density * w.volume;
-      whole.buoyancy = sea_.gravity * whole.displaced_mass;
-      whole.added = w.added_mass;
-      whole.drag = 0.5 * sea_.density * w.drag_area;
-      add(c, mesh, n, whole, Quat::Identity(), key++);
+      Wet& whole = list_.emplace_back(b);
+      whole.data.centre = w.centre - m.centre;
+      whole.data.drag_centre = w.drag_centre - m.centre;
+      whole.data.height = w.height;
+      whole.data.displaced_mass = sea_.density * w.volume;
+      whole.data.buoyancy = sea_.gravity * whole.data.displaced_mass;
+      whole.data.added = w.added_mass;
+      whole.data.drag = 0.5 * sea_.density * w.drag_area;
     }
-    for (const model::BodyMember& member : m.members) add_member(c, mesh, n, member, key);
+    for (const model::BodyMember& member : m.members) add_member(body, member, b);
+    for (size_t i = first; i < list_.size(); ++i) list_[i].key = static_cast<int>(i - first);
   }
 }
 
-void BodiesInWater::add(const model::Case& c, const LocalMesh& mesh, int node, BodyInWater data,
-                        const Quat& axes, int key) {
-  Wet& b = list_.emplace_back();
-  b.data = data;
-  b.axes = axes;
-  b.node = node;
-  b.block = mesh.block[node];
-  b.global = mesh.global[node];
-  b.body = mesh.mesh->nodes[b.global].body;
-  b.key = key;
-  b.rest = static_rest(c, b.body);
-}
-
-// In pieces of half a diameter, but of at most a 50th and at least a quarter of its length, each wet over the
+// In pieces of half a diameter, but of at most a quarter and at least a 50th of its length, each wet over the
 // height that it has in a body that is not tilted. Each has its share of what acts along the member:
 //   rho/2 Cd D L across, rho/2 Cd pi D²/4 along;   rho Ca pi D²/4 L across, rho Ca pi D³/12 along
-void BodiesInWater::add_member(const model::Case& c, const LocalMesh& mesh, int node,
-                               const model::BodyMember& m, int& key) {
-  const model::Body& body = c.bodies[mesh.mesh->nodes[mesh.global[node]].body];
+void BodiesInWater::add_member(const model::Body& body, const model::BodyMember& m, Wet piece) {
   const Vec3 along = m.to - m.from;
   const double length = along.norm();
   const int pieces = std::clamp(static_cast<int>(std::ceil(2 * length / m.diameter)), 4, 50);
-  const Quat axes = Quat::FromTwoVectors(Vec3::UnitZ(), along);
-  const double piece = length / pieces;
+  const double each = length / pieces;
   const double area = 0.25 * M_PI * m.diameter * m.diameter;
   const double rise = std::abs((exp_so3(body.rotation) * along).z()) / length;
-  BodyInWater data;
-  data.height = piece * rise + m.diameter * std::sqrt(std::max(1 - rise * rise, 0.0));
-  const double drag = 0.5 * sea_.density * m.drag * m.diameter * piece;
-  const double added = sea_.density * m.added * area * piece;
+  const double drag = 0.5 * sea_.density * m.drag * m.diameter * each;
+  const double added = sea_.density * m.added * area * each;
+  BodyInWater& data = piece.data;
+  data.height = each * rise + m.diameter * std::sqrt(std::max(1 - rise * rise, 0.0));
   data.drag = Vec3(drag, drag, 0.5 * sea_.density * m.axial_drag * area / pieces);
   data.added = Vec3(added, added, sea_.density * m.axial_added * area * m.diameter / (3 * pieces));
   data.cross_flow = true;
+  piece.axes = Quat::FromTwoVectors(Vec3::UnitZ(), along);
   for (int i = 0; i < pieces; ++i) {
     const Vec3 centre = m.from + (i + 0.5) / pieces * along - body.mass->centre;
-    data.centre = data.drag_centre = axes.conjugate() * centre;
-    add(c, mesh, node, data, axes, key++);
+    data.centre = data.drag_centre = piece.axes.conjugate() * centre;
+    list_.push_back(piece);
   }
 }
 

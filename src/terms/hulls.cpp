@@ -98,7 +98,7 @@ HullPressure Hulls::pressure(const Hull& hull, const Kinematics& at, bool waves,
                        floating_state(at, hull.node), tangent);
 }
 
-// In a state that is asked about more than once.
+// Commit, energy and outputs need the forces of the same accepted state: the last ones are kept.
 const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& at) const {
   const RigidBodyState s = floating_state(at, hull.node);
   Forces& known = hull.forces;

@@ -38,11 +38,7 @@ StaticRest static_rest(const model::Case& c, int body) {
   StaticRest rest;
   rest.always = m.hydrodynamics || held_in_flow || !m.loads.empty() || in_lines_or_links(c, body) ||
                 floats_at_rest(c, m);
-  const std::vector<model::BodyPair> pairs = model::body_pairs(c);
-  rest.by_friction = std::any_of(pairs.begin(), pairs.end(), [&](const model::BodyPair& p) {
-    const std::string& name = c.bodies[body].name;
-    return p.friction.axial > 0 && (c.volumes[p.a].body == name || c.volumes[p.b].body == name);
-  });
+  rest.by_friction = model::has_friction_on_bodies(c, c.bodies[body].name);
   return rest;
 }
 

@@ -32,16 +32,7 @@ model::Case load(const std::string& sea, const std::string& body, const std::str
 
 double swing(const model::Case& c, int axis) {
   Simulation s(PETSC_COMM_WORLD, c);
-  s.solve_statics();
-  const auto at = [&](size_t n, const auto& x) { return x[n][axis]; };
-  const double rest = from_owner(s, [&](size_t n) { return at(n, s.state().x); });
-  Dynamics& d = s.dynamics();
-  d.start(s.state());
-  std::vector<std::pair<double, double>> signal;
-  integrate(d, c.dynamics.duration, c.dynamics.duration, [&](const StepInfo& i) {
-    signal.emplace_back(i.time, from_owner(s, [&](size_t n) { return at(n, d.kinematics().x); }) - rest);
-  });
-  return period(signal);
+  return period_from_rest(s, [axis](const Kinematics& at, size_t n) { return at.x[n][axis]; });
 }
 
 // Deep under water, on a line of k = EA/L: T = 2 pi sqrt((m + Ca rho V)/k).
@@ -221,13 +212,7 @@ Lowered lower(MPI_Comm comm, const model::Case& c) {
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());
-  const auto energy = [&] {
-    const Energy e = s.system().energy(d.kinematics());
-    double sums[] = {total(e) + e.friction + e.damping + e.unresolved, e.work + d.support_work()};
-    MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm);
-    return std::pair{sums[0], sums[1]};
-  };
-  const auto [stored, brought] = energy();
+  const auto [stored, brought] = balance(s, comm);
   Lowered out;
   integrate(d, c.dynamics.duration, c.dynamics.duration, [&](const StepInfo&) {
     const int n = s.local().find(s.mesh().body_node(0));
@@ -236,7 +221,7 @@ Lowered lower(MPI_Comm comm, const model::Case& c) {
     out.place = x;
     out.least = std::min(out.least, x.z());
   });
-  const auto [left, all] = energy();
+  const auto [left, all] = balance(s, comm);
   out.unexplained = left - stored - (all - brought);
   out.turnover = std::abs(stored - left) + std::abs(all);
   return out;

@@ -142,6 +142,17 @@ inline Momentum momentum(System& system, const Kinematics& k) {
 // Kinetic, strain and potential energy, J.
 inline double total(const Energy& e) { return e.kinetic + e.strain + e.potential; }
 
+// J over all ranks: what is stored and has been dissipated, and what has been brought in.
+struct Balance {
+  double stored = 0, brought = 0;
+};
+inline Balance balance(Simulation& s, MPI_Comm comm) {
+  const Energy e = s.system().energy(s.dynamics().kinematics());
+  double sums[] = {total(e) + e.friction + e.damping + e.unresolved, e.work + s.dynamics().support_work()};
+  MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, comm);
+  return {sums[0], sums[1]};
+}
+
 // Steps of h from the state's time to `until`; each(info) after every step; steps end at multiples of `mark`.
 inline void integrate(Dynamics& d, double until, double mark,
                       const std::function<void(const StepInfo&)>& each) {
@@ -173,6 +184,21 @@ inline double period(const std::vector<std::pair<double, double>>& signal) {
     if (y0 * y1 < 0) zeros.push_back(t0 + (t1 - t0) * y0 / (y0 - y1));
   }
   return 2 * (zeros.back() - zeros.front()) / static_cast<double>(zeros.size() - 1);
+}
+
+// Of value(kinematics, node of the first body with mass) over the duration of the case, from rest.
+template <class Value>
+double period_from_rest(Simulation& s, Value&& value) {
+  s.solve_statics();
+  Dynamics& d = s.dynamics();
+  d.start(s.state());
+  const double rest = from_owner(s, [&](size_t n) { return value(d.kinematics(), n); });
+  const double duration = s.model().dynamics.duration;
+  std::vector<std::pair<double, double>> signal;
+  integrate(d, duration, duration, [&](const StepInfo& i) {
+    signal.emplace_back(i.time, from_owner(s, [&](size_t n) { return value(d.kinematics(), n); }) - rest);
+  });
+  return period(signal);
 }
 
 }  // namespace hawser::test

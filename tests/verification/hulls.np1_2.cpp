@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
 #include "../regression/runs.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/math/so3.hpp"
@@ -36,8 +38,9 @@ model::Case read(const std::string& text) {
   return io::read_case_text(text, testing::TempDir() + "hulls.yaml");
 }
 
-Simulation simulation(const model::Case& c) {
+Simulation simulation(model::Case c) {
   const auto volumes = run::load_volumes(c, PETSC_COMM_WORLD);
+  run::set_hydrostatics(c, volumes);
   return Simulation(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes),
                     run::volume_facets(volumes));
 }
@@ -54,17 +57,9 @@ TEST(Hulls, HeaveAndRollOfABox) {
                     kMass, inertia, start),
         "", fmt::format("dynamics: {{duration: {}, step: {}, rho_infinity: 1}}", 4.2 * T, T / 400)));
     Simulation s = simulation(c);
-    s.solve_statics();
-    Dynamics& d = s.dynamics();
-    d.start(s.state());
-    std::vector<std::pair<double, double>> signal;
-    integrate(d, c.dynamics.duration, c.dynamics.duration, [&](const StepInfo& i) {
-      signal.emplace_back(i.time, from_owner(s, [&](size_t n) {
-                            if (axis == 2) return d.kinematics().x[n].z() + 0.5;
-                            return log_so3(floating_state(d.kinematics(), static_cast<int>(n)).q).x();
-                          }));
+    return period_from_rest(s, [axis](const Kinematics& at, size_t n) {
+      return axis == 2 ? at.x[n].z() : log_so3(floating_state(at, static_cast<int>(n)).q).x();
     });
-    return period(signal);
   };
   const double heave = 2 * M_PI * std::sqrt(kMass / (kRho * kG * 160));
   EXPECT_NEAR(found("velocity: [0, 0, 0.02]", 2, heave), heave, 1e-3 * heave);
@@ -87,15 +82,11 @@ TEST(Hulls, AutomaticStepsFollowThePeriodsOfAHull) {
                     duration)));
   };
   const auto end = [&](const std::string& step) {
-    model::Case c = read_afloat(step);
-    const auto volumes = run::load_volumes(c, PETSC_COMM_WORLD);
-    run::set_hydrostatics(c, volumes);
+    Simulation s = simulation(read_afloat(step));
     if (step.empty()) {
       const double heave = 2 * M_PI * std::sqrt(kMass / (kRho * kG * 160));
-      EXPECT_NEAR(model::longest_step(c).length, heave / 60, 1e-9 * heave);
+      EXPECT_NEAR(model::longest_step(s.model()).length, heave / 60, 1e-9 * heave);
     }
-    Simulation s(PETSC_COMM_WORLD, c, run::surfaces(volumes), run::skeletons(c, volumes),
-                 run::volume_facets(volumes));
     Dynamics& d = s.dynamics();
     d.start(s.state());
     integrate(d, duration, duration, [](const StepInfo&) {});
@@ -113,6 +104,37 @@ TEST(Hulls, AutomaticStepsFollowThePeriodsOfAHull) {
          automatic.x(), fine.z(), fine.x());
   EXPECT_NEAR(automatic.z(), fine.z(), 0.03 * 0.2);
   EXPECT_NEAR(automatic.x(), fine.x(), 0.03 * 0.045);
+}
+
+// A box whose bottom is missing, and one that is heavier than all the water it can displace.
+TEST(Hulls, WhatDoesNotFloatIsRefused) {
+  const auto message = [](double mass, const std::string& volume) {
+    model::Case c = read(barge(fmt::format("floating: {{mass: {}, inertia: [4e6, 2e7, 2e7], hull: {{volumes: "
+                                           "[side]}}}}",
+                                           mass),
+                               "", "dynamics: {duration: 1}"));
+    if (!volume.empty()) {
+      c.volumes[0].shape.reset();
+      c.volumes[0].mesh = volume;
+    }
+    const auto volumes = run::load_volumes(c, PETSC_COMM_WORLD);
+    try {
+      run::set_hydrostatics(c, volumes);
+    } catch (const InputError& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(message(kMass, ""), "");
+  EXPECT_NE(message(1e6, "").find("it cannot float: the hull displaces 9.6e+05 kg"), std::string::npos);
+  const std::string open = testing::TempDir() + "open.obj";
+  if (runs::rank_of(MPI_COMM_WORLD) == 0)
+    std::ofstream(open)
+        << "v -10 -4 -4\nv 10 -4 -4\nv 10 4 -4\nv -10 4 -4\nv -10 -4 2\nv 10 -4 2\nv 10 4 2\nv -10 4 2\n"
+           "f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\nf 5 6 7 8\n";
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_NE(message(kMass, open).find("the surface is not closed: its volume is 960, 960 or"),
+            std::string::npos);
 }
 
 // Of a wall-sided ship with the centre of mass off its middle (Barrass and Derrett, Ship Stability):
@@ -205,14 +227,7 @@ dynamics: {{duration: {}, step: {}, rho_infinity: 1}}
 )",
       mass, k, 3.2 * T, T / 300));
   Simulation s = simulation(c);
-  s.solve_statics();
-  Dynamics& d = s.dynamics();
-  d.start(s.state());
-  std::vector<std::pair<double, double>> signal;
-  integrate(d, c.dynamics.duration, c.dynamics.duration, [&](const StepInfo& i) {
-    signal.emplace_back(i.time, from_owner(s, [&](size_t n) { return d.kinematics().x[n].x(); }));
-  });
-  const double found = period(signal);
+  const double found = period_from_rest(s, [](const Kinematics& at, size_t n) { return at.x[n].x(); });
   printf("spar with members: surge %.4f s, closed form %.4f s\n", found, T);
   EXPECT_NEAR(found, T, 2e-3 * T);
 }
@@ -244,23 +259,17 @@ TEST(Hulls, EnergyInWaves) {
   s.solve_statics();
   Dynamics& d = s.dynamics();
   d.start(s.state());
-  const auto energy = [&] {
-    const Energy e = s.system().energy(d.kinematics());
-    double sums[] = {total(e) + e.friction + e.damping + e.unresolved, e.work + d.support_work()};
-    MPI_Allreduce(MPI_IN_PLACE, sums, 2, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD);
-    return std::pair{sums[0], sums[1]};
-  };
-  const auto [stored, brought] = energy();
+  const auto [stored, brought] = balance(s, PETSC_COMM_WORLD);
   double moved = 0;
   Vec3 end = Vec3::Zero();
   double before = stored;
   integrate(d, c.dynamics.duration, c.dynamics.duration, [&](const StepInfo&) {
-    const double now = energy().first;
+    const double now = balance(s, PETSC_COMM_WORLD).stored;
     moved += std::abs(now - before);
     before = now;
     for (int k = 0; k < 3; ++k) end[k] = from_owner(s, [&](size_t n) { return d.kinematics().x[n][k]; });
   });
-  const auto [left, all] = energy();
+  const auto [left, all] = balance(s, PETSC_COMM_WORLD);
   const double unexplained = left - stored - (all - brought);
   printf("barge in waves: %.0f J of %.0f J moved not explained; it ends at %.9f, %.9f, %.9f m\n", unexplained,
          moved, end.x(), end.y(), end.z());

@@ -15,15 +15,17 @@ std::string no_waterplane(const std::string& body);
 // with force to spare.
 std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double sticking);
 std::string more_lines_on_bed(size_t lines);
-// Equilibria that statics left on its way; eigenvalues below 0 of the one it found.
 // Of a body with weight that only friction on others would keep in place.
 std::string held_without_weight(const std::string& body);
+// Equilibria that statics left on its way; eigenvalues below 0 of the one it found.
 std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
 // So many steps of dynamic relaxation without rest.
 std::string long_relaxation(int steps);
 // Why statics ends without an equilibrium. imbalance: in words.
 std::string no_rest(int steps, const std::string& imbalance);
+// Of a body, by its place in words, that slides or falls on and on; m from where it started.
+std::string body_moves_on(const std::string& place, double far);
 std::string automatic_stiffness_unsettled();
 // No stiffness of a mooring without one of its lines.
 std::string singular_mooring();

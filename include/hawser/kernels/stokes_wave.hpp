@@ -46,6 +46,13 @@ class StokesWave {
   double head_at(const Vec3& x, double t, double factor = 1) const;
 
  private:
+  // Velocity along the wave and upwards, m/s; the derivatives of the first by the way along it and by height,
+  // 1/s; of both by time, m/s².
+  struct Flow {
+    double u = 0, w = 0, ux = 0, uz = 0, ut = 0, wt = 0;
+  };
+  Flow flow(double theta, double y) const;
+  double over_bed(double z, double surface) const;
   double at_phase(double theta) const;
   double angle(double x, double y, double t) const;
 

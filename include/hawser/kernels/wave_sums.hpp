@@ -46,6 +46,8 @@ class WaveSums {
  private:
   // How many components have a number up to `most`, in whole vectors.
   std::size_t up_to(double most) const;
+  // How many of the first depend on the depth at the height z.
+  std::size_t components_over_bed(double z) const;
 
   // By growing wave number, to whole vectors: what is added has no amplitude.
   std::vector<double> number_, omega_, amplitude_;

@@ -25,4 +25,7 @@ struct BodyPair {
 // and across lines, and the law of a otherwise.
 std::vector<BodyPair> body_pairs(const Case& c);
 
+// Whether friction acts in one of the pairs with a volume of this body.
+bool has_friction_on_bodies(const Case& c, const std::string& body);
+
 }  // namespace hawser::model

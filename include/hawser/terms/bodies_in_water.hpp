@@ -14,6 +14,7 @@
 namespace hawser {
 
 namespace model {
+struct Body;
 struct BodyMember;
 }  // namespace model
 
@@ -74,11 +75,8 @@ class BodiesInWater final : public ForceTerm,
     bool flowed = false;
     double work = 0;  // J, of the flow over the accepted steps
   };
-  void add(const model::Case& c, const LocalMesh& mesh, int node, BodyInWater data, const Quat& axes,
-           int key);
-  // Adds the pieces of a member.
-  void add_member(const model::Case& c, const LocalMesh& mesh, int node, const model::BodyMember& m,
-                  int& key);
+  // Adds the pieces of a member to what there is of its body, whose places and rest `piece` has.
+  void add_member(const model::Body& body, const model::BodyMember& m, Wet piece);
   // Of the body, in the axes of the data.
   static RigidBodyState state(const Wet& b, const Kinematics& at);
   static Places places(const Wet& b, const RigidBodyState& s);
