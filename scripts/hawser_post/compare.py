@@ -7,7 +7,7 @@ from . import charts, compare_tables, envelopes
 from .arguments import place_for
 from .given import results_of
 from .page import Page
-from .report import MOST_HISTORIES, MOST_LINES, by_tension, groups, run_of, title_of
+from .report import MOST_HISTORY_FIGURES, MOST_LINES, by_tension, groups, run_of, title_of
 from .results import Refusal
 
 COLOURS = ("#1f5a92", "#b3470f")  # of A and of B
@@ -65,10 +65,14 @@ def graphs(page, a, b):
     for line in lines:
         for field in envelopes.above_noise(a, line, fields, 0.0):
             page.figure(range_graph(a, b, line.name, field), f"{a.label(field).capitalize()} along {line.name}: least, largest and start of A and B.")
-    shown = compare_tables.common_histories(a, b)[:MOST_HISTORIES]
+    shown = compare_tables.common_histories(a, b)
     if shown:
         page.section("Time histories")
-    for name in shown:
+    before = page.figures
+    for place, name in enumerate(shown):
+        if page.figures - before >= MOST_HISTORY_FIGURES:
+            page.text(f"Figures are of the first {place} of {len(shown)} histories by name; hawser plot draws the others.")
+            break
         one, other = a.series(name), b.series(name)
         for column in (c for group in groups(one) for c in group if c in other.columns):
             if max(np.ptp(one.column(column)), np.ptp(other.column(column))) > 0:

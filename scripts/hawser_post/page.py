@@ -70,6 +70,7 @@ class Page:
     def __init__(self, title):
         self.title, self.parts, self.sections = title, [], []
         self.has_model = False
+        self.figures = 0
         self.drawn = not libraries.missing()  # whether a browser can draw models and graphs
 
     def section(self, name):
@@ -101,6 +102,7 @@ class Page:
 
     def figure(self, figure, caption, form="svg"):
         """Takes the figure; `form`: svg, or png for what has very many strokes."""
+        self.figures += 1
         curves = embedded.curves_of(figure) if self.drawn and form == "svg" else None
         data = io.BytesIO()
         with plt.rc_context({"svg.fonttype": "none"}):  # letters of the reader's machine: outlines are two thirds of a small drawing

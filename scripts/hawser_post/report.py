@@ -9,7 +9,7 @@ from .results import Refusal, Results
 
 MOST_LINES = 8  # with figures of their own
 MOST_MODES = 12
-MOST_HISTORIES = 16
+MOST_HISTORY_FIGURES = 48
 MOST_ROWS = 60  # of a table of the input
 OTHER_PARTS = ("bodies", "joints", "links", "volumes", "supports", "contact", "statics", "stages", "dynamics", "events")
 
@@ -155,26 +155,14 @@ def strength(page, results, lines, since):
 
 def histories(page, results, lines, since):
     page.section("Time histories")
-    time = results.step_time
     shown = [name for name in results.histories if not tables.is_support(results.series_at(name))]
-    if len(shown) > MOST_HISTORIES:
-        page.text(f"Figures are of the first {MOST_HISTORIES} of {len(shown)} histories by name; hawser plot "
-                  "draws the others, and the table has the statistics of all.")
-    for name in shown[:MOST_HISTORIES]:
-        series = results.series_at(name)
-        scales = {unit: max((np.nanmax(np.abs(series.column(c)), initial=0.0) for c in series.columns if series.unit(c) == unit))
-                  for unit in series.units}
-        for group in groups(series):
-            curves = [(charts.words(c), series.column(c)) for c in group]
-            if all(np.ptp(v) <= envelopes.NOISE * scales[series.unit(group[0])] for _, v in curves):
-                continue
-            what = results.label(group[0] if len(group) == 1 else group[0].rsplit("_", 1)[0])
-            page.figure(charts.history(time, curves, series.unit(group[0]), what, series.name),
-                        f"{what.capitalize()} of {series.name}, every step.")
-            if group[0] == "effective_tension" and np.count_nonzero(time >= since) > 64:
-                keep = time >= since
-                page.figure(charts.density(time[keep], series.column(group[0])[keep], series.unit(group[0]), what,
-                                           series.name), f"Spectrum of the {what} of {series.name} (Welch).")
+    before = page.figures
+    for place, name in enumerate(shown):
+        if page.figures - before >= MOST_HISTORY_FIGURES:
+            page.text(f"Figures are of the first {place} of {len(shown)} histories by name; hawser plot draws the others, and the table has "
+                      "the statistics of all.")
+            break
+        history_figures(page, results, results.series_at(name), since)
     if results.has("effective_tension"):
         for line in lines:
             values = results.field("effective_tension", line)
@@ -182,6 +170,22 @@ def histories(page, results, lines, since):
                                        results.unit("effective_tension"), "effective tension", line.name),
                         f"Tension at the ends of {line.name}, every output.")
     table(page, *tables.statistics_of(results, since))
+
+
+def history_figures(page, results, series, since):
+    time = results.step_time
+    scales = {unit: max((np.nanmax(np.abs(series.column(c)), initial=0.0) for c in series.columns if series.unit(c) == unit))
+              for unit in series.units}
+    for group in groups(series):
+        curves = [(charts.words(c), series.column(c)) for c in group]
+        if all(np.ptp(v) <= envelopes.NOISE * scales[series.unit(group[0])] for _, v in curves):
+            continue
+        what = results.label(group[0] if len(group) == 1 else group[0].rsplit("_", 1)[0])
+        page.figure(charts.history(time, curves, series.unit(group[0]), what, series.name), f"{what.capitalize()} of {series.name}, every step.")
+        if group[0] == "effective_tension" and np.count_nonzero(time >= since) > 64:
+            keep = time >= since
+            page.figure(charts.density(time[keep], series.column(group[0])[keep], series.unit(group[0]), what, series.name),
+                        f"Spectrum of the {what} of {series.name} (Welch).")
 
 
 def groups(series):

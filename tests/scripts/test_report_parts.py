@@ -394,6 +394,16 @@ class Parts(unittest.TestCase):
             most = [float(r["effective_tension_max [N]"]) for r in csv.DictReader(file)]
         np.testing.assert_allclose(most, self.tension[TIME >= 9].max(axis=0), rtol=1e-8)
 
+    def test_figures_of_many_histories_are_limited(self):
+        columns = [f"quantity_{k}" for k in range(20)]
+        values = np.sin(TIME)[:, None] * np.arange(1, 21)
+        path = self.file(series=(TIME, {f"place {k:02d}": (columns, ["N"] * 20, values) for k in range(9)}))
+        code, _, err = self.run_("report", path, "-o", self.folder / "many.html")
+        self.assertEqual(code, 0, err)
+        page = (self.folder / "many.html").read_text()
+        self.assertIn("Figures are of the first 3 of 9 histories by name", page)
+        self.assertEqual(page.count(", every step.</figcaption>"), 60)
+
     def test_options_that_would_be_ignored(self):
         path = self.file(series=(TIME, {"here": (["effective_tension"], ["N"], TIME[:, None])}))
         for arguments, part in ((["plot", path, "stress", "--time", "3"], "the figure 'stress' takes no --time (it takes --line, "
