@@ -212,6 +212,47 @@ class Drawn(unittest.TestCase):
         np.testing.assert_allclose(value("[hawserView.curves.range.graph.getValue(30, 0), hawserView.curves.range.graph.getValue(30, 1)]"), [30, 25], atol=1e-3)
         self.no_complaints()
 
+    def test_the_wheel_zooms_to_what_is_under_the_pointer(self):
+        self.show(model(self.folder.name))
+        value = self.browser.value
+        value("document.querySelector('.picture').scrollIntoView()")
+        node = 61 + 15
+        pixel = (f"(() => {{const s = hawserView.scene, b = s.canvas.getBoundingClientRect(), p = s.pixelOf(s.lines.position({node}, new THREE.Vector3())); "
+                 "return [b.left + p.x, b.top + p.y, s.camera.pixelAt(s.lines.position(76, new THREE.Vector3()))]})()")
+        for view in ("space", "plan", "y"):
+            value(f"hawserView.look('{view}')")
+            value("hawserView.scene.canvas.focus()")
+            x, y, large = value(pixel)
+            for _ in range(10):
+                self.browser.send("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0, deltaY=-100)
+            after = value(pixel)
+            np.testing.assert_allclose(after[:2], [x, y], atol=3, err_msg=view)
+            self.assertLess(after[2], 0.3 * large, view)
+        self.no_complaints()
+
+    def test_a_part_fills_the_picture(self):
+        self.show(model(self.folder.name))
+        value = self.browser.value
+        names = value("[...hawserView.controls.part.options].map((o) => o.textContent)")
+        self.assertEqual(names, ["a part", "drum", "hose, end A", "hose, end B", "rope, end A", "rope, end B"])
+        value("hawserView.controls.part.value = '0'; hawserView.controls.part.dispatchEvent(new Event('change'));0")
+        middle, pixel = value("(() => {const s = hawserView.scene, p = s.pixelOf(s.bodies.groups[0].getWorldPosition(new THREE.Vector3())); "
+                              "return [[p.x / s.overlay.width, p.y / s.overlay.height], s.camera.pixelAtTarget() * s.overlay.height]})()")
+        np.testing.assert_allclose(middle, [0.5, 0.5], atol=0.02)
+        self.assertTrue(4 < pixel < 12, pixel)  # m over the height of the picture; the drum measures 4 by 2 by 2 m
+        value("hawserView.controls.part.value = '4'; hawserView.controls.part.dispatchEvent(new Event('change'));0")
+        self.assertLess(value("hawserView.scene.camera.now.controls.target.distanceTo(hawserView.scene.lines.position(121, new THREE.Vector3()))"), 0.1)
+        self.no_complaints()
+
+    def test_the_bar_of_lengths_is_round_and_fits(self):
+        self.show(model(self.folder.name))
+        for pixel in (0.0313, 0.0499, 0.05, 1.0, 6.6, 1e-5):
+            drawn = self.browser.value(f"""(() => {{ const words = [], o = hawserView.scene.overlay, text = o.text;
+                o.text = (w) => words.push(w); o.scale({pixel}); o.text = text; return words[0]; }})()""")
+            length = float(drawn.removesuffix(" m"))
+            self.assertTrue(50 * pixel < length <= 150 * pixel * (1 + 1e-12), drawn)
+            self.assertIn(f"{length:.0e}"[0], "125")
+
     def test_cuts_stills_and_notes(self):
         self.show(model(self.folder.name))
         value = self.browser.value

@@ -2,6 +2,7 @@
 
 const FIELD_OF_VIEW = 30;  // deg
 const [MARGIN_WIDE, MARGIN_HIGH] = [1.2, 1.3];
+const WHEEL = 0.002;  // logarithm of the zoom per unit of a wheel's motion: a notch of 100 units is a fifth
 
 hawser.Camera = class {
   constructor(canvas, header, changed) {
@@ -13,15 +14,20 @@ hawser.Camera = class {
       camera.up.set(0, 0, 1);
       const controls = new THREE.OrbitControls(camera, canvas);
       controls.enableKeys = false;  // keys are handled below
-      controls.enableZoom = false;  // until the picture has the focus, so that a page can be scrolled over it
+      controls.enableZoom = false;  // the wheel is handled below
       controls.addEventListener("change", changed);
       return {camera, controls};
     };
     this.deep = make(new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, this.size / 2000, this.size * 40));
     this.flat = make(new THREE.OrthographicCamera(-1, 1, 1, -1, -this.size * 20, this.size * 40));
     this.flat.controls.enableRotate = false;
-    canvas.addEventListener("focus", () => this.zoomable(true));
-    canvas.addEventListener("blur", () => this.zoomable(false));
+    // A page can be scrolled over a picture that has not the focus.
+    canvas.addEventListener("wheel", (event) => {
+      if (document.activeElement !== canvas) return;
+      event.preventDefault();
+      const notches = event.deltaMode === 1 ? 33 * event.deltaY : event.deltaY;  // lines to pixels
+      this.zoom(Math.exp(-WHEEL * notches), this.placeUnder(event.offsetX, event.offsetY));
+    }, {passive: false});
     this.changed = changed;
     this.look("space");
   }
@@ -29,10 +35,6 @@ hawser.Camera = class {
   // The direction from which one looks now.
   from() {
     return this.now.camera.position.clone().sub(this.now.controls.target).normalize();
-  }
-
-  zoomable(on) {
-    for (const one of [this.deep, this.flat]) one.controls.enableZoom = on;
   }
 
   get camera() {
@@ -133,10 +135,24 @@ hawser.Camera = class {
     this.changed();
   }
 
-  zoom(factor) {
+  // The place under a pixel: `near(x, y)` finds a part of the model, else it is as deep as the target.
+  placeUnder(x, y) {
+    const part = this.near && this.near(x, y);
+    if (part) return part;
     const {camera, controls} = this.now;
-    if (camera === this.deep.camera) camera.position.sub(controls.target).multiplyScalar(1 / factor).add(controls.target);
-    else camera.zoom *= factor;
+    const depth = controls.target.clone().project(camera).z;
+    return new THREE.Vector3(2 * x / this.canvas.clientWidth - 1, 1 - 2 * y / this.canvas.clientHeight, depth).unproject(camera);
+  }
+
+  // Nearer by a factor to a place, which stays where it is on the screen.
+  zoom(factor, place = this.now.controls.target.clone()) {
+    const {camera, controls} = this.now;
+    controls.target.sub(place).divideScalar(factor).add(place);
+    if (camera === this.deep.camera) camera.position.sub(place).divideScalar(factor).add(place);
+    else {
+      camera.zoom *= factor;
+      camera.position.copy(controls.target).addScaledVector(this.direction, this.size);
+    }
     camera.updateProjectionMatrix();
     controls.update();
     this.changed();

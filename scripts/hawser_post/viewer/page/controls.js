@@ -79,7 +79,7 @@ hawser.Controls = class {
   viewBar() {
     const {view} = this;
     const {scene, model} = view;
-    const looks = [["space", "in space"], ["plan", "from above"], ["x", "from the side, along x"], ["y", "from the side, along y"]];
+    const looks = [["space", "in space"], ["plan", "from above"], ["x", "from the side, x to the right"], ["y", "from the side, y to the right"]];
     if (model.header.across) looks.push(["lines", "from the side, along the lines"]);
     const look = hawser.choice("View", looks, "space", (name) => view.look(name));
     this.lookList = look.select;
@@ -93,10 +93,24 @@ hawser.Controls = class {
                               (kind) => view.cut(kind, Number(this.cutAt.value)));
     const fit = hawser.make("button", {type: "button", onclick: () => scene.camera.fit()}, "Show all");
     const now = hawser.make("button", {type: "button", onclick: () => view.fitNow()}, "Show lines");
+    const parts = this.parts();
+    const part = hawser.choice("Show", [["", "a part"], ...parts.map(({name}, k) => [k, name])], "", (k) => {
+      if (k !== "") view.fitNow(scene.boxOf(parts[k]));
+    });
     const near = hawser.make("button", {type: "button", "aria-label": "Nearer", onclick: () => scene.camera.zoom(1.25)}, "+");
+    this.part = part.select;
     const far = hawser.make("button", {type: "button", "aria-label": "Farther", onclick: () => scene.camera.zoom(0.8)}, "−");
     const still = hawser.make("button", {type: "button", onclick: () => view.save()}, "Save picture");
-    return hawser.make("div", {class: "bar"}, look.element, fit, now, near, far, size.element, cut.element, this.cutAt, still);
+    return hawser.make("div", {class: "bar"}, look.element, fit, now, ...(parts.length ? [part.element] : []), near, far, size.element, cut.element, this.cutAt, still);
+  }
+
+  // What one may want to see from near: bodies, volumes and ends of lines.
+  parts() {
+    const {header} = this.view.model;
+    const bodies = header.bodies.map((name, body) => ({name, body}));
+    const volumes = header.volumes.map(({name}, volume) => ({name, volume})).filter(({name}) => !header.bodies.includes(name));
+    const ends = header.lines.flatMap(({name, first, nodes}) => [{name: `${name}, end A`, node: first}, {name: `${name}, end B`, node: first + nodes - 1}]);
+    return [...bodies, ...volumes, ...ends];
   }
 
   showBar() {

@@ -129,7 +129,7 @@ hawser.Curves = class {
       if (column < 0) continue;
       const block = await model.block(`series/${history.key}`);
       const row = (k) => block.values.subarray(k * block.columns, (k + 1) * block.columns);
-      curves.push({label, colour, x: row(0), y: Float32Array.from(row(column + 1), (v) => v / history.factors[column])});
+      curves.push({label: this.models.length > 1 ? label : wanted.columns[c].replace(/_/g, " "), colour, x: row(0), y: Float32Array.from(row(column + 1), (v) => v / history.factors[column])});
     }
     const unit = wanted.units[c] && wanted.units[c] !== "1" ? ` [${wanted.units[c]}]` : "";
     this.stored.show({title: wanted.name, x: "time [s]", y: wanted.columns[c].replace(/_/g, " ") + unit, curves});

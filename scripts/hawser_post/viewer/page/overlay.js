@@ -87,9 +87,17 @@ hawser.Overlay = class {
     }
   }
 
-  // The numbers of notes, as in the list beside the picture.
+  // The numbers of notes, as in the list beside the picture, each with a stroke to its place.
   badges(places) {
     const {pen} = this;
+    for (const {x, y, place} of places) {
+      pen.beginPath();
+      pen.moveTo(place.x, place.y);
+      pen.lineTo(x, y);
+      pen.lineWidth = 1;
+      pen.strokeStyle = INK;
+      pen.stroke();
+    }
     for (const {number, x, y, warning} of places) {
       pen.beginPath();
       pen.arc(x, y, 9, 0, 2 * Math.PI);
@@ -145,7 +153,9 @@ hawser.Overlay = class {
   // A bar of a round length.
   scale(pixel) {
     const {pen} = this;
-    const length = hawser.ticks(0, 150 * pixel, 2)[1] || pixel;
+    const most = 150 * pixel;
+    const decade = 10 ** Math.floor(Math.log10(most));
+    const length = [5, 2, 1].find((n) => n * decade <= most) * decade;
     const [x, y] = [this.width - 16, this.height - 16];
     pen.lineWidth = 2;
     pen.strokeStyle = INK;

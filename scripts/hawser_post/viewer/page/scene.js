@@ -1,7 +1,7 @@
 // The picture: everything that is drawn, at a time between two outputs.
 
 const SKY = 0xf7f9fb;
-const COARSE = 0.6;  // of the pixels along a side
+const COARSE = 0.75;  // of the pixels along a side
 
 hawser.Scene = class {
   // box: an element that has a size; it gets the picture and what is written over it.
@@ -27,6 +27,10 @@ hawser.Scene = class {
     this.space.add(this.light);
     this.overlay = new hawser.Overlay(over);
     this.camera = new hawser.Camera(this.canvas, model.header, () => this.redraw());
+    this.camera.near = (x, y) => {
+      const node = this.lines ? this.nodeAt(x, y, 40) : -1;
+      return node < 0 ? null : this.lines.position(node, new THREE.Vector3());
+    };
     this.cuts = new hawser.Cuts(this.renderer, this.camera);
     this.colours = new hawser.Colours(model.header.maps);
     this.shown = {names: true, volumes: true, sea: true, bed: true, parts: true, touchdowns: true, forces: true, bedForces: false, notes: true};
@@ -162,6 +166,18 @@ hawser.Scene = class {
     this.drawn += 1;
   }
 
+  // The box of a part: a body with its volumes, a volume, or an end of a line, of which as much is shown as a body would take.
+  boxOf({body, volume, node}) {
+    const box = new THREE.Box3();
+    const add = (one) => box.expandByObject(one.mesh);
+    if (volume !== undefined) add(this.bodies.volumes[volume]);
+    if (body !== undefined) this.bodies.volumes.filter((one) => one.body === body).forEach(add);
+    if (!box.isEmpty()) return box;
+    const at = new THREE.Vector3();
+    const middle = node === undefined ? this.bodies.groups[body].getWorldPosition(at) : this.lines.position(node, at);
+    return box.setFromCenterAndSize(middle, new THREE.Vector3(1, 1, 1).multiplyScalar(0.03 * this.camera.size));
+  }
+
   // The box of what is there at the time shown: lines, and middles of volumes that are not far from them.
   boxNow() {
     const box = new THREE.Box3();
@@ -239,11 +255,16 @@ hawser.Scene = class {
   badges() {
     const [found, at] = [[], new THREE.Vector3()];
     this.model.header.notes.forEach((note, k) => {
-      const place = this.placeOfNote(note, at);
-      const pixel = place && this.pixelOf(place);
-      if (!pixel) return;
-      while (found.some((b) => Math.hypot(b.x - pixel.x, b.y - pixel.y) < 19)) pixel.y -= 20;
-      found.push({number: k + 1, warning: note.kind === "warning", ...pixel});
+      const there = this.placeOfNote(note, at);
+      const place = there && this.pixelOf(there);
+      if (!place) return;
+      // Beside its place, so that what it speaks of is seen; in rows of four where there are many.
+      const badge = {x: place.x + 26, y: place.y - 26};
+      for (let n = 1; found.some((b) => Math.hypot(b.x - badge.x, b.y - badge.y) < 19); n++) {
+        badge.x = place.x + 26 + 20 * (n % 4);
+        badge.y = place.y - 26 - 20 * Math.floor(n / 4);
+      }
+      found.push({number: k + 1, warning: note.kind === "warning", place, ...badge});
     });
     return found;
   }

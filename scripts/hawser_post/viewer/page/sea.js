@@ -62,9 +62,11 @@ hawser.Sea = class {
     for (let i = 0; i < whole.length; i += 3) if (known[whole[i]] && known[whole[i + 1]] && known[whole[i + 2]]) faces.push(...whole.slice(i, i + 3));
     geometry.setIndex(faces);
     geometry.computeVertexNormals();
-    const paint = {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2};
+    const paint = {polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2};
     const plane = nx === 2 && ny === 2;  // needs no light
     this.bed = new THREE.Mesh(geometry, plane ? new THREE.MeshBasicMaterial({...paint, color: 0xb5a27d}) : new THREE.MeshLambertMaterial({...paint, color: 0xcdb891}));
+    // From below one looks through it.
+    this.bed.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({color: 0xb5a27d, side: THREE.BackSide, transparent: true, opacity: 0.3, depthWrite: false})));
     if (known.every((k) => k)) this.bed.add(this.border(geometry, nx, ny, 0x8a6d3b));
     this.root.add(this.bed);
   }

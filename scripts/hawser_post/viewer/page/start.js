@@ -112,7 +112,7 @@ hawser.View = class {
     }
     if (line) parts.push(`chosen: ${line.name}`);
     if (scene.cuts.kind !== "none") parts.push(scene.cuts.describe(model.header.centre));
-    if (!this.player.playing) this.controls.status.textContent = `${parts.join("; ")}.`;
+    this.controls.status.textContent = this.player.playing ? "Playing." : `${parts.join("; ")}.`;
   }
 
   fail(error) {
@@ -162,10 +162,9 @@ hawser.View = class {
     this.scene.redraw();
   }
 
-  // The lines as they are now fill the picture, seen from where one looks.
-  fitNow() {
+  // The lines as they are now, or a part, fill the picture, seen from where one looks.
+  fitNow(box = this.scene.boxNow()) {
     const {camera} = this.scene;
-    const box = this.scene.boxNow();
     camera.direction = camera.from();
     camera.fit(box.min, box.max);
   }
