@@ -225,8 +225,8 @@ contact: {{lines: [], between_lines: false}}
   return yaml;
 }
 
-// Momentum stays, to round-off without lines; energy is never made, and what friction, damping and lines take
-// accounts for the loss but for what impacts at default steps err by.
+// Momentum stays to round-off, with lines between the hulls too; energy is never made, and what friction,
+// damping and lines take accounts for the loss but for what impacts at default steps err by.
 TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
   for (const double mass : {0.0, 8.0}) {
     BodiesRun r(hulls(mass));
@@ -252,7 +252,7 @@ TEST(BodyFrictionStatics, HullsThatRollAgainstEachOther) {
         "lines of %.1f kg/m: strain %.3g of %.3g J, friction %.3g, damping %.3g; made %.2g, lost %.2g, "
         "momentum %.1e\n",
         mass, strain, e0, end.friction, end.damping, made / e0, lost / e0, error / p);
-    EXPECT_LT(error, (mass > 0 ? 1e-5 : 1e-9) * p);
+    EXPECT_LT(error, 1e-9 * p);
     EXPECT_LE(most, 1e-9 * e0);
     EXPECT_LT(made, 3e-3 * e0);
     EXPECT_LT(lost, 0.01 * e0);

@@ -129,6 +129,8 @@ inline Momentum momentum(System& system, const Kinematics& k) {
   check(VecGetArray(p.get(), &a));
   for (int n = 0; n < mesh.owned; ++n) {
     const size_t i = static_cast<size_t>(n);
+    // The mass of a tied node is in the rows of what carries it; its own row is that of a unit matrix.
+    if (mesh.mesh->nodes[static_cast<size_t>(mesh.global[i])].tied_to >= 0) continue;
     const double* at = a + 3 * mesh.block[i];
     const Eigen::Map<const Vec3> linear(at);
     sum.linear += linear;
