@@ -2,10 +2,12 @@
 #include "hawser/run/modes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
@@ -26,6 +28,8 @@ namespace {
 // As a mode is drawn: the largest displacement of `position`, of the longest line, where no body turns
 // farther than this.
 constexpr double kDrawn = 0.05, kTurned = 0.3;  // 1, rad
+// Share of a body's kinetic energy from which a freedom is named.
+constexpr double kNamed = 0.2;
 
 // Where a mode has its largest translation or rotation, the same on all ranks.
 struct Extent {
@@ -75,6 +79,32 @@ Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& v
   return out;
 }
 
+// The freedoms that a floating body moves by in a mode, such as "pitch, surge", the largest first: those with
+// a fifth or more of the kinetic energy m v_c²/2 + sum I_k w_k²/2 of its mass, in the axes of the body, the
+// same on all ranks.
+std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, int body) {
+  constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+  const model::BodyMass& m = *sim.model().bodies[body].mass;
+  std::vector<double> energy(6, 0.0);
+  if (const int n = sim.bodies().local_node(body); n >= 0 && sim.local().owns(n)) {
+    const Mat3 axes = sim.state().q[n].toRotationMatrix();
+    const Vec3 turn = axes.transpose() * mode.rotation[n];
+    const Vec3 way = axes.transpose() * mode.shape[n] + turn.cross(m.centre);
+    for (int k = 0; k < 3; ++k) {
+      energy[k] = m.mass * way[k] * way[k];
+      energy[3 + k] = m.inertia[k] * turn[k] * turn[k];
+    }
+  }
+  all_reduce(comm, MPI_MAX, energy);
+  const double sum = std::accumulate(energy.begin(), energy.end(), 0.0);
+  std::vector<size_t> order = {0, 1, 2, 3, 4, 5};
+  std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return energy[a] > energy[b]; });
+  std::vector<std::string> named;
+  for (const size_t k : order)
+    if (energy[k] >= kNamed * sum && sum > 0) named.push_back(kNames[k]);
+  return fmt::format("{}", fmt::join(named, ", "));
+}
+
 double period_of(const NaturalMode& mode) { return 2 * M_PI / std::sqrt(mode.squared); }
 
 void without_added_mass(model::Case& c) {
@@ -90,7 +120,7 @@ bool has_platforms(const model::Case& c) {
                      [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; });
 }
 
-std::string row(MPI_Comm comm, const Simulation& sim, int number, const NaturalMode& mode,
+std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& mode,
                 const Extent& translation, const Extent& rotation) {
   const Mesh& mesh = sim.mesh();
   const bool turns = translation.node < 0;
@@ -107,6 +137,7 @@ std::string row(MPI_Comm comm, const Simulation& sim, int number, const NaturalM
     const std::string body = "body " + sim.model().bodies[with.body].name;
     where = with.share > 0.99 ? body + " (" + where + ")" : where + ", with " + body;
   }
+  if (with.body >= 0) where += ": " + freedoms(comm, sim, mode, with.body);
   return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}{}\n", number, when, p.along.x(), p.along.y(),
                      p.along.z(), where, turns ? ", turns in place" : "");
 }

@@ -29,6 +29,7 @@ constexpr long kMost = 8;      // largest multiple of that number
 constexpr double kGap = 1e-6;  // relative difference of eigenvalues below which they count as repeated
 // Ratio of translations to rotations times the size of the system, below which the translations are rounding.
 constexpr double kInPlace = 1e-7;
+constexpr double kLeastSize = 1e-3;  // m, of a model, which may be a single body
 
 class Slepc {
  public:
@@ -101,7 +102,7 @@ void move_nodes(const System& system, const Kinematics& at, const std::vector<do
     most[1] = std::max(most[1], mode.rotation[n].norm());
   }
   all_reduce(system.comm(), MPI_MAX, most);
-  const bool in_place = most[0] < kInPlace * most[1] * size_of(system, at);
+  const bool in_place = most[0] < kInPlace * most[1] * std::max(size_of(system, at), kLeastSize);
   for (size_t n = 0; n < nodes; ++n) {
     mode.shape[n] = in_place ? Vec3(Vec3::Zero()) : Vec3(mode.shape[n] / most[0]);
     mode.rotation[n] /= in_place ? most[1] : most[0];

@@ -130,6 +130,24 @@ class Modes(unittest.TestCase):
         self.assertTrue(any("body buoy" in row for row in rows[:2]), output)
         self.assertTrue(any("body buoy" not in row for row in rows), output)
 
+    def test_names_the_freedoms_of_bodies(self):
+        # Springs of growing stiffness: sway, heave, surge, yaw, roll, pitch. The body is turned by 90 degrees, so that it surges along y.
+        write(self.folder, "body.yaml", """\
+hawser: 1
+environment: {gravity: 0}
+bodies:
+  block:
+    position: [0, 0, 0]
+    rotation_deg: [0, 0, 90]
+    floating: {mass: 1000, inertia: [1000, 1000, 1000], stiffness: [1e3, 9e3, 4e3], turning_stiffness: [2.5e4, 3.6e4, 1.6e4]}
+""")
+        for ranks in (1, 2):
+            launch = [] if ranks == 1 else ["mpirun", "-n", str(ranks)]
+            output = run(*launch, HAWSER, "modes", self.folder / "body.yaml", "-n", "6").stdout
+            found = re.findall(r"body block: ([a-z]+)", output)
+            self.assertEqual(found, ["sway", "heave", "surge", "yaw", "roll", "pitch"], output)
+            self.assertEqual(output.count(", turns in place"), 3, output)
+
     def test_volturnus(self):
         one, _ = self.modes(chains(1), "-n", "12")
         run(HAWSER, "run", "case.yaml", cwd=self.folder, timeout=600)
