@@ -75,6 +75,7 @@ hawser.Camera = class {
     camera.zoom = 1;
     this.resize();
     controls.update();
+    camera.updateMatrixWorld(true);
     this.changed();
   }
 
@@ -155,6 +156,7 @@ hawser.Camera = class {
     }
     camera.updateProjectionMatrix();
     controls.update();
+    camera.updateMatrixWorld(true);  // another turn of the wheel may come before the next picture
     this.changed();
   }
 
