@@ -27,8 +27,12 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   const double before = error, brought_before = brought_in;
   now = e;
   brought_in = e.work - start.work - (e.potential - start.potential);
-  error = (e.kinetic - start.kinetic) + (e.strain - start.strain) + (e.friction - start.friction) +
-          (e.damping - start.damping) + (e.unresolved - start.unresolved) - brought_in;
+  change.kinetic = e.kinetic - start.kinetic;
+  change.strain = e.strain - start.strain;
+  change.friction = e.friction - start.friction;
+  change.damping = e.damping - start.damping;
+  change.unresolved = e.unresolved - start.unresolved;
+  error = change.kinetic + change.strain + change.friction + change.damping + change.unresolved - brought_in;
   at_start = start.kinetic;
   worked += std::abs(brought_in - brought_before) + passed;
   set_free = std::max(set_free, start.strain - e.strain);
@@ -40,8 +44,7 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   const double rise = error - least_error;
   least_by_water = std::min(least_by_water, e.by_water - start.by_water);
   const double taken_before = taken;
-  taken = std::max(taken, (e.friction - start.friction) + (e.damping - start.damping) +
-                              (e.unresolved - start.unresolved) - least_by_water);
+  taken = std::max(taken, change.friction + change.damping + change.unresolved - least_by_water);
   // What is dissipated takes its share of what was made with it.
   if (there > 0) remains *= std::exp(-(taken - taken_before) / there);
   remains = std::max(0.0, remains + error - before);

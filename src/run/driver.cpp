@@ -177,10 +177,10 @@ void print_results(const model::Case& c, const record::Recorder& recorder, const
   if (c.dynamics.enabled) {
     const record::Audit& a = recorder.audit();
     fmt::print(
-        "\nenergy: brought in {:.6g} J; kinetic {:.6g}, strain {:.6g}, friction {:.6g}, damping {:.6g}, "
-        "unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)\n",
-        a.brought_in, a.now.kinetic, a.now.strain, a.now.friction, a.now.damping, a.now.unresolved, a.error,
-        a.percent(), a.size());
+        "\nenergy: brought in {:.6g} J, of which into motion {:.6g}, strain {:.6g}, friction {:.6g}, damping "
+        "{:.6g}, unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)\n",
+        a.brought_in, a.change.kinetic, a.change.strain, a.change.friction, a.change.damping,
+        a.change.unresolved, a.error, a.percent(), a.size());
     if (const std::string n = a.note(); !n.empty()) fmt::print("\nnote: {}\n", n);
     if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
   }

@@ -11,7 +11,7 @@ namespace hawser::record {
 
 // Sums over all ranks, J.
 struct Audit {
-  Energy now;
+  Energy now, change;     // at the last step; since the start
   double brought_in = 0;  // by supports, ramped and point loads, moving bodies and dead loads since the start
   // Kinetic + strain + friction + damping + unresolved - brought in: made out of nothing, or lost if
   // negative.
