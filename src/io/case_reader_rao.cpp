@@ -173,18 +173,27 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
 
 }  // namespace
 
+std::shared_ptr<const RaoTable> read_responses(const model::Value& rao, double gravity,
+                                               const CaseSource& source, std::vector<std::string>& notes) {
+  std::shared_ptr<const RaoTable>& known =
+      source.files->responses[source.directory + " " + model::value_text(rao)];
+  if (!known) known = std::make_shared<const RaoTable>(read_table(rao, gravity, source, notes));
+  return known;
+}
+
 model::TableMotion read_rao(const model::Value& rao, const model::Environment& sea, const model::Body& body,
                             double duration, const CaseSource& source, std::vector<std::string>& notes) {
-  const RaoTable table = read_table(rao, sea.gravity, source, notes);
+  const RaoTable& table = *read_responses(rao, sea.gravity, source, notes);
+  const std::string key = "bodies." + body.name + ".motion.rao";
   const WaveField waves = model::wave_field(sea);
   if (waves.none()) refuse(rao, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
   const model::Drift none;
   const DriftLaw drift = model::drift_law(body.drift ? *body.drift : none);
   const double yaw = body.drift ? body.drift->rotation.z() : 0;
   const double heading = model::heading(body);
-  check_gaps(table, waves, heading + yaw, rao.where, notes);
-  if (advice::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, rao.where, notes);
-  check_phases(table, waves, heading + yaw, rao.where, notes);
+  check_gaps(table, waves, heading + yaw, key, notes);
+  if (advice::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, key, notes);
+  check_phases(table, waves, heading + yaw, key, notes);
   const RaoMotion motion(table, waves, body.position, heading, yaw);
   // The highest of many components is ten times that of the peak and hardly there.
   const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);
