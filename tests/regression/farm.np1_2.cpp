@@ -28,7 +28,7 @@ std::string platform(double direction, double phase, bool alone) {
       "dynamics: {{duration: 6, step: 0.1}}\n",
       kDepth, direction, kHeight, kPeriod, direction, phase, kDepth);
   if (!alone) return sea;
-  return sea + R"(
+  return "hawser: 1\n" + sea + R"(
 line_types:
   chain: {outer_diameter: 0.2, mass_per_length: 300, EA: 1e9, bending: false}
   hose: {outer_diameter: 0.3, mass_per_length: 120, EA: 1e8, EI: 1e6, GJ: 1e6}
