@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "hawser/base/error.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "regression/runs.hpp"
 
@@ -25,7 +26,8 @@ std::string platform(double direction, double phase, bool alone) {
       "4}}\n"
       "  seabed: {{depth: {:g}, normal_stiffness: {{per_area: 1e5}}, friction: 0.4}}\n"
       "contact: {{between_lines: false}}\n"
-      "dynamics: {{duration: 6, step: 0.1}}\n",
+      "statics: {{tolerance: 1e-11}}\n"
+      "dynamics: {{duration: 6, step: 0.1, tolerance: 1e-11}}\n",
       kDepth, direction, kHeight, kPeriod, direction, phase, kDepth);
   if (!alone) return sea;
   return "hawser: 1\n" + sea + R"(
@@ -38,7 +40,13 @@ bodies:
       mass: 28640 t
       centre_of_mass: [0, 0, -54]
       inertia: [4.5e10, 4.5e10, 1.5e9]
-      hydrodynamics: {wamit: spar, displaced_volume: 28274, quadratic_damping: [1.0e6, 1.0e6, 3e5, 1.5e11, 1.5e11, 0]}
+      hydrodynamics:
+        wamit: spar
+        displaced_volume: 28274
+        place: [2, 1, 0]
+        heading_deg: 3
+        stiffness: [[2e6, 0, 0, 0, 0, 0], [0, 3e5, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e9]]
+        quadratic_damping: [1.0e6, 1.0e6, 3e5, 1.5e11, 1.5e11, 0]
       loads: [{force: [1.0e6, 2.0e5, 0], at: [0, 0, 90], axes: body}]
   boat:
     position: [120, 30, 0]
@@ -66,7 +74,7 @@ lines:
   tow:
     sections: [{type: hose, length: 60, elements: 6}]
     end_a: {anchor: [60, 20, -30], direction: [0.1, -1, 0], clamped: true}
-    end_b: {body: sled, at: [0, 0, 0]}
+    end_b: {body: sled, at: [1, 2, 0.5]}
 links:
   spring: {end_a: {body: spar, at: [0, 0, -60]}, end_b: {anchor: [40, 30, -90]}, stiffness: 1e5}
 output: {every: 1, histories: [{body: spar}]}
@@ -143,6 +151,20 @@ TEST_F(FarmRuns, GoesOnFromACheckpoint) {
   run_on_all({path + "/two.yaml", path + "/whole.h5"});
   run_on_one({path + "/two.yaml", path + "/half.h5", "", 3});
   run_on_all({path + "/two.yaml", path + "/rest.h5", path + "/half.h5"});
+  // The platform's file is a part of the case that must be the same.
+  write_case(path + "/alone.yaml", platform(kDirection, 0, true), {{"stiffness: 1e5}", "stiffness: 2e5}"}});
+  run::RunOptions changed;
+  changed.case_path = path + "/two.yaml";
+  changed.output = path + "/changed.h5";
+  changed.restart = path + "/half.h5";
+  changed.quiet = true;
+  std::string why;
+  try {
+    run::run(MPI_COMM_WORLD, changed);
+  } catch (const InputError& e) {
+    why = e.what();
+  }
+  EXPECT_NE(why.find("alone.yaml: links.spring is another there"), std::string::npos) << why;
   if (rank_of(MPI_COMM_WORLD) != 0) return;
   const Results whole = read(path + "/whole.h5"), rest = read(path + "/rest.h5");
   const std::vector<double>& there = rest.fields.at("position");

@@ -181,6 +181,7 @@ VARIANTS = (
      "volumes.column": "{shape: {cylinder: {from: [0, 0, -8], to: [0, 0, 2], radius: 1.5}}, body: spar, normal_stiffness: {per_point: 1e5}}"},
     {"farm": "{of: unit.yaml, name: T, heading_deg: 10, at: [[400, 300], [500, 300, 20]]}"},
     {"farm": "{of: unit.yaml, at: {A: [400, 300]}}"},
+    {"farm": "{of: unit.yaml, rows: {rows: 1, columns: 2, spacing: [100, 100], from: [400, 300], direction_deg: 10, stagger: 50}}"},
     {"farm": "[{of: unit.yaml, rows: {rows: 2, columns: 2, spacing: [100, 100], from: [400, 300], direction_deg: 10, stagger: 50}}, "
      "{of: unit.yaml, name: U, file: places.txt}]"},
     # Feeders, events, stages.
