@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "hawser/base/error.hpp"
+#include "hawser/io/case_reader.hpp"
 #include "hawser/kernels/waves.hpp"
 #include "regression/runs.hpp"
 
@@ -138,6 +139,45 @@ TEST_F(FarmRuns, TurnedInTurnedWavesIsTheSame) {
   EXPECT_LT(moved, 1e-8 * 600);
   EXPECT_LT(tension, 1e-8 * largest(a));
   EXPECT_GT(std::max(difference(one), difference(two)), 0.1) << "waves of another phase would not show";
+}
+
+// A line that starts as a run of the platform alone left it starts so at each place, turned with it; `start`
+// of the farm takes shapes by the names that lines have there.
+TEST_F(FarmRuns, StartsFromOtherRuns) {
+  const std::string sea = platform(kDirection, 0, false);
+  write_case(path + "/still.yaml", platform(kDirection, 0, true), {{"duration: 6", "duration: 0.2"}});
+  run_on_all({path + "/still.yaml", path + "/still.h5"});
+  write_case(path + "/from.yaml", platform(kDirection, 0, true),
+             {{"  hose:\n", "  hose:\n    start: {from: still.h5}\n"}});
+  const auto farm = [&](const std::string& of, const std::string& more) {
+    write_case(path + "/starts.yaml",
+               "hawser: 1\nfarm: {of: " + of + ", at: {T: [700, -400, 37]}}\n" + more + sea,
+               {{"duration: 6", "duration: 0.2"}});
+    return path + "/starts.yaml";
+  };
+  const std::string first = farm("still.yaml", "");
+  run_on_all({first, path + "/turned.h5"});
+  const model::Case by_platform = io::read_case(farm("from.yaml", ""));
+  const model::Case by_name = io::read_case(farm("still.yaml", "start: {from: turned.h5}\n"));
+  if (rank_of(MPI_COMM_WORLD) != 0) return;
+  const auto positions = [](const std::string& file) { return read(file).fields.at("position"); };
+  const std::vector<double> alone = positions(path + "/still.h5"), there = positions(path + "/turned.h5");
+  const auto of = [](const model::Case& c) {
+    std::vector<double> out;
+    for (const Vec3& x : c.line("T/hose").previous_shape->position)
+      out.insert(out.end(), x.data(), x.data() + 3);
+    return out;
+  };
+  // The last output; lines in the order of the file, the hose the fourth, of 15 nodes after three of 21.
+  const auto hose = [](const std::vector<double>& all) {
+    const size_t nodes = 3 * 21 + 15 + 7, last = all.size() - 3 * nodes;
+    return std::vector<double>(all.begin() + static_cast<long>(last + 3 * 63),
+                               all.begin() + static_cast<long>(last + 3 * 78));
+  };
+  EXPECT_EQ(by_platform.line("T/bow").previous_shape, nullptr);
+  EXPECT_LT(apart(hose(alone), of(by_platform), 700, -400, kHeading * M_PI / 180), 1e-9);
+  EXPECT_LT(largest_difference(hose(there), of(by_name)), 1e-12);
+  EXPECT_NE(by_name.line("T/bow").previous_shape, nullptr);
 }
 
 TEST_F(FarmRuns, GoesOnFromACheckpoint) {
