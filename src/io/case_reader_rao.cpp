@@ -171,6 +171,11 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
                                    : ""));
 }
 
+// Whether the vessel is at one place throughout.
+bool stays(const model::Drift& d) {
+  return d.harmonic.amplitude.isZero(0) && d.table.offset.empty() && d.ramp == 0;
+}
+
 }  // namespace
 
 std::shared_ptr<const RaoTable> read_responses(const model::Value& rao, double gravity,
@@ -204,12 +209,18 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
            kMost);
   model::TableMotion m;
   m.of_waves = true;
-  for (int i = -10; i <= static_cast<int>(count) - 10; ++i) {
+  constexpr int kBefore = 10;
+  for (int i = -kBefore; i <= static_cast<int>(count) - kBefore; ++i) m.time.push_back(i * step);
+  if (!body.drift || stays(*body.drift)) {
+    motion.rows(-kBefore * step, step, m.time.size(), body.drift ? body.drift->offset : Vec3(Vec3::Zero()),
+                m.offset, m.rotation);
+    return m;
+  }
+  for (const double t : m.time) {
     Vec3 offset, rotation;
-    m.time.push_back(i * step);
     VectorMotion drifted, turned;
-    drift.at(std::max(m.time.back(), 0.0), drifted, turned);
-    motion.at(m.time.back(), offset, rotation, drifted.value);
+    drift.at(std::max(t, 0.0), drifted, turned);
+    motion.at(t, offset, rotation, drifted.value);
     m.offset.push_back(offset);
     m.rotation.push_back(rotation);
   }
