@@ -120,7 +120,7 @@ void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::C
     if (const Value* waves = f->find("hydrodynamics"); waves && b.mass->hydrodynamics->excitation) {
       const model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
       const double heading = model::hydrodynamic_heading(b);
-      const auto sea = model::wave_field(c.environment).components();
+      const auto& sea = source.files->sea(c.environment).components();
       const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
       check_coverage(*waves, h.data->excitation, h.body, "wave forces (.3)", 0.05, sea, heading, key,
                      c.notes);

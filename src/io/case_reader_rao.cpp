@@ -178,6 +178,11 @@ bool stays(const model::Drift& d) {
 
 }  // namespace
 
+const WaveField& ReadFiles::sea(const model::Environment& e) {
+  if (!waves) waves = std::make_shared<const WaveField>(model::wave_field(e));
+  return *waves;
+}
+
 std::shared_ptr<const RaoTable> read_responses(const model::Value& rao, double gravity,
                                                const CaseSource& source, std::vector<std::string>& notes) {
   std::shared_ptr<const RaoTable>& known =
@@ -190,7 +195,7 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
                             double duration, const CaseSource& source, std::vector<std::string>& notes) {
   const RaoTable& table = *read_responses(rao, sea.gravity, source, notes);
   const std::string key = "bodies." + body.name + ".motion.rao";
-  const WaveField waves = model::wave_field(sea);
+  const WaveField& waves = source.files->sea(sea);
   if (waves.none()) refuse(rao, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
   const model::Drift none;
   const DriftLaw drift = model::drift_law(body.drift ? *body.drift : none);

@@ -16,14 +16,17 @@
 
 namespace hawser {
 class RaoTable;
-}
+class WaveField;
+}  // namespace hawser
 
 namespace hawser::io {
 
-// What several bodies of a case have from the same files.
+// What several bodies of a case have from the same files, and the waves that they are in.
 struct ReadFiles {
   std::map<std::string, std::shared_ptr<const model::HydrodynamicData>> coefficients;
   std::map<std::string, std::shared_ptr<const RaoTable>> responses;
+  std::shared_ptr<const WaveField> waves;
+  const WaveField& sea(const model::Environment& e);  // the same at each call
 };
 
 // Where a case comes from.
