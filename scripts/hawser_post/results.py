@@ -40,6 +40,23 @@ class Series:
         return self.units[self.columns.index(name)]
 
 
+PLACED = ("bodies", "volumes", "supports", "joints", "lines", "links")
+
+
+def with_platforms(as_read, of):
+    """The keys `of` a case ("read" or "given"), and what a farm places, "T12/mooring", as the file of its platform has it."""
+    keys = dictionary(as_read.get(of))
+    platforms = as_read.get("platforms")
+    for platform in platforms if isinstance(platforms, list) else []:
+        own, places = (dictionary(dictionary(platform).get(key)) for key in (of, "places"))
+        types = {"line_types": {**dictionary(own.get("line_types")), **dictionary(keys.get("line_types"))}}
+        things = {kind: {**dictionary(keys.get(kind)),
+                         **{f"{place}/{name}": thing for place in places for name, thing in dictionary(own.get(kind)).items()}}
+                  for kind in PLACED if dictionary(own.get(kind))}
+        keys = {**keys, **types, **things}
+    return keys
+
+
 def dictionary(value):
     return value if isinstance(value, dict) else {}
 
@@ -89,15 +106,15 @@ class Results:
             raise Refusal(f"{self.path}: is damaged: its 'case_read' is not the case as JSON")
         return found
 
-    @property
+    @cached_property
     def keys(self):
         """All keys of the case with their defaults, changed by --set: numbers in SI units (angles in deg)."""
-        return self.as_read.get("read", {})
+        return with_platforms(self.as_read, "read")
 
-    @property
+    @cached_property
     def given(self):
         """The keys that the case and --set give, as they are written there."""
-        return self.as_read.get("given", {})
+        return with_platforms(self.as_read, "given")
 
     @property
     def inputs(self):

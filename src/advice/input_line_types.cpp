@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/model/farm.hpp"
 #include "unit_hint.hpp"
 
 namespace hawser::advice {
@@ -58,8 +59,7 @@ void warn_of_contents(const LineType& t, std::vector<InputWarning>& out) {
 
 // A coating that is thicker than half of the pipe in it, by the keys of the file: the type has but the sums.
 bool warn_of_coatings(const Case& c, const LineType& t, std::vector<InputWarning>& out) {
-  const Value* types = c.tree ? c.tree->find("line_types") : nullptr;
-  const Value* type = types ? types->find(t.name) : nullptr;
+  const Value* type = entry_of(c, "line_types", t.name);
   const Value* pipe = type ? type->find("pipe") : nullptr;
   const Value* coatings = pipe ? pipe->find("coatings") : nullptr;
   if (!coatings) return false;

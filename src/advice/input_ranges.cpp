@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
 #include "unit_hint.hpp"
 
@@ -192,8 +193,8 @@ std::string unit_hint(const Value& v, Dimension d, const std::function<bool(doub
 
 std::string unit_hint(const Case& c, const std::vector<std::string>& keys,
                       const std::function<bool(double)>& fits) {
-  const Value* v = c.tree.get();
-  for (const std::string& k : keys) v = v ? v->find(k) : nullptr;
+  const Value* v = keys.size() > 1 ? entry_of(c, keys[0], keys[1]) : nullptr;
+  for (std::size_t i = 2; i < keys.size(); ++i) v = v ? v->find(keys[i]) : nullptr;
   return v && v->kind == Value::Kind::scalar && v->schema ? unit_hint(*v, v->schema->unit, fits) : "";
 }
 
@@ -208,6 +209,16 @@ bool possible(const Waves& w) {
 
 void warn_of_ranges(const Case& c, std::vector<InputWarning>& out) {
   if (c.tree) Walk(out).visit(*c.tree, "");
+  if (!c.farm) return;
+  for (const FarmPart& part : c.farm->parts) {
+    if (const Value* types = part.tree->find("line_types")) Walk(out).visit(*types, "line_types");
+    for (const char* kind : kPlaced) {
+      const std::size_t before = out.size();
+      if (const Value* things = part.tree->find(kind)) Walk(out).visit(*things, kind);
+      for (std::size_t i = before; i < out.size(); ++i)
+        out[i].key = placed_key(part.places.front(), out[i].key);
+    }
+  }
 }
 
 }  // namespace hawser::advice

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
 
 namespace hawser::advice {
@@ -43,13 +44,21 @@ std::vector<std::string> input_notes(const Case& c, Effect from, Effect to) {
   std::stable_sort(all.begin(), all.end(),
                    [](const InputWarning& a, const InputWarning& b) { return a.effect < b.effect; });
   std::erase_if(all, [&](const InputWarning& d) { return d.effect < from || d.effect > to; });
+  std::vector<std::string> texts;
+  for (const InputWarning& d : all) texts.push_back(d.key + ": " + d.text);
+  std::vector<InputWarning> once;  // at all places of a farm
+  for (const NoteOfPlaces& n : join_places(c, texts)) {
+    once.push_back(std::move(all[n.first]));
+    once.back().text += n.also;
+  }
+  all = std::move(once);
   std::map<int, int> count, reported;
   for (const InputWarning& d : all) ++count[d.kind];
   std::vector<std::string> notes;
   for (const InputWarning& d : all) {
     if (++reported[d.kind] > kReported) continue;
-    const int line = c.tree ? c.tree->line_of(d.key) : 0;
-    std::string where = c.file;
+    const auto& [file, line] = place_of(c, d.key);
+    std::string where = file;
     if (line > 0) where += fmt::format(":{}", line);
     if (line == kBySet) where += " with --set";
     const int more = count[d.kind] - kReported;

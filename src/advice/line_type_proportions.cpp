@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/model/farm.hpp"
 #include "unit_hint.hpp"
 
 namespace hawser::advice {
@@ -147,8 +148,7 @@ class Proportions {
          least, most, hint(key, [&](double x) { return between(x / t_.outer_diameter, least, most); }));
   }
   bool given(const char* key) const {
-    const Value* v = c_.tree ? c_.tree->find("line_types") : nullptr;
-    v = v ? v->find(t_.name) : nullptr;
+    const Value* v = entry_of(c_, "line_types", t_.name);
     v = v ? v->find(key) : nullptr;
     return v && v->given;
   }

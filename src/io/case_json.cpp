@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hawser/model/farm.hpp"
 #include "hawser/model/json_string.hpp"
 #include "hawser/model/schema.hpp"
 
@@ -115,6 +116,18 @@ std::string properties(const model::LineType& t) {
   return all.closed();
 }
 
+std::string platform(const model::FarmPart& part) {
+  Elements all('{');
+  all.add("file", json_string(part.given));
+  Elements places('{');
+  for (const model::FarmPlace& p : part.places)
+    places.add(p.name, fmt::format("[{}, {}, {:.15g}]", p.x, p.y, p.heading * 180 / std::numbers::pi));
+  all.add("places", places.closed());
+  all.add("given", as_given(*part.tree));
+  all.add("read", as_read(*part.tree));
+  return all.closed();
+}
+
 }  // namespace
 
 std::string case_json(const model::Case& c) {
@@ -125,6 +138,11 @@ std::string case_json(const model::Case& c) {
   if (c.tree) {
     all.add("given", as_given(*c.tree));
     all.add("read", as_read(*c.tree));
+  }
+  if (c.farm) {
+    Elements parts('[');
+    for (const model::FarmPart& part : c.farm->parts) parts.add(platform(part));
+    all.add("platforms", parts.closed());
   }
   Elements types('{');
   for (const model::LineType& t : c.line_types) types.add(t.name, properties(t));

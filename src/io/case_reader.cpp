@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "hawser/advice/input_warnings.hpp"
@@ -30,29 +32,8 @@ namespace fs = std::filesystem;
 // parts of the case, and what is made of several keys.
 void read_all(const Value& root, const CaseSource& source, const SectionLengths& lengths, Case& c) try {
   model::take(root, c);
-  const auto each = [&root](const char* key, auto&& read) {
-    const Value& v = root[key];
-    for (std::size_t i = 0; i < v.items.size(); ++i) read(v.keys[i], v.items[i]);
-  };
   finish_environment(root["environment"], source, c.environment, c.notes);
-  each("line_types", [&](const std::string& name, const Value& v) {
-    const model::LineType& t = c.line_types.emplace_back(read_line_type(name, v, c.environment));
-    if (t.kind == model::LineKind::cable && t.minimum_bend_radius > 0)
-      c.notes.push_back(
-          "line_types." + name +
-          ".minimum_bend_radius: a type with 'bending: false' has no curvature to compare it with");
-  });
-  for (std::size_t i = 0; i < c.bodies.size(); ++i)
-    finish_body(root["bodies"].items[i], source, c.bodies[i], c);
-  for (std::size_t i = 0; i < c.volumes.size(); ++i)
-    finish_volume(root["volumes"].items[i], source, c.volumes[i]);
-  OtherRuns others(source);
-  for (std::size_t i = 0; i < c.lines.size(); ++i)
-    finish_line(root["lines"].items[i], root.find("start"), lengths, others, c, c.lines[i]);
-  for (model::Body& b : c.bodies)
-    if (b.on) to_length(b.on->at, length_of(c, b.on->line));
-  for (std::size_t i = 0; i < c.links.size(); ++i) finish_link(root["links"].items[i], c.links[i], c);
-  read_supports(root["supports"], c);
+  read_things(root, root.find("start"), source, lengths, true, c);
   finish_contact(root["contact"], c.contact);
   for (std::size_t i = 0; i < c.events.size(); ++i) finish_event(root["events"].items[i], c.events[i], c);
   finish_output(root["output"], source, c);
@@ -68,8 +49,8 @@ void examine(Case& c) {
   using advice::Effect;
   std::vector<std::string> notes = advice::input_notes(c, Effect::all, Effect::all);
   notes.insert(notes.end(), c.notes.begin(), c.notes.end());
-  c.notes = std::move(notes);
-  for (std::string& n : advice::input_notes(c, Effect::part)) c.notes.push_back(std::move(n));
+  for (std::string& n : advice::input_notes(c, Effect::part)) notes.push_back(std::move(n));
+  c.notes = model::notes_by_place(c, std::move(notes));
 }
 
 Case read_document(const std::string& text, const std::string& path, const ReadProgress& read_progress,
@@ -82,19 +63,70 @@ Case read_document(const std::string& text, const std::string& path, const ReadP
   c.directory = fs::path(c.path).parent_path().string();
   const auto tree = std::make_shared<Value>(parse_yaml(text, path));
   const Value& root = *tree;
-  c.change_notes = change_document(*tree, changes, path);
-  model::check_structure(*tree, model::case_schema(), path);
-  if (const Value* title = root.find("title"); read_progress.title)
-    read_progress.title(title && !title->text.empty() ? title->text : c.path);
   c.inputs = {c.path};
   const CaseSource source{path, c.directory, comm, &c.inputs};
-  read_all(root, source, {}, c);
+  CaseChanges own;
+  std::copy_if(changes.begin(), changes.end(), std::back_inserter(own),
+               [](const std::string& change) { return !changes_platform(change); });
+  c.change_notes = change_document(*tree, own, path);
+  c.farm = read_farm(root, source, changes, c.change_notes);
+  model::check_structure(*tree, model::case_schema(), path, c.farm ? names_of(*c.farm) : model::MoreNames());
+  if (const Value* title = root.find("title"); read_progress.title)
+    read_progress.title(title && !title->text.empty() ? title->text : c.path);
   c.tree = tree;
+  read_all(root, source, {}, c);
   examine(c);
   return model::with_cuts(std::move(c));
 }
 
 }  // namespace
+
+// Platforms come before what the file itself has, which may be tied to them.
+void read_things(const Value& root, const Value* whole, const CaseSource& source,
+                 const SectionLengths& lengths, bool sea, Case& c) {
+  const std::size_t bodies = c.bodies.size(), volumes = c.volumes.size(), lines = c.lines.size(),
+                    links = c.links.size();
+  const Value& types = root["line_types"];
+  for (std::size_t i = 0; i < types.items.size(); ++i) {
+    const auto same = [&](const model::LineType& t) { return t.name == types.keys[i]; };
+    if (std::any_of(c.line_types.begin(), c.line_types.end(), same)) continue;  // the farm's file has it too
+    const model::LineType& t =
+        c.line_types.emplace_back(read_line_type(types.keys[i], types.items[i], c.environment));
+    if (t.kind == model::LineKind::cable && t.minimum_bend_radius > 0)
+      c.notes.push_back(
+          "line_types." + t.name +
+          ".minimum_bend_radius: a type with 'bending: false' has no curvature to compare it with");
+  }
+  place_platforms(root, source, lengths, c);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    const Value& v = root["bodies"].items[i];
+    finish_body(v, source, c.bodies[i], c);
+    if (sea) meet_sea(v, source, c.bodies[i], c);
+  }
+  for (std::size_t i = 0; i < volumes; ++i) finish_volume(root["volumes"].items[i], source, c.volumes[i]);
+  OtherRuns others(source);
+  for (std::size_t i = 0; i < lines; ++i)
+    finish_line(root["lines"].items[i], whole, lengths, others, c, c.lines[i]);
+  for (std::size_t i = 0; i < bodies; ++i)
+    if (model::Body& b = c.bodies[i]; b.on) to_length(b.on->at, length_of(c, b.on->line));
+  for (std::size_t i = 0; i < links; ++i) finish_link(root["links"].items[i], c.links[i], c);
+  read_supports(root["supports"], c);
+}
+
+namespace {
+constexpr const char* kEmpty = "the file is empty";
+}
+
+std::string case_text(const std::string& path, std::string& why) {
+  why = unreadable(path, "case", kMostCase);
+  if (!why.empty()) return "";
+  std::error_code error;
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf()))
+    why = in && fs::file_size(path, error) == 0 && !error ? kEmpty : "cannot be read";
+  return text.str();
+}
 
 model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm comm) {
   Case out;
@@ -103,6 +135,7 @@ model::Case with_lengths(const Case& c, const SectionLengths& lengths, MPI_Comm 
   out.path = c.path;
   out.directory = c.directory;
   out.tree = c.tree;
+  out.farm = c.farm;
   out.changes = c.changes;
   out.change_notes = c.change_notes;
   out.inputs = {c.path};
@@ -126,16 +159,10 @@ model::Case read_case_text(const std::string& text, const std::string& path,
 
 model::Case read_case(const std::string& path, const ReadProgress& read_progress, MPI_Comm comm,
                       const CaseChanges& changes) {
-  if (const std::string why = unreadable(path, "case", kMostCase); !why.empty())
-    model::fail(path, 0, "", why);
-  std::error_code error;
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf())) {
-    if (in && fs::file_size(path, error) == 0 && !error) model::fail(path, 1, "", "the file is empty");
-    model::fail(path, 0, "", "cannot be read");
-  }
-  return read_case_text(text.str(), path, read_progress, comm, changes);
+  std::string why;
+  const std::string text = case_text(path, why);
+  if (!why.empty()) model::fail(path, why == kEmpty ? 1 : 0, "", why);
+  return read_case_text(text, path, read_progress, comm, changes);
 }
 
 }  // namespace hawser::io

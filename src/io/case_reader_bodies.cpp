@@ -39,19 +39,13 @@ void check_coverage(const Value& v, const std::vector<WaveForceTable>& tables, i
   beyond(share.longer, "longer", table.lowest());
 }
 
-// The files of a body's coefficients; those of a body before are not read again.
+// The files of a body's coefficients, read once.
 void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
   h.wamit = source.absolute(h.wamit);
-  for (const model::Body& other : c.bodies) {
-    if (&other == &b) break;
-    if (!other.mass || !other.mass->hydrodynamics) continue;
-    const model::BodyHydrodynamics& before = *other.mass->hydrodynamics;
-    if (before.wamit == h.wamit && before.length == h.length && before.second_order == h.second_order &&
-        before.mirrored == h.mirrored)
-      h.data = before.data;
-  }
-  if (!h.data) {
+  std::shared_ptr<const model::HydrodynamicData>& known = source.files->coefficients[fmt::format(
+      "{} {} {} {}", h.wamit, h.length, static_cast<int>(h.second_order), h.mirrored)];
+  if (!known) {
     WamitForm form;
     form.length = h.length;
     form.density = c.environment.water.density;
@@ -59,7 +53,7 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     form.mirrored = h.mirrored;
     std::vector<std::string> notes, read;
     try {
-      h.data = std::make_shared<const model::HydrodynamicData>(
+      known = std::make_shared<const model::HydrodynamicData>(
           read_wamit(h.wamit, form, h.second_order, read, notes));
     } catch (const std::runtime_error& e) {
       model::refuse(v["wamit"], e.what());
@@ -68,14 +62,9 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     for (const std::string& n : notes)
       c.notes.push_back("bodies." + b.name + ".floating.hydrodynamics: " + n);
   }
+  h.data = known;
   if (h.body > h.data->bodies)
     model::refuse(v["body"], "the files have {} bod{}", h.data->bodies, h.data->bodies == 1 ? "y" : "ies");
-  if (!h.excitation) return;
-  const double heading = model::hydrodynamic_heading(b);
-  const auto sea = model::wave_field(c.environment).components();
-  const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
-  check_coverage(v, h.data->excitation, h.body, "wave forces (.3)", 0.05, sea, heading, key, c.notes);
-  check_coverage(v, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
 }
 
 // Rows of t, force and maybe moment.
@@ -123,10 +112,25 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
     if (const Value* t = d->find("table")) read_motion_table(*t, source, b.drift->table, c.notes);
   if (const Value* t = m->find("table"))
     read_motion_table(*t, source, std::get<model::TableMotion>(b.motion), c.notes);
-  if (const Value* rao = m->find("rao")) {
-    b.motion = read_rao(*rao, c.environment, b, c.dynamics.duration, source, c.notes);
-    if (!(*m)["ramp"].given) b.ramp = c.environment.water.waves.ramp;
-  }
+  if (const Value* rao = m->find("rao")) read_responses(*rao, c.environment.gravity, source, c.notes);
+}
+
+void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
+  if (const Value* f = v.find("floating"))
+    if (const Value* waves = f->find("hydrodynamics"); waves && b.mass->hydrodynamics->excitation) {
+      const model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
+      const double heading = model::hydrodynamic_heading(b);
+      const auto& sea = source.files->sea(c.environment).components();
+      const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
+      check_coverage(*waves, h.data->excitation, h.body, "wave forces (.3)", 0.05, sea, heading, key,
+                     c.notes);
+      check_coverage(*waves, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
+    }
+  const Value* m = v.find("motion");
+  const Value* rao = m ? m->find("rao") : nullptr;
+  if (!rao) return;
+  b.motion = read_rao(*rao, c.environment, b, c.dynamics.duration, source, c.notes);
+  if (!(*m)["ramp"].given) b.ramp = c.environment.water.waves.ramp;
 }
 
 }  // namespace hawser::io

@@ -119,25 +119,25 @@ void finish_target(const Value& v, const Value& sections, model::LengthTarget& t
            t.section + 1, given, t.least, t.most);
 }
 
-// Of a shape that another run left: its own `start`, or the one of the whole case (`whole`, may be null).
+}  // namespace
+
 void finish_start(const Value& line, const Value* whole, OtherRuns& others, model::Case& c, model::Line& l) {
   const Value& start = line["start"];
+  const std::string key = "lines." + l.name;
   if (whole && !start.given) {
     l.previous_shape = others.shape(*whole, l.name, false);
     if (!l.previous_shape) {
-      c.notes.push_back(line.where + ": is not in " + (*whole)["from"].text + ", and starts by itself");
+      c.notes.push_back(key + ": is not in " + (*whole)["from"].text + ", and starts by itself");
       return;
     }
     l.start = model::Start::other_run;
-    check_previous_shape(l, (*whole)["from"], line.where, others.parted(), c.notes);
+    check_previous_shape(l, (*whole)["from"], key, others.parted(), c.notes);
   } else if (start.has("from")) {
     l.start = model::Start::other_run;
     l.previous_shape = others.shape(start, start.has("line") ? start["line"].text : l.name, true);
     check_previous_shape(l, start["from"], start.where, others.parted(), c.notes);
   }
 }
-
-}  // namespace
 
 void finish_line(const Value& v, const Value* whole, const SectionLengths& lengths, OtherRuns& others,
                  model::Case& c, model::Line& l) {

@@ -171,20 +171,39 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
                                    : ""));
 }
 
+// Whether the vessel is at one place throughout.
+bool stays(const model::Drift& d) {
+  return d.harmonic.amplitude.isZero(0) && d.table.offset.empty() && d.ramp == 0;
+}
+
 }  // namespace
+
+const WaveField& ReadFiles::sea(const model::Environment& e) {
+  if (!waves) waves = std::make_shared<const WaveField>(model::wave_field(e));
+  return *waves;
+}
+
+std::shared_ptr<const RaoTable> read_responses(const model::Value& rao, double gravity,
+                                               const CaseSource& source, std::vector<std::string>& notes) {
+  std::shared_ptr<const RaoTable>& known =
+      source.files->responses[source.directory + " " + model::value_text(rao)];
+  if (!known) known = std::make_shared<const RaoTable>(read_table(rao, gravity, source, notes));
+  return known;
+}
 
 model::TableMotion read_rao(const model::Value& rao, const model::Environment& sea, const model::Body& body,
                             double duration, const CaseSource& source, std::vector<std::string>& notes) {
-  const RaoTable table = read_table(rao, sea.gravity, source, notes);
-  const WaveField waves = model::wave_field(sea);
+  const RaoTable& table = *read_responses(rao, sea.gravity, source, notes);
+  const std::string key = "bodies." + body.name + ".motion.rao";
+  const WaveField& waves = source.files->sea(sea);
   if (waves.none()) refuse(rao, "a vessel moves by its responses in waves: give 'environment: {waves: ...}'");
   const model::Drift none;
   const DriftLaw drift = model::drift_law(body.drift ? *body.drift : none);
   const double yaw = body.drift ? body.drift->rotation.z() : 0;
   const double heading = model::heading(body);
-  check_gaps(table, waves, heading + yaw, rao.where, notes);
-  if (advice::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, rao.where, notes);
-  check_phases(table, waves, heading + yaw, rao.where, notes);
+  check_gaps(table, waves, heading + yaw, key, notes);
+  if (advice::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, key, notes);
+  check_phases(table, waves, heading + yaw, key, notes);
   const RaoMotion motion(table, waves, body.position, heading, yaw);
   // The highest of many components is ten times that of the peak and hardly there.
   const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);
@@ -195,12 +214,18 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
            kMost);
   model::TableMotion m;
   m.of_waves = true;
-  for (int i = -10; i <= static_cast<int>(count) - 10; ++i) {
+  constexpr int kBefore = 10;
+  for (int i = -kBefore; i <= static_cast<int>(count) - kBefore; ++i) m.time.push_back(i * step);
+  if (!body.drift || stays(*body.drift)) {
+    motion.rows(-kBefore * step, step, m.time.size(), body.drift ? body.drift->offset : Vec3(Vec3::Zero()),
+                m.offset, m.rotation);
+    return m;
+  }
+  for (const double t : m.time) {
     Vec3 offset, rotation;
-    m.time.push_back(i * step);
     VectorMotion drifted, turned;
-    drift.at(std::max(m.time.back(), 0.0), drifted, turned);
-    motion.at(m.time.back(), offset, rotation, drifted.value);
+    drift.at(std::max(t, 0.0), drifted, turned);
+    motion.at(t, offset, rotation, drifted.value);
     m.offset.push_back(offset);
     m.rotation.push_back(rotation);
   }

@@ -50,6 +50,7 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
     r.time = times[row];
     const h5::Id file = h5::open_read(path);
     r.lines = h5::read_texts(file, "lines/name");
+    for (size_t i = 0; i < r.lines.size(); ++i) r.number.emplace(r.lines[i], i);
     r.first = h5::read_array(file, "lines/first_node").values;
     r.count = h5::read_array(file, "lines/nodes").values;
     r.arc = h5::read_array(file, "nodes/arc_length").values;
@@ -67,8 +68,8 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
 std::shared_ptr<const model::PreviousShape> OtherRuns::shape(const Value& start, const std::string& name,
                                                              bool must) {
   const Run& r = run(start["from"], start.find("time"));
-  const auto found = std::find(r.lines.begin(), r.lines.end(), name);
-  if (found == r.lines.end()) {
+  const auto found = r.number.find(name);
+  if (found == r.number.end()) {
     if (!must) return nullptr;
     const Value& at = start.has("line") ? start["line"] : start["from"];
     refuse(at, "{} has no line {}{} (lines: {})", r.path, model::quote(name),
@@ -77,13 +78,13 @@ std::shared_ptr<const model::PreviousShape> OtherRuns::shape(const Value& start,
   auto left = std::make_shared<model::PreviousShape>();
   left->file = r.path;
   parted_ = false;
-  add_shape(r, static_cast<size_t>(found - r.lines.begin()), *left);
+  add_shape(r, found->second, *left);
   // A line that the other run cuts at a time is there in parts, which hang together until then.
   for (int k = 2;; ++k) {
-    const auto part = std::find(r.lines.begin(), r.lines.end(), fmt::format("{} part {}", name, k));
-    if (part == r.lines.end()) break;
+    const auto part = r.number.find(fmt::format("{} part {}", name, k));
+    if (part == r.number.end()) break;
     model::PreviousShape next;
-    add_shape(r, static_cast<size_t>(part - r.lines.begin()), next);
+    add_shape(r, part->second, next);
     parted_ = (next.position.front() - left->position.back()).norm() > kTogether * next.arc.back();
     if (parted_) break;
     const double end = left->arc.back();

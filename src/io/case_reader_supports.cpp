@@ -206,7 +206,7 @@ class Group {
 
                "body '{}' rides on a line itself; name the body in whose frame the supports are drawn",
                b.body);
-      pose = model::rigid_motion(c_.bodies[body]).at(0);
+      pose = model::pose_at_start(c_.bodies[body]);
     }
     const Vec3 place = pose.to_space(b.at - b.rise * b.up);
     model::Body o;

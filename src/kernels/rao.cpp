@@ -119,4 +119,37 @@ void RaoMotion::at(double t, Vec3& offset, Vec3& rotation, const Vec3& drifted) 
   }
 }
 
+void RaoMotion::rows(double first, double step, size_t count, const Vec3& drifted, std::vector<Vec3>& offset,
+                     std::vector<Vec3>& rotation) const {
+  // From row to row an angle grows by omega step: exp(i angle) is multiplied by a number of its own, whose
+  // rounding adds up to the next row that begins with cosines.
+  constexpr size_t kCosines = 256;
+  const auto n = static_cast<Eigen::Index>(terms_.size());
+  Eigen::Matrix<double, 6, Eigen::Dynamic> in(6, n), out(6, n);
+  Eigen::VectorXd c(n), s(n), before(n), by_c(n), by_s(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Term& m = terms_[static_cast<size_t>(k)];
+    in.col(k) << m.offset_cos, m.rotation_cos;
+    out.col(k) << m.offset_sin, m.rotation_sin;
+    by_c[k] = std::cos(m.omega * step);
+    by_s[k] = std::sin(m.omega * step);
+  }
+  for (size_t i = 0; i < count; ++i) {
+    if (i % kCosines == 0)
+      for (Eigen::Index k = 0; k < n; ++k) {
+        const Term& m = terms_[static_cast<size_t>(k)];
+        const double angle =
+            m.omega * (first + static_cast<double>(i) * step) - m.kx * drifted.x() - m.ky * drifted.y();
+        c[k] = std::cos(angle);
+        s[k] = std::sin(angle);
+      }
+    const Vec6 x = in * c + out * s;
+    offset.emplace_back(x.head<3>());
+    rotation.emplace_back(x.tail<3>());
+    before = c;
+    c = c.cwiseProduct(by_c) - s.cwiseProduct(by_s);
+    s = s.cwiseProduct(by_c) + before.cwiseProduct(by_s);
+  }
+}
+
 }  // namespace hawser

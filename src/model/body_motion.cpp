@@ -51,6 +51,42 @@ RigidMotion rigid_motion(const Body& body) {
   return m;
 }
 
+namespace {
+
+// The curve through the rows at t = 0 to rounding: what a row adds to a spline falls off by a half or more
+// from row to row (its equations are tridiagonal, with twice as much on the diagonal as beside it).
+TableMotion near_start(const TableMotion& t) {
+  constexpr std::ptrdiff_t kRows = 64;
+  const auto size = static_cast<std::ptrdiff_t>(t.time.size());
+  const auto at = std::lower_bound(t.time.begin(), t.time.end(), 0.0) - t.time.begin();
+  const auto first = std::max<std::ptrdiff_t>(at - kRows, 0), last = std::min(at + kRows, size);
+  TableMotion out;
+  out.between = t.between;
+  const auto take = [&](const auto& from, auto& to) {
+    if (!from.empty()) to.assign(from.begin() + first, from.begin() + last);
+  };
+  take(t.time, out.time);
+  take(t.offset, out.offset);
+  take(t.rotation, out.rotation);
+  return out;
+}
+
+}  // namespace
+
+RigidPose pose_at_start(const Body& body) {
+  Body b;
+  b.position = body.position;
+  b.rotation = body.rotation;
+  b.ramp = body.ramp;
+  const auto* table = std::get_if<TableMotion>(&body.motion);
+  b.motion = table ? Motion(near_start(*table)) : body.motion;
+  if (body.drift) {
+    b.drift = Drift{body.drift->offset, body.drift->rotation, body.drift->harmonic,
+                    near_start(body.drift->table), body.drift->ramp};
+  }
+  return rigid_motion(b).at(0);
+}
+
 std::vector<double> velocity_jumps(const std::vector<Body>& bodies) {
   std::vector<double> out;
   const auto add = [&](const TableMotion& t) {

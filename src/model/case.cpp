@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hawser/math/broken_line.hpp"
+#include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/model/switched.hpp"
 
@@ -95,7 +96,8 @@ bool Case::off_at_start(const Volume& volume) const {
 }
 
 void Case::refuse(const std::string& key, const std::string& why) const {
-  fail(file, tree ? tree->line_of(key) : 0, key, why);
+  const KeyPlace at = place_of(*this, key);
+  fail(at.file, at.line, key, why);
 }
 
 }  // namespace hawser::model

@@ -225,7 +225,7 @@ Vec3 end_position(const Case& c, const End& end) {
   if (end.kind == EndKind::anchor || end.kind == EndKind::joint) return end.at;
   const int i = c.body_index(end.body);
   if (i < 0) throw std::out_of_range("no body '" + end.body + "'");
-  return rigid_motion(c.bodies[i]).at(0).to_space(end.at);
+  return pose_at_start(c.bodies[i]).to_space(end.at);
 }
 
 std::vector<Issue> check(const Case& c) {

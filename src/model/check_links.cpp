@@ -27,7 +27,7 @@ void check_end(const Case& c, const LinkEnd& e, const std::string& key, const Is
 std::optional<Vec3> drawn(const Case& c, const LinkEnd& e) {
   const int body = c.body_index(e.body);
   if (!e.line.empty() || c.rides(body)) return std::nullopt;
-  return body < 0 ? e.at : rigid_motion(c.bodies[body]).at(0).to_space(e.at);
+  return body < 0 ? e.at : pose_at_start(c.bodies[body]).to_space(e.at);
 }
 
 }  // namespace

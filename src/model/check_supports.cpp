@@ -16,12 +16,12 @@ constexpr double kSteep = 0.25;  // up to the first roller: the tangent of a tur
 
 RigidPose pose_of_end(const Case& c, const End& e) {
   const int body = c.body_index(e.body);
-  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[body]).at(0);
+  return body < 0 ? RigidPose{} : pose_at_start(c.bodies[body]);
 }
 
 RigidPose pose_of(const Case& c, const SupportBox& b) {
   const int body = c.body_index(b.body);
-  return body < 0 ? RigidPose{} : rigid_motion(c.bodies[body]).at(0);
+  return body < 0 ? RigidPose{} : pose_at_start(c.bodies[body]);
 }
 
 void check_names(const Case& c, const Issues& issue) {

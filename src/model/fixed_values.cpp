@@ -11,7 +11,9 @@ namespace {
 
 using Type = Key::Type;
 
-std::string text_of(const Value& v) {
+}  // namespace
+
+std::string value_text(const Value& v) {
   if (v.kind == Value::Kind::scalar) {
     const Type type = v.schema ? v.schema->type : Type::number;
     const bool is_number = type == Type::number || type == Type::integer || type == Type::boolean;
@@ -19,14 +21,16 @@ std::string text_of(const Value& v) {
   }
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < v.items.size(); ++i)
-    parts.push_back((v.keys.empty() ? "" : v.keys[i] + ": ") + text_of(v.items[i]));
+    parts.push_back((v.keys.empty() ? "" : v.keys[i] + ": ") + value_text(v.items[i]));
   if (!v.keys.empty()) std::sort(parts.begin(), parts.end());
   return fmt::format("[{}]", fmt::join(parts, ", "));
 }
 
+namespace {
+
 void collect(const Value& v, const Key& key, std::map<std::string, std::string>& to) {
   if (key.fixed_in_restart) {
-    to[v.where] = text_of(v);
+    to[v.where] = value_text(v);
   } else if (key.type == Type::one_of) {
     collect(v, *v.schema, to);
   } else if (key.type == Type::names || key.type == Type::list) {

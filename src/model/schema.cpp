@@ -18,17 +18,17 @@ Vec3 schema_build::direction(const Value& v) {
 using namespace schema_build;
 
 const Key& case_schema() {
-  static const Key schema =
-      map("case",
-          {integer("hawser", "version of the case format; must be 1", in_range(1, 1), required),
-           text({"title", &Case::title}, "title, for pictures and reports", or_else("")), environment(),
-           line_types(), bodies(), volumes(), supports(), joints(), lines(), links(), contact(), statics(),
-           map("start",
-               {text("from", "results (.h5) of another run, beside the case", required),
-                number("time", time, "of its output", at_least(0), or_else_note("the last"))},
-               "Lines without a `start` of their own begin as another run left those of the same name; "
-               "statics goes on from there, whatever has changed."),
-           stages(), dynamics(), events(), output()});
+  static const Key schema = map(
+      "case", {integer("hawser", "version of the case format; must be 1", in_range(1, 1), required),
+               text({"title", &Case::title}, "title, for pictures and reports", or_else("")), environment(),
+               line_types(), farm(), bodies(), volumes(), supports(), joints(), lines(), links(), contact(),
+               statics(),
+               map("start",
+                   {text("from", "results (.h5) of another run, beside the case", required),
+                    number("time", time, "of its output", at_least(0), or_else_note("the last"))},
+                   "Lines without a `start` of their own begin as another run left those of the same name; "
+                   "statics goes on from there, whatever has changed."),
+               stages(), dynamics(), events(), output()});
   return schema;
 }
 

@@ -227,6 +227,7 @@ void force_table(T& o, const Value& v) {
 
 inline constexpr const char* kZero = "[0, 0, 0]";
 
+Key farm();  // platforms by files of their own
 Key bodies();
 Key volumes();   // with their shapes, contact laws and friction
 Key supports();  // of laid pipes: roller boxes

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <unordered_set>
 
 #include "hawser/base/error.hpp"
 #include "hawser/model/nearest.hpp"
@@ -89,7 +91,8 @@ Value literal(const std::string& s, int line) {
 
 class Checker {
  public:
-  Checker(const std::string& file, Value& root) : file_(file), root_(root) {}
+  Checker(const std::string& file, Value& root, const MoreNames& more)
+      : file_(file), root_(root), more_(more) {}
 
   void check(Value& v, const Key& k, const std::string& path) {
     v.where = path;
@@ -220,16 +223,26 @@ class Checker {
 
   void check_reference(Value& v, const Key& k, const std::string& path) {
     if (v.kind != Kind::scalar) wrong_type(v, k, path);
-    const Value* target = root_.find(k.refers);
-    static const std::vector<std::string> none;
-    const std::vector<std::string>& known = target && target->kind == Kind::map ? target->keys : none;
-    if (std::find(known.begin(), known.end(), v.text) != known.end()) return;
+    const auto [index, is_new] = known_.try_emplace(k.refers);
+    if (is_new)
+      for (const std::string& name : names_of(k.refers)) index->second.insert(name);
+    if (index->second.count(v.text)) return;
+    const std::vector<std::string> known = names_of(k.refers);
     std::vector<std::string> some(known.begin(),
                                   known.begin() + std::min<long>(12, static_cast<long>(known.size())));
     if (some.size() < known.size()) some.emplace_back("...");
     bad(v, path, "no {} is called {}{}{}", singular(k.refers), quote(v.text), did_you_mean(v.text, known),
         known.empty() ? fmt::format(" ({} is empty)", k.refers)
                       : fmt::format(" (known: {})", fmt::join(some, ", ")));
+  }
+
+  // Entries of a top-level map of the document, and those beside them.
+  std::vector<std::string> names_of(const std::string& map) const {
+    std::vector<std::string> names;
+    if (const Value* target = root_.find(map); target && target->kind == Kind::map) names = target->keys;
+    if (const auto more = more_.find(map); more != more_.end())
+      names.insert(names.end(), more->second.begin(), more->second.end());
+    return names;
   }
 
   static std::string singular(const std::string& map) {
@@ -355,6 +368,8 @@ class Checker {
 
   const std::string& file_;
   Value& root_;
+  const MoreNames& more_;
+  std::map<std::string, std::unordered_set<std::string>> known_;  // names by the map that references are to
 };
 
 }  // namespace
@@ -407,8 +422,8 @@ std::string describe(const Key& k) {
   return {};
 }
 
-void check_structure(Value& root, const Key& schema, const std::string& file) {
-  Checker(file, root).check(root, schema, "");
+void check_structure(Value& root, const Key& schema, const std::string& file, const MoreNames& more) {
+  Checker(file, root, more).check(root, schema, "");
 }
 
 }  // namespace hawser::model

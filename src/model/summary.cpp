@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "hawser/model/check.hpp"
+#include "hawser/model/farm.hpp"
 #include "hawser/model/longest_step.hpp"
 #include "hawser/model/notes.hpp"
 
@@ -266,6 +267,7 @@ void describe_supports(const Case& c, std::string& s) {
   if (c.supports.empty()) return;
   s += fmt::format("supports: {}\n", c.supports.size());
   for (const SupportBox& b : c.supports) {
+    if (is_repeated(c, b.name)) continue;
     const Volume& roller = c.volumes[b.first];
     s += fmt::format(
         "  {}: {} of radius {:g} m, {}, {}, {}; axis of line {} at {}, {:.3g} deg below the horizontal\n",
@@ -284,6 +286,7 @@ void describe_links(const Case& c, std::string& s) {
   };
   s += fmt::format("links: {}\n", c.links.size());
   for (const Link& l : c.links) {
+    if (is_repeated(c, l.name)) continue;
     const std::string spring = l.law.spring          ? "a spring by a table"
                                : l.law.stiffness > 0 ? fmt::format("stiffness {:g} N/m", l.law.stiffness)
                                                      : "no spring";
@@ -332,10 +335,13 @@ std::string summary(const Case& c) {
   }
   s += fmt::format("lines: {} ({} elements, {} nodes, {} unknowns)\n", c.lines.size(), elements, nodes,
                    unknowns);
-  for (const Line& l : c.lines) describe_line(c, l, s);
+  s += farm_text(c);
+  for (const Line& l : c.lines)
+    if (!is_repeated(c, l.name)) describe_line(c, l, s);
   if (!c.line_types.empty()) s += line_type_table(c);
   s += fmt::format("bodies: {}\n", c.bodies.size());
   for (const Body& b : c.bodies) {
+    if (is_repeated(c, b.name) || is_place(c, b.name)) continue;
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(c, b));
     if (b.mass && b.mass->hydrodynamics) s += platform_text(c, b);
     if (b.mass) s += flow_text(c, b);
@@ -347,7 +353,7 @@ std::string summary(const Case& c) {
   s += fmt::format("volumes: {}{}\n", c.volumes.size(),
                    rollers > 0 ? fmt::format(", of which {} rollers of supports", rollers) : "");
   for (const Volume& v : c.volumes) {
-    if (v.roller) continue;
+    if (v.roller || is_repeated(c, v.name)) continue;
     s += fmt::format("  {}: {}, {}, {}, {}{}\n", v.name, form_text(v),
                      v.body.empty() ? std::string("fixed in space") : "on " + v.body, stiffness_text(v),
                      friction_text(v.friction),

@@ -20,6 +20,7 @@
 #include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"
 #include "hawser/mesh/partition.hpp"
+#include "hawser/model/farm.hpp"
 #include "hawser/model/summary.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/recorder.hpp"
@@ -328,7 +329,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   fmt::print("{}", model::summary(c));
   for (size_t i = 0; i < volumes.size(); ++i) {
     const LoadedVolume& v = volumes[i];
-    if (c.volumes[i].roller) continue;
+    if (c.volumes[i].roller || model::is_repeated(c, v.name)) continue;
     fmt::print("volume {}: {}\n", v.name, v.report);
     for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
   }

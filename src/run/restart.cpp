@@ -16,6 +16,7 @@
 #include "hawser/base/gather.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/io/results_size.hpp"
+#include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
 #include "hawser/run/feeder_nodes.hpp"
 #include "hawser/run/restart_file_check.hpp"
@@ -78,11 +79,15 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
   double& keys = out[kKeys];
-  if (!simulation.model().tree) return out;
-  for (const auto& [key, value] : model::fixed_values(*simulation.model().tree)) {
-    out[kKey + key] = number_of(value);
-    ++keys;
-  }
+  const auto add = [&](const model::Value& tree, const std::string& of) {
+    for (const auto& [key, value] : model::fixed_values(tree)) {
+      out[kKey + of + key] = number_of(value);
+      ++keys;
+    }
+  };
+  if (simulation.model().tree) add(*simulation.model().tree, "");
+  if (simulation.model().farm)
+    for (const model::FarmPart& part : simulation.model().farm->parts) add(*part.tree, part.given + ": ");
   return out;
 }
 

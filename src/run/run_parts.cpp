@@ -12,6 +12,7 @@
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/case_json.hpp"
+#include "hawser/model/farm.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/targets.hpp"
@@ -39,7 +40,7 @@ std::vector<std::string> all_notes(const model::Case& c, const std::vector<Loade
   for (const auto& v : volumes)
     for (const auto& n : v.notes) all.push_back("volumes." + v.name + ": " + n);
   all.insert(all.end(), chosen.begin(), chosen.end());
-  return model::grouped_notes(all);
+  return model::grouped_notes(model::notes_by_place(c, std::move(all)));
 }
 
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,

@@ -41,6 +41,22 @@ bool same_file(const model::Volume& a, const model::Volume& b) {
   return !a.shape && !b.shape && a.mesh == b.mesh && a.scale == b.scale && a.closed == b.closed;
 }
 
+// Whether two volumes use one mesh in one way: then they share what is made of it.
+bool same_use(const model::Volume& a, const model::Volume& b) {
+  const auto same_box = [](const std::optional<model::Box>& x, const std::optional<model::Box>& y) {
+    return x.has_value() == y.has_value() && (!x || (x->lower == y->lower && x->upper == y->upper));
+  };
+  return same_file(a, b) && a.sign == b.sign && a.smooth == b.smooth && a.crease_angle == b.crease_angle &&
+         a.basis == b.basis && a.active_part == b.active_part && same_box(a.active_box, b.active_box) &&
+         a.body.empty() == b.body.empty();
+}
+// The first volume that uses the mesh of volume i as that does.
+size_t first_use(const model::Case& c, size_t i) {
+  size_t k = 0;
+  while (k < i && !same_use(c.volumes[k], c.volumes[i])) ++k;
+  return k;
+}
+
 // The vertices of a moving mesh are written at every output, since XDMF cannot describe a motion. This many
 // are enough for a picture; they take 120 kB an output.
 constexpr int kDrawnVertices = 10000;
@@ -82,6 +98,8 @@ class Meshes {
       l.notes.push_back(advice::slow_inside_test(surface->mesh().triangles.size()));
     return surface;
   }
+  // Instead of make(), of a volume that shares the mesh of volume k.
+  void share(size_t i, size_t k) { blunt_[i] = blunt_[k]; }
   // After the last.
   void check_leaders() const { io::check_leaders(c_, blunt_); }
 
@@ -193,6 +211,9 @@ std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm,
       } catch (const std::invalid_argument& e) {
         c.refuse("volumes." + v.name + ".shape", e.what());
       }
+    } else if (const size_t k = first_use(c, i); k < i) {
+      l = out[k];
+      meshes.share(i, k);
     } else {
       auto surface = io::shared_on_host(comm, host, [&] { return meshes.make(i, l); });
       broadcast(host.comm(), l);

@@ -39,6 +39,9 @@ TABLES = {
     "barge.hst": "3 3 0.2\n4 4 1.5\n5 5 8\n",
     "barge.3": "".join(f"{p} {d} {k} 0.1 0 0.1 0\n" for p in (4, 8, 12) for d in (0, 90, 180, 270) for k in range(1, 7)),
     "barge.8": "".join(f"{p} {d} {d} {k} 0.01 0 0.01 0\n" for p in (4, 8, 12) for d in (0, 90, 180, 270) for k in (1, 2, 6)),
+    "unit.yaml": "hawser: 1\nbodies: {float: {position: [0, 0, -5]}}\nlines: {leg: {sections: [{type: wire, length: 60, elements: 4}], "
+                 "end_a: {anchor: [30, 0, -40]}, end_b: {body: float, at: [0, 0, 0]}}}\n",
+    "places.txt": "600 300\n700 300 20\n",
     "ship.rao": "".join(f"{p} {d}" + " 0.3 90" * 6 + "\n" for d in (0, 90, 180) for p in (4, 8, 12)),
 }  # fmt: skip
 
@@ -176,6 +179,11 @@ VARIANTS = (
      "hull: {volumes: [column], wave_pressure: true}, "
      "members: [{from: [0, 0, -8], to: [0, 0, 2], diameter: 3, Cd: 1, Ca: 1, axial_Cd: 1, axial_Ca: 1}]}}",
      "volumes.column": "{shape: {cylinder: {from: [0, 0, -8], to: [0, 0, 2], radius: 1.5}}, body: spar, normal_stiffness: {per_point: 1e5}}"},
+    {"farm": "{of: unit.yaml, name: T, heading_deg: 10, at: [[400, 300], [500, 300, 20]]}"},
+    {"farm": "{of: unit.yaml, at: {A: [400, 300]}}"},
+    {"farm": "{of: unit.yaml, rows: {rows: 1, columns: 2, spacing: [100, 100], from: [400, 300], direction_deg: 10, stagger: 50}}"},
+    {"farm": "[{of: unit.yaml, rows: {rows: 2, columns: 2, spacing: [100, 100], from: [400, 300], direction_deg: 10, stagger: 50}}, "
+     "{of: unit.yaml, name: U, file: places.txt}]"},
     # Feeders, events, stages.
     {"lines.mooring.masses": "null", "lines.mooring.loads": "null", "bodies.clump": "null", "contact": "null", "output.clearances": "null",
      "lines.mooring.sections": "[{type: chain, length: 100, elements: 20}]",
@@ -297,7 +305,7 @@ def sweep_places(schema):
     return found
 
 
-SENTENCE = re.compile(r"\A[^\n]*(case\.yaml|bed\.|box\.|other\.h5)[^\n]*\n?\Z")
+SENTENCE = re.compile(r"\A[^\n]*(case\.yaml|unit\.yaml|bed\.|box\.|other\.h5)[^\n]*\n?\Z")
 NO_NUMBER = re.compile(r"(?<![\w./])[-+]?(nan|inf)\b", re.IGNORECASE)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import h5py
 import numpy as np
-from support import ROOT, run, write
+from support import ROOT, run
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 DATA = ROOT.parent / "shared/data"
@@ -82,38 +82,6 @@ class Cases(unittest.TestCase):
             self.assertAlmostEqual(found["position_z"][0], z, delta=0.01)
             self.assertAlmostEqual(found["rotation_vector_y"][0], pitch, delta=0.005 * abs(pitch) + 1e-5)
             self.assertAlmostEqual(pull / tension, 1, delta=3e-3)
-
-    def test_two_platforms_on_a_shared_line(self):
-        """Two of them 1600 m apart, a rope with two clump weights between them, two taut ropes each to the bed, 1 MN on the first: elastic
-        catenaries and Newton's iteration on 18 unknowns, solved separately."""
-        path = self.case("volturnus").with_name("pair.yaml")
-        place = {"one": 0, "two": 1600}
-        bodies = "".join(f"  {name}: {{position: [{x}, 0, 0], floating: {{mass: 2.01e7, centre_of_mass: [0, 0, -2.32], inertia: [4.25e10, 4.25e10, 2.37e10], "
-                         "hydrodynamics: {wamit: IEA-15-240-RWT-UMaineSemi, displaced_volume: 20206.3}}}\n" for name, x in place.items())
-        anchors = "".join(f"  {name} {side}: {{sections: [{{type: rope, length: 1200, elements: 60}}], end_a: {{anchor: [{x}, {side * 800}, -600]}}, "
-                          f"end_b: {{body: {name}, at: [{at}, {side * 50.229}, -14]}}}}\n"
-                          for name, x, at in (("one", -800, -29), ("two", 2400, 29)) for side in (1, -1))
-        write(path.parent, path.name, f"""\
-hawser: 1
-environment: {{water: {{density: 1025, depth: 600}}}}
-line_types: {{rope: {{outer_diameter: 0.1187, mass_per_length: 15.28, EA: 9.702e7, bending: false}}}}
-bodies:
-{bodies}lines:
-  shared: {{sections: [{{type: rope, length: 1468, elements: 70}}], end_a: {{body: one, at: [58, 0, -14]}}, end_b: {{body: two, at: [-58, 0, -14]}},
-           masses: [{{at: 150, mass: 1e5}}, {{at: 1318, mass: 1e5}}]}}
-{anchors}contact: {{between_lines: false}}
-output: {{histories: [{{body: one}}, {{body: two}}, {{line: shared, at: 150, name: weight}}]}}
-""")
-        file = self.run_case(path, "--set", "bodies.one.floating.loads=[{force: [1e6, 0, 0]}]")
-        for name, exact in (("one", [11.04619, 0, 0.5562556, -9.274e-5]), ("two", [4.12983, 0, 0.7168588, -2.240528e-3])):
-            _, found = self.series(file, name)
-            moved = [found["position_x"][0] - place[name], found["position_y"][0], found["position_z"][0], found["rotation_vector_y"][0]]
-            np.testing.assert_allclose(moved, exact, atol=0.02)
-            self.assertAlmostEqual(moved[3], exact[3], delta=2e-5)
-        _, weight = self.series(file, "weight")
-        np.testing.assert_allclose([weight["position_x"][0], weight["position_z"][0]], [209.8613, -75.44105], atol=0.02)
-        pull = np.linalg.norm(file["ends/force"][0], axis=1)[::2]
-        np.testing.assert_allclose(pull, [2497733, 2576463, 2576463, 1810302, 1810302], rtol=3e-3)
 
     def test_volturnus_in_the_storm(self):
         file = self.run_case(self.case("volturnus"), "--set", "dynamics.duration=60")

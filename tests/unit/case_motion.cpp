@@ -89,6 +89,36 @@ TEST(CaseMotion, MonotoneAndLinearStayBetweenTheRows) {
 }
 
 // Steps end where a body's velocity jumps.
+// Rows far from the start change nothing there.
+TEST(CaseMotion, PoseAtStartIsThatOfTheWholeTable) {
+  for (const BetweenRows between : {BetweenRows::spline, BetweenRows::monotone, BetweenRows::linear})
+    for (const double from : {-300.0, -7.5, 0.0}) {
+      model::TableMotion t;
+      t.between = between;
+      double time = from;
+      for (int i = 0; i < 1000; ++i) {
+        t.time.push_back(time);
+        time += i % 3 == 0 ? 0.2 : 0.9;
+        t.offset.emplace_back(std::sin(1.7 * i), std::cos(2.3 * i), std::sin(0.4 * i * i));
+        t.rotation.emplace_back(0.1 * t.offset.back());
+      }
+      model::Body b;
+      b.position = Vec3(3, 4, 5);
+      b.rotation = Vec3(0.1, 0.2, 0.3);
+      b.motion = t;
+      b.drift.emplace();
+      b.drift->offset = Vec3(1, 0, 2);
+      b.drift->table = t;
+      b.drift->harmonic.amplitude = Vec3(1, 2, 0);
+      b.drift->harmonic.phase = Vec3(1, 1, 0);
+      const RigidPose whole = model::rigid_motion(b).at(0), near = model::pose_at_start(b);
+      EXPECT_LT((whole.position - near.position).norm(), 1e-14) << from;
+      EXPECT_LT((whole.velocity - near.velocity).norm(), 1e-13) << from;
+      EXPECT_LT((whole.rotation.coeffs() - near.rotation.coeffs()).norm(), 1e-15) << from;
+      EXPECT_GT((whole.position - b.position).norm(), 0.1);
+    }
+}
+
 TEST(CaseMotion, VelocityJumpsAtTheRowsOfStraightLines) {
   EXPECT_TRUE(model::velocity_jumps(read(kRows).bodies).empty());
   const std::string drift =

@@ -56,6 +56,31 @@ TEST(Rao, PhaseIsALagAfterTheCrestAtTheOrigin) {
   }
 }
 
+// Rows are what at() has at each of their times.
+TEST(Rao, RowsAreTheMotionAtTheirTimes) {
+  std::vector<RaoTable::Row> rows;
+  for (const double omega : {0.3, 0.8, 1.5})
+    for (const double direction : {0.0, 2.0, 4.0}) {
+      Response r{};
+      for (size_t k = 0; k < 6; ++k)
+        r[k] = std::polar(omega + 0.1 * static_cast<double>(k), direction + static_cast<double>(k));
+      rows.push_back({omega, direction, r});
+    }
+  for (const double omega : {0.41, 0.77, 1.9}) {
+    const RaoMotion m(RaoTable(rows), wave(1.5, omega, 0.9, 0.4), Vec3(300, -120, 5), 0.3, 0.1);
+    const Vec3 drifted(20, -7, 0);
+    std::vector<Vec3> offset, rotation;
+    m.rows(-1.3, 0.21, 2000, drifted, offset, rotation);
+    ASSERT_EQ(offset.size(), 2000u);
+    ASSERT_EQ(rotation.size(), 2000u);
+    for (size_t i = 0; i < 2000; ++i) {
+      Vec3 x, r;
+      m.at(-1.3 + 0.21 * static_cast<double>(i), x, r, drifted);
+      EXPECT_LT((x - offset[i]).norm() + (r - rotation[i]).norm(), 1e-12) << i;
+    }
+  }
+}
+
 // Surge and roll go with the bow, and the direction that counts is the one seen from it.
 TEST(Rao, TurnsWithTheHeading) {
   const double heading = 2.1;

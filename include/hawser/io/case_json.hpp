@@ -14,6 +14,8 @@ namespace hawser::io {
 //   read            all keys with their defaults: numbers in the unit of a bare number (angles in deg), true
 //   and
 //                   false, names and words as texts. A line type of the library has no defaults here.
+//   platforms       of a farm: of each platform `file`, `places` by name ([x, y, heading], m and deg), and
+//                   the keys of that file as `given` and `read`
 //   line_types      by name what each is computed with, in SI units, whether given, of the library or a
 //   default
 std::string case_json(const model::Case& c);

@@ -4,14 +4,30 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/model/farm.hpp"
+#include "hawser/model/schema.hpp"
 #include "hawser/model/value.hpp"
 
+namespace hawser {
+class RaoTable;
+class WaveField;
+}  // namespace hawser
+
 namespace hawser::io {
+
+// What several bodies of a case have from the same files, and the waves that they are in.
+struct ReadFiles {
+  std::map<std::string, std::shared_ptr<const model::HydrodynamicData>> coefficients;
+  std::map<std::string, std::shared_ptr<const RaoTable>> responses;
+  std::shared_ptr<const WaveField> waves;
+  const WaveField& sea(const model::Environment& e);  // the same at each call
+};
 
 // Where a case comes from.
 struct CaseSource {
@@ -19,12 +35,16 @@ struct CaseSource {
   std::string directory;                       // absolute, for relative paths
   MPI_Comm comm = MPI_COMM_SELF;               // of those who read it
   std::vector<std::string>* inputs = nullptr;  // gets the files that the case names and reads
+  std::shared_ptr<ReadFiles> files = std::make_shared<ReadFiles>();
 
   std::string absolute(const std::string& path) const;
   // The same of a file that the case reads.
   std::string input(const std::string& path) const;
   [[noreturn]] void bad(const model::Value& v, const std::string& key, const std::string& text) const;
 };
+
+// The text of a case file; why: the end of a sentence on what is wrong with it, empty: nothing.
+std::string case_text(const std::string& path, std::string& why);
 
 Vec3 as_vec3(const model::Value& v);
 
@@ -50,7 +70,10 @@ InputRows read_input_rows(const model::Value& v, const CaseSource& source);
 // Refuses row i when its first number, a time, is not above that of the row before.
 void check_time(const InputRows& given, size_t i);
 
-// `rao: {...}`: the motion of a body in the waves of the case as a dense table over `duration` [s].
+// `rao: {...}`: its table, read once. notes: columns in odd units.
+std::shared_ptr<const RaoTable> read_responses(const model::Value& rao, double gravity,
+                                               const CaseSource& source, std::vector<std::string>& notes);
+// The motion by it of a body in the waves of the case as a dense table over `duration` [s].
 model::TableMotion read_rao(const model::Value& rao, const model::Environment& sea, const model::Body& body,
                             double duration, const CaseSource& source, std::vector<std::string>& notes);
 
@@ -78,7 +101,9 @@ void finish_in_water(const model::Value& v, const model::Water& water, model::Li
 model::LineType read_line_type(const std::string& name, const model::Value& v, const model::Environment& sea);
 
 // What is more than copying of an entry of `bodies`, of `volumes`, and of `contact`. Of the case the
-// environment is read already; its notes get what is unusual.
+// environment is read already; its notes get what is unusual. meet_sea: what depends on where the body is in
+// the waves, once it is where it shall be.
+void meet_sea(const model::Value& v, const CaseSource& source, model::Body& b, model::Case& c);
 void finish_body(const model::Value& v, const CaseSource& source, model::Body& b, model::Case& c);
 void finish_volume(const model::Value& v, const CaseSource& source, model::Volume& o);
 void finish_contact(const model::Value& v, model::Contact& to);
@@ -88,6 +113,11 @@ void finish_contact(const model::Value& v, model::Contact& to);
 class OtherRuns;
 void finish_line(const model::Value& v, const model::Value* whole, const SectionLengths& lengths,
                  OtherRuns& others, model::Case& c, model::Line& l);
+
+// The start shape of a line that another run left: by its own `start`, or that of the whole case (`whole`,
+// may be null).
+void finish_start(const model::Value& line, const model::Value* whole, OtherRuns& others, model::Case& c,
+                  model::Line& l);
 
 // An entry of `links`. Of the case bodies and lines are read already.
 void finish_link(const model::Value& v, model::Link& l, const model::Case& c);
@@ -106,6 +136,24 @@ void read_bed_surface(const model::Value& seabed, const CaseSource& source, mode
 // Refuses line ends and points of start shapes that are deep under the bed; notes of ends beyond its edge.
 void check_bed(model::Case& c);
 
+// Line types, bodies, volumes, lines, links and supports of a file, of the case that has its environment and
+// what the schema copies. whole: `start` of the case, or null. sea: bodies meet it where the file has them.
+void read_things(const model::Value& root, const model::Value* whole, const CaseSource& source,
+                 const SectionLengths& lengths, bool sea, model::Case& c);
+
+// `farm` of a document that is not checked yet: its platform files, changed by --set farm.of.KEY=VALUE, and
+// places; null without. change_notes: gets a note for each change.
+std::shared_ptr<const model::Farm> read_farm(const model::Value& root, const CaseSource& source,
+                                             const CaseChanges& changes,
+                                             std::vector<std::string>& change_notes);
+// Whether a change of --set is that of a platform file.
+bool changes_platform(const std::string& change);
+// The names of its things, for references of the farm's own file.
+model::MoreNames names_of(const model::Farm& farm);
+// Its platforms into the case, which has its line types already.
+void place_platforms(const model::Value& root, const CaseSource& source, const SectionLengths& lengths,
+                     model::Case& c);
+
 // Lines as other runs left them; each results file is read once.
 class OtherRuns {
  public:
@@ -122,6 +170,7 @@ class OtherRuns {
     std::string path;
     double time = 0;  // s
     std::vector<std::string> lines;
+    std::unordered_map<std::string, size_t> number;  // of a line, by name
     std::vector<double> first, count, arc, position;
     std::vector<std::vector<double>> axes;  // 1 and 2 of the section, where there are beams
   };

@@ -74,6 +74,10 @@ class RaoMotion {
   // Offset [m] and rotation vector [rad], in the axes of space that turn with the drift. `drifted` [m]: how
   // far the vessel is from its origin now, where it meets the waves.
   void at(double t, Vec3& offset, Vec3& rotation, const Vec3& drifted = Vec3::Zero()) const;
+  // The same at `count` times from `first` on, `step` apart [s], of a vessel that stays where it has drifted
+  // to.
+  void rows(double first, double step, size_t count, const Vec3& drifted, std::vector<Vec3>& offset,
+            std::vector<Vec3>& rotation) const;
   double highest() const { return highest_; }  // rad/s, of the components
 
  private:

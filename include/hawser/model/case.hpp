@@ -404,11 +404,14 @@ struct Output {
   std::vector<Clearance> clearances;
 };
 
+struct Farm;
+
 struct Case {
   std::string path, directory, text;  // as read
   std::string file;                   // as the user named it
   std::vector<std::string> inputs;    // absolute paths of the case file and the files that it reads
   std::shared_ptr<const Value> tree;  // its keys, for the lines of refuse(); null: none
+  std::shared_ptr<const Farm> farm;   // platforms that it has by other files (farm.hpp); null: none
   std::string title;
   Environment environment;
   std::vector<LineType> line_types;

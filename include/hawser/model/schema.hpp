@@ -105,9 +105,11 @@ std::string describe(const Key& key);
 // deep one, without names of the user's choice. Empty: nowhere, or in the key itself.
 std::string place_below(const Key& key, std::string_view name);
 
+// Names that references may mean beside the entries of the document, by its top-level maps.
+using MoreNames = std::map<std::string, std::vector<std::string>>;
 // Check `root` against the schema, fill in defaults (Value::given = false), set Value::number in SI,
 // resolve references. Throws InputError "file:line: dotted.key: ..." at the first fault.
-void check_structure(Value& root, const Key& schema, const std::string& file);
+void check_structure(Value& root, const Key& schema, const std::string& file, const MoreNames& more = {});
 
 // Puts what v says into the fields of `target` that its key and those below it are for. given: only what
 // stands in the file, no defaults.
@@ -145,6 +147,8 @@ template <class First, class... More>
 // The values of all keys below v that are fixed_in_restart, by their dotted key, as text: numbers in SI, keys
 // of maps in alphabetical order. v: checked.
 std::map<std::string, std::string> fixed_values(const Value& v);
+// A checked value as such a text.
+std::string value_text(const Value& v);
 
 // The key tables (Markdown) and the JSON Schema (draft 2020-12), which the build writes to build/docs.
 std::string schema_markdown();

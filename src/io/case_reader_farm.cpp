@@ -1,0 +1,341 @@
+// `farm`: platform files are read once into a case of their own, whose things are then copied to each place
+// (model/place_platform.cpp). What goes by the place, motion in waves and shapes of another run, is done on
+// the copies. What there is once, environment, contact, statics, dynamics, events and output, is the farm's.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "hawser/io/case_changes.hpp"
+#include "hawser/io/case_values.hpp"
+#include "hawser/io/yaml_document.hpp"
+#include "hawser/model/check.hpp"
+#include "hawser/model/farm.hpp"
+#include "hawser/model/nearest.hpp"
+#include "hawser/model/place_platform.hpp"
+
+namespace hawser::io {
+
+using model::Farm;
+using model::FarmPart;
+using model::FarmPlace;
+using model::refuse;
+using model::Value;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double kHeadingUnit = M_PI / 180;  // rad, of headings in lists and files
+constexpr size_t kMostPlaces = 100'000;
+constexpr double kFarthestPlace = 1e6;  // m from the origin
+constexpr double kSamePlace = 1e-3;     // m
+
+// Of "farm.of.KEY=VALUE" and "farm[1].of.KEY=VALUE" the number of the platform and KEY=VALUE; empty: of
+// others.
+std::pair<size_t, std::string> platform_change(const std::string& change) {
+  constexpr std::string_view kFarm = "farm", kOf = ".of.";
+  if (!change.starts_with(kFarm)) return {};
+  size_t at = kFarm.size(), number = 0;
+  if (at < change.size() && change[at] == '[') {
+    const size_t end = change.find(']', at);
+    const std::string digits = end == std::string::npos ? "" : change.substr(at + 1, end - at - 1);
+    if (digits.empty() || digits.size() > 6 || digits.find_first_not_of("0123456789") != std::string::npos)
+      return {};
+    number = std::stoul(digits);
+    at = end + 1;
+  }
+  if (change.compare(at, kOf.size(), kOf) != 0) return {};
+  return {number, change.substr(at + kOf.size())};
+}
+
+// The keys of `farm` alone, checked: its names are what references of the other keys may mean.
+Value checked(const Value& root, const std::string& file) {
+  static const model::Key only = [] {
+    const auto& keys = model::case_schema().keys;
+    model::Key k;
+    k.keys = {
+        *std::find_if(keys.begin(), keys.end(), [](const model::Key& key) { return key.name == "farm"; })};
+    return k;
+  }();
+  Value farm;
+  farm.kind = Value::Kind::map;
+  farm.keys = {"farm"};
+  farm.items = {*root.find("farm")};
+  model::check_structure(farm, only, file);
+  return std::move(farm.items.front());
+}
+
+class Places {
+ public:
+  Places(const Value& v, const CaseSource& source, Farm& farm, FarmPart& part)
+      : v_(v), source_(source), farm_(farm), part_(part), heading_(v["heading_deg"].number) {}
+
+  void read() {
+    if (const Value* at = v_.find("at")) {
+      for (size_t i = 0; i < at->items.size(); ++i) {
+        std::vector<double> row;
+        for (const Value& x : at->items[i].items) row.push_back(x.number);
+        add(at->items[i], at->keys.empty() ? next_name() : at->keys[i], row);
+      }
+    } else if (const Value* rows = v_.find("rows")) {
+      in_rows(*rows);
+    } else {
+      const Value& file = v_["file"];
+      std::vector<int> lines;
+      const std::vector<std::vector<double>> given = read_rows(source_.input(file.text), file, &lines);
+      if (given.empty()) refuse(file, "{}: the file has no rows", file.text);
+      for (size_t i = 0; i < given.size(); ++i) {
+        if (given[i].size() != 2 && given[i].size() != 3)
+          refuse(file,
+                 "{}:{}: a row of places has 2 numbers, x and y, or 3, and the heading, but this one has {}",
+                 file.text, lines[i], given[i].size());
+        add(file, next_name(), given[i]);
+      }
+    }
+  }
+
+ private:
+  std::string next_name() { return fmt::format("{}{}", v_["name"].text, ++count_); }
+
+  void in_rows(const Value& v) {
+    const auto rows = static_cast<size_t>(v["rows"].number),
+               columns = static_cast<size_t>(v["columns"].number);
+    if (rows * columns > kMostPlaces)
+      refuse(v, "{} rows of {} are {} places; the limit is {}", rows, columns, rows * columns, kMostPlaces);
+    const double angle = v["direction_deg"].number, c = std::cos(angle), s = std::sin(angle);
+    const Value &spacing = v["spacing"], &from = v["from"];
+    for (size_t i = 0; i < rows; ++i)
+      for (size_t k = 0; k < columns; ++k) {
+        const double along =
+            static_cast<double>(k) * spacing.items[0].number + (i % 2 == 1 ? v["stagger"].number : 0);
+        const double across = static_cast<double>(i) * spacing.items[1].number;
+        add(v, next_name(),
+            {from.items[0].number + along * c - across * s, from.items[1].number + along * s + across * c});
+      }
+  }
+
+  // row: x, y [m] and maybe heading [deg].
+  void add(const Value& v, const std::string& name, const std::vector<double>& row) {
+    FarmPlace place{name, row[0], row[1], row.size() > 2 ? row[2] * kHeadingUnit : heading_};
+    if (std::max(std::abs(place.x), std::abs(place.y)) > kFarthestPlace)
+      refuse(v, "{} is {:.4g} m from the origin; places are up to {:g} m from it", name,
+             std::hypot(place.x, place.y), kFarthestPlace);
+    if (!farm_.at.emplace(name, std::pair(farm_.parts.size(), part_.places.size())).second)
+      refuse(v, "there is another place called '{}'; give one of the platforms a 'name'", name);
+    if (farm_.at.size() > kMostPlaces) refuse(v, "there are more than {} places", kMostPlaces);
+    const auto [same, is_new] = known_.emplace(
+        std::pair(std::llround(place.x / kSamePlace), std::llround(place.y / kSamePlace)), name);
+    if (!is_new) refuse(v, "{} is at the place of {}, ({:g}, {:g})", name, same->second, place.x, place.y);
+    part_.places.push_back(std::move(place));
+  }
+
+  const Value& v_;
+  const CaseSource& source_;
+  Farm& farm_;
+  FarmPart& part_;
+  const double heading_;  // rad
+  int count_ = 0;
+  std::map<std::pair<long long, long long>, std::string> known_;
+};
+
+// The document of a platform, changed and checked.
+std::shared_ptr<const Value> document(const Value& of, const FarmPart& part, const std::string& path,
+                                      const CaseChanges& changes, const std::vector<std::string>& types,
+                                      std::vector<std::string>& change_notes) {
+  std::string why;
+  const std::string text = case_text(path, why);
+  if (!why.empty()) refuse(of, "{}: {}", part.file, why);
+  const auto tree = std::make_shared<Value>(parse_yaml(text, part.file));
+  if (const Value* farm = tree->find("farm"))
+    model::fail(part.file, farm->line, "farm",
+                "a platform of a farm is none itself; name the files of its platforms");
+  for (std::string& note : change_document(*tree, changes, part.file))
+    change_notes.push_back(part.file + ": " + std::move(note));
+  model::check_structure(*tree, model::case_schema(), part.file, {{"line_types", types}});
+  return tree;
+}
+
+}  // namespace
+
+bool changes_platform(const std::string& change) { return !platform_change(change).second.empty(); }
+
+std::shared_ptr<const Farm> read_farm(const Value& root, const CaseSource& source, const CaseChanges& changes,
+                                      std::vector<std::string>& change_notes) try {
+  const auto all_own = [&](const std::string& why) {
+    for (const std::string& change : changes)
+      if (changes_platform(change)) model::fail(source.file, 0, "", fmt::format("--set {}: {}", change, why));
+  };
+  if (!root.find("farm")) {
+    all_own("the case has no 'farm'");
+    return nullptr;
+  }
+  const auto farm = std::make_shared<Farm>();
+  const Value v = checked(root, source.file);
+  std::vector<std::string> types;
+  if (const Value* own = root.find("line_types")) types = own->keys;
+  const size_t count = v.kind == Value::Kind::list ? v.items.size() : 1;
+  for (const std::string& change : changes)
+    if (changes_platform(change) && platform_change(change).first >= count)
+      model::fail(source.file, 0, "",
+                  fmt::format("--set {}: there are {} platforms, from farm[0] to farm[{}]", change, count,
+                              count - 1));
+  for (size_t k = 0; k < count; ++k) {
+    const Value& entry = v.kind == Value::Kind::list ? v.items[k] : v;
+    const Value& of = entry["of"];
+    FarmPart part;
+    const std::string path = source.input(of.text);
+    part.given = of.text;
+    part.file = (fs::path(source.file).parent_path() / of.text).lexically_normal().string();
+    part.directory = fs::path(path).parent_path().string();
+    CaseChanges own;
+    for (const std::string& change : changes)
+      if (const auto [number, text] = platform_change(change); !text.empty() && number == k)
+        own.push_back(text);
+    part.tree = document(of, part, path, own, types, change_notes);
+    Places(entry, source, *farm, part).read();
+    farm->parts.push_back(std::move(part));
+  }
+  return farm;
+} catch (const model::Refusal& r) {
+  model::fail(source.file, r.line, r.where, r.what());
+}
+
+model::MoreNames names_of(const Farm& farm) {
+  model::MoreNames names;
+  for (const FarmPart& part : farm.parts) {
+    for (const char* kind : model::kPlaced)
+      for (const FarmPlace& place : part.places)
+        for (const std::string& name : (*part.tree)[kind].keys)
+          names[kind].push_back(model::placed_name(place, name));
+    for (const std::string& name : (*part.tree)["line_types"].keys) names["line_types"].push_back(name);
+  }
+  return names;
+}
+
+namespace {
+
+// Refuses a platform file whose sea is not that of the farm: mass and buoyancy of what floats belong
+// together.
+void check_sea(const FarmPart& part, const model::Environment& own, const model::Case& c) {
+  if (!(*part.tree)["environment"].given) return;
+  const auto differs = [&](const char* key, double a, double b, const char* unit) {
+    if (a == b) return;
+    model::fail(part.file, part.tree->line_of(key), key,
+                "{:g}{} is {:g}{} in {}: a platform and its farm are in the same water", a, unit, b, unit,
+                c.file);
+  };
+  const model::Environment& farm = c.environment;
+  differs("environment.gravity", own.gravity, farm.gravity, " m/s²");
+  if (own.water.present != farm.water.present)
+    model::fail(part.file, part.tree->line_of("environment.water"), "environment.water",
+                "is {} here, but {} in {}: a platform and its farm are in the same water",
+                own.water.present ? "given" : "missing", farm.water.present ? "given" : "missing", c.file);
+  if (!own.water.present) return;
+  differs("environment.water.density", own.water.density, farm.water.density, " kg/m³");
+  differs("environment.water.surface", own.water.surface, farm.water.surface, " m");
+}
+
+// Refuses a line type that is another one elsewhere.
+void check_line_types(const FarmPart& part, const model::Case& c) {
+  const Value& types = (*part.tree)["line_types"];
+  for (size_t i = 0; i < types.items.size(); ++i) {
+    const std::string key = "line_types." + types.keys[i];
+    const Value* other = model::entry_of(c, "line_types", types.keys[i]);
+    if (!other || other == &types.items[i] || model::value_text(*other) == model::value_text(types.items[i]))
+      continue;
+    const model::KeyPlace there = model::place_of(c, key);
+    model::fail(part.file, types.items[i].line, key,
+                "is another line type than that of {}:{}; give one of them another name", there.file,
+                there.line);
+  }
+}
+
+// What a platform file says otherwise than the farm, which has it once.
+void note_unused(const FarmPart& part, const Value& root, std::vector<std::string>& notes) {
+  std::vector<std::string> keys;
+  for (const char* key : {"contact", "start", "stages", "events"}) {
+    const Value *v = part.tree->find(key), *own = root.find(key);
+    if (v && v->given && !(own && model::value_text(*own) == model::value_text(*v)))
+      keys.push_back(fmt::format("'{}'", key));
+  }
+  if (!keys.empty())
+    notes.push_back(fmt::format("{}: {} {} not used: a farm has {} own", part.file,
+                                model::enumerate(keys, "and"), keys.size() == 1 ? "is" : "are",
+                                keys.size() == 1 ? "its" : "their"));
+}
+
+// A platform as its file has it, in the sea of the farm. bed: that of its file.
+model::Case read_platform(const FarmPart& part, const CaseSource& source, const SectionLengths& lengths,
+                          const model::Case& c, model::Seabed& bed) try {
+  model::Case p;
+  p.file = part.file;
+  p.directory = part.directory;
+  p.tree = part.tree;
+  model::take(*part.tree, p);
+  std::vector<std::string> dropped;  // of a sea that is not there
+  finish_environment((*part.tree)["environment"], source, p.environment, dropped);
+  check_sea(part, p.environment, c);
+  bed = p.environment.seabed;
+  p.environment = c.environment;
+  p.dynamics = c.dynamics;
+  p.line_types = c.line_types;
+  read_things(*part.tree, nullptr, source, lengths, false, p);
+  for (std::string& note : p.notes) note = part.file + ": " + note;
+  return p;
+} catch (const model::Refusal& r) {
+  model::fail(part.file, r.line, r.where, r.what());
+}
+
+// Lengths of sections of one place by their keys in its file.
+SectionLengths lengths_at(const FarmPlace& place, const SectionLengths& lengths) {
+  SectionLengths own;
+  const std::string kind = "lines.", begin = kind + model::placed_name(place, "");
+  for (auto at = lengths.lower_bound(begin); at != lengths.end() && at->first.starts_with(begin); ++at)
+    own.emplace(kind + at->first.substr(begin.size()), at->second);
+  return own;
+}
+
+}  // namespace
+
+void place_platforms(const Value& root, const CaseSource& source, const SectionLengths& lengths,
+                     model::Case& c) {
+  if (!c.farm) return;
+  for (const model::Body& b : c.bodies)
+    if (c.farm->at.count(b.name))
+      c.refuse("bodies." + b.name, "a place of the farm is called so; give one of them another name");
+  OtherRuns others(source);
+  const Value* whole = root.find("start");
+  for (const FarmPart& part : c.farm->parts) {
+    const CaseSource own{part.file, part.directory, source.comm, source.inputs, source.files};
+    check_line_types(part, c);
+    note_unused(part, root, c.notes);
+    model::Seabed bed;
+    const model::Case platform = read_platform(part, own, {}, c, bed);
+    c.line_types = platform.line_types;
+    c.notes.insert(c.notes.end(), platform.notes.begin(), platform.notes.end());
+    const Value &bodies = (*part.tree)["bodies"], &lines = (*part.tree)["lines"];
+    for (const FarmPlace& place : part.places) {
+      const size_t body = c.bodies.size(), line = c.lines.size();
+      const SectionLengths changed = lengths_at(place, lengths);
+      if (changed.empty())
+        model::place_platform(platform, bed, place, c);
+      else
+        model::place_platform(read_platform(part, own, changed, c, bed), bed, place, c);
+      try {
+        for (size_t i = 0; i < bodies.items.size(); ++i)
+          meet_sea(bodies.items[i], own, c.bodies[body + i], c);
+      } catch (const model::Refusal& r) {
+        model::fail(part.file, r.line, model::placed_key(place, r.where), r.what());
+      }
+      if (whole)
+        for (size_t i = 0; i < lines.items.size(); ++i)
+          if (!lines.items[i]["start"].given)
+            finish_start(lines.items[i], whole, others, c, c.lines[line + i]);
+    }
+  }
+}
+
+}  // namespace hawser::io

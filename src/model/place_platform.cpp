@@ -1,0 +1,194 @@
+// How each thing of a platform file is moved by x = p + R y, R a turn by the heading about z, and renamed.
+// Rotation vectors about axes of space turn as vectors do: R exp(psi) R^T = exp(R psi), so that a motion
+// x = x0 + d + D u, Q = D exp(psi) Q0 with R x0 + p, R d, R u, R psi and R Q0 is the same motion, turned.
+#include "hawser/model/place_platform.hpp"
+
+#include <cmath>
+#include <complex>
+
+#include "hawser/math/so3.hpp"
+#include "hawser/model/bed.hpp"
+
+namespace hawser::model {
+namespace {
+
+class Placing {
+ public:
+  Placing(const Case& platform, const Seabed& bed, const FarmPlace& place, Case& to)
+      : from_(platform),
+        bed_(bed),
+        place_(place),
+        to_(to),
+        turn_(exp_so3(place.heading * Vec3::UnitZ())),
+        turned_(place.heading != 0) {}
+
+  void run() {
+    for (const Body& b : from_.bodies) to_.bodies.push_back(placed(b));
+    const std::size_t first = to_.volumes.size();
+    for (const Volume& v : from_.volumes) to_.volumes.push_back(placed(v));
+    for (const SupportBox& b : from_.supports) {
+      SupportBox& o = to_.supports.emplace_back(b);
+      o.name = name(b.name);
+      o.key = placed_key(place_, b.key);
+      o.body = carrier(b.body);
+      o.line = name(b.line);
+      o.first += first;
+    }
+    for (const Joint& j : from_.joints) {
+      Joint& o = to_.joints.emplace_back(j);
+      o.name = name(j.name);
+      o.start = point(j.start);
+    }
+    for (const Line& l : from_.lines) to_.lines.push_back(placed(l));
+    for (const Link& l : from_.links) {
+      Link& o = to_.links.emplace_back(l);
+      o.name = name(l.name);
+      for (LinkEnd* e : {&o.end_a, &o.end_b}) {
+        if (e->body.empty() && e->line.empty()) e->at = point(e->at);
+        rename(e->body);
+        rename(e->line);
+      }
+    }
+    if (fixed_) {
+      Body& b = to_.bodies.emplace_back();
+      b.name = place_.name;
+      b.position = point(Vec3::Zero());
+      b.rotation = place_.heading * Vec3::UnitZ();
+    }
+  }
+
+ private:
+  std::string name(const std::string& own) const { return placed_name(place_, own); }
+  void rename(std::string& own) const {
+    if (!own.empty()) own = name(own);
+  }
+  // The body that carries what is on the body `own`, or fixed in space.
+  std::string carrier(const std::string& own) {
+    if (!own.empty()) return name(own);
+    fixed_ = true;
+    return place_.name;
+  }
+
+  Vec3 way(const Vec3& d) const { return turned_ ? Vec3(turn_ * d) : d; }
+  Vec3 point(const Vec3& x) const { return way(x) + Vec3(place_.x, place_.y, 0); }
+  // A point of a line that is no further above the bed of the file than `reach` [m].
+  Vec3 on_bed(const Vec3& x, double reach) const {
+    Vec3 out = point(x);
+    const Seabed& bed = to_.environment.seabed;
+    if (!bed_.present || !bed.present || height_above_bed(bed_, x) > reach) return out;
+    out.z() = x.z() - below_on_bed(bed_, x).z() + below_on_bed(bed, out).z();
+    return out;
+  }
+
+  // amplitude sin(w t + phase), by component: the imaginary part of turned complex amplitudes.
+  void turn(Vec3& amplitude, Vec3& phase) const {
+    if (!turned_) return;
+    const Eigen::Vector2cd a(std::polar(amplitude.x(), phase.x()), std::polar(amplitude.y(), phase.y()));
+    const double c = std::cos(place_.heading), s = std::sin(place_.heading);
+    const std::complex<double> x = c * a.x() - s * a.y(), y = s * a.x() + c * a.y();
+    amplitude.head<2>() << std::abs(x), std::abs(y);
+    phase.head<2>() << std::arg(x), std::arg(y);
+  }
+  void turn(HarmonicMotion& m) const {
+    turn(m.amplitude, m.phase);
+    turn(m.rotation_amplitude, m.rotation_phase);
+  }
+  void turn(TableMotion& m) const {
+    for (Vec3& x : m.offset) x = way(x);
+    for (Vec3& x : m.rotation) x = way(x);
+  }
+  void turn(ConstantMotion& m) const {
+    m.velocity = way(m.velocity);
+    m.axis = way(m.axis);
+  }
+  void turn(std::monostate&) const {}
+
+  // Springs or dampers along x, y and z.
+  void turn_springs(Vec3& k, const std::string& body, const char* key) const {
+    if (!turned_ || k.x() == k.y()) return;
+    const double quarters = place_.heading / (M_PI / 2);
+    if (std::abs(quarters - std::round(quarters)) > 1e-9)
+      to_.refuse("bodies." + name(body) + ".floating." + key,
+                 "{:g} along x and {:g} along y cannot be turned by the heading of {}, {:g} deg: make both "
+                 "the same, or the heading a multiple of 90 deg",
+                 k.x(), k.y(), place_.name, place_.heading * 180 / M_PI);
+    if (std::llround(quarters) % 2 != 0) std::swap(k.x(), k.y());
+  }
+
+  Body placed(const Body& body) const {
+    Body b = body;
+    b.name = name(body.name);
+    if (b.on) b.on->line = name(b.on->line);
+    if (!b.on || b.on->drawn) {
+      b.position = point(b.position);
+      if (turned_) b.rotation = log_so3(turn_ * exp_so3(b.rotation));
+    }
+    std::visit([this](auto& m) { turn(m); }, b.motion);
+    if (b.drift) {
+      b.drift->offset = way(b.drift->offset);
+      b.drift->rotation = way(b.drift->rotation);
+      turn(b.drift->harmonic);
+      turn(b.drift->table);
+    }
+    if (!b.mass) return b;
+    b.mass->velocity = way(b.mass->velocity);
+    turn_springs(b.mass->stiffness, body.name, "stiffness");
+    turn_springs(b.mass->damping, body.name, "damping");
+    if (b.mass->hydrodynamics) {
+      BodyHydrodynamics& h = *b.mass->hydrodynamics;
+      if (h.place) h.place = point(*h.place);
+      if (h.heading) *h.heading += place_.heading;
+    }
+    if (b.mass->hull)
+      for (std::string& volume : b.mass->hull->volumes) rename(volume);
+    return b;
+  }
+
+  Volume placed(const Volume& volume) {
+    Volume v = volume;
+    v.name = name(volume.name);
+    v.body = carrier(volume.body);
+    return v;
+  }
+
+  End placed(const End& end, double reach) const {
+    End e = end;
+    if (e.kind == EndKind::anchor) e.at = on_bed(e.at, reach);
+    if (e.kind == EndKind::joint) e.at = point(e.at);
+    if (e.direction && e.kind != EndKind::body) e.direction = way(*e.direction);
+    rename(e.body);
+    return e;
+  }
+
+  Line placed(const Line& line) const {
+    Line l = line;
+    const double reach = laying_reach(from_, line);
+    l.name = name(line.name);
+    l.end_a = placed(line.end_a, reach);
+    l.end_b = placed(line.end_b, reach);
+    for (Vec3& x : l.points) x = on_bed(x, reach);
+    if (l.previous_shape) {
+      PreviousShape shape = *l.previous_shape;
+      for (Vec3& x : shape.position) x = point(x);
+      for (Quat& q : shape.rotation) q = turn_ * q;
+      l.previous_shape = std::make_shared<const PreviousShape>(std::move(shape));
+    }
+    return l;
+  }
+
+  const Case& from_;
+  const Seabed& bed_;
+  const FarmPlace& place_;
+  Case& to_;
+  const Quat turn_;
+  const bool turned_;
+  bool fixed_ = false;  // there is something that the file fixes in space
+};
+
+}  // namespace
+
+void place_platform(const Case& platform, const Seabed& bed, const FarmPlace& place, Case& to) {
+  Placing(platform, bed, place, to).run();
+}
+
+}  // namespace hawser::model
