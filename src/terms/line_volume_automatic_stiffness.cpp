@@ -53,18 +53,21 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
       at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
     if (touches) finder_.find(pair, shape, pose);
     for (int w = 0; w < pair.facet_groups(); ++w) {
-      double force = 0;  // N, of the whole facet group
+      double force = 0, area = 0;  // N, m²: of the whole facet group, its depth integrated along the axis
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
       for (const QuadraturePoint& there : pair.found.quadrature) {
         if (!touches || pair.found.panels[there.panel].group != w || !pair.in_contact(there.at)) continue;
         const double gap = there.at.distance - pair.radius;
         force += there.weight * normal_force(pair.law(there.xi).normal, gap, 0).elastic;
+        area += there.weight * std::max(-gap, 0.0);
         if (-gap > at.depth) {
           at.depth = -gap;
           normal = pose.rotation * there.at.normal;
         }
       }
+      // The axis of a beam bends where it is pressed.
+      at.mean_depth = shape.count() == AxisShape::kMost ? at.depth : area / pair.length;
       at.static_share = touches ? static_share(pair, equilibrium, force, at.depth, normal) : 1;
       volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
     }

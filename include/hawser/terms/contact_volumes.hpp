@@ -47,7 +47,8 @@ struct ContactShare {
 // follows the run"): how deep, the part of its force that inertia does not take (0 to 1), how fast it moves
 // relative to the volume.
 struct PressedPoint {
-  double depth = 0, radius = 0;  // m
+  double depth = 0, radius = 0;  // m; the deepest of the element
+  double mean_depth = 0;         // m, of a straight element the mean over its length, of a beam the deepest
   double static_share = 1;
   double speed = 0, mass = 0;  // m/s; kg in the sense of the law
   bool held = false;           // by an end of the line: no stiffness moves it

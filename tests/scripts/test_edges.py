@@ -1,0 +1,33 @@
+"""Cables in impact with edges: lines round the corners of decks in motion and nets on which a crate falls, of random_scenes.py, at
+default settings. Steps make and lose hardly any energy of what is brought in, stored or set free."""
+import os
+import re
+import tempfile
+import unittest
+from pathlib import Path
+
+from random_scenes import scene
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+MOST = 1.5  # % of the work done
+SCENES = {79: 10, 170: 10, 43: 2}  # of random_scenes.py, and how long they run [s]
+
+
+class Edges(unittest.TestCase):
+    def test_energy(self):
+        for seed, duration in SCENES.items():
+            with self.subTest(scene=seed), tempfile.TemporaryDirectory() as folder:
+                s = scene(seed)
+                for name, text in s.files.items():
+                    write(Path(folder), name, text)
+                write(Path(folder), "case.yaml", s.text().replace("duration: 10", f"duration: {duration}"))
+                result = run(HAWSER, "run", "case.yaml", "-o", "case.h5", cwd=folder)
+                self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+                error = re.search(r"not accounted for \S+ J \((\S+) % of the work done", result.stdout)
+                self.assertIsNotNone(error, result.stdout)
+                self.assertLess(abs(float(error[1])), MOST)
+
+
+if __name__ == "__main__":
+    unittest.main()
