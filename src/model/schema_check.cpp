@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
+#include <unordered_set>
 
 #include "hawser/base/error.hpp"
 #include "hawser/model/nearest.hpp"
@@ -223,7 +226,10 @@ class Checker {
     const Value* target = root_.find(k.refers);
     static const std::vector<std::string> none;
     const std::vector<std::string>& known = target && target->kind == Kind::map ? target->keys : none;
-    if (std::find(known.begin(), known.end(), v.text) != known.end()) return;
+    // Thousands of lines may name one of thousands of bodies.
+    const auto [names, is_new] = names_.try_emplace(k.refers);
+    if (is_new) names->second.insert(known.begin(), known.end());
+    if (names->second.contains(v.text)) return;
     std::vector<std::string> some(known.begin(),
                                   known.begin() + std::min<long>(12, static_cast<long>(known.size())));
     if (some.size() < known.size()) some.emplace_back("...");
@@ -355,6 +361,7 @@ class Checker {
 
   const std::string& file_;
   Value& root_;
+  std::map<std::string, std::unordered_set<std::string>> names_;  // of the entries of maps that keys refer to
 };
 
 }  // namespace

@@ -69,12 +69,12 @@ class Farm(unittest.TestCase):
         self.folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def read(self, results, name):
+    def read(self, results, name, kind="d"):
         """All numbers of a data set."""
         target = self.folder / "numbers"
         result = run("h5dump", "-d", name, "-b", "LE", "-o", target, results)
         self.assertEqual(result.returncode, 0, result.stderr)
-        return array.array("d", target.read_bytes())
+        return array.array(kind, target.read_bytes())
 
     def tension(self, results, name):
         """Of a history at every step."""
@@ -101,6 +101,11 @@ class Farm(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stderr)
         one, two = self.folder / "1.h5", self.folder / "2.h5"
         self.assertEqual(self.read(one, "/series/time"), self.read(two, "/series/time"))
+        # Nodes of chains in the order of the file: each process has one stretch.
+        shares = [list(self.read(results, "/nodes/rank", "i")) for results in (one, two)]
+        self.assertEqual(set(shares[0]), {0})
+        self.assertEqual(shares[1], sorted(shares[1]))
+        self.assertEqual([shares[1].count(rank) for rank in (0, 1)], [len(shares[0]) // 2] * 2)
         histories = re.findall(r"at: end_b, name: (.+)}", CASE)
         self.assertEqual(len(histories), 30)
         moved = 0
