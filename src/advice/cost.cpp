@@ -44,8 +44,8 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
   return s;
 }
 
-std::string expected_memory(double bytes) {
-  return fmt::format("expected memory: about {:.2g} GB", 1e-9 * bytes);
+std::string expected_memory(double bytes, bool of_each_rank) {
+  return fmt::format("expected memory: about {:.2g} GB{}", 1e-9 * bytes, of_each_rank ? " on each rank" : "");
 }
 
 }  // namespace hawser::advice

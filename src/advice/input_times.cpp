@@ -136,7 +136,8 @@ StartSpeeds start_speeds_of(const Case& c, const Body& b, const std::vector<EndA
 
 std::vector<StartSpeeds> start_speeds(const Case& c) {
   std::vector<StartSpeeds> out;
-  for (const Body& b : c.bodies) out.push_back(start_speeds_of(c, b, line_ends_at(c, b)));
+  const std::vector<std::vector<EndAtBody>> ends = line_ends_by_body(c);
+  for (size_t b = 0; b < ends.size(); ++b) out.push_back(start_speeds_of(c, c.bodies[b], ends[b]));
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -91,6 +92,9 @@ void write_description(hid_t file, const ResultContents& c) {
   h5::group(file, "nodes");
   write_ints(file, "nodes/line", line_of);
   write_ints(file, "nodes/number", number);
+  std::vector<int> ranks = c.ranks;
+  ranks.resize(line_of.size());
+  write_ints(file, "nodes/rank", ranks);
   // One cell of kind 2 (polyline) a line: kind, count, nodes. What XDMF calls a mixed topology.
   std::vector<int> mixed;
   for (const auto& line : c.lines) {
@@ -254,8 +258,9 @@ void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
   }
 }
 
+// `newest_checkpoint`: only that one, where the run is at its end and it is complete.
 void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, const ResultRoom& room,
-                  const ResultCount& kept, long long clashes) {
+                  const ResultCount& kept, long long clashes, bool newest_checkpoint) {
   const h5::Id from = h5::open_read(path);
   const auto differs = [&](const std::string& what) {
     return InputError(path + " cannot be continued: " + what + " differ from the case");
@@ -290,12 +295,21 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   }
   if (c.clashes) copy_clash_tables(from, to, clashes);
   if (room.slot_doubles == 0) return;
-  for (const std::string slot : {"checkpoint/0", "checkpoint/1"}) {
-    if (!h5::exists(from, slot)) continue;
-    const h5::Id header = h5::open_dataset(from, slot + "/header");
-    std::uint64_t h[4];
-    h5::check(H5Dread(header, H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, h), "checkpoint");
-    if (h[1] > static_cast<hsize_t>(room.slot_doubles) || h[2] > static_cast<hsize_t>(room.slot_text))
+  const auto header_of = [&from](const std::string& slot) {
+    std::array<std::uint64_t, 4> h{};  // the first one counts checkpoints; 0: the slot is empty
+    if (h5::exists(from, slot))
+      h5::check(H5Dread(h5::open_dataset(from, slot + "/header"), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL,
+                        H5P_DEFAULT, h.data()),
+                "checkpoint");
+    return h;
+  };
+  const std::string slots[] = {"checkpoint/0", "checkpoint/1"};
+  const bool second = header_of(slots[1])[0] > header_of(slots[0])[0];
+  for (const std::string& slot : slots) {
+    if (newest_checkpoint && slot != slots[second]) continue;
+    const auto h = header_of(slot);
+    if (h[0] == 0 || h[1] > static_cast<hsize_t>(room.slot_doubles) ||
+        h[2] > static_cast<hsize_t>(room.slot_text))
       continue;
     const auto copy = [&](const char* part, hid_t type, hsize_t n) {
       copy_rows(h5::open_dataset(from, slot + part), h5::open_dataset(to, slot + part), type, n);
@@ -428,7 +442,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
       for (const auto& v : contents.volumes) volumes.push_back(v.name);
       make_clash_tables(file, room.clashes, volumes);
     }
-    if (!from.empty()) copy_earlier(from, file, contents, room, kept, clashes);
+    if (!from.empty()) copy_earlier(from, file, contents, room, kept, clashes, last && last->summary);
     if (last && last->summary) write_summary(file, *last->summary);
     if (last && last->messages && !last->messages->empty())
       h5::write_texts(file, "messages", *last->messages);

@@ -146,8 +146,9 @@ void XdmfWriter::add_lines(std::string& text) const {
     }
     text += attribute("arc_length", "Scalar", "Node",
                       item(h5_name_, {"nodes/arc_length", kDouble, {first}, {nodes}, {total}}));
-    text +=
-        attribute("line", "Scalar", "Node", item(h5_name_, {"nodes/line", kInt, {first}, {nodes}, {total}}));
+    for (const std::string field : {"line", "rank"})
+      text += attribute(field, "Scalar", "Node",
+                        item(h5_name_, {"nodes/" + field, kInt, {first}, {nodes}, {total}}));
     text += "</Grid>\n";
   };
   if (c.lines.size() > kSeparateLines) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "hawser/model/case.hpp"
 #include "hawser/model/line_nodes.hpp"
@@ -25,16 +26,16 @@ bool released(const model::Case& c, const model::Line& line, bool at_b) {
 // carries the others that rotate. One that stays carries those that are released, which have unknowns of
 // their own then.
 void join(const model::Case& c, Mesh& m) {
+  std::unordered_map<std::string, std::vector<std::pair<size_t, bool>>> ends_of;  // by joint: line, its end B
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    for (const bool b : {false, true})
+      if (const model::End& e = c.lines[l].end(b); e.kind == model::EndKind::joint)
+        ends_of[e.body].emplace_back(l, b);
   for (const model::Joint& joint : c.joints) {
     std::vector<int> ends, leaving;
-    for (size_t l = 0; l < c.lines.size(); ++l) {
+    for (const auto& [l, b] : ends_of[joint.name]) {
       const LineSpan& span = m.lines[l];
-      const auto here = [&](const model::End& e) {
-        return e.kind == model::EndKind::joint && e.body == joint.name;
-      };
-      for (const bool b : {false, true})
-        if (here(c.lines[l].end(b)))
-          (released(c, c.lines[l], b) ? leaving : ends).push_back(span.first_node + (b ? span.nodes - 1 : 0));
+      (released(c, c.lines[l], b) ? leaving : ends).push_back(span.first_node + (b ? span.nodes - 1 : 0));
     }
     int first = -1;
     for (int n : ends)
@@ -143,9 +144,9 @@ Mesh build_mesh(const model::Case& c) {
 }
 
 int Mesh::body_node(int body) const {
-  for (int n = line_nodes(); n < static_cast<int>(nodes.size()); ++n)
-    if (nodes[n].body == body) return n;
-  return -1;
+  const auto at = std::lower_bound(nodes.begin() + line_nodes(), nodes.end(), body,
+                                   [](const Node& n, int wanted) { return n.body < wanted; });
+  return at != nodes.end() && at->body == body ? static_cast<int>(at - nodes.begin()) : -1;
 }
 
 int Mesh::frame_node(int body) const {

@@ -219,6 +219,15 @@ std::vector<EndAtBody> line_ends_at(const Case& c, const Body& body) {
   return out;
 }
 
+std::vector<std::vector<EndAtBody>> line_ends_by_body(const Case& c) {
+  std::vector<std::vector<EndAtBody>> out(c.bodies.size());
+  for (const Line& line : c.lines)
+    for (const End* e : {&line.end_a, &line.end_b})
+      if (const int body = e->kind == EndKind::body ? c.body_index(e->body) : -1; body >= 0)
+        out[body].push_back({line, *e});
+  return out;
+}
+
 bool is_held(const End& end) { return end.kind == EndKind::anchor || end.kind == EndKind::body; }
 
 Vec3 end_position(const Case& c, const End& end) {

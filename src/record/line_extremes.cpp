@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "hawser/advice/limits.hpp"
 #include "hawser/base/gather.hpp"
@@ -17,6 +18,7 @@ namespace {
 constexpr double kBeyond = 1e-9;
 // Less is round-off of a line without tension.
 constexpr double kNoStrain = 1e-9;
+const char* const kRecords = "extremes of lines";  // in a checkpoint
 
 // Of a table that people read: in the order that fields ask for.
 std::vector<size_t> shown(const std::vector<io::ResultField>& fields) {
@@ -125,23 +127,42 @@ std::vector<io::SummaryRow> LineExtremes::table() const {
   return rows;
 }
 
-void LineExtremes::save(io::Checkpoint& to) {
-  for (const io::SummaryRow& r : table()) {
-    const std::string key = "extreme." + r.line + "." + r.quantity;
-    to.scalars[key] = r.value;
-    to.scalars[key + ".time"] = r.time;
-    to.scalars[key + ".arc"] = r.arc_length;
+// Every rank gives what it has of a line to the line's first node that it owns, so that no rank writes or
+// reads more than its own.
+std::vector<CheckpointRecord> LineExtremes::records(NodeRange nodes) const {
+  std::vector<CheckpointRecord> out;
+  int before = -1;  // line
+  for (int n = 0; n < local_.owned && local_.node(n).body < 0; ++n) {
+    const int line = local_.node(n).line;
+    if (std::exchange(before, line) == line || !nodes.has(local_.global[n])) continue;
+    for (size_t q = 0; q < quantities_.size(); ++q)
+      if (const Extreme& x = quantities_[q].lines[line]; x.set)
+        out.push_back({local_.global[n], 0, {x.value, x.time, x.arc}, static_cast<int>(q)});
   }
+  return out;
 }
 
+void LineExtremes::save(io::Checkpoint& to) {
+  io::TermCheckpoint& kept = to.records[kRecords];
+  for (const Quantity& q : quantities_)
+    kept.kinds.push_back({q.name, {{"value", 1, q.unit}, {"time", 1, "s"}, {"arc length", 1, "m"}}});
+  kept.make = [this](NodeRange nodes) { return records(nodes); };
+}
+
+// Several ranks may have kept something of a line that is one rank's here.
 void LineExtremes::restore(const io::Checkpoint& from) {
-  for (Quantity& q : quantities_)
-    for (size_t l = 0; l < names_.size(); ++l) {
-      const std::string key = "extreme." + names_[l] + "." + q.name;
-      const auto at = from.scalars.find(key);
-      if (at == from.scalars.end()) continue;
-      q.lines[l] = {at->second, from.scalars.at(key + ".time"), from.scalars.at(key + ".arc"), true};
-    }
+  const auto at = from.records.find(kRecords);
+  if (at == from.records.end()) return;
+  for (const CheckpointRecord& r : at->second.records) {
+    if (static_cast<size_t>(r.kind) >= at->second.kinds.size() || r.values.size() != 3) continue;
+    const std::string& name = at->second.kinds[r.kind].name;
+    const auto q = std::find_if(quantities_.begin(), quantities_.end(),
+                                [&](const Quantity& other) { return other.name == name; });
+    if (q == quantities_.end()) continue;
+    Extreme& x = q->lines[local_.mesh->nodes[r.node].line];
+    if (!x.set || (q->largest ? r.values[0] > x.value : r.values[0] < x.value))
+      x = {r.values[0], r.values[1], r.values[2], true};
+  }
 }
 
 }  // namespace hawser::record

@@ -62,6 +62,10 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, const
   contents.waves = result_waves(c);
   contents.xdmf = c.output.xdmf;
   contents.lines = result_lines(c, mesh);
+  if (rank_of(subject_.comm()) == 0) {
+    const std::vector<int>& owner = subject_.local().owner;
+    contents.ranks.assign(owner.begin(), owner.begin() + mesh.line_nodes());
+  }
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
   contents.clashes = clashes_ != nullptr;
   contents.free_bodies = static_cast<int>(mesh.nodes.size()) - mesh.line_nodes();
@@ -178,14 +182,18 @@ void Recorder::gather_warnings(const std::vector<io::SummaryRow>& rows) {
 std::string Recorder::audit_warning() const {
   const int node = audit_.worst.node;
   const model::Case& c = subject_.model;
+  const auto warning = [&](const std::string& initial_velocity_key) {
+    return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),
+                          initial_velocity_key);
+  };
   std::string initial_velocity_key;
+  if (warning("").empty()) return "";
   const std::vector<advice::StartSpeeds> speeds = advice::start_speeds(c);
   for (size_t b = 0; b < speeds.size() && initial_velocity_key.empty(); ++b)
     if (speeds[b].motion + speeds[b].drift > 0)
       initial_velocity_key =
           fmt::format("bodies.{}.{}", c.bodies[b].name, speeds[b].motion > 0 ? "motion" : "motion.drift");
-  return audit_.warning(c.dynamics.step > 0, node < 0 ? "a body" : subject_.mesh().place(node),
-                        initial_velocity_key);
+  return warning(initial_velocity_key);
 }
 
 std::string Recorder::finish(std::vector<std::string> messages) {

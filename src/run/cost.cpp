@@ -130,9 +130,12 @@ double peak_memory() {
   return 1024.0 * static_cast<double>(use.ru_maxrss);
 }
 
-std::string memory_sentence(double read, double measured) {
+std::string memory_sentence(const MemoryUse& use, double most_of_work) {
   constexpr double kRun = 1.3;  // what a run takes beside the files over what its beginning takes
-  return advice::expected_memory(read + kRun * (measured - read));
+  const double whole = kRun * (use.measured - use.read);
+  const double own = kRun * (use.measured - use.shared) * most_of_work;
+  const bool several = most_of_work < 1;
+  return advice::expected_memory(several ? use.shared + own : use.read + whole, several);
 }
 
 }  // namespace hawser::run

@@ -346,12 +346,9 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const Bodies bodies(c.bodies);
   const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
   const std::vector<int> owner = node_owners(c, mesh, bodies, ranks);
-  std::vector<int> share(static_cast<size_t>(ranks), 0);
-  for (const int o : owner) ++share[o];
-  const auto [least, most] = std::minmax_element(share.begin(), share.end());
-  fmt::print("partition: {} rank{}, {} nodes{}, {} cut elements\n", ranks, ranks > 1 ? "s" : "",
-             ranks > 8 ? fmt::format("{} to {}", *least, *most) : fmt::format("{}", fmt::join(share, " + ")),
-             ranks > 8 ? " each" : "", cut_elements(mesh, owner));
+  const Balance shares = balance(mesh, owner, ranks);
+  fmt::print("{}\n", partition_sentence(owner, ranks, shares));
+  const double shared = peak_memory();
   Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   if (verbose)
     for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
@@ -373,7 +370,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
     });
     for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
     fmt::print("{}\n", cost_sentence(tried));
-    fmt::print("{}\n", memory_sentence(read, peak_memory()));
+    fmt::print("{}\n", memory_sentence({read, shared, peak_memory()}, shares.imbalance / ranks));
     if (tried.moved)
       checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
   }

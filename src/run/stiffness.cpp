@@ -39,8 +39,9 @@ struct Row {
 // Those that lines are tied to.
 std::vector<std::string> carriers(const model::Case& c) {
   std::vector<std::string> out;
-  for (const model::Body& b : c.bodies)
-    if (!model::line_ends_at(c, b).empty()) out.push_back(b.name);
+  const std::vector<std::vector<model::EndAtBody>> ends = model::line_ends_by_body(c);
+  for (size_t b = 0; b < ends.size(); ++b)
+    if (!ends[b].empty()) out.push_back(c.bodies[b].name);
   return out;
 }
 

@@ -4,11 +4,15 @@ import math
 import os
 import re
 import shutil
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 from support import ROOT, run
+
+sys.path.insert(0, str(ROOT / "tests/bench"))
+import farm  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
 FOLDER = ROOT / "cases" / "farm"
@@ -69,12 +73,12 @@ class Farm(unittest.TestCase):
         self.folder = Path(tempfile.mkdtemp())
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def read(self, results, name):
+    def read(self, results, name, kind="d"):
         """All numbers of a data set."""
         target = self.folder / "numbers"
         result = run("h5dump", "-d", name, "-b", "LE", "-o", target, results)
         self.assertEqual(result.returncode, 0, result.stderr)
-        return array.array("d", target.read_bytes())
+        return array.array(kind, target.read_bytes())
 
     def tension(self, results, name):
         """Of a history at every step."""
@@ -101,6 +105,11 @@ class Farm(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stderr)
         one, two = self.folder / "1.h5", self.folder / "2.h5"
         self.assertEqual(self.read(one, "/series/time"), self.read(two, "/series/time"))
+        # Nodes of chains in the order of the file: each process has one stretch.
+        shares = [list(self.read(results, "/nodes/rank", "i")) for results in (one, two)]
+        self.assertEqual(set(shares[0]), {0})
+        self.assertEqual(shares[1], sorted(shares[1]))
+        self.assertEqual([shares[1].count(rank) for rank in (0, 1)], [len(shares[0]) // 2] * 2)
         histories = re.findall(r"at: end_b, name: (.+)}", CASE)
         self.assertEqual(len(histories), 30)
         moved = 0
@@ -112,6 +121,20 @@ class Farm(unittest.TestCase):
         self.assertGreater(moved, 10e3)  # N
         # Chords of 11 m where the bed takes the chain up over sqrt(T/STIFFNESS), 3 to 5 m: it matters where a node lies.
         self.check_at_rest(one, 1e-3)
+
+    def test_extremes_through_a_restart_on_other_ranks(self):
+        """Seven chains, one of them cut between two ranks; the smallest tensions are those of the start."""
+        case = self.folder / "chains.yaml"
+        case.write_text(farm.farm(7, duration=1) + "contact: {between_lines: false}\n", "utf-8")
+        tables = []
+        for ranks, words in ((2, ("-o", "whole.h5")), (2, ("-o", "part.h5", "--stop-at", "0.5")),
+                             (3, ("-o", "rest.h5", "--restart", "part.h5"))):
+            result = run("mpirun", "-n", ranks, HAWSER, "run", case, "-q", *words, cwd=self.folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            tables.append(run("h5dump", "-d", "/summary", self.folder / words[1]).stdout.split("\n", 1)[1])
+        self.assertEqual(tables[0].count('"min effective tension"'), 7)
+        self.assertEqual(tables[0], tables[2])
+        self.assertNotEqual(tables[0], tables[1])
 
     def test_statics_of_fine_elements(self):
         fine = FLOAT.replace("elements: 50", "elements: 200").replace("file: float.rao", f"file: {FOLDER}/float.rao")

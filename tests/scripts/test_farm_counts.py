@@ -1,11 +1,12 @@
 """What a run asks of MPI does not grow with the lines of a farm, nor with the ranks."""
 import os
+import re
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from support import ROOT
+from support import ROOT, run
 
 sys.path.insert(0, str(ROOT / "tests/bench"))
 import farm  # noqa: E402
@@ -25,7 +26,7 @@ class Counts(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         """What MPI is asked for by a run of one step and by one of more steps: {(lines, ranks): [counts, counts]}."""
-        cls.found = {}
+        cls.found, cls.index = {}, {}
         with tempfile.TemporaryDirectory() as folder:
             case = Path(folder) / "case.yaml"
             for lines in (FEW, MANY):
@@ -33,7 +34,14 @@ class Counts(unittest.TestCase):
                     case.write_text(farm.farm(lines, 3, 0.1 * steps, 0.1, 0.1 * steps), "utf-8")
                     for ranks in RANKS:
                         counts = farm.counted(HAWSER, COUNTER, ranks, case, folder)
+                        cls.index.setdefault(lines, []).append(cls.size(Path(folder) / "case.h5", "/checkpoint/0/index"))
                         cls.found.setdefault((lines, ranks), []).append(counts)
+
+    @staticmethod
+    def size(results, name):
+        """Numbers in a data set."""
+        listed = run("h5ls", f"{results}{name}").stdout
+        return int(re.search(r"Dataset {(\d+)}", listed)[1])
 
     @staticmethod
     def calls(counts):
@@ -55,6 +63,11 @@ class Counts(unittest.TestCase):
                 self.assertLessEqual((self.calls(long)[0] - self.calls(short)[0]) / STEPS, MOST_OF_STEP)
                 size = farm.collectives(long)[1] - farm.collectives(short)[1]
                 self.assertLessEqual(size / STEPS, MOST_BYTES)
+
+    def test_checkpoints_name_no_lines(self):
+        """Every rank has the names of what is in a checkpoint."""
+        few, many = max(self.index[FEW]), max(self.index[MANY])
+        self.assertLess(many, 1.1 * few)
 
     def test_separate_lines_are_not_exchanged(self):
         for (lines, ranks), runs in self.found.items():

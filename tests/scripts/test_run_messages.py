@@ -472,7 +472,8 @@ output: {every: 5}
         result = self.hawser("check", "cut.yaml", "-n", "3")
         self.assertEqual(result.returncode, 0, result.stderr)
         for part in ["a cantilever", "rod: 12 m, 8 elements, 9 nodes, 54 unknowns", "partition: 3 ranks, 3 + 3 + 3 nodes",
-                     "2 cut elements", "expected cost", "expected memory: about 0.0", "the case is valid"]:
+                     "on one of them 1.00 times the mean work; 1 cut line, 2 cut elements", "expected cost",
+                     "expected memory: about 0.0", "GB on each rank", "the case is valid"]:
             self.assertIn(part, result.stdout)
         self.assertNotIn("expected cost", self.hawser("check", "--quick", "cut.yaml").stdout)
         write(self.folder, "cut.yaml", CASE + "statics: {max_iterations: 1, dynamic_relaxation: never}\n")

@@ -147,9 +147,11 @@ events: [{cut: {line: chain, at: 10}, )" + limit +
 
 // Runs of 10^5 elements took 0.57 GB (beams) and 0.45 GB (cables), and 0.573 and 0.316 in the trial.
 TEST(Cost, MemoryOfARun) {
-  EXPECT_EQ(memory_sentence(43e6, 43e6), "expected memory: about 0.043 GB");
-  EXPECT_EQ(memory_sentence(43e6, 573e6), "expected memory: about 0.73 GB");
-  EXPECT_EQ(memory_sentence(43e6, 316e6), "expected memory: about 0.4 GB");
+  EXPECT_EQ(memory_sentence({43e6, 43e6, 43e6}, 1), "expected memory: about 0.043 GB");
+  EXPECT_EQ(memory_sentence({43e6, 43e6, 573e6}, 1), "expected memory: about 0.73 GB");
+  EXPECT_EQ(memory_sentence({43e6, 43e6, 316e6}, 1), "expected memory: about 0.4 GB");
+  // The mesh of 100 MB is on each of 8 ranks, the rest is shared out: 143 + 1.3 x 200 x 1.05/8.
+  EXPECT_EQ(memory_sentence({43e6, 143e6, 343e6}, 1.05 / 8), "expected memory: about 0.18 GB on each rank");
   const double before = peak_memory();
   EXPECT_GT(before, 1e7);
   const std::vector<char> block(static_cast<size_t>(before) + 100'000'000, 1);

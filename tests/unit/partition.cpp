@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace hawser::test::partition_test {
 namespace {
@@ -63,6 +64,74 @@ TEST(Partition, ALongLineIsCut) {
   const std::vector<int> owner = partition(mesh, 2);
   EXPECT_GT(cut_elements(mesh, owner), 0);
   EXPECT_NEAR(static_cast<double>(std::count(owner.begin(), owner.end(), 0)), 130, 13);
+}
+
+// Platforms, each with three lines of cables: floating ones are a node that their ends are tied to.
+Mesh platforms(int count, int line_nodes, bool floating) {
+  Mesh mesh = mesh_of(std::vector<int>(static_cast<size_t>(3 * count), line_nodes));
+  for (int p = 0; floating && p < count; ++p) {
+    for (int l = 3 * p; l < 3 * p + 3; ++l)
+      mesh.nodes[static_cast<size_t>(line_nodes * (l + 1) - 1)].tied_to = static_cast<int>(mesh.nodes.size());
+    mesh.nodes.push_back({.line = 3 * count + p, .rotates = true, .body = p});
+  }
+  return mesh;
+}
+
+std::vector<int> all_lines(const Mesh& mesh) {
+  std::vector<int> lines(mesh.lines.size());
+  std::iota(lines.begin(), lines.end(), 0);
+  return lines;
+}
+
+// Stretches of one rank in the order of the nodes: each is a write of a data set of its own.
+int most_runs(const std::vector<int>& owner, int ranks) {
+  std::vector<int> runs(static_cast<size_t>(ranks), 0);
+  for (size_t n = 0; n < owner.size(); ++n)
+    if (n == 0 || owner[n] != owner[n - 1]) ++runs[static_cast<size_t>(owner[n])];
+  return *std::max_element(runs.begin(), runs.end());
+}
+
+struct Expected {
+  int ranks;
+  double imbalance;
+  int cut_lines, runs;
+};
+
+void expect(const Mesh& mesh, const Expected& e) {
+  const std::vector<int> owner = partition(mesh, e.ranks, {}, all_lines(mesh));
+  const Balance b = balance(mesh, owner, e.ranks);
+  EXPECT_LE(b.imbalance, e.imbalance) << e.ranks;
+  EXPECT_LE(b.cut_lines, e.cut_lines) << e.ranks;
+  EXPECT_LE(most_runs(owner, e.ranks), e.runs) << e.ranks;
+}
+
+// The lines of platforms with prescribed motions are components of their own: some rank has at least
+// ceil(300 / ranks) of them, and none needs to be cut.
+TEST(Partition, LinesOfPrescribedPlatforms) {
+  for (const Expected& e : {Expected{4, 1, 0, 1}, {16, 1.014, 0, 1}, {64, 1.067, 0, 1}, {256, 1.707, 0, 1}})
+    expect(platforms(100, 11, false), e);
+}
+
+// A floating platform is one component with its lines. On 64 ranks with at most 1.07 times their share none
+// can have two, so at least 36 platforms are cut, each with one line at least apart from it. The nodes of
+// platforms are a stretch behind those of the lines.
+TEST(Partition, FloatingPlatforms) {
+  for (const Expected& e : {Expected{4, 1, 0, 2}, {16, 1.07, 8, 3}, {64, 1.113, 36, 3}, {256, 1.35, 200, 3}})
+    expect(platforms(100, 11, true), e);
+  expect(platforms(100, 51, true), {64, 1.078, 36, 3});
+}
+
+// Two lines that touch along their length are cut beside each other, not parted: the stretches of the file
+// would be one line each.
+TEST(Partition, TouchingLinesAreCutAcross) {
+  const Mesh mesh = mesh_of({100, 100});
+  std::vector<std::pair<int, int>> coupled;
+  for (int n = 0; n < 100; ++n) coupled.emplace_back(n, 100 + n);
+  const std::vector<int> owner = partition(mesh, 2, coupled);
+  const Balance b = balance(mesh, owner, 2);
+  EXPECT_EQ(b.cut_lines, 2);
+  EXPECT_EQ(b.cut_elements, 2);
+  EXPECT_LE(b.imbalance, 1.07);
 }
 
 }  // namespace

@@ -216,9 +216,9 @@ TEST(ResultsXdmf, PointsAtWhatIsThere) {
       }
       const std::string xml = text_of(temporary("xdmf.xdmf"));
       expect_well_formed(xml);
-      // Of each output: a line has topology, 3 fields, arc length, line number; the drum and its
+      // Of each output: a line has topology, 3 fields, arc length, line number, rank; the drum and its
       // neighbour that is drawn coarser 3 each, the deck 2.
-      const int each = 6 * (lines == 3 ? 3 : 1) + 8;
+      const int each = 7 * (lines == 3 ? 3 : 1) + 8;
       const int n = check_references(testing::TempDir(), xml);
       EXPECT_EQ(n, written * each);
       EXPECT_GT(written, finish ? 5 : 0);

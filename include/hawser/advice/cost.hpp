@@ -25,6 +25,6 @@ struct ResultBytes {
 std::string expected_results(const ResultBytes& size, const std::string& folder);
 
 // bytes; "expected memory: about 0.9 GB"
-std::string expected_memory(double bytes);
+std::string expected_memory(double bytes, bool of_each_rank);
 
 }  // namespace hawser::advice

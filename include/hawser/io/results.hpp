@@ -85,6 +85,7 @@ struct ResultWaves {
 struct ResultContents {
   RunInfo run;
   std::vector<ResultLine> lines;
+  std::vector<int> ranks;  // of the nodes of lines, which owns each; on rank 0. Empty: rank 0 has all
   std::vector<ResultField> fields;  // node fields; `position` [m, 3 components] is always there, first
   // Of the ends of lines; end number 2 l is end A of line l, 2 l + 1 its end B.
   std::vector<ResultField> end_fields;

@@ -73,6 +73,8 @@ struct EndAtBody {
   const End& end;
 };
 std::vector<EndAtBody> line_ends_at(const Case& c, const Body& body);
+// The same of every body, in one pass over the lines.
+std::vector<std::vector<EndAtBody>> line_ends_by_body(const Case& c);
 
 // Where a line's end is at t = 0 [m, space]: the body's position and rotation with its motion then.
 // Not for free ends. Throws std::out_of_range for an unknown body.

@@ -47,6 +47,7 @@ class LineExtremes : public Recording {
     std::vector<Extreme> lines;  // of this rank's nodes
   };
   std::vector<io::SummaryRow> table() const;
+  std::vector<CheckpointRecord> records(NodeRange nodes) const;
 
   const MPI_Comm comm_;
   const model::Case& case_;

@@ -38,8 +38,13 @@ std::string size_sentence(const io::ResultsSize& size, const std::string& folder
 
 // Bytes: the most that this process has had in memory so far.
 double peak_memory();
-// "expected memory: about 0.9 GB", from peak_memory() when the files were read and after trial_run(). A run
-// keeps rows of results beside what was measured.
-std::string memory_sentence(double read, double measured);
+// peak_memory() on one rank: when the files were read, with what every rank of several has (the mesh, its
+// owners, start shapes to find neighbours), and after trial_run().
+struct MemoryUse {
+  double read = 0, shared = 0, measured = 0;
+};
+// "expected memory: about 0.9 GB", or of the rank with most of the work, a share of all; 1: there is one
+// rank. A run keeps rows of results beside what was measured.
+std::string memory_sentence(const MemoryUse& use, double most_of_work);
 
 }  // namespace hawser::run

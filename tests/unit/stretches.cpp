@@ -1,0 +1,77 @@
+// A row of weights cut into stretches: as even as it can be, at the places where least is lost.
+#include "hawser/mesh/stretches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace hawser::test::stretches_test {
+namespace {
+
+constexpr CutKind kNothing = CutKind::nothing, kLittle = CutKind::little, kMuch = CutKind::much;
+
+double heaviest(const std::vector<double>& weight, const std::vector<int>& first) {
+  double most = 0;
+  for (size_t k = 0; k + 1 < first.size(); ++k)
+    most = std::max(most, std::accumulate(weight.begin() + first[k], weight.begin() + first[k + 1], 0.0));
+  return most;
+}
+
+// Of the most even cut of the items from `first` on, by trying all.
+double most_even(const std::vector<double>& weight, size_t first, int parts) {
+  if (parts == 1) return std::accumulate(weight.begin() + static_cast<long>(first), weight.end(), 0.0);
+  double least = HUGE_VAL, sum = 0;
+  for (size_t i = first; i <= weight.size(); ++i) {
+    least = std::min(least, std::max(sum, most_even(weight, i, parts - 1)));
+    if (i < weight.size()) sum += weight[i];
+  }
+  return least;
+}
+
+TEST(Stretches, AsEvenAsTheItemsAllow) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 200; ++trial) {
+    const int items = 1 + static_cast<int>(random() % 8), parts = 1 + static_cast<int>(random() % 5);
+    std::vector<double> weight;
+    for (int i = 0; i < items; ++i) weight.push_back(static_cast<double>(random() % 10));
+    weight.back() += 1;
+    const std::vector<CutKind> before(weight.size(), kMuch);
+    const std::vector<int> first = cut_into_stretches(weight, before, parts, 1);
+    EXPECT_TRUE(std::is_sorted(first.begin(), first.end()));
+    ASSERT_EQ(first.size(), static_cast<size_t>(parts) + 1);
+    EXPECT_EQ(first.front(), 0);
+    EXPECT_EQ(first.back(), items);
+    EXPECT_NEAR(heaviest(weight, first), most_even(weight, 0, parts), 1e-9) << trial;
+  }
+}
+
+TEST(Stretches, CutsWhereLeastIsLost) {
+  const std::vector<double> weight(8, 1);
+  using Cuts = std::vector<int>;
+  // Without a better kind of cut, the even one before item 4.
+  EXPECT_EQ(cut_into_stretches(weight, std::vector<CutKind>(8, kMuch), 2, 1.3), (Cuts{0, 4, 8}));
+  std::vector<CutKind> before(8, kMuch);
+  before[5] = kNothing;
+  EXPECT_EQ(cut_into_stretches(weight, before, 2, 1.3), (Cuts{0, 5, 8}));
+  EXPECT_EQ(cut_into_stretches(weight, before, 2, 1.2), (Cuts{0, 4, 8}));
+  before[3] = kLittle;
+  EXPECT_EQ(cut_into_stretches(weight, before, 2, 1.3), (Cuts{0, 5, 8}));
+  before[5] = kMuch;
+  EXPECT_EQ(cut_into_stretches(weight, before, 2, 1.3), (Cuts{0, 3, 8}));
+}
+
+TEST(Stretches, NoItemsAndMorePartsThanItems) {
+  EXPECT_EQ(cut_into_stretches({}, {}, 2, 1.07), std::vector<int>(3, 0));
+  const std::vector<double> weight{3, 1};
+  const std::vector<CutKind> before(2, kMuch);
+  const std::vector<int> first = cut_into_stretches(weight, before, 4, 1.07);
+  EXPECT_TRUE(std::is_sorted(first.begin(), first.end()));
+  EXPECT_EQ(heaviest(weight, first), 3);
+  EXPECT_EQ(first.back(), 2);
+}
+
+}  // namespace
+}  // namespace hawser::test::stretches_test
