@@ -25,10 +25,10 @@ PressedStretch joined(const PressedStretch& a, const PressedStretch& b) {
   if (!a.pressed) return b;
   if (!b.pressed) return a;
   const bool touch = b.first.node == a.last.node + 1;
-  const bool worse = std::abs(b.worst.taken) > std::abs(a.worst.taken);
-  PressedStretch out = worse ? b : a;
-  if (touch && worse && b.worst.node == b.first.node) out.before = a.last.angle;
-  if (touch && !worse && a.worst.node == a.last.node) out.after = b.first.angle;
+  const bool larger = std::abs(b.worst.taken) > std::abs(a.worst.taken);
+  PressedStretch out = larger ? b : a;
+  if (touch && larger && b.worst.node == b.first.node) out.before = a.last.angle;
+  if (touch && !larger && a.worst.node == a.last.node) out.after = b.first.angle;
   out.first = a.first;
   out.last = b.last;
   out.sum = a.sum + b.sum;
