@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "event_checks.hpp"
 #include "hawser/model/nearest.hpp"
 #include "hawser/model/switched.hpp"
 
@@ -16,9 +17,9 @@ namespace {
 
 using Kind = Action::Kind;
 
-class EventOrder {
+class EventOrder : private EventChecks {
  public:
-  EventOrder(const Case& c, const Issues& issue) : c_(c), all_(issue) {}
+  EventOrder(const Case& c, const Issues& issue) : EventChecks(c, issue) {}
 
   void run() {
     for (i_ = 0; i_ < c_.events.size(); ++i_) {
@@ -33,11 +34,6 @@ class EventOrder {
   }
 
  private:
-  template <class... Args>
-  void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
-    all_.below(fmt::format("events[{}]", i_))(key, text, std::forward<Args>(args)...);
-  }
-  const Event& event() const { return c_.events[i_]; }
   const Line& line(const std::string& name) const { return c_.line(name); }
 
   // What waits for another, and that for the next, must begin somewhere.
@@ -191,10 +187,6 @@ class EventOrder {
         all_(key, "no event begins stage '{}', which would find the rest of the stage before", name);
     }
   }
-
-  const Case& c_;
-  const Issues& all_;
-  std::size_t i_ = 0;  // of the event that is looked at
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "check_event_order.hpp"
+#include "event_checks.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/nearest.hpp"
 
@@ -13,9 +14,9 @@ namespace {
 
 using Kind = Action::Kind;
 
-class EventCheck {
+class EventCheck : private EventChecks {
  public:
-  EventCheck(const Case& c, const Issues& issue) : c_(c), all_(issue) {}
+  EventCheck(const Case& c, const Issues& issue) : EventChecks(c, issue) {}
 
   void run() {
     for (i_ = 0; i_ < c_.events.size(); ++i_) {
@@ -30,11 +31,6 @@ class EventCheck {
   }
 
  private:
-  template <class... Args>
-  void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
-    all_.below(fmt::format("events[{}]", i_))(key, text, std::forward<Args>(args)...);
-  }
-  const Event& event() const { return c_.events[i_]; }
   const Line& line(const std::string& name) const { return c_.line(name); }
   const End& end_of(const Action& a) const { return line(a.line).end(a.at_b); }
   const LineType& type_at(const std::string& name, double arc) const {
@@ -235,10 +231,6 @@ class EventCheck {
       return e.action.kind == Kind::attach && e.action.line == name && e.action.at_b == b;
     });
   }
-
-  const Case& c_;
-  const Issues& all_;
-  std::size_t i_ = 0;  // of the event that is looked at
 };
 
 }  // namespace

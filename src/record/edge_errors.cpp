@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "hawser/base/gather.hpp"
@@ -21,14 +23,7 @@ constexpr double kEvenly = 0.5;  // of a turn: where both neighbours turn by so 
 constexpr double kWide = 0.8;  // rad, that a beam turns within its elements where sqrt(EI/T) is their length
 constexpr double kStraight = 1e-4;  // rad
 
-struct Range {
-  double low = 0, high = 0;
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  double width() const { return high - low; }
-};
+constexpr int kTag = 75;
 
 Vec3 vector_of(std::span<const double> values, size_t n) {
   return {values[3 * n], values[3 * n + 1], values[3 * n + 2]};
@@ -40,12 +35,38 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
     : comm_(comm),
       case_(c),
       mesh_(mesh),
-      cut_(line_owners(mesh).cut),
       neighbours_(static_cast<size_t>(mesh.owned)),
       worst_(mesh.mesh->lines.size()),
       tension_(mesh.mesh->lines.size(), 0),
       reported_(mesh.mesh->lines.size(), 0),
       over_(mesh.mesh->lines.size(), {0, -HUGE_VAL}) {
+  const int rank = rank_of(comm);
+  std::map<int, Sharer> sharers;
+  for (size_t l = 0; l < mesh.mesh->lines.size(); ++l) {
+    const LineSpan& line = mesh.mesh->lines[l];
+    const int end = line.first_node + line.nodes;
+    std::vector<Piece> pieces;
+    for (int n = line.first_node; n < end; ++n) {
+      if (pieces.empty() || pieces.back().rank != mesh.owner[n])
+        pieces.push_back({static_cast<int>(l), mesh.owner[n], n, n});
+      pieces.back().last = n;
+    }
+    const auto here = [rank](const Piece& p) { return p.rank == rank; };
+    if (std::none_of(pieces.begin(), pieces.end(), here)) continue;
+    std::set<int> others;
+    for (const Piece& p : pieces)
+      if (!here(p)) others.insert(p.rank);
+    for (const Piece& p : pieces) {
+      if (!here(p)) sharers[p.rank].receive.push_back(pieces_.size());
+      if (here(p))
+        for (const int other : others) sharers[other].send.push_back(pieces_.size());
+      pieces_.push_back(p);
+    }
+  }
+  for (auto& [other, sharer] : sharers) {
+    sharer.rank = other;
+    sharers_.push_back(std::move(sharer));
+  }
   for (const LocalElement& l : mesh.elements) {
     const Element& e = mesh.element(l);
     if (e.beam) continue;
@@ -64,8 +85,8 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
 // elements of a cable they are perpendicular to each, and so have a part along the line where it turns at a
 // node: with t in the middle of both directions, (T_after - T_before) cos(angle/2) + F.t = 0. A surface that
 // bears a line end on has such a part as well: no more is counted than a turn can make.
-std::vector<EdgeErrors::Turn> EdgeErrors::turns(const Kinematics& at, const Values& v) const {
-  std::vector<Turn> out;
+std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& at, const Values& v) const {
+  std::vector<PressedTurn> out;
   for (size_t n = 0; n < neighbours_.size(); ++n) {
     const Neighbours& beside = neighbours_[n];
     if (beside.before < 0 || beside.after < 0) continue;
@@ -78,7 +99,10 @@ std::vector<EdgeErrors::Turn> EdgeErrors::turns(const Kinematics& at, const Valu
     const Vec3 along = (a + b).normalized();
     const double taken =
         angle > kStraight ? std::clamp(F.dot(along) / std::max(std::cos(0.5 * angle), 1e-3), -most, most) : 0;
-    out.push_back({mesh_.global[n], angle, taken, tension, beside.length});
+    const int node = mesh_.global[n];
+    const double passage =
+        tension > 0 ? beside.length * std::sqrt(type_at(node).mass_per_length / tension) : 0;
+    out.push_back({node, angle, taken, tension, beside.length, passage});
   }
   return out;
 }
@@ -88,66 +112,61 @@ const model::LineType& EdgeErrors::type_at(int node) const {
   return case_.line_types[mesh_.mesh->elements[line.first_element + node - line.first_node].type];
 }
 
-// Adds what other ranks have of lines that the partition cuts.
-std::vector<EdgeErrors::Turn> EdgeErrors::with_cut_lines(std::vector<Turn> turns) const {
-  if (cut_.empty()) return turns;
-  const auto cut = std::stable_partition(turns.begin(), turns.end(), [&](const Turn& t) {
-    return !std::binary_search(cut_.begin(), cut_.end(), mesh_.mesh->nodes[t.node].line);
-  });
-  if (!on_any_rank(comm_, cut != turns.end())) return turns;
-  std::vector<double> numbers;
-  for (auto t = cut; t != turns.end(); ++t)
-    numbers.insert(numbers.end(), {static_cast<double>(t->node), t->angle, t->taken, t->tension, t->length});
-  turns.erase(cut, turns.end());
-  const std::vector<double> all = gather_all(comm_, numbers);
-  for (auto p = all.begin(); p != all.end(); p += 5)
-    turns.push_back({static_cast<int>(p[0]), p[1], p[2], p[3], p[4]});
-  std::sort(turns.begin(), turns.end(), [](const Turn& a, const Turn& b) { return a.node < b.node; });
-  return turns;
+void EdgeErrors::exchange(std::vector<PressedStretch>& of_pieces) const {
+  static_assert(std::is_trivially_copyable_v<PressedStretch>);
+  const auto bytes = [](size_t count) { return static_cast<int>(count * sizeof(PressedStretch)); };
+  std::vector<std::vector<PressedStretch>> out(sharers_.size()), in(sharers_.size());
+  std::vector<MPI_Request> requests(2 * sharers_.size());
+  for (size_t i = 0; i < sharers_.size(); ++i) {
+    const Sharer& s = sharers_[i];
+    for (const size_t piece : s.send) out[i].push_back(of_pieces[piece]);
+    in[i].resize(s.receive.size());
+    MPI_Irecv(in[i].data(), bytes(in[i].size()), MPI_BYTE, s.rank, kTag, comm_, &requests[2 * i]);
+    MPI_Isend(out[i].data(), bytes(out[i].size()), MPI_BYTE, s.rank, kTag, comm_, &requests[2 * i + 1]);
+  }
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  for (size_t i = 0; i < sharers_.size(); ++i)
+    for (size_t k = 0; k < in[i].size(); ++k) of_pieces[sharers_[i].receive[k]] = in[i][k];
+}
+
+void EdgeErrors::update(const Kinematics& at, const Values& values) {
+  std::vector<PressedStretch> of_pieces(pieces_.size());
+  size_t piece = 0;
+  for (const PressedTurn& turn : turns(at, values)) {
+    while (pieces_[piece].last < turn.node) ++piece;
+    of_pieces[piece] = joined(of_pieces[piece], PressedStretch(turn));
+  }
+  exchange(of_pieces);
+  for (size_t i = 0; i < pieces_.size();) {
+    const int line = pieces_[i].line;
+    PressedStretch whole;
+    for (; i < pieces_.size() && pieces_[i].line == line; ++i) whole = joined(whole, of_pieces[i]);
+    if (whole.pressed) report(line, whole, at.time);
+  }
 }
 
 // The tensions on both sides of a volume differ by the sum of what the nodes between them take. Within the
 // stretch in contact the errors alternate from element to element, and only a share of them counts.
-void EdgeErrors::update(const Kinematics& at, const Values& values) {
-  const std::vector<Turn> all = with_cut_lines(turns(at, values));
-  for (size_t i = 0; i < all.size();) {
-    const int line = mesh_.mesh->nodes[all[i].node].line;
-    double sum = 0, most = 0, tension = 0, passage = 0;
-    Range outside, inside;
-    size_t worst = i;
-    for (; i < all.size() && mesh_.mesh->nodes[all[i].node].line == line; ++i) {
-      sum += all[i].taken;
-      inside.add(sum);
-      if (i + 1 == all.size() || all[i + 1].node != all[i].node + 1) outside.add(sum);
-      tension = std::max(tension, all[i].tension);
-      if (all[i].tension > 0)
-        passage = std::max(passage,
-                           all[i].length * std::sqrt(type_at(all[i].node).mass_per_length / all[i].tension));
-      if (std::abs(all[i].taken) > most) {
-        most = std::abs(all[i].taken);
-        worst = i;
-      }
-    }
-    tension_[line] = std::max(tension_[line], tension);
-    over_[line] = {passage, at.time};
-    Worst& w = worst_[line];
-    const double error = std::max(outside.width(), kInside * inside.width());
-    if (!(error > w.at.error)) continue;
-    const Turn& there = all[worst];
-    const double before = worst > 0 && all[worst - 1].node == there.node - 1 ? all[worst - 1].angle : 0,
-                 after = worst + 1 < all.size() && all[worst + 1].node == there.node + 1
-                             ? all[worst + 1].angle
-                             : 0;
-    w.at = {.error = error,
-            .arc = mesh_.mesh->nodes[there.node].arc,
-            .time = at.time,
-            .turn = there.angle,
-            .length = there.length};
-    w.turn_of_element = there.angle + std::max(before, after);
-    const bool evenly = std::min(before, after) > kEvenly * there.angle;
-    w.at.recommended = evenly ? there.length * std::sqrt(kLeft * tension / error)
-                              : kOfRadius * 0.5 * type_at(there.node).contact_diameter;
-  }
+void EdgeErrors::report(int line, const PressedStretch& whole, double time) {
+  tension_[line] = std::max(tension_[line], whole.tension);
+  over_[line] = {whole.passage, time};
+  SumRange inside = whole.inside, outside = whole.outside;
+  inside.add(0);
+  outside.add(0);
+  outside.add(whole.sum);
+  Worst& w = worst_[line];
+  const double error = std::max(outside.width(), kInside * inside.width());
+  if (!(error > w.at.error)) return;
+  const PressedTurn& there = whole.worst;
+  w.at = {.error = error,
+          .arc = mesh_.mesh->nodes[there.node].arc,
+          .time = time,
+          .turn = there.angle,
+          .length = there.length};
+  w.turn_of_element = there.angle + std::max(whole.before, whole.after);
+  const bool evenly = std::min(whole.before, whole.after) > kEvenly * there.angle;
+  w.at.recommended = evenly ? there.length * std::sqrt(kLeft * whole.tension / error)
+                            : kOfRadius * 0.5 * type_at(there.node).contact_diameter;
 }
 
 std::string EdgeErrors::warning(int line, double largest) const {

@@ -1,21 +1,21 @@
-// Checks of hulls by their volumes, and their hydrostatics in words.
+// Checks of hulls by their volumes, and their hydrostatics for `hawser check`.
 #include "hawser/run/hull_check.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "hawser/advice/hulls.hpp"
 #include "hawser/kernels/hull_pressure.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/hulls.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
 
 namespace hawser::run {
 namespace {
 
 // Of the volume: the largest difference between its three fluxes that small gaps of a mesh make.
 constexpr double kGaps = 1e-3;
-constexpr double kOffWater = 0.1;  // m
 
 RigidBodyState start_of(const model::Body& b) {
   RigidBodyState s;
@@ -28,6 +28,11 @@ double top_of(const HullSurface& hull, const RigidBodyState& s) {
   double top = -HUGE_VAL;
   for (const Vec3& y : hull.corners) top = std::max(top, (s.x + s.q * y).z());
   return top;
+}
+
+std::string held_by(const model::Case& c, const model::Body& b) {
+  if (!line_ends_at(c, b).empty()) return "lines";
+  return b.mass->stiffness.z() > 0 ? "springs" : "";
 }
 
 template <class Case, class Visit>
@@ -68,19 +73,9 @@ void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes) 
     const Vec3 whole = displaced_volumes(hull, top_of(hull, s), s);
     const double volume = whole.mean();
     if (!(volume > 0) || whole.maxCoeff() - whole.minCoeff() > kGaps * volume)
-      c.refuse(
-          key,
-          "the surface is not closed: its volume is {:.5g}, {:.5g} or {:.5g} m³ when it is integrated along "
-          "x, y or z; close its deck and bottom in the mesh",
-          whole.x(), whole.y(), whole.z());
-    const bool carried =
-        b.mass->stiffness.z() > 0 || !line_ends_at(c, b).empty() || b.mass->mass <= density * volume;
-    if (!carried)
-      c.refuse(
-          key,
-          "it cannot float: the hull displaces {:.5g} kg of water when it is wholly under water, and its "
-          "mass is {:.5g} kg",
-          density * volume, b.mass->mass);
+      c.refuse(key, "{}", advice::hull_is_open(whole));
+    if (held_by(c, b).empty() && b.mass->mass > density * volume)
+      c.refuse(key, "{}", advice::hull_cannot_float(density * volume, b.mass->mass));
     const Mat6 K =
         hull_pressure(hull, density * c.environment.gravity, c.environment.water.surface, {}, s, true).K;
     b.mass->hull->restoring = K.diagonal().segment<3>(2);
@@ -95,25 +90,32 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
   for_each_hull(c, volumes, [&](const model::Body& b, const HullSurface& hull) {
     const RigidBodyState s = start_of(b);
     const HullPressure p = hull_pressure(hull, density * g, level, {}, s, true);
-    const double buoyancy = -p.f[2];
     const double weight = b.mass->mass * g;
-    out += fmt::format("hull of {}: {} triangles, displaces {:.6g} m³ where it starts, {:.6g} m³ in all\n",
-                       b.name, hull.triangles.size(), buoyancy / (density * g),
-                       displaced_volumes(hull, top_of(hull, s), s).mean());
-    out += fmt::format("  buoyancy {:.5g} kN, weight {:.5g} kN, waterplane {:.5g} m²\n", buoyancy / 1000,
-                       weight / 1000, p.K(2, 2) / (density * g));
-    if (buoyancy > 0)
-      out += fmt::format("  metacentric heights {:.4g} m (roll), {:.4g} m (pitch)\n", p.K(3, 3) / buoyancy,
-                         p.K(4, 4) / buoyancy);
-    const double rise = rise_to_float(hull, s, weight, density * g, level);
-    if (std::abs(rise) > kOffWater && p.K(2, 2) > 0)
-      out += fmt::format(
-          "  warning: without lines it would float {:.3g} m {}; lines that pull {:.5g} kN {} keep it where "
-          "it "
-          "starts\n",
-          std::abs(rise), rise > 0 ? "higher" : "lower", std::abs(buoyancy - weight) / 1000,
-          rise > 0 ? "down" : "up");
+    advice::HullAtStart start{.body = b.name, .triangles = hull.triangles.size(), .weight = weight};
+    start.buoyancy = -p.f[2];
+    start.displaced = start.buoyancy / (density * g);
+    start.whole = displaced_volumes(hull, top_of(hull, s), s).mean();
+    start.waterplane = p.K(2, 2) / (density * g);
+    start.roll_height = p.K(3, 3) / start.buoyancy;
+    start.pitch_height = p.K(4, 4) / start.buoyancy;
+    start.rise = rise_to_float(hull, s, weight, density * g, level);
+    start.held_by = held_by(c, b);
+    out += advice::hull_at_start(start);
   });
+  return out;
+}
+
+std::vector<std::string> hulls_off_start(const model::Case& c, const Bodies& bodies, const Kinematics& rest) {
+  std::vector<std::string> out;
+  for (size_t b = 0; b < c.bodies.size(); ++b) {
+    const model::Body& body = c.bodies[b];
+    if (!body.mass || !body.mass->hull) continue;
+    const int node = bodies.local_node(static_cast<int>(b));
+    if (node < 0) continue;
+    const double rise = floating_state(rest, node).x.z() - start_of(body).x.z();
+    if (std::string text = advice::hull_rests_elsewhere(body.name, rise); !text.empty())
+      out.push_back(std::move(text));
+  }
   return out;
 }
 

@@ -92,12 +92,17 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   model::Volume& v = volume.settings;
   AutomaticStiffness best;
   double mass = 0, radius = 0, most = 0;
+  const auto weight_of = [&](const Element& e) {  // N/m
+    return c.line_types[e.type].mass_per_length * c.environment.gravity;
+  };
+  std::vector<double> line_weight(mesh.lines.size(), 0);
+  for (const Element& e : mesh.elements) line_weight[e.line] += e.length * weight_of(e);
   for (const Element& e : mesh.elements) {
     const auto& t = c.line_types[e.type];
     StiffnessDemand d;
     d.radius = 0.5 * t.contact_diameter;
-    d.weight = t.mass_per_length * c.environment.gravity;
-    d.length = mesh.lines[e.line].length;
+    d.weight = weight_of(e);
+    d.line_weight = line_weight[e.line];
     d.EA = t.EA;
     if (t.kind == model::LineKind::beam) d.EI = std::min(t.EI2, t.EI3);
     d.bend = bending_radius(v, d.radius);

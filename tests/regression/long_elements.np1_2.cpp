@@ -1,5 +1,9 @@
 // Whole runs with elements and steps that are too long, and their warnings, on any number of ranks.
+#include "hawser/base/gather.hpp"
+#include "hawser/io/case_reader.hpp"
 #include "hawser/io/hdf5.hpp"
+#include "hawser/mesh/partition.hpp"
+#include "hawser/record/edge_errors.hpp"
 #include "regression/runs.hpp"
 
 namespace hawser::runs::long_elements {
@@ -90,6 +94,46 @@ struct LongElements : testing::Test {
     return run(kChain, {{"HEAVE", heave}, {"ELEMENTS", elements}, {"STEP", step}});
   }
 };
+
+// Both elements beside one with 1 kN hang down by 49 degrees; their tensions are 1 kN/cos 49. The ranks share
+// the line between its two turns, which cancel: a third of one of them counts.
+TEST(EdgeErrorsOnRanks, OfALineThatIsCutBetweenItsTurns) {
+  const model::Case c = io::read_case_text(R"(
+hawser: 1
+line_types: {wire: {outer_diameter: 0.05, mass_per_length: 5, EA: 1.0e8, bending: false}}
+lines:
+  sling:
+    sections: [{type: wire, length: 6, elements: 3}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {anchor: [5.9, 0, 0]}
+)",
+                                           "/nowhere/case.yaml");
+  const Mesh mesh = build_mesh(c);
+  const int ranks = ranks_of(MPI_COMM_WORLD);
+  const int last = ranks - 1;
+  const LocalMesh local = local_mesh(mesh, {0, 0, last, last}, rank_of(MPI_COMM_WORLD), ranks);
+  const double a = 49 * M_PI / 180, T = 1000 / std::cos(a), up = T * std::sin(a);
+  const std::vector<Vec3> x{{-2 * std::cos(a), 0, -2 * std::sin(a)},
+                            {0, 0, 0},
+                            {2, 0, 0},
+                            {2 + 2 * std::cos(a), 0, -2 * std::sin(a)}};
+  const std::vector<double> force{0, up, up, 0}, before{T, T, 1000, T}, after{T, 1000, T, T};
+  State s;
+  s.resize(static_cast<size_t>(local.nodes()));
+  std::vector<double> F, none, T1, T2;
+  for (int n = 0; n < local.nodes(); ++n) {
+    const int g = local.global[n];
+    s.x[n] = x[g];
+    if (!local.owns(n)) continue;
+    F.insert(F.end(), {0, 0, force[g]});
+    none.insert(none.end(), {0, 0, 0});
+    T1.push_back(before[g]);
+    T2.push_back(after[g]);
+  }
+  record::EdgeErrors errors(MPI_COMM_WORLD, c, local);
+  errors.update(s.view(0), {F, none, T1, T2});
+  EXPECT_NE(errors.warning(0, T).find("take 1.6e+02 N"), std::string::npos) << errors.warning(0, T);
+}
 
 TEST_F(LongElements, AreReported) {
   const std::string coarse = run("0.5", "4", ""), fine = run("0.5", "30", "");

@@ -12,7 +12,7 @@ using Bend = advice::StiffnessReason::Bend;
 TEST(ContactStiffness, Automatic) {
   // A hose of 250 m, 273.4 kg/m, 0.85 m: its hanging tension bent to 1 m presses in by 0.5 % of its radius.
   const double weight = 273.4 * 9.80665;
-  StiffnessDemand d{0.425, weight, 250, 9.505e8, 0, 0, 0};
+  StiffnessDemand d{0.425, weight, 250 * weight, 9.505e8, 0, 0, 0};
   const AutomaticStiffness a = automatic_contact_stiffness(d);
   EXPECT_NEAR(a.per_length * 0.005 * 0.425, weight * 251, 1e-6);
   EXPECT_TRUE(a.reason.has_weight);
@@ -39,7 +39,7 @@ TEST(ContactStiffness, Automatic) {
 // as on a drum. Its EA matters only without weight.
 TEST(ContactStiffness, OfAStiffPipe) {
   const double weight = 460, tension = 4 * weight;
-  StiffnessDemand d{0.1, weight, 4, 1.256e9, 5.7e6, 0, 0};
+  StiffnessDemand d{0.1, weight, tension, 1.256e9, 5.7e6, 0, 0};
   const double bend = 2 * std::sqrt(5.7e6 / tension);
   EXPECT_NEAR(bend, 111.3, 0.1);
   EXPECT_NEAR(automatic_contact_stiffness(d).per_length * 0.005 * 0.1, weight + tension / bend, 1e-6);
@@ -47,6 +47,7 @@ TEST(ContactStiffness, OfAStiffPipe) {
   d.bend = 4;
   EXPECT_NEAR(automatic_contact_stiffness(d).per_length * 0.005 * 0.1, weight + tension / bend, 1e-6);
   d.weight = 0;
+  d.line_weight = 0;
   EXPECT_NEAR(automatic_contact_stiffness(d).per_length * 0.005 * 0.1,
               1.256e5 / (2 * std::sqrt(5.7e6 / 1.256e5)), 1e-6);
 }

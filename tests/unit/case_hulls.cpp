@@ -1,9 +1,16 @@
 // Hulls and members of bodies in a case: what is refused, and the warning of a hull without drag.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/run/hull_check.hpp"
+#include "hawser/run/simulation.hpp"
+#include "hawser/run/volumes.hpp"
 
 namespace hawser::case_hulls_test {
 namespace {
@@ -56,6 +63,70 @@ TEST(CaseHulls, WarningWithoutDragAndAddedMass) {
       std::string::npos)
       << alone.front();
   EXPECT_TRUE(advice::input_notes(read(std::string(kHull) + kMember)).empty());
+}
+
+// A box of 20 x 8 x 6 m whose draught is 2.5 m at 400 t, and a taut line of 40 m that holds its middle down
+// where it starts.
+struct Afloat {
+  explicit Afloat(double z, const std::string& centre = "[0, 0, -2]", double line = 0) {
+    std::string text = fmt::format(
+        "hawser: 1\nenvironment: {{water: {{density: 1000, depth: 100}}}}\nbodies:\n  barge: {{position: [0, "
+        "0, "
+        "{}], floating: {{mass: 4e5, inertia: [4e6, 2e7, 2e7], centre_of_mass: {}, hull: {{volumes: "
+        "[side]}}}}}}\nvolumes:\n  side: {{{}}}\ndynamics: {{duration: 4}}\n",
+        z, centre, kBox);
+    if (line > 0)
+      text += fmt::format(
+          "line_types: {{wire: {{outer_diameter: 0.05, mass_per_length: 5, EA: 1e8, bending: false}}}}\n"
+          "lines:\n  tether: {{sections: [{{type: wire, length: {}, elements: 4}}], end_a: {{anchor: [0, 0, "
+          "{}]}}, end_b: {{body: barge, at: [0, 0, -4]}}}}\ncontact: {{volumes: []}}\n",
+          line, z - 4 - 40);
+    c = io::read_case_text(text, testing::TempDir() + "afloat.yaml");
+    volumes = run::load_volumes(c, MPI_COMM_SELF);
+    run::set_hydrostatics(c, volumes);
+  }
+  std::string at_start() const { return run::hulls_text(c, volumes); }
+  std::vector<std::string> at_rest() const {
+    run::Simulation s(MPI_COMM_SELF, c, run::surfaces(volumes), run::skeletons(c, volumes),
+                      run::volume_facets(volumes));
+    s.solve_statics();
+    return run::hulls_off_start(c, s.bodies(), s.state().view(0));
+  }
+  model::Case c;
+  std::vector<run::LoadedVolume> volumes;
+};
+
+void expect_part(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+// Lines that hold a body where it starts are no reason for a warning. 0.5 m deeper it displaces 80 m³ more.
+TEST(CaseHulls, LinesMayHoldABodyOffItsDraught) {
+  EXPECT_EQ(Afloat(1.5).at_start().find("warning"), std::string::npos) << Afloat(1.5).at_start();
+  EXPECT_EQ(Afloat(1.5).at_start().find("note"), std::string::npos);
+  expect_part(Afloat(1).at_start(),
+              "warning: body barge floats 0.5 m higher than where it starts: its weight and "
+              "buoyancy differ by 784.53 kN there, and nothing holds it");
+  // 784.5 kN stretch it by 7.85e-3 of its 40 m.
+  const Afloat held(1, "[0, 0, -2]", 40 / 1.00785);
+  expect_part(held.at_start(),
+              "note: without its lines body barge would float 0.5 m higher: they must pull 784.53 kN down");
+  EXPECT_EQ(held.at_start().find("warning"), std::string::npos);
+  EXPECT_TRUE(held.at_rest().empty());
+  // Slack by 0.3 m: 784.5 kN - 1569 kN/m r = 2481 kN/m (r - 0.3 m) at r = 0.377 m.
+  const std::vector<std::string> slack = Afloat(1, "[0, 0, -2]", 40.3).at_rest();
+  ASSERT_EQ(slack.size(), 1U);
+  expect_part(slack.front(), "body barge comes to rest 0.377 m higher than where it starts");
+}
+
+// KB = 1.25, BM = 8²/(12 2.5) = 2.13 m in roll, 13.3 m in pitch: KG = 4 m is above the metacentre of roll
+// alone, KG = 15 m above both.
+TEST(CaseHulls, NegativeMetacentricHeights) {
+  expect_part(Afloat(1.5, "[0, 0, 0]").at_start(),
+              "warning: body barge capsizes: its metacentric height in roll is negative");
+  expect_part(Afloat(1.5, "[0, 0, 11]", 40).at_start(),
+              "warning: body barge would capsize without its lines: its metacentric height in roll and pitch "
+              "is negative");
 }
 
 }  // namespace

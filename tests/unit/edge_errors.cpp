@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -75,6 +77,50 @@ TEST(EdgeErrors, NoneOfMoreThanHalfAPercentIsKept) {
 TEST(EdgeErrors, WithinTheElement) {
   EXPECT_EQ(warning(10, 10), "");
   EXPECT_NE(warning(49, 49).find("take 1.6e+02 N"), std::string::npos) << warning(49, 49);
+}
+
+// Of random turns on one line, and with a gap in the middle: however it is cut, the whole comes to the same,
+// and to the sums as they are defined.
+TEST(PressedStretch, JoinsHoweverTheLineIsCut) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::vector<PressedTurn> turns;
+  for (const int node : {3, 4, 5, 9, 10, 14})
+    turns.push_back({node, std::abs(any(random)), any(random), 2 + any(random), 1, 1 + any(random)});
+  double sum = 0, high = 0, low = 0, outside_high = 0, outside_low = 0;
+  size_t worst = 0;
+  for (size_t i = 0; i < turns.size(); ++i) {
+    sum += turns[i].taken;
+    high = std::max(high, sum);
+    low = std::min(low, sum);
+    if (i == 2 || i == 4) {
+      outside_high = std::max(outside_high, sum);
+      outside_low = std::min(outside_low, sum);
+    }
+    if (std::abs(turns[i].taken) > std::abs(turns[worst].taken)) worst = i;
+  }
+  const auto beside = [&](size_t i) {
+    return i < turns.size() && std::abs(turns[i].node - turns[worst].node) == 1 ? turns[i].angle : 0;
+  };
+  const auto fold = [&](size_t from, size_t to) {
+    PressedStretch out;
+    for (size_t i = from; i < to; ++i) out = joined(out, PressedStretch(turns[i]));
+    return out;
+  };
+  for (size_t a = 0; a <= turns.size(); ++a)
+    for (size_t b = a; b <= turns.size(); ++b) {
+      const PressedStretch w = joined(fold(0, a), joined(fold(a, b), fold(b, turns.size())));
+      EXPECT_NEAR(w.sum, sum, 1e-14);
+      EXPECT_NEAR(std::max(w.inside.high, 0.0), high, 1e-14);
+      EXPECT_NEAR(std::min(w.inside.low, 0.0), low, 1e-14);
+      EXPECT_NEAR(std::max(w.outside.high, 0.0), outside_high, 1e-14);
+      EXPECT_NEAR(std::min(w.outside.low, 0.0), outside_low, 1e-14);
+      EXPECT_EQ(w.worst.node, turns[worst].node);
+      EXPECT_EQ(w.before, beside(worst - 1));
+      EXPECT_EQ(w.after, beside(worst + 1));
+      EXPECT_EQ(w.first.node, 3);
+      EXPECT_EQ(w.last.node, 14);
+    }
 }
 
 }  // namespace

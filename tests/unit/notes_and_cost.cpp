@@ -9,6 +9,8 @@
 #include "hawser/io/case_reader.hpp"
 #include "hawser/model/notes.hpp"
 #include "hawser/run/cost.hpp"
+#include "hawser/run/simulation.hpp"
+#include "hawser/run/volumes.hpp"
 
 namespace hawser::run::notes_and_cost_test {
 namespace {
@@ -31,6 +33,29 @@ TEST(Notes, OfVolumesAreGrouped) {
       "contact between lines: a note"};
   EXPECT_EQ(model::grouped_notes(notes), expected);
   EXPECT_TRUE(model::grouped_notes({}).empty());
+}
+
+// A chain of 20 m and a wire of 100 m hang with (20 x 50 + 100 x 2) kg; 120 m of chain would have five times
+// as much.
+TEST(Notes, TensionOfAnAutomaticStiffnessIsTheWeightOfAllSections) {
+  const model::Case c = io::read_case_text(R"(
+hawser: 1
+line_types:
+  chain: {outer_diameter: 0.1, mass_per_length: 50, EA: 1.0e8, bending: false}
+  wire: {outer_diameter: 0.1, mass_per_length: 2, EA: 1.0e8, bending: false}
+volumes: {deck: {shape: {plane: {point: [0, 0, -100], normal: [0, 0, 1]}}}}
+lines:
+  mixed:
+    sections: [{type: chain, length: 20, elements: 2}, {type: wire, length: 100, elements: 5}]
+    end_a: {anchor: [0, 0, 0]}
+    end_b: {anchor: [100, 0, 0]}
+)",
+                                           "/nowhere/case.yaml");
+  const std::vector<LoadedVolume> volumes = load_volumes(c, MPI_COMM_SELF);
+  const Simulation sim(MPI_COMM_SELF, c, surfaces(volumes));
+  std::string all;
+  for (const std::string& n : sim.notes()) all += n + "\n";
+  EXPECT_NE(all.find("a tension of 1.18e+04 N (the line's weight)"), std::string::npos) << all;
 }
 
 const std::string kCase = R"(

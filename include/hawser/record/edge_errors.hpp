@@ -11,6 +11,7 @@
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/record/pressed_stretch.hpp"
 #include "hawser/record/recording.hpp"
 #include "hawser/record/snaps.hpp"
 #include "hawser/state/kinematics.hpp"
@@ -26,7 +27,7 @@ class EdgeErrors : public Recording {
     std::span<const double> force, friction;  // N, of volumes, friction among it
     std::span<const double> before, after;    // N, effective tension on the side of end A and of end B
   };
-  // Collective: a few numbers a node that volumes press on, of lines that the partition cuts.
+  // Ranks that share a line exchange one summary for each stretch of it that a rank owns. Collective.
   void update(const Kinematics& at, const Values& values);
   // A sentence where the worst error so far [N] is more than is allowed of the given tension [N]; empty: it
   // is not.
@@ -44,25 +45,31 @@ class EdgeErrors : public Recording {
     int before = -1, after = -1;  // local nodes, where the elements on both sides are cables
     double length = 0;            // m, of the longer of these elements
   };
-  struct Turn {  // of a line at a node that a volume presses on
-    int node = 0;
-    double angle = 0, taken = 0, tension = 0, length = 0;  // rad, N, N, m; taken: of the tension
+  struct Piece {  // consecutive nodes of a line that one rank owns
+    int line = 0, rank = 0;
+    int first = 0, last = 0;  // of the mesh
   };
-  std::vector<Turn> turns(const Kinematics& at, const Values& values) const;
+  struct Sharer {  // another rank that owns nodes of the same lines
+    int rank = 0;
+    std::vector<size_t> send, receive;  // pieces
+  };
+  std::vector<PressedTurn> turns(const Kinematics& at, const Values& values) const;
   const model::LineType& type_at(int node) const;  // of a node between two elements: of the one behind it
-  std::vector<Turn> with_cut_lines(std::vector<Turn> turns) const;
+  void exchange(std::vector<PressedStretch>& of_pieces) const;
+  void report(int line, const PressedStretch& whole, double time);
   void gather();
 
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
-  std::vector<int> cut_;                // lines that the partition cuts
+  std::vector<Piece> pieces_;           // of the lines of which this rank owns nodes, in the order of nodes
+  std::vector<Sharer> sharers_;         // by rank
   std::vector<Neighbours> neighbours_;  // by owned node
   struct Worst {
     advice::LongElements at;
     double turn_of_element = 0;  // rad, at both ends of an element together
   };
-  // By line, as far as this rank has nodes of it or the ranks have put together what they have.
+  // By line: known where this rank owns nodes of it, and everywhere after gather().
   std::vector<Worst> worst_;
   std::vector<double> tension_;   // N, by line: the largest so far where volumes press
   std::vector<double> reported_;  // by line, N: the error that has been reported

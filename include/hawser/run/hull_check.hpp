@@ -7,6 +7,8 @@
 
 #include "hawser/model/case.hpp"
 #include "hawser/run/volumes.hpp"
+#include "hawser/state/kinematics.hpp"
+#include "hawser/terms/bodies.hpp"
 
 namespace hawser::run {
 
@@ -15,7 +17,11 @@ namespace hawser::run {
 void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes);
 
 // Displaced volume, buoyancy and weight, waterplane and metacentric heights of each hull where the case puts
-// it, in lines; a warning where it would float more than 0.1 m off without lines. Empty: there are no hulls.
+// it, in lines (advice::hull_at_start). Empty: there are no hulls.
 std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& volumes);
+
+// Of the bodies of this rank with hulls that do not rest where the case puts them
+// (advice::hull_rests_elsewhere).
+std::vector<std::string> hulls_off_start(const model::Case& c, const Bodies& bodies, const Kinematics& rest);
 
 }  // namespace hawser::run

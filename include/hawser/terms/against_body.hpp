@@ -1,9 +1,9 @@
-// What acts between something and a body that floats, made of what acts on the former alone.
+// Adds the reaction of a line's contact to the floating body that it touches.
 //
-// Contact depends on how a line (or another body) lies and moves as seen from the body: a motion of both
-// together changes nothing but the direction of the forces. With unknowns u of the line, z = (X, theta) of
-// the body's centre of mass (theta in body axes) and the motion G of the line's unknowns that a motion of the
-// body would give them,
+// Contact depends on the position and velocity of a line (or another body) relative to the body: a rigid
+// motion of both only turns the forces. Let u be the unknowns of the line, z = (X, theta) those of the body's
+// centre of mass (theta in body axes), and G the derivative of u by z if the line moved rigidly with the
+// body,
 //   G = [I, -hat(r) R] of a position x = X + r,   G = [0, Q'R] of the rotation Q of a node,
 // the forces on the body are -G'f, and the derivatives by its unknowns follow from those by the line's:
 //   f_z = -K G + (C hat(v - V) R + [-hat(f) R of positions]) on theta,   f_zdot = -C G.

@@ -11,8 +11,8 @@ constexpr double kAllowedPenetration = 0.005;
 
 struct StiffnessDemand {
   double radius = 0;               // m, half the contact diameter
-  double weight = 0;               // N/m, of the line
-  double length = 0;               // m, of the line
+  double weight = 0;               // N/m, of the element
+  double line_weight = 0;          // N, of the whole line, all its sections
   double EA = 0, EI = 0;           // N, N m²
   double bend = 0;                 // m, smallest radius the axis is bent to; 0: not known
   double allowed_penetration = 0;  // m; 0: 0.5 % of the radius

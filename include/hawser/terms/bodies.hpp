@@ -1,5 +1,5 @@
-// The bodies of a case and where they are: those with prescribed motion at any time, those with mass, and
-// those that ride on lines, in a state, of which each is a node.
+// The poses of the bodies of a case. A prescribed motion gives the pose at any time. A body with mass, or one
+// that rides on a line, floats: it is a node of the mesh, and its pose is part of the state.
 #pragma once
 
 #include <mpi.h>
@@ -40,7 +40,7 @@ class Bodies {
     const Frame& f = frames_[body];
     return f.turn * (direction ? y : Vec3(y - f.centre));
   }
-  // Brings to all ranks where those bodies are: what a rank knows of one whose node it does not see.
+  // Sends the poses of floating bodies to all ranks, for those ranks that do not have a body's node.
   // Collective.
   void exchange_poses(MPI_Comm comm, const Kinematics& at) const;
   // Its pose in a state, the identity where body < 0. Of a body of the state whose node this rank does not

@@ -20,7 +20,7 @@ class BodiesInFlow final : public ForceTerm,
                            public InCurrent,
                            public ActsOnBodies {
  public:
-  // Of the bodies of the case that this rank owns.
+  // For the bodies of the case that this rank owns.
   BodiesInFlow(const model::Case& c, const LocalMesh& mesh);
 
   // In statics nothing flows past bodies that are held where they start (RigidBodies::hold).

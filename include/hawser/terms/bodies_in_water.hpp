@@ -1,4 +1,4 @@
-// What the sea does to floating bodies by Morison's equation: to a body as a whole (`in_water`), and to its
+// Forces of the sea on floating bodies by Morison's equation: on a body as a whole (`in_water`), and on its
 // members, in pieces along their length. See docs/theory/bodies-in-water.md.
 #pragma once
 
@@ -33,7 +33,7 @@ class BodiesInWater final : public ForceTerm,
   }
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
-  // Those of this rank's bodies that the surface cuts, by their index in the case.
+  // This rank's bodies that pierce the water surface, by their index in the case.
   std::vector<int> in_surface(const Kinematics& at) const;
 
   std::string_view name() const override { return "bodies in water"; }
@@ -64,10 +64,10 @@ class BodiesInWater final : public ForceTerm,
     int body = 0;                         // of the case
     int key = 0;                          // of the body's
     StaticRest rest;
-    // Waves are looked at once a step: at its end, where the centres get with their speed at its start.
+    // Waves are evaluated once a step, at its end and at the centres extrapolated with their velocity.
     Places start, speed;              // m, m/s, at the start of the step
     Places wave_place;                // m, for the state at start_time_
-    bool has_wave_place = false;      // a state to go on from says so
+    bool has_wave_place = false;      // wave_place comes from a checkpoint
     mutable WaveMotion centre, drag;  // what they are at `time`
     mutable double time = 0;
     mutable bool known = false;
@@ -75,7 +75,7 @@ class BodiesInWater final : public ForceTerm,
     bool flowed = false;
     double work = 0;  // J, of the flow over the accepted steps
   };
-  // Adds the pieces of a member to what there is of its body, whose places and rest `piece` has.
+  // Adds the pieces of a member; `piece` holds what they have in common, such as the node of the body.
   void add_member(const model::Body& body, const model::BodyMember& m, Wet piece);
   // Of the body, in the axes of the data.
   static RigidBodyState state(const Wet& b, const Kinematics& at);

@@ -1,4 +1,4 @@
-// Contact of bodies with bodies: what stands out of one volume against the surface of another.
+// Contact of bodies with bodies: corners, edges, balls and faces of one volume with the surface of another.
 //
 // An edge is an axis like the element of a line (contact_along_axis.hpp), attached to its body; a corner is a
 // point of it. By the basis of its stiffness a volume touches with its corners and balls (per_point), its
@@ -61,10 +61,10 @@ class BodyContactTerm final : public ForceTerm,
   bool recouple(const Kinematics&, double) override;
   void enable_friction(bool on) override { friction_on_ = on; }
   void update_ghosts() override;
-  // Of a step in time it watches.
+  // Looks ahead in a time step.
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
-  // Nothing that stands out goes through the other body between the ends of a step.
+  // Refuses a step in which a corner or edge passes through the other body.
   Verdict check_step(const Kinematics& trial) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -76,7 +76,7 @@ class BodyContactTerm final : public ForceTerm,
   // Collective.
   void restore(const std::vector<CheckpointRecord>& records) override;
 
-  // SolveError where two volumes are far deeper in each other than corners and edges have met. Collective.
+  // SolveError where two volumes overlap far deeper than the contact of corners and edges shows. Collective.
   void watch(const Kinematics& at);
   // m, over the accepted steps, of the pairs this rank counts.
   double largest_penetration() const;
@@ -149,7 +149,7 @@ class BodyContactTerm final : public ForceTerm,
     double depth = 0;                          // m, largest penetration
     bool active = false;
   };
-  // What tells how stiff the springs are, dampers included, where they stand; and their forces alone.
+  // Stiffness of the contact springs (with their dampers) in the committed state, and their forces.
   static constexpr AxisContactMode kStiffness{true, true, true}, kSprings{};
   struct Nearest {
     double gap = 0;  // m
@@ -187,16 +187,16 @@ class BodyContactTerm final : public ForceTerm,
   // Whether a ball, in the frame of a volume, may be nearer to its surface than `gap` [m].
   bool near(size_t volume, const Vec3& centre, double radius, double gap) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
-  // What looks ahead, body_contact_step_limits.cpp. rad/s, of the fastest motion of the bodies on those
+  // Step limits, in body_contact_step_limits.cpp. rad/s, largest natural frequency of the bodies on these
   // springs.
   double frequency(const Pair& pair, const Sum& stiffness) const;
   // J, of the motion of the bodies against each other.
   double relative_energy(const Pair& pair, const Both& at) const;
-  // m/s, no place of one comes nearer to the other faster than that.
+  // m/s, upper bound of the speed at which any point of one body approaches the other.
   double fastest(const Pair& pair, const Both& at) const;
-  // Smallest gap of what stands out, where it is below `within` [m].
+  // Smallest gap of corners, edges and balls, where it is below `within` [m].
   std::optional<Nearest> nearest(const Pair& pair, const Both& at, double within) const;
-  // s, at most `most`: a step from there that what it meets in it is followed with.
+  // s, at most `most`: the step from there that resolves the impacts within it.
   double followed(const Pair& pair, const Both& at, double most) const;
   void limit_by(const Pair& pair, ImpactEvents& to) const;
   // body_contact_penetration.cpp. m, of the deepest place of the faces of one volume in the other.

@@ -1,4 +1,4 @@
-// What stands out of a volume: the points, balls and edges with which it can touch the surface of another.
+// The convex features of a volume: points, balls and edges with which it can touch the surface of another.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// How contact is shown at nodes, whatever touches whatever: every point that touches is shared out to the
-// nodes of what it is on.
+// Output of contact at nodes, for all kinds of contact: the force at each contact point is divided among the
+// nodes of its element.
 #pragma once
 
 #include <functional>

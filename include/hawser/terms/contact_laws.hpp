@@ -1,4 +1,4 @@
-// The laws of a volume for what touches it, and what they mean for the length of a step.
+// The contact laws of a volume, and the step lengths that resolve their springs.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace hawser {
 
-// share: what turns the stiffness of the volume and its table into those of what touches (a node, a length);
-// smoothing [m]: unless the volume says; mass [kg in the same sense]: effective, of the damping.
+// share: factor from the stiffness and table of the volume to those in contact (a node, a length);
+// smoothing [m]: the default of the volume's; mass [kg in the same sense]: effective, for the damping.
 NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass);
-// Of a line of that diameter [m], which says over what length friction mobilises unless the settings do.
+// For a line of this diameter [m], from which the default mobilisation length of friction follows.
 FrictionLaw friction_law(const model::Friction& f, double share, double diameter);
-// Of a line of that diameter [m].
+// For a line of this diameter [m].
 ContactLaw contact_law(const model::Volume& v, double share, double diameter, double mass);
 
-// What the functions of kernels/impact.hpp ask of a place of a line on the spring of a volume.
+// The data of a point of a line on the spring of a volume that kernels/impact.hpp needs.
 struct ContactSpring {
   double inverse_frequency = 0;  // s, the period over 2 pi
   double significant_depth =
@@ -29,9 +29,9 @@ inline ContactSpring contact_spring(const NormalLaw& law, double mass, double ra
   return {std::sqrt(mass / law.stiffness), std::max(law.smoothing, 0.002 * radius)};
 }
 
-// A step is not to get a place of a line deeper into a surface than half its radius [m].
+// Limits a step so that no point of a line gets deeper into a surface than half its radius [m].
 void limit_depth(double radius, const Approach& at, ImpactEvents& to);
-// Whether it could tell of what is `gap` [m] away or more, at that speed [m/s].
+// Whether such a limit can apply to a point at a distance of `gap` [m] or more, at this speed [m/s].
 inline bool may_limit_depth(double radius, double gap, double speed, const ImpactEvents& to) {
   return speed * to.most > (1 - 1e-9) * (std::max(gap, 0.0) + 0.5 * radius);
 }

@@ -1,5 +1,5 @@
-// The volumes that lines touch: their surfaces and settings, where the bodies they ride on are, how stiff
-// they are by now, and the ends of lines that have no contact with them.
+// The volumes that lines touch: their surfaces and settings, the poses of their bodies, their current
+// stiffness, and the ends of lines that are excluded from contact with them.
 #pragma once
 
 #include <mpi.h>
@@ -28,14 +28,14 @@ struct ContactVolume {
   bool off = false;                                       // lines do not touch it
 };
 
-// The ends of a line that have no contact with a volume: material, whatever moves.
+// The ends of a line that are excluded from contact with a volume, as lengths of the material.
 struct ExcludedEnds {
   int line = 0, volume = 0;     // volume: index into those of the contact
   double end_a = 0, end_b = 0;  // m of line from end A and from end B on
 };
 
-// Of an interval of a line what touches a volume if it is near enough, as a share of the interval; none:
-// nothing.
+// The part of an interval of a line that takes part in contact with a volume, as a share of the interval;
+// none: no part does.
 struct ContactShare {
   double from = 0, to = 1;
   bool all() const { return from <= 0 && to >= 1; }
@@ -67,7 +67,7 @@ class ContactVolumes {
   const Surface& surface(int volume) const { return *at(volume).surface; }
   const Box& box(int volume) const { return boxes_[volume]; }
 
-  // Where the volumes are, at the start of the step and in the trial that was posed last.
+  // Poses of the volumes at the start of the step, and in the last trial for which pose() was called.
   void pose_start(const Kinematics& at) { pose(at, start_poses_); }
   void pose_trial(const Kinematics& at) { pose(at, poses_); }
   const RigidPose& start_pose(int volume) const { return start_poses_[body(volume)]; }
@@ -76,10 +76,10 @@ class ContactVolumes {
   // Of all bodies that carry volumes, by body(volume).
   std::vector<RigidPose> poses(const Kinematics& at) const;
   size_t body(int volume) const { return static_cast<size_t>(at(volume).body + 1); }
-  // Whether it rides on a body that floats, so that what acts on the line acts on the body as well.
+  // Whether its body floats, so that the reaction to the force on the line acts on the body.
   bool floats(int volume) const { return bodies_->floats(at(volume).body); }
   FloatingFrame floating_frame(int volume, const Kinematics& at) const;
-  // Lines see the bodies that float and carry volumes near them; thickest: m, radius of a line on this rank.
+  // Couples lines with floating bodies whose volumes are near; thickest: m, largest radius on this rank.
   bool recouple(const Kinematics& committed, double h, double thickest);
   void couple(Couplings& to) const;
 
@@ -90,30 +90,30 @@ class ContactVolumes {
   // Of the interval [from, to] of a line's arc [m].
   ContactShare takes_part(int line, int volume, double from, double to) const;
 
-  // Stiffness in the volume's basis, of the last accepted state; so far an automatic one is raised again when
-  // a run goes on from a checkpoint.
+  // Stiffness in the volume's basis, of the last accepted state. A checkpoint stores it, so that a restart
+  // raises an automatic one to it.
   double stiffness(int volume) const { return committed_[volume]; }
   void raise_to(int volume, double stiffness);
   bool automatic(int volume) const { return at(volume).automatic; }
-  // Of each volume what it has in the trial, to be asked for more.
+  // The trial stiffness of each volume, from which the demand for more is computed.
   std::vector<double> stiffnesses() const;
   void require(int volume, const NormalLaw& law, const PressedPoint& p, double step,
                std::vector<double>& wanted) const;
-  // To the most that any rank asks for; whether that is more than before, the same on all ranks. Collective
+  // Raises each to the largest demand of all ranks. Returns whether any rose, equal on all ranks. Collective
   // where a volume is automatic.
   bool raise(std::vector<double>& wanted);
-  // Trial stiffness is that of the last accepted state, or becomes it; whether that changed anything.
+  // Resets the trial stiffness to that of the last accepted state, or accepts it; whether any value changed.
   bool revert_raise();
   void commit_raise() { committed_ = stiffnesses(); }
   bool raised(int volume) const { return settings(volume).normal_stiffness != stiffness(volume); }
-  // Whether the volume has a far side on which a line could come out; a plane has none.
+  // Whether a line could pass through the volume and come out on its far side; not of a plane.
   bool has_back(int volume) const;
-  // m, how deep a volume's law is for: the radius, or what its table tells.
+  // m, largest penetration for which a volume's law holds: the radius, or the last row of its table.
   double deepest(int volume, double radius) const;
 
  private:
   const ContactVolume& at(int volume) const { return volumes_[volume]; }
-  // Into the poses: space first, then the bodies in their order.
+  // Index into the poses: space first, then the bodies in their order.
   void pose(const Kinematics& at, std::vector<RigidPose>& poses) const;
 
   const LocalMesh& mesh_;

@@ -19,7 +19,7 @@ struct Penetration {
 struct StepOfBody {
   Mat3 R0, R1;
   Vec3 shift;
-  bool prescribed;  // else what it gives the line it loses itself: nothing is brought in
+  bool prescribed;  // its motion is; a floating body loses the work that it does, so that the sum is zero
   StepOfBody(const RigidPose& before, const RigidPose& after, bool prescribes);
 };
 

@@ -1,5 +1,5 @@
-// The axis of an element in a state, as contact along lines asks for it, and how a force on it is shown at
-// nodes.
+// The axis of an element in a state, for contact along lines, and the share of a force on it that its nodes
+// show in the output.
 #pragma once
 
 #include "hawser/kernels/axis_shape.hpp"
@@ -26,8 +26,8 @@ inline AxisEnds element_axis(const Kinematics& at, const Element& e, int first, 
   return a;
 }
 
-// What(node, share) for the ends that this rank owns: the share of a force at xi by the functions of
-// positions.
+// Calls what(node, share) for the ends that this rank owns; share: the value at xi of the shape function of
+// the position.
 template <class What>
 void share_at_ends(const Element& e, int first, int second, int owned, double xi, const What& what) {
   const double at_second = e.beam ? xi * xi * (3 - 2 * xi) : xi;

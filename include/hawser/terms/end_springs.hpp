@@ -1,4 +1,4 @@
-// Springs at held ends of lines against turning away from a direction: between a free end and a clamped one.
+// Rotational springs at held ends of lines: a stiffness between a free end and a clamped one.
 #pragma once
 
 #include <array>
@@ -24,8 +24,8 @@ std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh);
 
 // Energy k phi²/2 of the angle phi between the line's tangent t = Q e1 and the direction d, so a moment k phi
 // about t x d. With c = d.t, W'(c) = -k phi/sin phi and W''(c) = k (1 - phi cot phi)/sin² phi, both smooth
-// but at phi = pi, where the end is folded back. Nothing acts about the tangent itself. What a body that
-// turns works on the line through its springs is history.
+// but at phi = pi, where the end is folded back. There is no moment about the tangent itself. The work of
+// turning bodies on the line through the springs is history.
 class EndSprings final : public ForceTerm {
  public:
   EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<EndSpring> springs);

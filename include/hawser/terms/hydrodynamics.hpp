@@ -1,4 +1,4 @@
-// What the sea does to the lines, and to buoys and clump weights on them: buoyancy, drag, added mass, waves.
+// Forces of the sea on lines, and on buoys and clump weights on them: buoyancy, drag, added mass, waves.
 // See docs/theory/water.md and waves.md.
 #pragma once
 

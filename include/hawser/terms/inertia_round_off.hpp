@@ -1,4 +1,4 @@
-// What rounding leaves in the balance of inertia forces.
+// The rounding error in the balance of inertia forces.
 #pragma once
 
 #include <algorithm>

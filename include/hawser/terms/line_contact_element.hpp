@@ -1,4 +1,4 @@
-// What contact must know of an element of a line.
+// The data of an element of a line that contact needs.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Which way a line runs at its nodes.
+// The direction of a line at its nodes.
 #pragma once
 
 #include <cmath>

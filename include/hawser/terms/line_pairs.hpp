@@ -54,7 +54,7 @@ class LinePairs final : public ForceTerm,
   LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
             LinePairOptions options);
 
-  // Where lines share a place, and how far from it they do not touch.
+  // The places that lines share, and the length near them without contact.
   const SharedPlaces& shared() const { return shared_; }
   // In statics the stretches without contact at shared places follow the shape, in motion they only shrink.
   void settle(bool settles) { settles_ = settles; }
@@ -65,7 +65,7 @@ class LinePairs final : public ForceTerm,
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { candidates_.couple(to); }
   void update_ghosts() override;
-  // Nothing was missed, and no line went through another.
+  // Refuses a step that missed a contact, or in which a line passed through another.
   Verdict check_step(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
@@ -98,7 +98,7 @@ class LinePairs final : public ForceTerm,
   // Sum of the normal forces of those pairs, N, and of the sizes of their friction forces.
   double normal_force() const;
   double friction_force() const;
-  // Adds what touches in the accepted state, of those pairs.
+  // Adds the contacts of those pairs in the accepted state.
   void active_contacts(ActiveContacts& out) const;
 
  private:
@@ -106,8 +106,8 @@ class LinePairs final : public ForceTerm,
   static constexpr size_t kParts = 6;
   using ContactPoints = std::array<std::vector<LinePairContactPoint>, kParts>;
   using Key = std::pair<int, int>;  // of Mesh::elements
-  // Where a pair touches in the state that was asked for last, and what acts there by the last evaluation
-  // without derivatives: tangent and commitment of the same state take it.
+  // The contact points of a pair in the last evaluated state, and their forces from the last evaluation
+  // without derivatives, which tangent and commitment of the same state reuse.
   struct Trial {
     AxisShape a, b;
     std::array<std::vector<LinePairPass::Panel>, kParts> panels{};
@@ -126,7 +126,7 @@ class LinePairs final : public ForceTerm,
     std::unique_ptr<ContactPoints> points;             // null: did not touch
     std::unique_ptr<Trial> trial;                      // null: none was asked for in this step
   };
-  // Whether there is no contact near a place that they share: then chords say nothing of what may touch.
+  // Whether they share a place without contact near it: distances of chords then do not show contact.
   static bool clipped(const Pair& p) {
     return p.part_a[0] > 0 || p.part_a[1] < 1 || p.part_b[0] > 0 || p.part_b[1] < 1;
   }
@@ -152,7 +152,7 @@ class LinePairs final : public ForceTerm,
   int fed_end(int segment) const { return fed_end_[segment]; }
   PairAxis axis(const Kinematics& at, int segment) const;
   double material_of_start(int segment, const PairAxis& axis, double xi) const;
-  // Over the points that touch of the pairs this rank counts; of those that which(pair) says.
+  // Sums over the contact points of the pairs this rank counts; of those for which which(pair) is true.
   template <class Which, class Value>
   double sum(const Which& which, const Value& value) const {
     double sum = 0;
@@ -165,13 +165,13 @@ class LinePairs final : public ForceTerm,
   AxisEnds ends(const Kinematics& at, int segment) const;
   Rod rod(const Kinematics& at, int segment) const;
   LinePairLaw law(int a, int b) const;
-  // The passes of a pair with something to find, each with one of its elements as the slave; what(part,
-  // pass).
+  // Calls what(part, pass) for the passes of a pair that may touch; each has one of the elements as the
+  // slave.
   template <class What>
   void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
                  const What& what) const;
   Trial& find(Pair& pair, const PairAxis& A, const PairAxis& B) const;
-  // What acts on the two, of all passes.
+  // Forces on both elements, summed over the passes.
   AttachedForces forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
                         const AxisContactMode& mode) const;
   bool joint(int element, int end) const;

@@ -1,4 +1,4 @@
-// What the sea does to platforms, by hydrodynamic coefficients: hydrostatics, radiation with its memory, wave
+// Forces of the sea on platforms by hydrodynamic coefficients: hydrostatics, radiation with its memory, wave
 // forces of first and second order, added linear and quadratic damping. See docs/theory/platforms.md.
 #pragma once
 
@@ -80,12 +80,12 @@ class PlatformWater final : public ForceTerm,
     double time = 0;
     Eigen::VectorXd rate, slope;
   };
-  // Takes axes and wave forces to the slow heading.
+  // Turns axes and wave forces to the slow heading.
   static void turn(Platform& p);
   static Vec3 pose_of(const Platform& p, const RigidBodyState& s);
   // The mean force of the waves at rest, its moment about the body's origin: axes of space.
   static Vec6 mean_force(const Platform& p, const RigidBodyState& s);
-  // J, of that on the way from the last iteration of statics, which needs a potential.
+  // J, work of that force since the last iteration of statics, which needs a potential.
   static double mean_work(const Platform& p, const RigidBodyState& s);
   static void rest_at(Platform& p, const RigidBodyState& s);
   static void add_past(Group& g, double time, Eigen::VectorXd rate);

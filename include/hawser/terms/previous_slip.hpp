@@ -1,4 +1,4 @@
-// The elastic slip that friction at a place of an axis starts from in a step.
+// The elastic slip of friction at a point of an axis at the start of a step.
 #pragma once
 
 #include <algorithm>

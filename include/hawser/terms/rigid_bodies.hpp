@@ -1,7 +1,7 @@
 // Floating bodies: rigid, with mass and weight; springs pull them towards the place that their prescribed
 // motion has for them. The equations: kernels/rigid_body.cpp. Ends of lines are tied to one in
-// solve/start_shape.cpp (hold_ends), follow it by system/tied_nodes.hpp, and hand it what acts on them by
-// system/tied_node_forces.hpp.
+// solve/start_shape.cpp (hold_ends). system/tied_nodes.hpp moves them with it, and
+// system/tied_node_forces.hpp passes their forces to it.
 #pragma once
 
 #include <array>
@@ -23,16 +23,16 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   // For the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
   RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);
 
-  // Statics holds a body that nothing holds: as if by a spring that would swing it once in 2 pi s, without
-  // weight. Of those that find their own rest (below) only what nothing resists (a load that turns about its
-  // sling) is kept from drifting.
+  // In statics a spring of 1 rad/s holds a body that has no other support, and its weight does not act. A
+  // body that comes to rest by itself (StaticRest) is only kept from drifting where nothing resists, such as
+  // a load that turns about its sling.
   void hold(bool on, bool friction) override {
     hold_ = on;
     friction_ = friction;
   }
 
-  // N and N m about its centre of mass, space axes: what lines and contact exert on a body of the case in a
-  // state in balance, from what its own motion, springs and weight need. On the rank that owns it.
+  // N and N m about its centre of mass, space axes: force of lines and contact on a body of the case in a
+  // state in balance, as the remainder of inertia, springs and weight. On the rank that owns it.
   std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
 
   std::string_view name() const override { return "floating bodies"; }

@@ -1,5 +1,5 @@
-// What a force term may be beside a force in the course of a run, as system/roles.hpp has it for the
-// equations. System::with() lists those who have a role.
+// Roles of force terms in the course of a run; system/roles.hpp has those in the equations. System::with()
+// lists the terms that have a role.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace hawser {
 
-// Has friction, which statics begins without.
+// Has friction, which the first stage of statics switches off.
 class HasFriction {
  public:
   virtual ~HasFriction() = default;
-  // While off no slip is kept.
+  // While it is off no slip is stored.
   virtual void enable_friction(bool on) = 0;
 };
 
-// Acts otherwise in statics, where bodies with mass stay near the place where they start.
+// Acts differently in statics, which can hold bodies with mass where they start.
 class RestrainedInStatics {
  public:
   virtual ~RestrainedInStatics() = default;
@@ -27,11 +27,11 @@ class RestrainedInStatics {
   virtual void hold(bool on, bool friction) = 0;
 };
 
-// Is in the water's current.
+// Depends on the current of the water.
 class InCurrent {
  public:
   virtual ~InCurrent() = default;
-  // What the velocities of the case are multiplied by.
+  // The factor of the current velocities of the case.
   virtual void scale_current(double factor) = 0;
 };
 
@@ -51,7 +51,7 @@ class HasSeries {
   virtual std::vector<std::vector<double>> rows(const Kinematics& at) const = 0;
 };
 
-// A force on a body by what it comes from: on its centre of mass and about it, axes of space.
+// The part of the force on a body that has one origin, such as waves: at its centre of mass, axes of space.
 struct BodyForce {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
 };
@@ -60,7 +60,7 @@ struct BodyForce {
 class ActsOnBodies {
  public:
   virtual ~ActsOnBodies() = default;
-  // What forces on a body of the case come from, the same on all ranks; none: it does not act on it.
+  // The origins of the forces on a body of the case, equal on all ranks; none: the term does not act on it.
   virtual std::vector<std::string> origins(int body) const = 0;
   // One for each of them, in an accepted state, on the rank that owns the body.
   virtual std::vector<BodyForce> forces_on(int body, const Kinematics& at) const = 0;

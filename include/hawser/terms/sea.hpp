@@ -1,4 +1,4 @@
-// The sea, wherever one looks: current and waves, their ramps, its still surface.
+// The water at any point and time: current and waves, their ramps, the still surface.
 #pragma once
 
 #include "hawser/kernels/current.hpp"
@@ -25,12 +25,12 @@ struct Sea {
   bool calm() const { return current.none() && waves.none(); }
   // Without waves, at a height z.
   Water still_at(double z, double time) const;
-  // Of the waves alone. A term looks once a step (docs/theory/waves.md#in-a-step).
+  // Of the waves alone. A term evaluates them once a step (docs/theory/waves.md#in-a-step).
   WaveMotion waves_at(const Vec3& x, double time) const;
   // Pressure of the waves over rho g, m, at a place of space.
   double wave_head(const Vec3& x, double time) const;
 };
-// Both.
+// Velocity and acceleration of current and waves together.
 Water operator+(Water still, const WaveMotion& wave);
 
 Sea sea_of(const model::Case& c);

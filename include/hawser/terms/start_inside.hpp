@@ -1,4 +1,4 @@
-// What of the lines lies inside volumes where a run starts, and what of them is excluded from contact.
+// Finds parts of lines that lie inside volumes where a run starts, and excludes them from contact.
 #pragma once
 
 #include <functional>
@@ -34,16 +34,16 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
 // Sorts, and puts intervals together that meet.
 void join(std::vector<Inside>& intervals, const Mesh& mesh);
 
-// A node that a volume parts from the place where it is looked for.
+// A node that is separated by a volume from the place where it is expected.
 struct OnWrongSide {
   int line = 0, volume = 0;
   double at = 0, distance = 0;  // m: arc length from end A, how far it is to the volume that way
   Vec3 place = Vec3::Zero();    // m
 };
 
-// Where a node of a line at x, m in space, is looked for beside a volume; nullopt: nowhere.
+// Where a node of a line at x, m in space, is expected beside a volume; nullopt: no place is.
 using ExpectedPlace = std::function<std::optional<Vec3>(const Node& node, size_t volume, const Vec3& x)>;
-// Of the nodes this rank owns. Goes the way there in steps of the distance, a thousandth of it at least.
+// For the nodes this rank owns: walks to the expected place in steps of the distance, at least 1/1000 of it.
 std::vector<OnWrongSide> nodes_on_wrong_side(const LocalMesh& mesh, const Kinematics& at,
                                              const Bodies& bodies, const std::vector<ContactVolume>& volumes,
                                              const ExpectedPlace& expected_place);

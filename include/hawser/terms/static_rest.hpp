@@ -1,4 +1,4 @@
-// Whether statics finds the rest of a floating body, and does not hold it where it starts.
+// Decides whether statics computes the equilibrium of a floating body or holds it where it starts.
 #pragma once
 
 #include "hawser/model/case.hpp"

@@ -1,0 +1,43 @@
+// Summaries of stretches that volumes press on: of one turn, and of two stretches as one.
+#include "hawser/record/pressed_stretch.hpp"
+
+namespace hawser::record {
+namespace {
+
+// Sums of b begin where a ends.
+SumRange joined(const SumRange& a, const SumRange& b, double sum_of_a) {
+  return {std::min(a.low, sum_of_a + b.low), std::max(a.high, sum_of_a + b.high)};
+}
+
+}  // namespace
+
+PressedStretch::PressedStretch(const PressedTurn& turn)
+    : pressed(true),
+      first(turn),
+      last(turn),
+      worst(turn),
+      sum(turn.taken),
+      inside{turn.taken, turn.taken},
+      tension(turn.tension),
+      passage(turn.passage) {}
+
+PressedStretch joined(const PressedStretch& a, const PressedStretch& b) {
+  if (!a.pressed) return b;
+  if (!b.pressed) return a;
+  const bool touch = b.first.node == a.last.node + 1;
+  const bool larger = std::abs(b.worst.taken) > std::abs(a.worst.taken);
+  PressedStretch out = larger ? b : a;
+  if (touch && larger && b.worst.node == b.first.node) out.before = a.last.angle;
+  if (touch && !larger && a.worst.node == a.last.node) out.after = b.first.angle;
+  out.first = a.first;
+  out.last = b.last;
+  out.sum = a.sum + b.sum;
+  out.inside = joined(a.inside, b.inside, a.sum);
+  out.outside = joined(a.outside, b.outside, a.sum);
+  if (!touch) out.outside.add(a.sum);
+  out.tension = std::max(a.tension, b.tension);
+  out.passage = std::max(a.passage, b.passage);
+  return out;
+}
+
+}  // namespace hawser::record
