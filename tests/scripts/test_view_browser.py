@@ -240,6 +240,11 @@ class Drawn(unittest.TestCase):
                               "return [[p.x / s.overlay.width, p.y / s.overlay.height], s.camera.pixelAtTarget() * s.overlay.height]})()")
         np.testing.assert_allclose(middle, [0.5, 0.5], atol=0.02)
         self.assertTrue(4 < pixel < 12, pixel)  # m over the height of the picture; the drum measures 4 by 2 by 2 m
+        # Of a round shape, which has no edges, too.
+        value("(() => {const v = hawserView.scene.bodies.volumes[0]; v.mesh.children[0].geometry = "
+              "new THREE.EdgesGeometry(new THREE.SphereGeometry(1, 40, 40), 25)})()")
+        box = value("(() => {const b = hawserView.scene.boxOf({body: 0}); return [...b.min.toArray(), ...b.max.toArray()]})()")
+        self.assertTrue(all(isinstance(x, (int, float)) for x in box), box)
         value("hawserView.controls.part.value = '4'; hawserView.controls.part.dispatchEvent(new Event('change'));0")
         self.assertLess(value("hawserView.scene.camera.now.controls.target.distanceTo(hawserView.scene.lines.position(121, new THREE.Vector3()))"), 0.1)
         self.no_complaints()

@@ -3,7 +3,7 @@ import matplotlib
 import numpy as np
 
 # Name, and whether it is for values of both signs.
-MAPS = (("cividis", "Cividis", False), ("viridis", "Viridis", False), ("PuOr_r", "Purple to orange, for both signs", True))
+MAPS = (("viridis", "Viridis", False), ("cividis", "Cividis", False), ("PuOr_r", "Purple to orange, for both signs", True))
 STEPS = 256
 
 

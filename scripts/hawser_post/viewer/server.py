@@ -20,7 +20,7 @@ HEADERS = {
 PAGE = """<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>hawser view</title>
 <link rel="icon" href="data:,"><link rel="stylesheet" href="dygraph.css"><link rel="stylesheet" href="view.css"></head>
-<body class="served"><main class="hawser-view" id="model" data-base="./">The model comes here.</main>
+<body class="served"><main class="hawser-view" id="model" data-base="./">Reading the model ...</main>
 <script src="three.js"></script><script src="controls.js"></script><script src="dygraph.js"></script><script src="viewer.js"></script>
 </body></html>
 """

@@ -85,6 +85,12 @@ hawser.Bodies = class {
     }
   }
 
+  // The box of a volume where it is. (That of three.js takes in the edges, of which round shapes have none: no number.)
+  boxOf(volume) {
+    volume.mesh.geometry.computeBoundingBox();
+    return volume.mesh.geometry.boundingBox.clone().applyMatrix4(volume.mesh.matrixWorld);
+  }
+
   // Where the name of a volume stands.
   middle(volume, target) {
     return target.copy(volume.middle).applyMatrix4(volume.mesh.matrixWorld);

@@ -169,7 +169,7 @@ hawser.Scene = class {
   // The box of a part: a body with its volumes, a volume, or an end of a line, of which as much is shown as a body would take.
   boxOf({body, volume, node}) {
     const box = new THREE.Box3();
-    const add = (one) => box.expandByObject(one.mesh);
+    const add = (one) => box.union(this.bodies.boxOf(one));
     if (volume !== undefined) add(this.bodies.volumes[volume]);
     if (body !== undefined) this.bodies.volumes.filter((one) => one.body === body).forEach(add);
     if (!box.isEmpty()) return box;
@@ -183,7 +183,7 @@ hawser.Scene = class {
     const box = new THREE.Box3();
     const at = new THREE.Vector3();
     for (let i = 0; i < this.model.header.nodes; i++) box.expandByPoint(this.lines.position(i, at));
-    if (box.isEmpty()) for (const volume of this.bodies.volumes) box.expandByObject(volume.mesh);
+    if (box.isEmpty()) for (const volume of this.bodies.volumes) box.union(this.bodies.boxOf(volume));
     return box;
   }
 
