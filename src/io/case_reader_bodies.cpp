@@ -1,8 +1,10 @@
 // What is more than copying in an entry of `bodies`: motion from files and rows, and what goes by the sea.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "hawser/io/case_values.hpp"
-#include "hawser/io/wamit_reader.hpp"
+#include "hawser/io/hydrodynamic_files.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/wave_components.hpp"
 
@@ -13,7 +15,7 @@ using model::Value;
 namespace {
 
 // Refuses a sea of which more than the share `most` goes where the table has no directions.
-void check_coverage(const Value& v, const std::vector<WaveForceTable>& tables, int body, const char* what,
+void check_coverage(const Value& files, const std::vector<WaveForceTable>& tables, int body, const char* what,
                     double most, const std::vector<WaveComponent>& sea, double heading,
                     const std::string& key, std::vector<std::string>& notes) {
   if (tables.empty() || sea.empty()) return;
@@ -26,7 +28,7 @@ void check_coverage(const Value& v, const std::vector<WaveForceTable>& tables, i
       what, table.directions().size(), table.directions().size() == 1 ? "" : "s",
       table.directions().front() / kDegree, table.directions().back() / kDegree, share.direction / kDegree,
       100 * share.uncovered);
-  if (share.uncovered > most) model::refuse(v["wamit"], where + ": give files with directions there");
+  if (share.uncovered > most) model::refuse(files, where + ": give files with directions there");
   if (share.uncovered > kSmall) notes.push_back(key + ": " + where);
   const auto beyond = [&](double energy, const char* which, double omega) {
     if (energy > kSmall)
@@ -39,14 +41,42 @@ void check_coverage(const Value& v, const std::vector<WaveForceTable>& tables, i
   beyond(share.longer, "longer", table.lowest());
 }
 
+auto reader_of(model::BodyHydrodynamics::Format format) {
+  switch (format) {
+    case model::BodyHydrodynamics::Format::capytaine:
+      return read_capytaine;
+    case model::BodyHydrodynamics::Format::bemio:
+      return read_bemio;
+    case model::BodyHydrodynamics::Format::wamit:
+      break;
+  }
+  return read_wamit;
+}
+
+// Where the files tell the body's mass centre, by the weight in their stiffness.
+void compare_centre(const Vec3& weight, const model::BodyMass& m, const model::Environment& e,
+                    const std::string& key, std::vector<std::string>& notes) {
+  constexpr double kSame = 0.05;
+  const Vec3 centre = weight / (m.mass * e.gravity);
+  if ((centre - m.centre).norm() > kSame * std::cbrt(m.mass / e.water.density))
+    notes.push_back(fmt::format(
+        "{}: the stiffness of the file has the weight at ({:.3g}, {:.3g}, {:.3g}) m from the point that its "
+        "moments are about, and 'centre_of_mass' is ({:.3g}, {:.3g}, {:.3g}): is that point the body's "
+        "origin, "
+        "at 'origin_in_file'?",
+        key, centre.x(), centre.y(), centre.z(), m.centre.x(), m.centre.y(), m.centre.z()));
+}
+
 // The files of a body's coefficients, read once.
 void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
-  h.wamit = source.absolute(h.wamit);
-  std::shared_ptr<const model::HydrodynamicData>& known = source.files->coefficients[fmt::format(
-      "{} {} {} {}", h.wamit, h.length, static_cast<int>(h.second_order), h.mirrored)];
+  const Value& files = v[h.key()];
+  h.files = source.absolute(h.files);
+  std::shared_ptr<const model::HydrodynamicData>& known =
+      source.files->coefficients[fmt::format("{} {} {} {} {}", h.files, static_cast<int>(h.format), h.length,
+                                             static_cast<int>(h.second_order), h.mirrored)];
   if (!known) {
-    WamitForm form;
+    HydrodynamicForm form;
     form.length = h.length;
     form.density = c.environment.water.density;
     form.gravity = c.environment.gravity;
@@ -54,9 +84,9 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     std::vector<std::string> notes, read;
     try {
       known = std::make_shared<const model::HydrodynamicData>(
-          read_wamit(h.wamit, form, h.second_order, read, notes));
+          reader_of(h.format)(h.files, form, h.second_order, read, notes));
     } catch (const std::runtime_error& e) {
-      model::refuse(v["wamit"], e.what());
+      model::refuse(files, e.what());
     }
     for (const std::string& path : read) source.input(path);
     for (const std::string& n : notes)
@@ -65,6 +95,15 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   h.data = known;
   if (h.body > h.data->bodies)
     model::refuse(v["body"], "the files have {} bod{}", h.data->bodies, h.data->bodies == 1 ? "y" : "ies");
+  const auto body = static_cast<size_t>(h.body) - 1;
+  const auto given = [&v](const char* key) { return v.has(key) && v[key].given; };
+  if (!given("origin_in_file") && body < h.data->origin.size() && h.data->origin[body])
+    h.in_file = *h.data->origin[body];
+  // Capytaine's stiffness always has the weight.
+  if (!given("gravity_in_stiffness"))
+    h.gravity_in_stiffness = h.format == model::BodyHydrodynamics::Format::capytaine;
+  if (h.gravity_in_stiffness && body < h.data->weight.size() && h.data->weight[body])
+    compare_centre(*h.data->weight[body], *b.mass, c.environment, "bodies." + b.name + ".floating", c.notes);
 }
 
 // Rows of t, force and maybe moment.
@@ -122,9 +161,9 @@ void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::C
       const double heading = model::hydrodynamic_heading(b);
       const auto& sea = source.files->sea(c.environment).components();
       const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
-      check_coverage(*waves, h.data->excitation, h.body, "wave forces (.3)", 0.05, sea, heading, key,
-                     c.notes);
-      check_coverage(*waves, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
+      const Value& files = (*waves)[h.key()];
+      check_coverage(files, h.data->excitation, h.body, "wave forces", 0.05, sea, heading, key, c.notes);
+      check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
     }
   const Value* m = v.find("motion");
   const Value* rao = m ? m->find("rao") : nullptr;

@@ -30,21 +30,23 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
   if (!(C33 > 0)) return;
   const double surge = std::arg(X[0]);
   if (std::abs(std::remainder(surge + M_PI / 2, 2 * M_PI)) < kPhase && std::abs(X[0]) > 0.02 * std::abs(X[2]))
-    issue("wamit",
+    issue(h.key(),
           "in the longest waves, {:.4g} s, the surge force comes {:.3g} deg after the crest, but the water "
-          "there "
-          "pushes a quarter of a period before it: the phases of {}.3 are conjugated or lags; WAMIT's are "
-          "leads "
-          "with exp(+i omega t)",
-          2 * M_PI / omega, -surge / kDegree, h.data->name);
+          "there pushes a quarter of a period before it: the phases of {} are conjugated (WAMIT's and "
+          "BEMIO's are leads "
+          "with exp(+i omega t), Capytaine's lags with exp(-i omega t))",
+          2 * M_PI / omega, -surge / kDegree, h.data->excitation_file);
   constexpr double kFar = 1.5;
   if (heave > kFar || heave < 1 / kFar)
-    issue("wamit",
-          "in the longest waves, {:.4g} s, the heave force of {}.3 is {:.3g} times the hydrostatic stiffness "
-          "C33, "
-          "and should be about 1: is 'length_scale' (ULEN, {:g} m here) that of the files, and are they in "
-          "metres?",
-          2 * M_PI / omega, h.data->name, heave, h.length);
+    issue(
+        h.key(),
+        "in the longest waves, {:.4g} s, the heave force of {} is {:.3g} times the hydrostatic stiffness "
+        "C33, and should be about 1: {}",
+        2 * M_PI / omega, h.data->excitation_file, heave,
+        h.format == BodyHydrodynamics::Format::wamit
+            ? fmt::format("is 'length_scale' (ULEN, {:g} m here) that of the files, and are they in metres?",
+                          h.length)
+            : "are both of one body, and of the density and gravity that the file states?");
 }
 
 // The stiffness has a potential, and the damping takes energy.
@@ -75,10 +77,8 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
           "'wave_pressure: false' there, or 'excitation: false'");
   if (h.excitation && c.environment.water.present && c.environment.water.waves.kind != Waves::Kind::none &&
       h.data->excitation.empty())
-    issue("wamit",
-          "there are waves, and no file {}.3 or .2 with the forces of waves: 'excitation: false' does "
-          "without them",
-          h.data->name);
+    issue(h.key(), "there are waves, and no forces of waves in {}: 'excitation: false' does without them",
+          h.data->excitation_file);
   check_long_waves(c, b, issue);
   check_matrices(h, issue);
 }
@@ -135,11 +135,10 @@ void check_platforms(const Case& c, const Issues& issue) {
     const Body& first = c.bodies[group.front()];
     const HydrodynamicData& data = *first.mass->hydrodynamics->data;
     if (static_cast<int>(group.size()) != data.bodies)
-      issue(
-          "bodies." + first.name + ".floating.hydrodynamics.wamit",
-          "{}.1 has {} bodies that radiate on each other, but {} of the case {} it: each needs an entry with "
-          "its number as 'body'",
-          data.name, data.bodies, group.size(), group.size() == 1 ? "uses" : "use");
+      issue("bodies." + first.name + ".floating.hydrodynamics." + first.mass->hydrodynamics->key(),
+            "{} has {} bodies that radiate on each other, but {} of the case {} it: each needs an entry with "
+            "its number as 'body'",
+            data.radiation_file, data.bodies, group.size(), group.size() == 1 ? "uses" : "use");
   }
 }
 

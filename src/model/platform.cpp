@@ -19,12 +19,26 @@ constexpr double kNoEntry = 1e-6;
 
 }  // namespace
 
+const char* BodyHydrodynamics::key() const {
+  switch (format) {
+    case Format::capytaine:
+      return "capytaine";
+    case Format::bemio:
+      return "bemio";
+    case Format::wamit:
+      break;
+  }
+  return "wamit";
+}
+
 PlatformHydrostatics hydrostatics(const BodyMass& m, double density, double gravity) {
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const int first = 6 * (h.body - 1);
   Mat6 C = h.data->hydrostatic.block<6, 6>(first, first);
   if (h.gravity_in_stiffness) {
-    const Vec3 moment = m.mass * gravity * m.centre;
+    const auto body = static_cast<size_t>(h.body) - 1;
+    const bool known = body < h.data->weight.size() && h.data->weight[body];
+    const Vec3 moment = known ? *h.data->weight[body] : Vec3(m.mass * gravity * m.centre);
     C(3, 3) += moment.z();
     C(4, 4) += moment.z();
     C(3, 5) -= moment.x();

@@ -141,21 +141,25 @@ Key body_hydrodynamics() {
   };
   return map(
       {"hydrodynamics", &BodyMass::hydrodynamics},
-      {text({"wamit", &H::wamit},
+      {text({"wamit", &H::files},
             "path, from the case, of WAMIT's output files without their endings: `.1` and `.hst`, `.3` where "
-            "there are waves; each may be packed by gzip",
-            required),
+            "there are waves; each may be packed by gzip"),
+       text({"capytaine", &H::files, set(&H::format, H::Format::capytaine)},
+            "instead: Capytaine's NetCDF file"),
+       text({"bemio", &H::files, set(&H::format, H::Format::bemio)}, "instead: BEMIO's HDF5 file"),
        number({"length_scale", &H::length}, length, "ULEN of the files", above(0), or_else("1")),
        integer({"body", &H::body}, "which of the files' bodies it is", in_range(1, 20), or_else("1")),
        vec3({"origin_in_file", &H::in_file}, length,
-            "where the files have the body's origin (XBODY), about which their moments are", or_else(kZero)),
+            "where the files have the body's origin (XBODY), about which their moments are",
+            or_else_note(
+                "[0, 0, 0]; of `capytaine` its centre of rotation, of `bemio` its centre of gravity")),
        number({"displaced_volume", &H::volume}, volume,
               "of the body where the files have it, of water of the case", above(0),
               or_else_note("what carries its mass")),
        boolean({"gravity_in_stiffness", &H::gravity_in_stiffness},
                "whether the stiffness of the files has the part that the body's weight has in it (WAMIT's, "
                "where it was given mass and centre of gravity)",
-               or_else("false")),
+               or_else_note("false; true of `capytaine`, whose stiffness has it")),
        vec3({"place", &H::place}, length,
             "of the body's origin where the files have it: motion is counted from there",
             or_else_note("x and y of `position`, z of `origin_in_file`")),
@@ -190,7 +194,8 @@ Key body_hydrodynamics() {
            "for each of the six velocities v of its origin the force is this times |v| v: N s²/m² and N m s²",
            items(6, 6))},
       "the sea acts on it by the coefficients of a diffraction program "
-      "([theory](../theory/platforms.md)); its `weight` acts");
+      "([theory](../theory/platforms.md)); its `weight` acts",
+      either({"wamit", "capytaine", "bemio"}));
 }
 
 Key body_hull() {

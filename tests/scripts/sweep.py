@@ -20,6 +20,8 @@ from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from pathlib import Path
 
+import h5py
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 VALUES = ("nan", "inf", "1e300", "-1e300", "1e60", "-1e60", "1e-60", "0", "''", "[]", "{}")
 PATIENCE = 120.0  # s
@@ -44,6 +46,38 @@ TABLES = {
     "places.txt": "600 300\n700 300 20\n",
     "ship.rao": "".join(f"{p} {d}" + " 0.3 90" * 6 + "\n" for d in (0, 90, 180) for p in (4, 8, 12)),
 }  # fmt: skip
+
+
+
+def write_coefficients(folder):
+    """A buoy in the layouts of BEMIO and Capytaine, of one heading."""
+    omega, freedoms = [0.5, 1.0, 2.0], ["Surge", "Sway", "Heave", "Roll", "Pitch", "Yaw"]
+    at = range(3)
+    matrix = [[[float(i == j) * (1 + k) for k in at] for j in range(6)] for i in range(6)]
+    stiff = [[float(i == j and i in (2, 3, 4)) * 20 for j in range(6)] for i in range(6)]
+    force = [[[14.0 for _ in at]] for _ in range(6)]
+    with h5py.File(folder / "buoy.h5", "w") as file:
+        for name, value in (("scaled", 0), ("rho", 1000), ("g", 9.81), ("w", omega), ("wave_dir", [0])):
+            file["simulation_parameters/" + name] = value
+        file["body1/properties/cg"] = [0.0, 0, 0]
+        for name, value in (("added_mass/all", matrix), ("added_mass/inf_freq", matrix[0]), ("radiation_damping/all", matrix),
+                            ("linear_restoring_stiffness", stiff), ("excitation/re", force), ("excitation/im", force)):
+            file["body1/hydro_coeffs/" + name] = [[row[0] for row in r] for r in matrix] if name.endswith("inf_freq") else value
+    by_omega = [[[matrix[i][j][k] * 1000 for i in range(6)] for j in range(6)] for k in at]
+    with h5py.File(folder / "buoy.nc", "w") as file:
+        for name, value in (("omega", omega), ("wave_direction", [0.0]), ("radiating_dof", freedoms), ("influenced_dof", freedoms),
+                            ("complex", ["re", "im"])):
+            file[name] = value
+            file[name].make_scale(name)
+        for name, along, value in (
+                ("rho", (), 1000.0), ("g", (), 9.81), ("added_mass", ("omega", "radiating_dof", "influenced_dof"), by_omega),
+                ("radiation_damping", ("omega", "radiating_dof", "influenced_dof"), by_omega),
+                ("hydrostatic_stiffness", ("radiating_dof", "influenced_dof"), [[1e4 * x for x in row] for row in stiff]),
+                ("excitation_force", ("complex", "omega", "wave_direction", "influenced_dof"), [[[[1.4e5] * 6] for _ in at] for _ in "ri"])):
+            file[name] = value
+            for d, dimension in enumerate(along):
+                file[name].dims[d].attach_scale(file[dimension])
+
 
 # The common part of the cases: a mooring line, a pipe, a hanging rope, bodies, volumes, a link.
 COMMON = """
@@ -175,6 +209,8 @@ VARIANTS = (
      "hydrodynamics: {wamit: barge, length_scale: 10, body: 1, origin_in_file: [0, 0, 0], displaced_volume: 500, gravity_in_stiffness: false, "
      "place: [200, 0, 0], heading_deg: 0, follow_period: 60, symmetry: none, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, 1], "
      "stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], damping: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]]}}}"},
+    {"bodies.barge": "{position: [200, 0, 0], floating: {mass: 4000, inertia: [2e3, 6e3, 7e3], hydrodynamics: {bemio: buoy.h5}}}",
+     "bodies.float": "{position: [230, 0, 0], floating: {mass: 4000, inertia: [2e3, 6e3, 7e3], hydrodynamics: {capytaine: buoy.nc}}}"},
     {"bodies.spar": "{position: [260, 0, 0], floating: {mass: 5e4, inertia: [1e6, 1e6, 1e5], centre_of_mass: [0, 0, -4], "
      "hull: {volumes: [column], wave_pressure: true}, "
      "members: [{from: [0, 0, -8], to: [0, 0, 2], diameter: 3, Cd: 1, Ca: 1, axial_Cd: 1, axial_Ca: 1}]}}",
@@ -393,6 +429,7 @@ def sweep(program, checker, runs=False, only=None, jobs=2, values=VALUES, share=
             (top / str(worker)).mkdir()
             for file, text in TABLES.items():
                 (top / str(worker) / file).write_text(text)
+            write_coefficients(top / str(worker))
         make_other(program, top, jobs)
         free = queue.SimpleQueue()
         for worker in range(jobs):

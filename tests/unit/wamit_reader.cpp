@@ -1,6 +1,4 @@
 // WAMIT's files: scales, rows that are excluded, files packed by gzip, and what is refused.
-#include "hawser/io/wamit_reader.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -8,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+
+#include "hawser/io/hydrodynamic_files.hpp"
 
 namespace hawser::wamit_reader_test {
 namespace {
@@ -36,7 +36,7 @@ class WamitReader : public ::testing::Test {
     }
     return "";
   }
-  io::WamitForm form{2, 1000, 10};
+  io::HydrodynamicForm form{2, 1000, 10};
   std::vector<std::string> files, notes;
 
  private:

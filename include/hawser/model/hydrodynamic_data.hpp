@@ -4,15 +4,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hawser/kernels/platform_waves.hpp"
+#include "hawser/math/types.hpp"
 
 namespace hawser::model {
 
 struct HydrodynamicData {
-  std::string name;                                  // of the files, for messages
+  std::string radiation_file, excitation_file;       // for messages
   int bodies = 0;                                    // matrices have 6 rows and columns for each
   std::vector<double> omega;                         // rad/s, growing, above 0
   std::vector<Eigen::MatrixXd> added_mass, damping;  // by frequency: kg, kg m, kg m²; N s/m, N s, N m s
@@ -22,6 +24,9 @@ struct HydrodynamicData {
   std::vector<WaveForceTable> excitation;            // by body: N/m, N; empty: not given
   std::vector<WaveForceTable> drift;  // by body: N/m², N/m of the amplitude squared; empty: not given
   DifferenceForceTable difference;    // of one body, at one direction
+  // By body, where the files tell it: the point that moments are about, m, axes of the files; and the moment
+  // m g (x, y, z) of its weight about that point, N m, that is in their hydrostatic stiffness.
+  std::vector<std::optional<Vec3>> origin, weight;
 };
 
 }  // namespace hawser::model

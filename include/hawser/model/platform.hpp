@@ -19,7 +19,8 @@ struct Case;
 
 // What the sea does to a large floating body by the coefficients of a diffraction program.
 struct BodyHydrodynamics {
-  std::string wamit;            // path of WAMIT's files without their endings, absolute
+  enum class Format { wamit, capytaine, bemio } format = Format::wamit;
+  std::string files;            // path, absolute; of WAMIT's files without their endings
   double length = 1;            // m, ULEN of the files
   int body = 1;                 // which of the files' bodies it is
   Vec3 in_file = Vec3::Zero();  // m, of the body's origin in the axes of the files
@@ -34,6 +35,7 @@ struct BodyHydrodynamics {
   Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // added, about its origin: N/m ... N m s
   Vec6 quadratic_damping = Vec6::Zero();                  // by freedom: N/(m/s)², N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;
+  const char* key() const;  // that names the files
 };
 
 // A force on a floating body, constant or with a part by time.

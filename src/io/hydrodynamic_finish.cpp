@@ -1,0 +1,115 @@
+// What is made of coefficients once they are read: symmetric matrices, damping that is passive, the added
+// mass at infinite frequency.
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hawser/kernels/radiation_memory.hpp"
+#include "hydrodynamic_parts.hpp"
+
+namespace hawser::io {
+namespace {
+
+using model::HydrodynamicData;
+
+// A(inf) = A(omega) + int_0^inf K sin(omega t) dt/omega (Ogilvie 1964), averaged over the frequencies.
+void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) {
+  const Eigen::Index n = 6 * data.bodies, rows = static_cast<Eigen::Index>(data.omega.size());
+  Eigen::MatrixXd damping(rows, n * n);
+  for (Eigen::Index k = 0; k < rows; ++k) damping.row(k) = data.damping[static_cast<size_t>(k)].reshaped();
+  const RadiationMemory memory(data.omega, damping);
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(n, n);
+  for (const Eigen::MatrixXd& A : data.added_mass) mean += A / static_cast<double>(rows);
+  data.infinite = mean + memory.added_mass_below_infinite(data.omega).reshaped(n, n);
+  data.infinite_estimated = true;
+  notes.push_back(
+      data.radiation_file +
+      ": has no added mass at infinite frequency (WAMIT's period 0); it is estimated from the other "
+      "frequencies by Ogilvie's relation");
+}
+
+void make_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
+
+// Waves that a body makes only take energy: B without its negative eigenvalues, in the metric of the added
+// mass, so that translations and rotations compare. The irregular frequencies of panel methods and the noise
+// of small entries have some. Refused where that is much of it.
+void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
+  constexpr double kMuch = 0.3, kSome = 0.02;
+  const Eigen::Index n = data.infinite.rows();
+  Eigen::VectorXd scale(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    double most = std::abs(data.infinite(i, i));
+    for (const Eigen::MatrixXd& A : data.added_mass) most = std::max(most, std::abs(A(i, i)));
+    scale[i] = most > 0 ? std::sqrt(most) : 1;
+  }
+  double taken = 0, all = 0, worst = 0, period = 0, before = 0;
+  for (size_t k = 0; k < data.omega.size(); ++k) {
+    Eigen::MatrixXd& B = data.damping[k];
+    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * B * scale.cwiseInverse().asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaled);
+    const Eigen::VectorXd positive = modes.eigenvalues().cwiseMax(0);
+    const double negative = (positive - modes.eigenvalues()).sum(), width = data.omega[k] - before;
+    before = data.omega[k];
+    taken += width * negative;
+    all += width * positive.sum();
+    if (negative > worst) {
+      worst = negative;
+      period = 2 * M_PI / data.omega[k];
+    }
+    if (!(negative > 0)) continue;
+    const Eigen::MatrixXd root = scale.asDiagonal() * modes.eigenvectors();
+    B = root * positive.asDiagonal() * root.transpose();
+  }
+  const std::string found = fmt::format(
+      "{}: radiation damping of {:.2g} % of its sum over the frequencies is "
+      "negative, most at {:.4g} s",
+      data.radiation_file, 100 * taken / std::max(all, 1e-300), period);
+  if (taken > kMuch * all)
+    throw std::runtime_error(
+        found +
+        ": waves that a body makes cannot drive it; does the file have the other sign, or "
+        "irregular frequencies of its panels?");
+  if (taken > kSome * all) notes.push_back(found + "; it is excluded");
+}
+
+// Of a matrix over its largest diagonal entries.
+double asymmetry(const Eigen::MatrixXd& m) {
+  double most = 0;
+  for (Eigen::Index i = 0; i < m.rows(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const double scale = std::sqrt(std::abs(m(i, i) * m(j, j)));
+      if (scale > 0) most = std::max(most, std::abs(m(i, j) - m(j, i)) / scale);
+    }
+  return most;
+}
+
+}  // namespace
+
+void finish_coefficients(HydrodynamicData& data, bool has_infinite, std::vector<std::string>& notes) {
+  constexpr double kAsymmetry = 0.05;
+  double asymmetric = has_infinite ? asymmetry(data.infinite) : 0;
+  std::string worst = "at infinite frequency";
+  for (size_t k = 0; k < data.omega.size(); ++k) {
+    if (const double here = asymmetry(data.added_mass[k]); here > asymmetric) {
+      asymmetric = here;
+      worst = fmt::format("at {:.4g} s", 2 * M_PI / data.omega[k]);
+    }
+    make_symmetric(data.added_mass[k]);
+  }
+  for (Eigen::MatrixXd& m : data.damping) make_symmetric(m);
+  if (asymmetric > kAsymmetry)
+    notes.push_back(
+        fmt::format("{}: added mass differs from its transpose by up to {:.2g} % of the diagonal, "
+                    "{}; the mean of both is used",
+                    data.radiation_file, 100 * asymmetric, worst));
+  if (has_infinite)
+    make_symmetric(data.infinite);
+  else
+    estimate_infinite(data, notes);
+  make_passive(data, notes);
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,42 @@
+// What the readers of diffraction programs share: tables of wave forces that grow by entries, and what is
+// made of coefficients and asked of them once they are read.
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hawser/io/hydrodynamic_files.hpp"
+
+namespace hawser::io {
+
+inline constexpr double kRadPerDegree = M_PI / 180;
+
+inline bool rotates(int mode) { return mode % 6 >= 3; }  // modes from 0
+
+// Force tables from their entries, by frequency, direction [rad, 0 to 2 pi] and mode. Modes without an entry
+// are zero; the directions -180 and 180 degrees are the same.
+class WaveForceRows {
+ public:
+  WaveForceRows(int bodies, bool mirrored) : bodies_(bodies), mirrored_(mirrored) {}
+  void add(double omega, double direction_deg, int mode, Complex value);
+  bool none() const { return values_.empty(); }
+  // Of each body. A pair of frequency and direction without any row: refused.
+  std::vector<WaveForceTable> tables(const std::string& path);
+
+ private:
+  void add_other_side(const std::string& path);
+
+  int bodies_;
+  bool mirrored_;
+  std::map<long, double> directions_;
+  std::map<std::pair<double, long>, std::vector<Complex>> values_;
+};
+
+// Symmetric matrices, damping without negative eigenvalues, the added mass at infinite frequency where the
+// files have none (`has_infinite` false).
+void finish_coefficients(model::HydrodynamicData& data, bool has_infinite, std::vector<std::string>& notes);
+
+}  // namespace hawser::io
