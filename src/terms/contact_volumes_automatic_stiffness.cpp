@@ -22,7 +22,9 @@ constexpr double kFollowing = 2;
 // In such steps the stiffness is raised only where the line is kDeepInAnImpact times deeper than allowed and
 // the part kPressed of the contact force at least is not due to inertia.
 constexpr double kDeepInAnImpact = 10, kPressed = 0.99;
-// Of what is allowed in the mean over a straight element: what is allowed at its deepest point, over an edge.
+// In motion, of what is allowed in the mean over a straight element: what is allowed at its deepest point,
+// over an edge. At rest the deepest point decides, since the tension of a line between fixed ends depends on
+// it.
 constexpr double kDeepest = 10;
 // Most that what presses raises a stiffness in a step: what grows faster is an impact.
 constexpr double kMostInAStep = 4;
@@ -55,7 +57,8 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
   const bool resolves_impact = step > 0 && p.mass > 0 && step < kFollowing * period;
   const bool pressed = !resolves_impact || p.static_share > kPressed;
   const double times = resolves_impact ? kDeepInAnImpact : step > 0 ? kMoving : 1;
-  const double depth = given > 0 ? p.depth : std::max(p.mean_depth, times / kDeepest * p.depth);
+  const bool at_rest = step <= 0;
+  const double depth = given > 0 || at_rest ? p.depth : std::max(p.mean_depth, times / kDeepest * p.depth);
   if (pressed && p.static_share * depth > times * allowed) {
     const double most = resolves_impact ? std::max(1 + step / period, kLeastInAStep) : kMostInAStep;
     want = now * p.static_share * depth / (kRaisedTo * allowed);
