@@ -300,6 +300,7 @@ class Drawn(unittest.TestCase):
         results = self.show(path)
         value = self.browser.value
         value("hawserView.player.show(5)")
+        value("hawserView.scene.draw()")  # what has been asked for is drawn with the next frame only
         centre = np.array(value("hawserView.model.header.centre"))
         x = results.file["fields/position"][5]
         drum = results.rotation(0, 5) @ [2, 1, 1] + results.file["bodies/position"][5, 0]
