@@ -361,6 +361,24 @@ def main(argv=None, **defaults):
     render(arguments(argv, **defaults))
 
 
+def below_each_other(argv, common, views):
+    """Draws several views of a case, {their own choices}, below each other into OUT/NAME.png for `RESULTS OUT [OPTIONS]`, NAME that of the
+    results; `common`: choices of all. Returns the path."""
+    results, out, options = argv[0], argv[1], argv[2:]
+    picture = os.path.splitext(os.path.basename(results))[0] + ".png"
+    files = []
+    for number, view in enumerate(views):
+        folder = os.path.join(out, f"view {number + 1}")
+        main([results, folder, *options], **common, **view)
+        for source in list(pv.GetSources().values()):
+            pv.Delete(source)
+        pv.Delete(pv.GetActiveView())
+        files.append(os.path.join(folder, picture))
+    target = os.path.join(out, picture)
+    join(files, 1, target)
+    return target
+
+
 if __name__ == "__main__":
     # As a module, not as the main program: ParaView runs the pieces of Python above in the main program's names,
     # where they replace min, max and others.

@@ -8,7 +8,7 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
-from render import join, main, pv  # noqa: E402
+from render import below_each_other, pv  # noqa: E402
 
 DEPTH = 120.0  # m
 
@@ -26,20 +26,10 @@ def sea(west, south, east, north):
     return add
 
 
-results, out, options = sys.argv[1], sys.argv[2], sys.argv[3:]
 common = dict(at=[55.0], range=[0.0, 1300.0], columns=1)
 # From the west, as the wind blows: all of it, the chains drawn 14 m thick, and the float in the middle of the second row.
 views = [dict(diameter=14.0, direction=[1.0, 0.12, -0.55], focus=[620.0, 3080.0, -30.0], height=2560.0, size=[1500, 430],
               scenery=sea(-850, -850, 2350, 7600)),
          dict(diameter=4.0, direction=[1.0, 0.3, -0.42], focus=[1390.0, 3695.0, 25.0], height=660.0, size=[1500, 690],
               scenery=sea(840, 3180, 1950, 4320))]
-files = []
-for name, view in zip(("all", "one"), views):
-    main([results, os.path.join(out, name), *options], **common, **view)
-    for source in list(pv.GetSources().values()):
-        pv.Delete(source)
-    pv.Delete(pv.GetActiveView())
-    files.append(os.path.join(out, name, os.path.splitext(os.path.basename(results))[0] + ".png"))
-target = os.path.join(out, "farm.png")
-join(files, 1, target)
-print(target)
+print(below_each_other(sys.argv[1:], common, views))

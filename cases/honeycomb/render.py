@@ -8,19 +8,9 @@ import os
 import sys
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "scripts"))
-from render import join, main, pv  # noqa: E402
+from render import below_each_other  # noqa: E402
 
-results, out, options = sys.argv[1], sys.argv[2], sys.argv[3:]
 common = dict(at=[55.0], columns=1)
 views = [dict(diameter=12.0, direction=[0.25, 1.0, -0.75], focus=[1800.0, 500.0, -120.0], height=2500.0, size=[1500, 620], range=[0.0, 3000.0]),
          dict(diameter=4.0, direction=[0.0, 1.0, -0.12], focus=[725.0, 0.0, -40.0], height=470.0, size=[1500, 420], range=[0.0, 30.0])]
-files = []
-for name, view in zip(("all", "one"), views):
-    main([results, os.path.join(out, name), *options], **common, **view)
-    for source in list(pv.GetSources().values()):
-        pv.Delete(source)
-    pv.Delete(pv.GetActiveView())
-    files.append(os.path.join(out, name, os.path.splitext(os.path.basename(results))[0] + ".png"))
-target = os.path.join(out, "honeycomb.png")
-join(files, 1, target)
-print(target)
+print(below_each_other(sys.argv[1:], common, views))

@@ -68,11 +68,7 @@ def graphs(page, a, b):
     shown = compare_tables.common_histories(a, b)
     if shown:
         page.section("Time histories")
-    before = page.figures
-    for place, name in enumerate(shown):
-        if page.figures - before >= MOST_HISTORY_FIGURES:
-            page.text(f"Figures are of the first {place} of {len(shown)} histories by name; hawser plot draws the others.")
-            break
+    for name in page.within(shown, MOST_HISTORY_FIGURES, "histories by name; hawser plot draws the others."):
         one, other = a.series(name), b.series(name)
         for column in (c for group in groups(one) for c in group if c in other.columns):
             if max(np.ptp(one.column(column)), np.ptp(other.column(column))) > 0:

@@ -117,6 +117,16 @@ class Page:
         self.parts.append(f'<figure{attribute}><img alt="{html.escape(caption)}" src="data:image/{kind};base64,{text}">'
                           f"<figcaption>{html.escape(caption)}</figcaption>{script}</figure>")
 
+    def within(self, things, most, rest):
+        """The things, one after another, until `most` figures have been made of them; then `rest`, with how many that were and of how
+        many, is said of the others."""
+        before = self.figures
+        for place, thing in enumerate(things):
+            if self.figures - before >= most:
+                self.text(f"Figures are of the first {place} of {len(things)} {rest}")
+                return
+            yield thing
+
     def model(self, results, other=None):
         """The model in three dimensions, with another in it, or the sentence that says why it is not there."""
         if self.drawn:

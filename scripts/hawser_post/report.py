@@ -156,12 +156,8 @@ def strength(page, results, lines, since):
 def histories(page, results, lines, since):
     page.section("Time histories")
     shown = [name for name in results.histories if not tables.is_support(results.series_at(name))]
-    before = page.figures
-    for place, name in enumerate(shown):
-        if page.figures - before >= MOST_HISTORY_FIGURES:
-            page.text(f"Figures are of the first {place} of {len(shown)} histories by name; hawser plot draws the others, and the table has "
-                      "the statistics of all.")
-            break
+    rest = "histories by name; hawser plot draws the others, and the table has the statistics of all."
+    for name in page.within(shown, MOST_HISTORY_FIGURES, rest):
         history_figures(page, results, results.series_at(name), since)
     if results.has("effective_tension"):
         for line in lines:

@@ -2,7 +2,9 @@
 #include "hawser/advice/cost.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 
@@ -42,6 +44,20 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
   else if (size.total > kMuch)
     s += "\nnote: output.every says how often fields are written, which is most of it in most runs";
   return s;
+}
+
+std::string partition(std::span<const int> nodes, double imbalance, int cut_lines, int cut_elements) {
+  const auto count = [](auto n, const char* what) {
+    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
+  };
+  std::string text = "partition: " + count(std::ssize(nodes), "rank") + ", ";
+  const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end());
+  text += nodes.size() > 8 ? fmt::format("{} to {} nodes each", *least, *most)
+                           : fmt::format("{} nodes", fmt::join(nodes, " + "));
+  if (nodes.size() > 1)
+    text += fmt::format(", on one of them {:.2f} times the mean work; {}, {}", imbalance,
+                        count(cut_lines, "cut line"), count(cut_elements, "cut element"));
+  return text;
 }
 
 std::string expected_memory(double bytes, bool of_each_rank) {

@@ -1,6 +1,7 @@
-// `farm`: platform files are read once into a case of their own, whose things are then copied to each place
-// (model/place_platform.cpp). What goes by the place, motion in waves and shapes of another run, is done on
-// the copies. What there is once, environment, contact, statics, dynamics, events and output, is the farm's.
+// `farm`: each platform file is read once into a case of its own. Its bodies, lines and so on are then copied
+// to each place (model/place_platform.cpp). Motions in waves and start shapes of other runs depend on the
+// place: they are read for each copy. Environment, contact, statics, dynamics, events and output are those of
+// the farm's file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,8 +34,8 @@ constexpr size_t kMostPlaces = 100'000;
 constexpr double kFarthestPlace = 1e6;  // m from the origin
 constexpr double kSamePlace = 1e-3;     // m
 
-// Of "farm.of.KEY=VALUE" and "farm[1].of.KEY=VALUE" the number of the platform and KEY=VALUE; empty: of
-// others.
+// Splits a change "farm.of.KEY=VALUE" or "farm[1].of.KEY=VALUE" into the number of the platform and
+// KEY=VALUE, which is empty for other changes.
 std::pair<size_t, std::string> platform_change(const std::string& change) {
   constexpr std::string_view kFarm = "farm", kOf = ".of.";
   if (!change.starts_with(kFarm)) return {};
@@ -253,7 +254,7 @@ void check_line_types(const FarmPart& part, const model::Case& c) {
   }
 }
 
-// What a platform file says otherwise than the farm, which has it once.
+// Notes the settings of a platform file that the farm does not use, as its own file has others.
 void note_unused(const FarmPart& part, const Value& root, std::vector<std::string>& notes) {
   std::vector<std::string> keys;
   for (const char* key : {"contact", "start", "stages", "events"}) {

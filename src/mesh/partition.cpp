@@ -249,8 +249,8 @@ idx_t weight_of_cut(std::span<const Edge> edges, const auto& part) {
   return cut;
 }
 
-// METIS may cut fewer edges of a component, the places [begin, end) of the row, than the cuts of the row do.
-// It is asked for parts of the same weights, and its answer is taken if no part has more than `most` with it.
+// Cuts one component, the places [begin, end) of the row, again by METIS into parts of the same weights. The
+// new cut replaces that of the row if the edges it cuts weigh less and no part gets more work than `most`.
 void cut_again(const Row& row, int begin, int end, double most, std::vector<double>& load,
                std::vector<int>& part) {
   const int first = part[begin], parts = part[end - 1] - first + 1;

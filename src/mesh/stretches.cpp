@@ -44,7 +44,8 @@ double least_limit(const std::vector<double>& sums, int parts) {
   return high;
 }
 
-// The places where items may be cut, with the ends of the row: those of no worse kind than this.
+// The places where the row may be cut: its ends, and the places before items whose cut is of the kind `worst`
+// or a better one.
 struct Places {
   std::vector<int> at;
   std::vector<double> sums;  // of the items before each
@@ -78,7 +79,8 @@ std::vector<int> cut_into_stretches(std::span<const double> weight, std::span<co
   const int last = static_cast<int>(p.at.size()) - 1;
   std::vector<int> cuts(static_cast<size_t>(parts) + 1, last), least(cuts);
   cuts[0] = 0;
-  // What lies behind the earliest beginning of a part fits into that part and those after it.
+  // least[k]: the first place at which part k may begin, so that what follows fits into part k and those
+  // after it.
   for (int k = parts - 1; k > 0; --k) least[k] = earliest(p.sums, least[k + 1], limit);
   for (int k = 1; k < parts; ++k) {
     const int before_it = cuts[k - 1], low = std::max(least[k], before_it);

@@ -12,6 +12,9 @@
 namespace hawser::model {
 namespace {
 
+constexpr double kOnBed =
+    0.01;  // m: of an anchor of a link above the bed that it is on, as places are written
+
 class Placing {
  public:
   Placing(const Case& platform, const Seabed& bed, const FarmPlace& place, Case& to)
@@ -44,7 +47,7 @@ class Placing {
       Link& o = to_.links.emplace_back(l);
       o.name = name(l.name);
       for (LinkEnd* e : {&o.end_a, &o.end_b}) {
-        if (e->body.empty() && e->line.empty()) e->at = point(e->at);
+        if (e->body.empty() && e->line.empty()) e->at = on_bed(e->at, kOnBed);
         rename(e->body);
         rename(e->line);
       }
@@ -71,7 +74,7 @@ class Placing {
 
   Vec3 way(const Vec3& d) const { return turned_ ? Vec3(turn_ * d) : d; }
   Vec3 point(const Vec3& x) const { return way(x) + Vec3(place_.x, place_.y, 0); }
-  // A point of a line that is no further above the bed of the file than `reach` [m].
+  // A point that is no further above the bed of the file than `reach` [m].
   Vec3 on_bed(const Vec3& x, double reach) const {
     Vec3 out = point(x);
     const Seabed& bed = to_.environment.seabed;
@@ -86,8 +89,8 @@ class Placing {
     const Eigen::Vector2cd a(std::polar(amplitude.x(), phase.x()), std::polar(amplitude.y(), phase.y()));
     const double c = std::cos(place_.heading), s = std::sin(place_.heading);
     const std::complex<double> x = c * a.x() - s * a.y(), y = s * a.x() + c * a.y();
-    amplitude.head<2>() << std::abs(x), std::abs(y);
-    phase.head<2>() << std::arg(x), std::arg(y);
+    amplitude.head<2>() = Eigen::Vector2d(std::abs(x), std::abs(y));
+    phase.head<2>() = Eigen::Vector2d(std::arg(x), std::arg(y));
   }
   void turn(HarmonicMotion& m) const {
     turn(m.amplitude, m.phase);

@@ -14,6 +14,7 @@
 #include <malloc.h>
 #endif
 
+#include "hawser/advice/cost.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/base/share_of_time.hpp"
@@ -347,7 +348,9 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
   const std::vector<int> owner = node_owners(c, mesh, bodies, ranks);
   const Balance shares = balance(mesh, owner, ranks);
-  fmt::print("{}\n", partition_sentence(owner, ranks, shares));
+  std::vector<int> nodes(static_cast<size_t>(ranks), 0);
+  for (const int at : owner) ++nodes[at];
+  fmt::print("{}\n", advice::partition(nodes, shares.imbalance, shares.cut_lines, shares.cut_elements));
   const double shared = peak_memory();
   Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   if (verbose)

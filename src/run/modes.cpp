@@ -82,7 +82,8 @@ Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& v
 // The freedoms that a floating body moves by in a mode, such as "pitch, surge", the largest first: those with
 // a fifth or more of the kinetic energy m v_c²/2 + sum I_k w_k²/2 of its mass, in the axes of the body, the
 // same on all ranks.
-std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, int body) {
+// turns: the origin stays, and rotations alone are named.
+std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, int body, bool turns) {
   constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
   const model::BodyMass& m = *sim.model().bodies[body].mass;
   std::vector<double> energy(6, 0.0);
@@ -91,7 +92,7 @@ std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, in
     const Vec3 turn = axes.transpose() * mode.rotation[n];
     const Vec3 way = axes.transpose() * mode.shape[n] + turn.cross(m.centre);
     for (int k = 0; k < 3; ++k) {
-      energy[k] = m.mass * way[k] * way[k];
+      energy[k] = turns ? 0 : m.mass * way[k] * way[k];
       energy[3 + k] = m.inertia[k] * turn[k] * turn[k];
     }
   }
@@ -137,7 +138,7 @@ std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& m
     const std::string body = "body " + sim.model().bodies[with.body].name;
     where = with.share > 0.99 ? body + " (" + where + ")" : where + ", with " + body;
   }
-  if (with.body >= 0) where += ": " + freedoms(comm, sim, mode, with.body);
+  if (with.body >= 0) where += ": " + freedoms(comm, sim, mode, with.body, turns);
   return fmt::format("{:>4} {}  {:>5.2f} {:>5.2f} {:>5.2f}  {}{}\n", number, when, p.along.x(), p.along.y(),
                      p.along.z(), where, turns ? ", turns in place" : "");
 }

@@ -2,9 +2,6 @@
 // by contact in the start shape, and which lines may touch themselves and so stay on one rank.
 #include "hawser/run/node_owners.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 #include "hawser/run/line_pairs.hpp"
@@ -55,22 +52,6 @@ std::vector<int> uncut_lines(const model::Case& c) {
 std::vector<int> node_owners(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
   return partition(mesh, ranks, coupled_nodes(c, mesh, bodies), uncut_lines(c));
-}
-
-std::string partition_sentence(const std::vector<int>& owner, int ranks, const Balance& balance) {
-  std::vector<int> nodes(static_cast<size_t>(ranks), 0);
-  for (const int o : owner) ++nodes[o];
-  const auto [least, most] = std::minmax_element(nodes.begin(), nodes.end());
-  const auto count = [](int n, const char* what) {
-    return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
-  };
-  std::string text = "partition: " + count(ranks, "rank") + ", ";
-  text += ranks > 8 ? fmt::format("{} to {} nodes each", *least, *most)
-                    : fmt::format("{} nodes", fmt::join(nodes, " + "));
-  if (ranks > 1)
-    text += fmt::format(", on one of them {:.2f} times the mean work; {}, {}", balance.imbalance,
-                        count(balance.cut_lines, "cut line"), count(balance.cut_elements, "cut element"));
-  return text;
 }
 
 }  // namespace hawser::run

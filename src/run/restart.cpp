@@ -86,8 +86,12 @@ std::map<std::string, double> signature(const Simulation& simulation) {
     }
   };
   if (simulation.model().tree) add(*simulation.model().tree, "");
-  if (simulation.model().farm)
-    for (const model::FarmPart& part : simulation.model().farm->parts) add(*part.tree, part.given + ": ");
+  if (simulation.model().farm) {
+    const std::vector<model::FarmPart>& parts =
+        simulation.model().farm->parts;  // of which several may be of one file
+    for (size_t k = 0; k < parts.size(); ++k)
+      add(*parts[k].tree, fmt::format("farm[{}], {}: ", k, parts[k].given));
+  }
   return out;
 }
 

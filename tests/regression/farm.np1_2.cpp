@@ -213,5 +213,31 @@ TEST_F(FarmRuns, GoesOnFromACheckpoint) {
   EXPECT_LT(largest_difference(here, there), 1e-7);
 }
 
+// Two entries of one file are changed each for itself, and a change of either is another case.
+TEST_F(FarmRuns, EntriesOfOneFileAreSeparateAtARestart) {
+  write_case(
+      path + "/twins.yaml",
+      "hawser: 1\nfarm: [{of: alone.yaml, at: [[0, 0]]}, {of: alone.yaml, name: S, at: [[1500, 200]]}]\n"
+      "output: {every: 1}\n" +
+          platform(kDirection, 0, false));
+  run_on_one({path + "/twins.yaml", path + "/twins-half.h5", "", 0.5});
+  for (const char* entry : {"farm[0]", "farm[1]"}) {
+    run::RunOptions changed;
+    changed.case_path = path + "/twins.yaml";
+    changed.output = path + "/twins-changed.h5";
+    changed.restart = path + "/twins-half.h5";
+    changed.changes = {std::string(entry) + ".of.links.spring.stiffness=2e5"};
+    changed.quiet = true;
+    std::string why;
+    try {
+      run::run(MPI_COMM_WORLD, changed);
+    } catch (const InputError& e) {
+      why = e.what();
+    }
+    EXPECT_NE(why.find(std::string(entry) + ", alone.yaml: links.spring is another there"), std::string::npos)
+        << entry << ": " << why;
+  }
+}
+
 }  // namespace
 }  // namespace hawser::runs::farm

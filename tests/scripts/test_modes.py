@@ -148,6 +148,23 @@ bodies:
             self.assertEqual(found, ["sway", "heave", "surge", "yaw", "roll", "pitch"], output)
             self.assertEqual(output.count(", turns in place"), 3, output)
 
+    def test_a_body_that_turns_about_its_origin_is_named_by_its_rotations(self):
+        # The springs turn it about the origin, 5 m above the centre of mass, which moves then.
+        write(self.folder, "body.yaml", """\
+hawser: 1
+environment: {gravity: 0}
+bodies:
+  block:
+    position: [0, 0, 0]
+    floating: {mass: 1000, centre_of_mass: [0, 0, -5], inertia: [1000, 2000, 3000], stiffness: [1e9, 1e9, 1e9],
+               turning_stiffness: [3e5, 4e5, 1e5]}
+""")
+        output = run(HAWSER, "modes", self.folder / "body.yaml", "-n", "6").stdout
+        turns = [line for line in output.splitlines() if ", turns in place" in line]
+        self.assertEqual(len(turns), 3, output)
+        for row in turns:
+            self.assertRegex(row, "body block: (roll|pitch|yaw), turns in place")
+
     def test_volturnus(self):
         one, _ = self.modes(chains(1), "-n", "12")
         run(HAWSER, "run", "case.yaml", cwd=self.folder, timeout=600)

@@ -75,6 +75,7 @@ lines:
     start: {points: [[20, 30, -10], [20, 20, -50], [20, 0, -1]]}
 links:
   spring: {end_a: {body: buoy, at: [0, 0, 0]}, end_b: {anchor: [40, 3, -2]}, stiffness: 10}
+  pennant: {end_a: {body: buoy, at: [0, 0, 0]}, end_b: {anchor: [-20, 3, -50]}, stiffness: 10}
   guy: {end_a: {line: riser, at: end_b}, end_b: {body: float, at: [1, 1, 1]}, stiffness: 10}
 dynamics: {duration: 10}
 )";
@@ -200,6 +201,13 @@ TEST_F(FarmFiles, AnchorsAndPointsFollowTheBed) {
   EXPECT_NEAR(farm.line("T1/riser").end_a.at.z(), -10, 1e-12) << "above the bed";
   EXPECT_NEAR(farm.line("T1/riser").points[0].z(), -10, 1e-12);
   EXPECT_NEAR(farm.line("T1/riser").points[1].z(), -60 + 0.02 * 520, 1e-9);
+  const auto anchor = [&](const std::string& name) {
+    return std::find_if(farm.links.begin(), farm.links.end(),
+                        [&](const model::Link& l) { return l.name == name; })
+        ->end_b.at;
+  };
+  EXPECT_NEAR(anchor("T1/spring").z(), -2, 1e-12) << "above the bed";
+  EXPECT_NEAR(anchor("T1/pennant").z(), -60 + 0.02 * 480, 1e-9);
 }
 
 TEST_F(FarmFiles, PlacesByRowsListAndFile) {
@@ -247,7 +255,7 @@ TEST_F(FarmFiles, OwnLinesReferToPlaces) {
   const std::string text = model::summary(farm);
   for (const char* part :
        {"farm: 2 places",
-        "platform.yaml at 2 places, at each 3 lines (19 elements), 4 bodies, 2 links, 2 volumes",
+        "platform.yaml at 2 places, at each 3 lines (19 elements), 4 bodies, 3 links, 2 volumes",
         "T2: (200, 0) m, heading 0 deg", "beside them 1 line (22 elements), 0 bodies, 1 link, 0 volumes",
         "lines: 7 ("})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;

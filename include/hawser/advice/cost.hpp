@@ -1,6 +1,7 @@
 // Sentences about what a run will cost, from a trial run.
 #pragma once
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +24,10 @@ struct ResultBytes {
   double total = 0, left = -1;
 };
 std::string expected_results(const ResultBytes& size, const std::string& folder);
+
+// nodes: of each rank; imbalance: the most work of a rank over the mean. "partition: 2 ranks, 71 + 72 nodes,
+// on one of them 1.02 times the mean work; 1 cut line, 1 cut element"
+std::string partition(std::span<const int> nodes, double imbalance, int cut_lines, int cut_elements);
 
 // bytes; "expected memory: about 0.9 GB"
 std::string expected_memory(double bytes, bool of_each_rank);

@@ -1,5 +1,6 @@
-// Platforms that a case has by files of their own: where each file is placed, and which name and line of
-// which file a key of the whole case stands for. Things of a place are called "<place>/<name in its file>".
+// Platforms that a case reads from files of their own: the places of each file, and the file, line and name
+// that a key of the whole case stands for. Bodies, lines and so on of a place are called "<place>/<name in
+// its file>".
 #pragma once
 
 #include <cstddef>

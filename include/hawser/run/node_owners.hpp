@@ -1,7 +1,6 @@
 // Which rank owns each node of a case.
 #pragma once
 
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -24,8 +23,5 @@ std::vector<int> uncut_lines(const model::Case& c);
 
 // Owner of every node, by partition(): coupled_nodes() rather land on one rank, uncut_lines() are not cut.
 std::vector<int> node_owners(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
-
-// For the user: nodes by rank, the rank with most work, what is cut.
-std::string partition_sentence(const std::vector<int>& owner, int ranks, const Balance& balance);
 
 }  // namespace hawser::run

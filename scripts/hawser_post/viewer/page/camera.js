@@ -136,9 +136,9 @@ hawser.Camera = class {
     this.changed();
   }
 
-  // The place under a pixel: `near(x, y)` finds a part of the model, else it is as deep as the target.
+  // The place under a pixel: that of a part of the model, by partAt(x, y), or else as deep as the target.
   placeUnder(x, y) {
-    const part = this.near && this.near(x, y);
+    const part = this.partAt && this.partAt(x, y);
     if (part) return part;
     const {camera, controls} = this.now;
     const depth = controls.target.clone().project(camera).z;

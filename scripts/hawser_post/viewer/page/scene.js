@@ -27,7 +27,7 @@ hawser.Scene = class {
     this.space.add(this.light);
     this.overlay = new hawser.Overlay(over);
     this.camera = new hawser.Camera(this.canvas, model.header, () => this.redraw());
-    this.camera.near = (x, y) => {
+    this.camera.partAt = (x, y) => {
       const node = this.lines ? this.nodeAt(x, y, 40) : -1;
       return node < 0 ? null : this.lines.position(node, new THREE.Vector3());
     };
