@@ -444,8 +444,9 @@ void build_results(const std::string& path, const ResultContents& contents, cons
     }
     if (!from.empty()) copy_earlier(from, file, contents, room, kept, clashes, last && last->summary);
     if (last && last->summary) write_summary(file, *last->summary);
-    if (last && last->messages && !last->messages->empty())
-      h5::write_texts(file, "messages", *last->messages);
+    const std::vector<std::string>& messages =
+        last && last->messages ? *last->messages : contents.run.messages;
+    if (!messages.empty()) h5::write_texts(file, "messages", messages);
     if (last && contents.clashes) write_last_clashes(file, last->clashes, clashes, kept.outputs - 1);
     h5::check(H5Fflush(file, H5F_SCOPE_LOCAL), "cannot write " + made);
   } catch (const InputError&) {

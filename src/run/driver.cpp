@@ -230,8 +230,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
   const auto recorder_of = [&]() -> record::Recorder& {
     if (!made)
       made.emplace(sim.subject(surfaces(volumes)), volume_meshes(c, volumes),
-                   run_info(c, options.options_text, size), restarted ? &checkpoint : nullptr,
-                   place.appends());
+                   run_info(c, options.options_text, size, progress.messages()),
+                   restarted ? &checkpoint : nullptr, place.appends());
     return *made;
   };
   if (restarted) {

@@ -20,8 +20,10 @@
 
 namespace hawser::run {
 
-io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks) {
+io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks,
+                     std::vector<std::string> messages) {
   io::RunInfo info;
+  info.messages = std::move(messages);
   info.case_text = c.text;
   info.case_path = c.path;
   info.case_read = io::case_json(c);

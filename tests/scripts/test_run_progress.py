@@ -7,6 +7,7 @@ import shutil
 import signal
 import struct
 import subprocess
+import sys
 import tempfile
 import termios
 import time
@@ -15,6 +16,9 @@ from pathlib import Path
 
 from support import ROOT, run, write
 from test_run_messages import CASE, HAWSER
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from hawser_post.results import Results  # noqa: E402
 
 LINE = r"t = \d+\.\d{3} of 20 s \([ \d]{3} %\), step \S+ s, \d+ iterations, \d+:\d\d left"
 
@@ -128,6 +132,21 @@ class Progress(unittest.TestCase):
             self.assertRegex(result.stdout, r"going on from t = \d")
             self.assertNotIn("( 10 %)", result.stdout)
             self.assertIn("(100 %)", result.stdout)
+
+    def test_notes_of_the_start_are_in_the_file_of_a_run_that_is_killed(self):
+        write(self.folder, "rod.yaml", (self.folder / "rod.yaml").read_text("utf-8").replace("EA: 2.0e7", "EA: 2.0e4"))
+        process = subprocess.Popen([HAWSER, "run", "rod.yaml"], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        printed = []
+        for line in process.stdout:
+            if line.startswith("t = "):
+                break
+            printed += [line.strip()] if line.startswith(("note: ", "warning: ")) else []
+        process.kill()
+        process.stdout.close()
+        process.wait()
+        self.assertTrue(printed)
+        results = Results(self.folder / "rod.h5")
+        self.assertEqual([message.split("\n")[0] for message in results.messages()], printed)
 
 
 if __name__ == "__main__":

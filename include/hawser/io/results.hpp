@@ -25,6 +25,8 @@ struct RunInfo {
   int ranks = 1;
   std::string changes = {};    // by --set, KEY=VALUE in a line each; case_text is without them
   std::string case_read = {};  // case_json.hpp
+  std::vector<std::string> messages =
+      {};  // notes and warnings by the time the file is made, until finish() has all
 };
 
 // Nodes of a line follow each other in file order, end A to end B; lines follow each other as well.
