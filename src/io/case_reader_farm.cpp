@@ -93,7 +93,7 @@ class Places {
           refuse(file,
                  "{}:{}: a row of places has 2 numbers, x and y, or 3, and the heading, but this one has {}",
                  file.text, lines[i], given[i].size());
-        add(file, next_name(), given[i]);
+        add(file, next_name(), given[i], fmt::format("{}:{}: ", file.text, lines[i]));
       }
     }
   }
@@ -118,18 +118,20 @@ class Places {
       }
   }
 
-  // row: x, y [m] and maybe heading [deg].
-  void add(const Value& v, const std::string& name, const std::vector<double>& row) {
+  // row: x, y [m] and maybe heading [deg]; where: its line in a file of places, for messages.
+  void add(const Value& v, const std::string& name, const std::vector<double>& row,
+           const std::string& where = "") {
     FarmPlace place{name, row[0], row[1], row.size() > 2 ? row[2] * kHeadingUnit : heading_};
     if (std::max(std::abs(place.x), std::abs(place.y)) > kFarthestPlace)
-      refuse(v, "{} is {:.4g} m from the origin; places are up to {:g} m from it", name,
+      refuse(v, "{}{} is {:.4g} m from the origin; places are up to {:g} m from it", where, name,
              std::hypot(place.x, place.y), kFarthestPlace);
     if (!farm_.at.emplace(name, std::pair(farm_.parts.size(), part_.places.size())).second)
-      refuse(v, "there is another place called '{}'; give one of the platforms a 'name'", name);
-    if (farm_.at.size() > kMostPlaces) refuse(v, "there are more than {} places", kMostPlaces);
+      refuse(v, "{}there is another place called '{}'; give one of the platforms a 'name'", where, name);
+    if (farm_.at.size() > kMostPlaces) refuse(v, "{}there are more than {} places", where, kMostPlaces);
     const auto [same, is_new] = known_.emplace(
         std::pair(std::llround(place.x / kSamePlace), std::llround(place.y / kSamePlace)), name);
-    if (!is_new) refuse(v, "{} is at the place of {}, ({:g}, {:g})", name, same->second, place.x, place.y);
+    if (!is_new)
+      refuse(v, "{}{} is at the place of {}, ({:g}, {:g})", where, name, same->second, place.x, place.y);
     part_.places.push_back(std::move(place));
   }
 

@@ -303,6 +303,8 @@ TEST_F(FarmFiles, Refusals) {
   expect(why_not(farm("at: [[0, 0, 1, 2]]")), {"farm.yaml:2: farm.at[0]: expected a list of 2 to 3 numbers"});
   expect(why_not(farm("at: []")), {"farm.yaml:2: farm.at: "});
   expect(why_not(farm("file: nothing.csv")), {"farm.yaml:2: farm.file: "});
+  write("twice.csv", "# x y\n0, 0\n200, 0\n0, 0\n");
+  expect(why_not(farm("file: twice.csv")), {"farm.yaml:2: farm.file: twice.csv:4: T3 is at the place of T1"});
   expect(why_not("hawser: 1\nfarm: {of: nothing.yaml, at: [[0, 0]]}\n" + kSea),
          {"farm.yaml:2: farm.of: ", "nothing.yaml"});
   expect(
