@@ -137,6 +137,9 @@ class Drawn(unittest.TestCase):
             exact = results.rotation(0, output) @ [2, 1, 1] + results.file["bodies/position"][output, 0]
             np.testing.assert_allclose(corner, exact, atol=1e-4)
         value(PIXELS)
+        tones = value("[-1, 0, 1, 5].map((body) => hawserView.scene.bodies.paint(body, true).uniforms.colour.value.getHex())")
+        self.assertEqual((len(set(tones)), tones[2]), (3, tones[3]))  # bodies that stand beside each other differ
+        self.assertEqual(value("hawserView.scene.bodies.volumes[0].mesh.material.uniforms.colour.value.getHex()"), tones[1])
         value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = false; hawserView.scene.lines.uniforms.enlarged.value = 3;0")
         value("hawserView.look('y')")
         nodes = list(range(3, 59, 6))

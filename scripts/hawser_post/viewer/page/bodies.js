@@ -1,7 +1,8 @@
 // Volumes, which move with their bodies, and a cross for each body.
 
 const MOST_EDGES = 30000;  // triangles of a mesh whose edges are drawn
-const GREY = 0xb4bec8;
+const FIXED = 0xb4bec8;                                   // volumes that belong to no body
+const TONES = [0xa9bfd3, 0xd0bfa6, 0xafc4b0, 0xc7b7ca];   // volumes of one body after another
 const SMALL = 30;          // pixels: the radius of a volume below which they are not
 
 const FLAT_VERTEX = `
@@ -33,11 +34,20 @@ hawser.Bodies = class {
     this.groups = model.header.bodies.map(() => new THREE.Group());
     for (const group of this.groups) this.root.add(group);
     this.volumes = [];
-    const paint = {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1};
-    this.smooth = new THREE.MeshLambertMaterial({...paint, color: GREY});
-    this.flat = new THREE.ShaderMaterial({...paint, vertexShader: FLAT_VERTEX, fragmentShader: FLAT_FRAGMENT, clipping: true,
-                                          extensions: {derivatives: true}, uniforms: {colour: {value: new THREE.Color(GREY)}}});
+    this.paints = new Map();
     this.edge = new THREE.LineBasicMaterial({color: 0x5b6873});
+  }
+
+  // Few large faces (flat) have a normal each, which the picture computes.
+  paint(body, flat) {
+    const colour = body >= 0 ? TONES[body % TONES.length] : FIXED, key = `${colour} ${flat}`;
+    const paint = {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1};
+    if (!this.paints.has(key))
+      this.paints.set(key, flat
+        ? new THREE.ShaderMaterial({...paint, vertexShader: FLAT_VERTEX, fragmentShader: FLAT_FRAGMENT, clipping: true,
+                                    extensions: {derivatives: true}, uniforms: {colour: {value: new THREE.Color(colour)}}})
+        : new THREE.MeshLambertMaterial({...paint, color: colour}));
+    return this.paints.get(key);
   }
 
   async load(size) {
@@ -48,8 +58,7 @@ hawser.Bodies = class {
       geometry.setAttribute("position", new THREE.BufferAttribute(vertices.values, 3));
       geometry.setIndex(new THREE.BufferAttribute(triangles.values, 1));
       const flat = triangles.rows <= MOST_EDGES;
-      // Few large faces have a normal each, which the picture computes.
-      const mesh = new THREE.Mesh(geometry, flat ? this.flat : this.smooth);
+      const mesh = new THREE.Mesh(geometry, this.paint(volume.body, flat));
       if (flat) mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 25), this.edge));
       else geometry.computeVertexNormals();
       geometry.computeBoundingSphere();
