@@ -16,7 +16,7 @@ namespace hawser {
 namespace {
 
 // Clearance after a line was raised, in sums of the radii.
-constexpr double kGap = 0.01;
+constexpr double kCrossingGap = 0.01;
 // Length over height of the slope up to a place where a line is raised.
 constexpr double kSlope = 20;
 // Limit of the vertical component of the common unit normal of two lines. Below it neither line is over the
@@ -195,7 +195,7 @@ class Crossings {
     if (a_lies) {
       const bool a_all = lies_from_end_to_end(*a.rope), b_all = lies_from_end_to_end(*b.rope);
       if (a_all != b_all) return a_all ? &b : &a;
-    } else if (std::abs(rise) > kGap * (a.radius + b.radius)) {
+    } else if (std::abs(rise) > kCrossingGap * (a.radius + b.radius)) {
       return nullptr;
     }
     c_.refuse("lines." + b.name(), advice::undecided_crossing(b.name(), a.name(), 0.5 * (a.x + b.x)));
@@ -211,7 +211,7 @@ class Crossings {
     const Vec3 normal = over->along().cross(under.along()).normalized();
     const double radii = a.radius + b.radius, slant = std::abs(normal.z());
     if (slant < kOver) return;
-    const double to = under.x.z() + (1 + kGap) * radii / slant;
+    const double to = under.x.z() + (1 + kCrossingGap) * radii / slant;
     // The slopes of both lines at the crossing are those of their elements.
     raise(*over->rope, over->arc(), over->arc(), to - over->x.z());
     done.try_emplace(
@@ -242,7 +242,7 @@ struct Obstacle {
     while (gone < most) {
       const double missing = radius - distance(x + gone * way);
       if (missing <= 0) break;
-      gone += missing + kGap * radius;  // the distance changes by no more than the point moves
+      gone += missing + kCrossingGap * radius;  // the distance changes by no more than the point moves
     }
     return gone;
   }

@@ -1,13 +1,13 @@
-// The substructuring solver as a preconditioner: finds the unknowns shared between ranks, factorises a rank's
-// own block and the dense system of the shared unknowns, and solves with both.
+// The substructuring solver as a preconditioner: factorises a rank's own block and the dense systems of the
+// parts of the interface that it solves, and solves with both.
 #include "hawser/solve/substructure.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <optional>
 #include <vector>
 
-#include "hawser/base/gather.hpp"
-#include "hawser/base/handle.hpp"
+#include "hawser/solve/interface_parts.hpp"
 #include "hawser/solve/lu.hpp"
 #include "pc_shell.hpp"
 
@@ -18,53 +18,100 @@ using VecHandle = Handle<Vec, VecDestroy>;
 using KspHandle = Handle<KSP, KSPDestroy>;
 
 struct Substructure {
-  KspHandle chains;                  // LU of this rank's diagonal block
-  VecHandle ghost, column, x, y;     // sequential: ghost unknowns, a column of Ao, work vectors
-  std::vector<PetscInt> shared;      // G: global scalar unknowns that are ghosts on some rank, ascending
-  std::vector<int> mine;             // positions in G of the unknowns owned here
-  std::vector<PetscInt> mine_local;  // and their local numbers
-  std::vector<int> ghosts;           // positions in G of this rank's ghosts, in the order of Ao's columns
-  Eigen::MatrixXd Z;                 // Ad^-1 Ao
-  Eigen::PartialPivLU<Eigen::MatrixXd> small;
   bool coupled = false;
-  bool ready = false;
+  int most = 0;  // unknowns of a part
+  std::optional<InterfaceParts> interface;
+  Handle<PC, PCDestroy> whole;                              // MUMPS, where a part is too large
+  KspHandle chains;                                         // LU of this rank's diagonal block
+  VecHandle ghost, x, y;                                    // sequential: ghost unknowns, work vectors
+  std::vector<Eigen::MatrixXd> Z;                           // of each part: its rows of Ad^-1 Ao
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> small;  // of each part that this rank solves
+  std::vector<double> shared, solved, ghosts;               // values of the unknowns of the interface
 };
 
-MPI_Comm comm_of(PC pc) {
-  MPI_Comm comm = MPI_COMM_NULL;
-  PetscObjectGetComm(reinterpret_cast<PetscObject>(pc), &comm);
-  return comm;
+PetscErrorCode make_whole(PC pc, Substructure& s) {
+  PetscFunctionBegin;
+  PetscCall(PCShellSetName(pc, "MUMPS, as the cuts are long"));
+  PetscCall(PCCreate(PetscObjectComm(reinterpret_cast<PetscObject>(pc)), s.whole.out()));
+  PetscCall(PCSetType(s.whole.get(), PCLU));
+  PetscCall(PCFactorSetMatSolverType(s.whole.get(), MATSOLVERMUMPS));
+  PetscFunctionReturn(0);
 }
 
-// Finds the shared unknowns. It is called once, because the pattern does not change.
-void find_shared(PC pc, Mat A, Substructure& s, const PetscInt* block_columns, PetscInt ghost_blocks) {
-  const MPI_Comm comm = comm_of(pc);
-  const int size = ranks_of(comm);
-  std::vector<int> counts(static_cast<size_t>(size)), starts(static_cast<size_t>(size), 0);
-  const int n = static_cast<int>(ghost_blocks);
-  MPI_Allgather(&n, 1, MPI_INT, counts.data(), 1, MPI_INT, comm);
-  for (size_t r = 1; r < counts.size(); ++r) starts[r] = starts[r - 1] + counts[r - 1];
-  std::vector<PetscInt> blocks(static_cast<size_t>(starts.back() + counts.back()));
-  MPI_Allgatherv(block_columns, n, MPIU_INT, blocks.data(), counts.data(), starts.data(), MPIU_INT, comm);
-  std::sort(blocks.begin(), blocks.end());
-  blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-  PetscInt first = 0, last = 0;
-  check(MatGetOwnershipRange(A, &first, &last));
-  for (PetscInt b : blocks)
-    for (PetscInt c = 0; c < 3; ++c) {
-      const PetscInt g = 3 * b + c;
-      if (g >= first && g < last) {
-        s.mine.push_back(static_cast<int>(s.shared.size()));
-        s.mine_local.push_back(g - first);
+PetscErrorCode set_up_whole(PC pc, Mat A, Substructure& s) {
+  PetscFunctionBegin;
+  PetscCall(PCSetOperators(s.whole.get(), A, A));
+  PetscCall(PCSetUp(s.whole.get()));
+  PCFailedReason reason = PC_NOERROR;
+  PetscCall(PCGetFailedReason(s.whole.get(), &reason));
+  PetscCall(PCSetFailedReason(pc, reason));
+  PetscFunctionReturn(0);
+}
+
+PetscErrorCode make_chains(Mat Ad, PetscInt ghosts, Substructure& s) {
+  PetscFunctionBegin;
+  PetscCall(MatCreateVecs(Ad, s.x.out(), s.y.out()));
+  PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts, s.ghost.out()));
+  PetscCall(KSPCreate(PETSC_COMM_SELF, s.chains.out()));
+  PetscCall(KSPSetType(s.chains.get(), KSPPREONLY));
+  PC lu = nullptr;
+  PetscCall(KSPGetPC(s.chains.get(), &lu));
+  use_lu(lu, s.coupled);
+  PetscFunctionReturn(0);
+}
+
+// Z of every part. A solution has one column of each part, as parts do not share rows.
+PetscErrorCode find_columns(Mat Ao, Substructure& s) {
+  PetscFunctionBegin;
+  const std::vector<InterfacePart>& parts = s.interface->parts();
+  size_t columns = 0;
+  s.Z.resize(parts.size());
+  for (size_t p = 0; p < parts.size(); ++p) {
+    s.Z[p].resize(3 * static_cast<Eigen::Index>(parts[p].rows.size()),
+                  3 * static_cast<Eigen::Index>(parts[p].ghosts.size()));
+    columns = std::max(columns, 3 * parts[p].ghosts.size());
+  }
+  for (size_t column = 0; column < columns; ++column) {
+    PetscCall(VecZeroEntries(s.ghost.get()));
+    for (const InterfacePart& part : parts)
+      if (column < 3 * part.ghosts.size())
+        PetscCall(VecSetValue(s.ghost.get(), 3 * part.ghosts[column / 3] + static_cast<int>(column % 3), 1,
+                              INSERT_VALUES));
+    PetscCall(MatMult(Ao, s.ghost.get(), s.y.get()));
+    PetscCall(KSPSolve(s.chains.get(), s.y.get(), s.x.get()));
+    const PetscScalar* x = nullptr;
+    PetscCall(VecGetArrayRead(s.x.get(), &x));
+    for (size_t p = 0; p < parts.size(); ++p) {
+      if (column >= 3 * parts[p].ghosts.size()) continue;
+      double* to = s.Z[p].col(static_cast<Eigen::Index>(column)).data();
+      for (const int row : parts[p].rows) to = std::copy_n(x + 3 * row, 3, to);
+    }
+    PetscCall(VecRestoreArrayRead(s.x.get(), &x));
+  }
+  PetscFunctionReturn(0);
+}
+
+// I + Z_G of the parts that this rank solves.
+void factorise_parts(Substructure& s) {
+  using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  std::vector<double> mine, solved;
+  const std::vector<InterfacePart>& parts = s.interface->parts();
+  for (size_t p = 0; p < parts.size(); ++p)
+    for (const int i : parts[p].shared)
+      for (size_t j = 0; j < parts[p].ghosts.size(); ++j) {
+        const RowMajor block = s.Z[p].block<3, 3>(3 * i, 3 * static_cast<Eigen::Index>(j));
+        mine.insert(mine.end(), block.data(), block.data() + block.size());
       }
-      s.shared.push_back(g);
-    }
-  for (PetscInt i = 0; i < ghost_blocks; ++i)
-    for (PetscInt c = 0; c < 3; ++c) {
-      const auto it = std::lower_bound(s.shared.begin(), s.shared.end(), 3 * block_columns[i] + c);
-      s.ghosts.push_back(static_cast<int>(it - s.shared.begin()));
-    }
-  s.ready = true;
+  s.interface->bring_matrices(mine, solved);
+  s.small.clear();
+  const double* from = solved.data();
+  for (const int size : s.interface->solved()) {
+    Eigen::MatrixXd W = Eigen::MatrixXd::Identity(3 * size, 3 * size);
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j, from += 9)
+        W.block<3, 3>(3 * i, 3 * j) += Eigen::Map<const RowMajor>(from);
+    s.small.emplace_back(W);
+  }
 }
 
 PetscErrorCode setup(PC pc) {
@@ -72,53 +119,64 @@ PetscErrorCode setup(PC pc) {
   Substructure* s = nullptr;
   PetscCall(PCShellGetContext(pc, &s));
   Mat A = nullptr, Ad = nullptr, Ao = nullptr;
-  const PetscInt* columns = nullptr;
   PetscCall(PCGetOperators(pc, nullptr, &A));
-  PetscCall(MatMPIBAIJGetSeqBAIJ(A, &Ad, &Ao, &columns));
-  PetscInt n = 0, ghosts = 0;
-  PetscCall(MatGetSize(Ad, &n, nullptr));
-  PetscCall(MatGetSize(Ao, nullptr, &ghosts));
-  if (!s->ready) {
-    find_shared(pc, A, *s, columns, ghosts / 3);
-    PetscCall(MatCreateVecs(Ad, s->x.out(), s->y.out()));
-    PetscCall(VecCreateSeq(PETSC_COMM_SELF, ghosts, s->ghost.out()));
-    PetscCall(KSPCreate(PETSC_COMM_SELF, s->chains.out()));
-    PetscCall(KSPSetType(s->chains.get(), KSPPREONLY));
-    PC lu = nullptr;
-    PetscCall(KSPGetPC(s->chains.get(), &lu));
-    use_lu(lu, s->coupled);
+  PetscCall(MatMPIBAIJGetSeqBAIJ(A, &Ad, &Ao, nullptr));
+  if (!s->interface) {  // once, because the pattern does not change
+    s->interface.emplace(A);
+    PetscInt ghosts = 0;
+    PetscCall(MatGetSize(Ao, nullptr, &ghosts));
+    if (s->interface->largest() > s->most)
+      PetscCall(make_whole(pc, *s));
+    else
+      PetscCall(make_chains(Ad, ghosts, *s));
+  }
+  if (s->whole) {
+    PetscCall(set_up_whole(pc, A, *s));
+    PetscFunctionReturn(0);
   }
   PetscCall(KSPSetOperators(s->chains.get(), Ad, Ad));
   PetscCall(KSPSetUp(s->chains.get()));
-  if (s->shared.empty()) PetscFunctionReturn(0);
-
-  s->Z.resize(n, ghosts);
-  for (PetscInt j = 0; j < ghosts; ++j) {
-    PetscCall(VecZeroEntries(s->ghost.get()));
-    PetscCall(VecSetValue(s->ghost.get(), j, 1, INSERT_VALUES));
-    PetscCall(MatMult(Ao, s->ghost.get(), s->y.get()));
-    PetscCall(KSPSolve(s->chains.get(), s->y.get(), s->x.get()));
-    const PetscScalar* p = nullptr;
-    PetscCall(VecGetArrayRead(s->x.get(), &p));
-    std::copy(p, p + n, s->Z.col(j).data());
-    PetscCall(VecRestoreArrayRead(s->x.get(), &p));
-  }
-  const Eigen::Index m = static_cast<Eigen::Index>(s->shared.size());
-  Eigen::MatrixXd W = Eigen::MatrixXd::Zero(m, m);
-  for (size_t i = 0; i < s->mine.size(); ++i) {
-    W(s->mine[i], s->mine[i]) = 1;
-    for (size_t j = 0; j < s->ghosts.size(); ++j)
-      W(s->mine[i], s->ghosts[j]) += s->Z(s->mine_local[i], static_cast<Eigen::Index>(j));
-  }
-  MPI_Allreduce(MPI_IN_PLACE, W.data(), static_cast<int>(m * m), MPI_DOUBLE, MPI_SUM, comm_of(pc));
-  s->small.compute(W);
+  PetscCall(find_columns(Ao, *s));
+  factorise_parts(*s);
   PetscFunctionReturn(0);
+}
+
+// What the unknowns of other ranks add to x, which holds Ad^-1 b.
+void correct(Substructure& s, PetscScalar* x) {
+  const std::vector<InterfacePart>& parts = s.interface->parts();
+  s.shared.clear();
+  for (const InterfacePart& part : parts)
+    for (const int k : part.shared) {
+      const PetscScalar* at = x + 3 * part.rows[static_cast<size_t>(k)];
+      s.shared.insert(s.shared.end(), at, at + 3);
+    }
+  s.interface->bring_shared(s.shared, s.solved);
+  double* values = s.solved.data();
+  for (const auto& small : s.small) {
+    Eigen::Map<Eigen::VectorXd> g(values, small.rows());
+    g = small.solve(g).eval();
+    values += small.rows();
+  }
+  s.interface->send_ghosts(s.solved, s.ghosts);
+  const double* ghosts = s.ghosts.data();
+  for (size_t p = 0; p < parts.size(); ++p) {
+    const Eigen::Map<const Eigen::VectorXd> g(ghosts, s.Z[p].cols());
+    const Eigen::VectorXd change = s.Z[p] * g;
+    const double* from = change.data();
+    for (const int row : parts[p].rows)
+      for (int c = 0; c < 3; ++c) x[3 * row + c] -= *from++;
+    ghosts += s.Z[p].cols();
+  }
 }
 
 PetscErrorCode apply(PC pc, Vec b, Vec x) {
   PetscFunctionBegin;
   Substructure* s = nullptr;
   PetscCall(PCShellGetContext(pc, &s));
+  if (s->whole) {
+    PetscCall(PCApply(s->whole.get(), b, x));
+    PetscFunctionReturn(0);
+  }
   const PetscScalar* pb = nullptr;
   PetscScalar* px = nullptr;
   PetscCall(VecGetArrayRead(b, &pb));
@@ -128,17 +186,7 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
   PetscCall(KSPSolve(s->chains.get(), s->y.get(), s->x.get()));
   PetscCall(VecResetArray(s->x.get()));
   PetscCall(VecResetArray(s->y.get()));
-  if (!s->shared.empty()) {
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(s->shared.size()));
-    for (size_t i = 0; i < s->mine.size(); ++i) g[s->mine[i]] = px[s->mine_local[i]];
-    all_reduce(comm_of(pc), MPI_SUM, g);
-    g = s->small.solve(g);
-    Eigen::VectorXd ghost_values(static_cast<Eigen::Index>(s->ghosts.size()));
-    for (size_t j = 0; j < s->ghosts.size(); ++j)
-      ghost_values[static_cast<Eigen::Index>(j)] = g[s->ghosts[j]];
-    if (ghost_values.size() > 0)
-      Eigen::Map<Eigen::VectorXd>(px, s->Z.rows()).noalias() -= s->Z * ghost_values;
-  }
+  correct(*s, px);
   PetscCall(VecRestoreArray(x, &px));
   PetscCall(VecRestoreArrayRead(b, &pb));
   PetscFunctionReturn(0);
@@ -146,9 +194,10 @@ PetscErrorCode apply(PC pc, Vec b, Vec x) {
 
 }  // namespace
 
-void use_substructuring(PC pc, bool coupled) {
+void use_substructuring(PC pc, bool coupled, int most) {
   auto s = std::make_unique<Substructure>();
   s->coupled = coupled;
+  s->most = most;
   use_shell(pc, "chains cut between ranks", std::move(s), setup, apply);
 }
 

@@ -62,35 +62,42 @@ void System::spread(State& s) const {
 }
 
 // Held nodes of other ranks that are ghosts here must be moved with what they are tied to, and their columns
-// of the tangent are zero. So the ties of new ghosts are taken from their owners.
+// of the tangent are zero. So their owners send the ties of new ghosts.
 void System::reghost_ties() {
-  constexpr size_t kWidth = 12;
+  constexpr int kWidth = 12;  // first whether the node is tied
   std::vector<TiedNode> kept;
-  std::vector<double> mine;
+  std::vector<double> ties(kWidth * mesh_.global.size(), 0);
   for (const TiedNode& s : tied_nodes_.list()) {
     if (s.node >= mesh_.chain) continue;
     kept.push_back(s);
     if (s.node >= mesh_.owned) continue;
-    const double node = mesh_.global[s.node];
     const double frame = s.frame < 0 ? -1 : mesh_.global[s.frame];
-    mine.insert(mine.end(),
-                {node, static_cast<double>(s.body), s.at.x(), s.at.y(), s.at.z(), s.rotation.w(),
-                 s.rotation.x(), s.rotation.y(), s.rotation.z(), static_cast<double>(s.position_mask),
-                 static_cast<double>(s.rotation_mask), frame});
+    const double tie[kWidth] = {1,
+                                static_cast<double>(s.body),
+                                frame,
+                                s.at.x(),
+                                s.at.y(),
+                                s.at.z(),
+                                s.rotation.w(),
+                                s.rotation.x(),
+                                s.rotation.y(),
+                                s.rotation.z(),
+                                static_cast<double>(s.position_mask),
+                                static_cast<double>(s.rotation_mask)};
+    std::copy_n(tie, kWidth, ties.begin() + kWidth * s.node);
   }
-  const std::vector<double> everyone = gather_all(comm_, mine);
-  for (size_t i = 0; i < everyone.size(); i += kWidth) {
-    const double* d = everyone.data() + i;
-    const int local = mesh_.find(static_cast<int>(d[0]));
-    if (local < mesh_.chain) continue;
+  exchange_.spread(ties, kWidth);
+  for (int node = mesh_.chain; node < static_cast<int>(mesh_.global.size()); ++node) {
+    const double* d = ties.data() + kWidth * node;
+    if (d[0] == 0) continue;
     TiedNode s;
-    s.node = local;
+    s.node = node;
     s.body = static_cast<int>(d[1]);
-    s.at = Vec3(d[2], d[3], d[4]);
-    s.rotation = Quat(d[5], d[6], d[7], d[8]);
-    s.position_mask = static_cast<unsigned char>(d[9]);
-    s.rotation_mask = static_cast<unsigned char>(d[10]);
-    s.frame = d[11] < 0 ? -1 : mesh_.find(static_cast<int>(d[11]));
+    s.frame = d[2] < 0 ? -1 : mesh_.find(static_cast<int>(d[2]));
+    s.at = Vec3(d[3], d[4], d[5]);
+    s.rotation = Quat(d[6], d[7], d[8], d[9]);
+    s.position_mask = static_cast<unsigned char>(d[10]);
+    s.rotation_mask = static_cast<unsigned char>(d[11]);
     kept.push_back(s);
   }
   tied_nodes_ = TiedNodes(mesh_, std::move(kept), BodyMotion(tied_nodes_.motion()));

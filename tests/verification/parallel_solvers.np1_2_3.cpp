@@ -1,6 +1,10 @@
 // Which lines several ranks cut, which direct solver they use, and that its
 // answers are those of one rank.
+#include <limits>
+
+#include "hawser/base/gather.hpp"
 #include "hawser/run/node_owners.hpp"
+#include "hawser/solve/interface_parts.hpp"
 #include "hawser/solve/linear_solver.hpp"
 #include "hawser/solve/lu.hpp"
 #include "hawser/solve/substructure.hpp"
@@ -109,8 +113,6 @@ Solved solve(MPI_Comm comm, const model::Case& c, const Configure& configure) {
   if (out.solver == PCSHELL) {
     check(PCShellGetName(pc, &name));
     out.solver = name;
-  } else if (check(PCFactorGetMatSolverType(pc, &name)); name && std::string(name) == MATSOLVERMUMPS) {
-    out.solver += " of mumps";
   }
   std::vector<double> all(3 * m.mesh->nodes.size(), 0), local;
   system.gather(x.get(), local);
@@ -137,7 +139,7 @@ void substructured(KSP ksp, const System&) {
   PC pc = nullptr;
   check(KSPSetType(ksp, KSPPREONLY));
   check(KSPGetPC(ksp, &pc));
-  use_substructuring(pc, true);
+  use_substructuring(pc, true, std::numeric_limits<int>::max());
 }
 
 class ParallelSolvers : public ::testing::Test {
@@ -200,7 +202,7 @@ TEST_F(ParallelSolvers, WhereManyTouchAcrossTheCutMumpsSolves) {
   const Solved one = solve(PETSC_COMM_SELF, mat(), configured);
   const Solved all = solve(PETSC_COMM_WORLD, mat(), configured);
   if (ranks_ > 1) {
-    EXPECT_EQ(all.solver, "lu of mumps");
+    EXPECT_EQ(all.solver, "MUMPS, as the cuts are long");
   }
   EXPECT_LT(difference(all, one), 1e-10);
   if (ranks_ > 1) {
@@ -221,6 +223,56 @@ double residual_of(KSP ksp, Mat A) {
   PetscReal norm = 0;
   check(VecNorm(r.get(), NORM_INFINITY, &norm));
   return norm;
+}
+
+// Chains side by side that do not touch, of which every rank has a stretch. Rows stand by rank, chain, place.
+MatHandle chains_cut_by_all(int chains, int stretch) {
+  const int ranks = ranks_of(PETSC_COMM_WORLD), rank = rank_of(PETSC_COMM_WORLD), mine = chains * stretch;
+  const auto number = [=](int chain, int k) {
+    return static_cast<PetscInt>((k / stretch) * mine + chain * stretch + k % stretch);
+  };
+  MatHandle A;
+  check(MatCreateBAIJ(PETSC_COMM_WORLD, 3, 3 * mine, 3 * mine, PETSC_DETERMINE, PETSC_DETERMINE, 3, nullptr,
+                      1, nullptr, A.out()));
+  for (int chain = 0; chain < chains; ++chain)
+    for (int k = rank * stretch; k < (rank + 1) * stretch; ++k)
+      for (int other = std::max(0, k - 1); other <= std::min(ranks * stretch - 1, k + 1); ++other) {
+        double block[9];
+        for (int c = 0; c < 9; ++c)
+          block[c] =
+              k == other ? (c % 4 == 0 ? 3.0 + 0.01 * chain : 0.2) : -std::cos(chain + k + 2.0 * other + c);
+        const PetscInt row = number(chain, k), column = number(chain, other);
+        check(MatSetValuesBlocked(A.get(), 1, &row, 1, &column, block, INSERT_VALUES));
+      }
+  check(MatAssemblyBegin(A.get(), MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(A.get(), MAT_FINAL_ASSEMBLY));
+  return A;
+}
+
+// More shared unknowns than one dense system may have, in parts that are small.
+TEST_F(ParallelSolvers, ChainsThatDoNotTouchAreSolvedEachForItself) {
+  if (ranks_ == 1) return;
+  constexpr int kChains = 90;
+  const MatHandle A = chains_cut_by_all(kChains, 4);
+  const InterfaceParts interface(A.get());
+  EXPECT_EQ(interface.largest(), 6 * (ranks_ - 1));
+  EXPECT_EQ(interface.parts().size(), kChains);
+  for (const InterfacePart& part : interface.parts()) EXPECT_EQ(part.rows.size(), 4);
+  int solved = static_cast<int>(interface.solved().size());
+  EXPECT_EQ(all_reduce(PETSC_COMM_WORLD, MPI_SUM, solved), kChains);
+  EXPECT_GT(6 * kChains, kMaxShared);
+  for (const int most : {kMaxShared, 0}) {
+    KspHandle ksp;
+    PC pc = nullptr;
+    check(KSPCreate(PETSC_COMM_WORLD, ksp.out()));
+    check(KSPSetType(ksp.get(), KSPPREONLY));
+    check(KSPGetPC(ksp.get(), &pc));
+    use_substructuring(pc, false, most);
+    EXPECT_LT(residual_of(ksp.get(), A.get()), 1e-12);
+    const char* name = nullptr;
+    check(PCShellGetName(pc, &name));
+    EXPECT_STREQ(name, most ? "chains cut between ranks" : "MUMPS, as the cuts are long");
+  }
 }
 
 // Every block in the pattern, all but those on the diagonal zero, then more and more of them in use, then

@@ -1,6 +1,6 @@
 // The linear solver of a Newton step, always direct. One rank uses LU. Several ranks use LU for their own
-// rows and an exact dense system for the unknowns at the cuts (substructure.hpp), or MUMPS if these unknowns
-// are so many (kMaxShared) that MUMPS is faster. PETSc options with the prefix override this.
+// rows and exact dense systems for the unknowns at the cuts (substructure.hpp), or MUMPS if one of these
+// systems is so large (kMaxShared) that MUMPS is faster. PETSc options with the prefix override this.
 #pragma once
 
 #include <petscksp.h>

@@ -3,20 +3,22 @@
 // Ad is the rows and columns of this rank (chains: no fill), and Ao couples it to the unknowns x_g of other
 // ranks:
 //   x = Ad^-1 b - Z x_g,  Z = Ad^-1 Ao  (a few columns for each cut).
-// The unknowns G that are ghosts on some rank satisfy the small system (I + Z_G) x_G = (Ad^-1 b)_G, which
-// every rank solves. If no line is cut, G is empty and nothing is communicated. (Substructuring:
-// Przemieniecki 1963, AIAA J. 1(1).)
+// The unknowns G that are ghosts on some rank satisfy the small system (I + Z_G) x_G = (Ad^-1 b)_G. It falls
+// apart into the parts of the interface (interface_parts.hpp), each of which one rank solves for those that
+// share it. If no line is cut, G is empty and nothing is communicated. (Substructuring: Przemieniecki 1963,
+// AIAA J. 1(1).)
 #pragma once
 
 #include <petscksp.h>
 
 namespace hawser {
 
-// Makes `pc` the substructuring solver (on more than one rank, for MPIBAIJ matrices). coupled: see use_lu(),
-// for a rank's own part. Collective.
-void use_substructuring(PC pc, bool coupled);
-
-// Largest number of shared unknowns for which the dense small system is used.
+// Largest number of unknowns of a part of the interface for which its dense system is used.
 inline constexpr int kMaxShared = 400;
+
+// Makes `pc` the substructuring solver (on more than one rank, for MPIBAIJ matrices of a symmetric pattern).
+// Where a part of the interface has more than `most` unknowns MUMPS solves the whole matrix. coupled: see
+// use_lu(), for a rank's own part. Collective.
+void use_substructuring(PC pc, bool coupled, int most = kMaxShared);
 
 }  // namespace hawser
