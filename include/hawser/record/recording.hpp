@@ -34,7 +34,7 @@ class Snapshot {
         subject_(subject) {}
 
   const Kinematics& at;
-  const StepInfo step;  // that led to it; of no length: none did
+  const StepInfo step;  // that led to this state; of length 0: none did
   const Values &values, &ends;
   const EndForces& end_forces;
   const Audit& audit;
@@ -73,9 +73,9 @@ class Recording {
   // Once, when all fields are known. Collective.
   virtual void declare(Declarations& to) { (void)to; }
 
-  // The rest of a stage of statics but the last; the equilibrium with which a run begins, before its first
-  // step. Collective, as are the others.
+  // Called with the equilibrium of each stage of statics but the last. Collective, as are the others.
   virtual void stage(const Snapshot& s) { (void)s; }
+  // Called once, before the first step, with the equilibrium from which a run starts.
   virtual void start(const Snapshot& s) { (void)s; }
   virtual void step(const Snapshot& s) { (void)s; }
   virtual void output(const Snapshot& s) { (void)s; }
