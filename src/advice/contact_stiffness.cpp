@@ -36,6 +36,11 @@ double rounded_up(double v) {
   return std::ceil(v / unit) * unit;
 }
 
+std::string places(const NearestPlaces& at) {
+  return fmt::format("lines {} (arc length {:.6g} m) and {} (arc length {:.6g} m)", at.one, at.arc, at.other,
+                     at.other_arc);
+}
+
 }  // namespace
 
 std::string chosen_stiffness(const std::string& volume, double stiffness, const StiffnessReason& reason,
@@ -61,49 +66,49 @@ std::string raised_stiffness(const std::string& volume, double from, double to, 
       volume, from, to, when);
 }
 
-std::string too_deep(const model::Volume& volume, const TooDeep& at) {
-  const bool table = volume.force_table != nullptr;
+std::string too_deep(const TooDeep& at) {
   const std::string text = fmt::format(
       "{}, is {:.3g} m deep in volume {} at t = {:.3g} s, deeper than its radius of {:.3g} m{}", at.place,
-      at.depth, volume.name, at.time, at.radius, table ? " and than the table of forces tells" : "");
-  if (at.automatic)
+      at.depth, at.law.volume, at.time, at.radius, at.law.table ? " and than the table of forces tells" : "");
+  if (at.law.automatic)
     return fmt::format(
         "{}, at a stiffness of {:.3g} N/m per m, which the program has raised as far as that helps: it "
         "starts inside the volume or is drawn into it by its ends; move it or the volume, or take that "
         "volume out of the line's contact",
-        text, volume.normal_stiffness);
-  if (table)
+        text, at.law.stiffness);
+  if (at.law.table)
     return text + ": give the table rows up to the forces that are met, or leave the stiffness to 'auto'";
   return fmt::format(
       "{}, as far as contact goes: a stiffness of {{{}: {:.3g}}} would hold it to about 5 % of the radius "
       "('auto' finds that by itself), and a line that is to sink in deeper needs a larger "
       "'contact_diameter'",
-      text, key_of(volume.basis), volume.normal_stiffness * at.depth / (kProposed * at.radius));
+      text, key_of(at.law.basis), at.law.stiffness * at.depth / (kProposed * at.radius));
 }
 
-std::string drawn_through(const model::Volume& volume, const std::string& place, bool too_soft) {
-  const std::string text = fmt::format("{}, would be drawn through volume {}", place, volume.name);
-  if (!too_soft) return text + "; say on which side it lies with 'start: {points: [[x, y, z], ...]}'";
-  return text + (volume.force_table
+std::string too_deep_at_rest(const TooDeep& at) { return "statics: " + too_deep(at); }
+
+std::string drawn_through(const DrawnThrough& at) {
+  const std::string text = fmt::format("{}, would be drawn through volume {}", at.place, at.law.volume);
+  if (!at.too_soft) return text + "; say on which side it lies with 'start: {points: [[x, y, z], ...]}'";
+  return text + (at.law.table
                      ? ": give its table rows up to the forces that are met, or leave the stiffness to 'auto'"
                      : ": its normal_stiffness is too small for what presses, 'auto' finds one by itself");
 }
 
-std::string lines_pass(const std::string& places) { return places + " would pass through each other"; }
+std::string lines_pass(const NearestPlaces& at) { return places(at) + " would pass through each other"; }
 
-std::string lines_start_too_near(const std::string& places) {
-  return lines_pass(places) + ": from the start they are nearer than their radii allow";
+std::string lines_start_too_near(const NearestPlaces& at) {
+  return lines_pass(at) + ": from the start they are nearer than their radii allow";
 }
 
 std::string lines_too_soft(const PressedLines& at) {
   std::string key = fmt::format("normal_stiffness: {{per_length: {:.2g}}}", rounded_up(at.wanted));
-  if (!at.only_of.empty())
-    key = fmt::format("pairs: [{{lines: [{}, {}], {}}}]", at.only_of, at.only_of_other, key);
+  if (at.own_settings) key = fmt::format("pairs: [{{lines: [{}, {}], {}}}]", at.at.one, at.at.other, key);
   return fmt::format(
       "{} are pressed into each other by {:.3g} m, {:.0f} % of the sum of their radii, and would pass "
       "through each other: the stiffness of the contact between them, {:.3g} N/m per m, is too small for "
       "what presses them ({:.3g} J in the contact). Try contact: {{between_lines: {{{}}}}}",
-      at.places, at.depth, 100 * at.depth / at.radii, at.stiffness, at.energy, key);
+      places(at.at), at.depth, 100 * at.depth / at.radii, at.stiffness, at.energy, key);
 }
 
 std::string bodies_overlap(const std::string& one, const std::string& other, double depth, double met,

@@ -7,12 +7,12 @@ namespace hawser::advice {
 
 std::string chosen_pair_stiffness(double least, double most, const std::string& only_line, bool themselves) {
   return fmt::format(
-      "contact {}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
+      "{}: a normal stiffness of {} N/m per m, chosen by weight and EA. "
       "contact.between_lines.normal_stiffness sets another, and contact.between_lines: false leaves such "
       "contact out",
-      !only_line.empty() ? fmt::format("of line {} with itself", only_line)
-      : themselves       ? "between lines and of lines with themselves"
-                         : "between lines",
+      !only_line.empty() ? fmt::format("contact of line {} with itself", only_line)
+      : themselves       ? "contact between lines and of lines with themselves"
+                         : "contact between lines",
       most > least * (1 + 1e-9) ? fmt::format("{:.3g} to {:.3g}", least, most) : fmt::format("{:.3g}", most));
 }
 

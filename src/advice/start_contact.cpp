@@ -46,34 +46,37 @@ std::string more_lines_on_wrong_side(size_t lines) {
 
 std::string starts_inside(const model::Line& line, const std::string& volume, const InsideVolume& s) {
   const bool through = s.from > 0 && s.to < s.length;
-  return fmt::format("lines.{}: its start shape {} volume {} {}; {}", line.name,
-                     through ? "passes through" : "lies in", volume, where_inside(s), remedy(line, s));
+  const std::string what = through ? fmt::format("its start shape passes through volume {}", volume)
+                                   : fmt::format("its start shape lies in volume {}", volume);
+  return fmt::format("lines.{}: {} {}; {}", line.name, what, where_inside(s), remedy(line, s));
 }
 
 std::string stays_inside(const model::Line& line, const std::string& volume, const InsideVolume& s,
                          bool statics) {
-  return fmt::format("lines.{}: starts inside volume {}, and {} {}; {}", line.name, volume,
-                     statics ? "statics leaves it there," : "there are no statics to move it out:",
-                     where_inside(s), remedy(line, s));
+  const std::string stays =
+      statics ? fmt::format("starts inside volume {}, and statics leaves it there,", volume)
+              : fmt::format("starts inside volume {}, and there are no statics to move it out:", volume);
+  return fmt::format("lines.{}: {} {}; {}", line.name, stays, where_inside(s), remedy(line, s));
 }
 
 std::string excluded_at_end(const model::Line& line, bool at_b, const std::string& volume, double depth,
                             double without) {
+  const std::string starts = depth > 0 ? fmt::format("starts up to {:.3g} m inside volume {}", depth, volume)
+                                       : fmt::format("starts at the surface of volume {}", volume);
   return fmt::format(
-      "lines.{}.end_{}: starts {} volume {}; the {:.3g} m of line up to where it is clear of it have no "
-      "contact with it ('no_contact_within' sets another length)",
-      line.name, at_b ? "b" : "a",
-      depth > 0 ? fmt::format("up to {:.3g} m inside", depth) : std::string("at the surface of"), volume,
-      without);
+      "lines.{}.end_{}: {}; the {:.3g} m of line up to where it is clear of it have no contact with it "
+      "('no_contact_within' sets another length)",
+      line.name, at_b ? "b" : "a", starts, without);
 }
 
 std::string passes_volume(const model::Line& line, const std::string& volume, const Passes& p) {
-  const std::string but = p.own_a || p.own_b ? fmt::format("its end {} is above it", p.own_a ? "A" : "B")
-                                             : fmt::format("the straight way between its ends passes {} it",
-                                                           p.under ? "over" : "under");
+  const std::string but = p.own_a   ? "while its end A is above it"
+                          : p.own_b ? "while its end B is above it"
+                          : p.under ? "while the straight way between its ends passes over it"
+                                    : "while the straight way between its ends passes under it";
   return fmt::format(
-      "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, while "
-      "{}; if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
+      "lines.{}: its start shape passes {} volume {}, {:.3g} m from it at {:.4g} m of arc length, {}, {}; "
+      "if it is to lie there, say so with 'start: {{points: [[x, y, z], ...]}}'",
       line.name, p.under ? "under" : "over", volume, p.distance, p.arc, point_text(p.place), but);
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hawser/advice/steps.hpp"
 #include "hawser/model/body_pairs.hpp"
 
 namespace hawser::advice {
@@ -69,9 +70,23 @@ std::string automatic_stiffness_unsettled() {
          "give the volumes a normal_stiffness, or bury less of what bends";
 }
 
-std::string no_rest(int steps, const std::string& imbalance) {
-  return fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", steps, imbalance);
+std::string no_equilibrium(StaticsEnds how, const Imbalance& at) {
+  switch (how) {
+    case StaticsEnds::too_many_iterations:
+      return "statics: too many iterations: " + imbalance(at);
+    case StaticsEnds::no_descent:
+      return "statics: no descent: " + imbalance(at);
+    case StaticsEnds::forces_beyond_numbers:
+      break;
+  }
+  return "statics: " + imbalance(at);
 }
+
+std::string no_rest(int steps, const Imbalance& at) {
+  return fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", steps, imbalance(at));
+}
+
+std::string path_blocked(const std::string& because) { return "statics: " + because; }
 
 std::string body_moves_on(const std::string& place, double far) {
   return fmt::format(

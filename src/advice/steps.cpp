@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "hawser/advice/contact_stiffness.hpp"
+
 namespace hawser::advice {
 
 std::string imbalance(const Imbalance& at) {
@@ -17,6 +19,8 @@ std::string imbalance(const Imbalance& at) {
                                 at.value, at.scale);
 }
 
+namespace {
+
 std::string overstretched(const Overstretched& at) {
   return fmt::format(
       "{}, is {} by {:.3g} % by {:.3g} N on an EA of {:.3g} N, and {:g} % is more than any line of such an "
@@ -25,44 +29,61 @@ std::string overstretched(const Overstretched& at) {
       std::abs(at.tension), at.EA, 100 * std::abs(at.most));
 }
 
-std::string overstretched_in_statics(const std::string& what) {
-  return fmt::format("statics: {}: is the load, the length or the EA in another unit?", what);
-}
-
-std::string overstretched_at(double time, const std::string& what) {
-  return fmt::format("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?", time,
-                     what);
-}
-
-std::string tension_lost_in_rounding(const std::string& line, double share, double EA, double sufficient) {
+std::string lost_in_rounding(const LostInRounding& at) {
   return fmt::format(
       "the tension of line {} is known to within {:.2g} % only, so large is rounding beside an EA of {:.3g} "
       "N; an EA of {:.0e} N is equivalent to one that does not stretch",
-      line, 100 * share, EA, sufficient);
+      at.line, 100 * at.share, at.EA, at.sufficient);
 }
 
-std::string not_converged(const std::string& imbalance) {
-  return "Newton's iteration does not converge: " + imbalance;
+// One clause for each kind of finding.
+struct Clause {
+  std::string operator()(std::monostate) const { return {}; }
+  std::string operator()(const Imbalance& at) const {
+    return "Newton's iteration does not converge: " + imbalance(at);
+  }
+  std::string operator()(const TurnsTooFar& at) const {
+    return fmt::format("{}, turns by {:.3g} rad in it, and a step follows half a turn at most", at.place,
+                       at.angle);
+  }
+  std::string operator()(ImpactNotResolved) const {
+    return "it does not resolve an impact that its start did not show";
+  }
+  std::string operator()(ErrorTooLarge at) const {
+    return fmt::format("its local error of {:.3g} m is too large", at.error);
+  }
+  std::string operator()(BeyondContactSearch) const {
+    return "lines move farther in it than the contact search covers";
+  }
+  std::string operator()(LinePassesVolume) const { return "in it a line would pass through a volume"; }
+  std::string operator()(BodyPassesBody) const { return "in it a body would pass through another one"; }
+  std::string operator()(const FeedsTooFast& at) const {
+    return at.feeder + " is paid out or hauled in by more of an element than one step can follow";
+  }
+  std::string operator()(const TooDeep& at) const { return too_deep(at); }
+  std::string operator()(const DrawnThrough& at) const { return drawn_through(at); }
+  std::string operator()(const LinesPass& at) const { return lines_pass(at.at); }
+  std::string operator()(const LinesStartTooNear& at) const { return lines_start_too_near(at.at); }
+  std::string operator()(const PressedLines& at) const { return lines_too_soft(at); }
+};
+
+}  // namespace
+
+std::string clause(const StepFinding& found) { return std::visit(Clause(), found); }
+
+std::string overstretched_in_statics(const Overstretched& at) {
+  return fmt::format("statics: {}: is the load, the length or the EA in another unit?", overstretched(at));
 }
 
-std::string turns_too_far(const std::string& place, double angle) {
-  return fmt::format("{}, turns by {:.3g} rad in it, and a step follows half a turn at most", place, angle);
+std::string overstretched_at(double time, const Overstretched& at) {
+  return fmt::format("at t = {:.6g} s {}: does something pull at once that should have a 'ramp'?", time,
+                     overstretched(at));
 }
 
-std::string impact_not_resolved() { return "it does not resolve an impact that its start did not show"; }
+std::string tension_lost_in_statics(const LostInRounding& at) { return "statics: " + lost_in_rounding(at); }
 
-std::string error_too_large(double error) {
-  return fmt::format("its local error of {:.3g} m is too large", error);
-}
-
-std::string beyond_contact_search() { return "lines move farther in it than the contact search covers"; }
-
-std::string line_passes_volume() { return "in it a line would pass through a volume"; }
-
-std::string body_passes_body() { return "in it a body would pass through another one"; }
-
-std::string feeds_too_fast(const std::string& feeder) {
-  return feeder + " is paid out or hauled in by more of an element than one step can follow";
+std::string tension_lost_at(double time, const LostInRounding& at) {
+  return fmt::format("at t = {:.6g} s {}", time, lost_in_rounding(at));
 }
 
 std::string folded_element(const FoldedElement& at) {

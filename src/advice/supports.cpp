@@ -98,9 +98,10 @@ std::optional<BelowSupport> below_supports(const model::Case& c,
             : fmt::format(
                   "the way over the supports begins {:.3g} m {} the end from which line {} goes overboard",
                   std::abs(off), off > 0 ? "below" : "above", line.name);
-    return BelowSupport{named.key, fmt::format("{}, so that line {} {}; move {}", cause, line.name, wrong,
-                                               odd > 0 ? "it into line with them"
-                                                       : "them, or the end, so that one leads to the other")};
+    return BelowSupport{named.key,
+                        fmt::format("{}, so that line {} {}; {}", cause, line.name, wrong,
+                                    odd > 0 ? "move it into line with them"
+                                            : "move them, or the end, so that one leads to the other")};
   }
   return {};
 }

@@ -63,16 +63,16 @@ class Change {
             : key->type == Type::vec3 ? key
                                       : &key->keys[0];
     }
-    const std::string was = added          ? "not in the file"
-                            : at->line < 0 ? "set before"
-                            : at->kind == Kind::scalar
-                                ? "in the file " + at->text
-                                : fmt::format("given in line {} of the file", at->line);
+    const std::string former = added          ? "not in the file"
+                               : at->line < 0 ? "set before"
+                               : at->kind == Kind::scalar
+                                   ? "in the file " + at->text
+                                   : fmt::format("given in line {} of the file", at->line);
     if (value_.kind == Kind::null)
       remove(*parent, *at, path);
     else
       *at = value_;
-    return fmt::format("--set {}={} ({})", path, given_, was);
+    return fmt::format("--set {}={} ({})", path, given_, former);
   }
 
  private:

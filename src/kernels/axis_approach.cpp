@@ -49,11 +49,11 @@ class Search {
     const MovingSegment A = p.chord(a_), B = q.chord(b_);
     const double ea = p.error(a_), eb = q.error(b_), e = ea + eb;
     if (first_approach(A, B, limits_.most + e, kSearch * limits_.most) > 1) return Sides::kept;
-    const double was = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
+    const double distance = closest_points_of_segments(A.from0, A.to0, B.from0, B.to0).distance;
     const bool finest = e == 0 || (ea >= eb ? p : q).level == kMost;
     const bool asked = limits_.no_side >= 0;
-    if (finest && asked && was <= limits_.no_side + e) return Sides::none;
-    double least = std::min(limits_.most, limits_.part * std::max(was - e, 0.0));
+    if (finest && asked && distance <= limits_.no_side + e) return Sides::none;
+    double least = std::min(limits_.most, limits_.part * std::max(distance - e, 0.0));
     least = std::max(least, limits_.floor);
     if (e <= kChord * least)
       return least > 0 && first_approach(A, B, least + e, kSearch * least) > 1 ? Sides::kept : Sides::near;

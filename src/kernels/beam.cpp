@@ -33,8 +33,8 @@ inline void force(const Local& o, const BeamReference& r, Vec12& f) {
 
 // Hessian of a_k = 2 y_k/(l + y1), k = 2, 3.
 inline Mat slope_hessian(const Local& o, double a, Row da) {
-  const double is = 1 / (o.l + o.y[0]), c = a * is / o.l;
-  return outer(c * o.d, o.d) - identity(c) - outer(is * da, o.g) - outer(is * o.g, da);
+  const double inverse = 1 / (o.l + o.y[0]), c = a * inverse / o.l;
+  return outer(c * o.d, o.d) - identity(c) - outer(inverse * da, o.g) - outer(inverse * o.g, da);
 }
 
 // Blocks of a 9x9 in (d, theta1, theta2), d in the mean frame, to the 12x12 in space axes.

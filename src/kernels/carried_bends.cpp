@@ -28,9 +28,9 @@ void remember_cells(std::span<const RememberedCell> cells, std::size_t n, double
   std::fill_n(out, kBendingPlaces * n, 0.0);
   for (const RememberedCell& now : remembered_cells(from, to, out, n)) {
     double* values = out + (now.values - out);
-    for (const RememberedCell& was : cells) {
-      const double share = (std::min(now.to, was.to) - std::max(now.from, was.from)) / (now.to - now.from);
-      for (size_t i = 0; i < n && share > 0; ++i) values[i] += share * was.values[i];
+    for (const RememberedCell& old : cells) {
+      const double share = (std::min(now.to, old.to) - std::max(now.from, old.from)) / (now.to - now.from);
+      for (size_t i = 0; i < n && share > 0; ++i) values[i] += share * old.values[i];
     }
   }
 }

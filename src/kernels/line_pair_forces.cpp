@@ -115,8 +115,8 @@ struct LinePairPass::Slopes {
   if (rubs) {
     const Mat3 T = wa_ * p.Ta + wb_ * p.Tb;
     const Vec3 x1_before = slave_.start.slope(xi), y1_before = master_.start.slope(eta);
-    by_eta += by_moved * (T * y1_before - wb_ * ((master_.turn[1] - master_.turn[0]) * p.was));
-    s.by_xi += by_moved * (-T * x1_before - wa_ * ((slave_.turn[1] - slave_.turn[0]) * p.was));
+    by_eta += by_moved * (T * y1_before - wb_ * ((master_.turn[1] - master_.turn[0]) * p.before));
+    s.by_xi += by_moved * (-T * x1_before - wa_ * ((slave_.turn[1] - slave_.turn[0]) * p.before));
     s.by_xi += c.by.col(F::kSlip) * from.slip_slope[0] + c.by.col(F::kSlip + 1) * from.slip_slope[1];
     if (from.is_new) {
       by_eta += by(F::kAlongBefore) * master_.start.bend(eta) - by(F::kAwayBefore) * y1_before;
@@ -152,9 +152,9 @@ struct LinePairPass::Slopes {
     if (axis.beam()) {
       // - w N d(turn was), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
-        of(s.by, turn + i) = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.was);
+        of(s.by, turn + i) = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.before);
     } else {
-      const Six turned = (of_master ? wb_ : wa_) * by_moved * section_turn_by_chord(axis, p.was);
+      const Six turned = (of_master ? wb_ : wa_) * by_moved * section_turn_by_chord(axis, p.before);
       of(s.by, position) += turned;
       of(s.by, position + 1) -= turned;
     }

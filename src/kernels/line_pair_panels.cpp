@@ -27,8 +27,8 @@ PairAxis::PairAxis(const AxisEnds& n, const AxisEnds& s) : now(n), start(s), end
   if (n.beam) {
     for (size_t i = 0; i < 2; ++i) turn[i] = now.axes(i) * start.axes(i).transpose();
   } else {
-    const Vec3 was = (s.x2 - s.x1).normalized(), is = (n.x2 - n.x1).normalized();
-    turn[0] = turn[1] = section_turn(was, is);
+    const Vec3 before = (s.x2 - s.x1).normalized(), after = (n.x2 - n.x1).normalized();
+    turn[0] = turn[1] = section_turn(before, after);
   }
 }
 
@@ -178,7 +178,7 @@ LinePairPass::Point LinePairPass::point(double xi) const {
   if (set_.law.friction.active()) {
     p.Ta = slave_.turn_at(xi);
     p.Tb = master_.turn_at(p.foot.eta);
-    p.was = slave_.start.point(xi) - master_.start.point(p.foot.eta);
+    p.before = slave_.start.point(xi) - master_.start.point(p.foot.eta);
   }
   return p;
 }
@@ -189,11 +189,11 @@ LinePairPoint LinePairPass::local(const Point& p, const Start& s) const {
   l.along = p.along;
   l.rate = p.foot.normal.dot(p.velocity);
   if (set_.law.friction.active()) {
-    l.moved = l.away - wa_ * (p.Ta * p.was) - wb_ * (p.Tb * p.was);
+    l.moved = l.away - wa_ * (p.Ta * p.before) - wb_ * (p.Tb * p.before);
     l.slip[0] = s.slip[0];
     l.slip[1] = s.slip[1];
     l.is_new = s.is_new;
-    l.away_before = p.was;
+    l.away_before = p.before;
     l.slope = p.slope;
     l.slope_before = slave_.start.slope(p.xi);
     l.along_before = master_.start.slope(p.foot.eta);

@@ -23,7 +23,7 @@ struct LinePairPass::Point {
   Vec3 slope, along;        // x', y', m
   Vec3 velocity;            // m/s, of x relative to y
   Mat3 Ta, Tb;              // turns of the sections
-  Vec3 was;                 // m, x - y of the same material at the start
+  Vec3 before;              // m, x - y of the same material at the start
 };
 
 // What a material point of the slave brings from the start of the step: its slip, with the derivative along

@@ -65,22 +65,22 @@ void RadiationMemory::tabulate() {
   const auto most = static_cast<size_t>(std::min(kLongest / spacing_, kMostPoints));
   const Eigen::RowVectorXd scale = retardation(0).cwiseAbs();
   const double largest = scale.size() > 0 ? scale.maxCoeff() : 0;
-  Eigen::RowVectorXd G = Eigen::RowVectorXd::Zero(n), rate = G;
+  Eigen::RowVectorXd S = Eigen::RowVectorXd::Zero(n), rate = S;
   Eigen::RowVectorXd largest_rate = rate;
   size_t needed = 1;
   const auto keep = [&](const Eigen::RowVectorXd& K) {
-    for (const Eigen::RowVectorXd* row : {&std::as_const(G), &std::as_const(rate), &K})
+    for (const Eigen::RowVectorXd* row : {&std::as_const(S), &std::as_const(rate), &K})
       table_.insert(table_.end(), row->begin(), row->end());
   };
   keep(retardation(0));
   const auto least = static_cast<size_t>(static_cast<double>(kLeastPeriods) * kPointsPerPeriod);
   for (size_t p = 1; p <= most && largest > 0 && p < std::max(kSmallFor * needed, least); ++p) {
     const double from = static_cast<double>(p - 1) * spacing_;
-    G += spacing_ * rate;
+    S += spacing_ * rate;
     for (int q = 0; q < 4; ++q) {
       const Eigen::RowVectorXd K = retardation(from + kAt[q] * spacing_);
       rate += (kWeight[q] * spacing_) * K;
-      G += (kWeight[q] * spacing_ * (1 - kAt[q]) * spacing_) * K;
+      S += (kWeight[q] * spacing_ * (1 - kAt[q]) * spacing_) * K;
     }
     const Eigen::RowVectorXd K = retardation(static_cast<double>(p) * spacing_);
     largest_rate = largest_rate.cwiseMax(rate.cwiseAbs());
@@ -95,8 +95,8 @@ void RadiationMemory::tabulate() {
   length_ = static_cast<double>(needed) * spacing_;
 }
 
-// Quintic Hermite interpolation of G from G, G', K at both ends.
-void RadiationMemory::integrals(double t, double* G, double* rate) const {
+// Quintic Hermite interpolation of S from S, S', K at both ends.
+void RadiationMemory::integrals(double t, double* S, double* rate) const {
   const auto n = static_cast<size_t>(entries());
   const bool over = t >= length_;
   const size_t points = table_.size() / (3 * n);
@@ -106,10 +106,10 @@ void RadiationMemory::integrals(double t, double* G, double* rate) const {
   const double value0 = r3 * (1 + s * (3 + 6 * s)), value1 = s3 * (1 + r * (3 + 6 * r));
   const double slope0 = h * s * r3 * (1 + 3 * s), slope1 = -h * r * s3 * (1 + 3 * r);
   const double curve0 = 0.5 * h * h * s * s * r3, curve1 = 0.5 * h * h * r * r * s3;
-  const double *G0 = &table_[3 * n * p], *rate0 = G0 + n, *K0 = rate0 + n;
-  const double *G1 = K0 + n, *rate1 = G1 + n, *K1 = rate1 + n;
+  const double *S0 = &table_[3 * n * p], *rate0 = S0 + n, *K0 = rate0 + n;
+  const double *S1 = K0 + n, *rate1 = S1 + n, *K1 = rate1 + n;
   for (size_t i = 0; i < n; ++i)
-    G[i] = value0 * G0[i] + slope0 * rate0[i] + curve0 * K0[i] + value1 * G1[i] + slope1 * rate1[i] +
+    S[i] = value0 * S0[i] + slope0 * rate0[i] + curve0 * K0[i] + value1 * S1[i] + slope1 * rate1[i] +
            curve1 * K1[i];
   if (!rate) return;
   const double dvalue = 30 * s * s * r * r / h;
@@ -117,7 +117,7 @@ void RadiationMemory::integrals(double t, double* G, double* rate) const {
   const double dcurve0 = 0.5 * h * s * r * r * (2 - 5 * s), dcurve1 = -0.5 * h * r * s * s * (2 - 5 * r);
   for (size_t i = 0; i < n; ++i)
     rate[i] = over ? 0
-                   : dvalue * (G1[i] - G0[i]) + dslope0 * rate0[i] + dslope1 * rate1[i] + dcurve0 * K0[i] +
+                   : dvalue * (S1[i] - S0[i]) + dslope0 * rate0[i] + dslope1 * rate1[i] + dcurve0 * K0[i] +
                          dcurve1 * K1[i];
 }
 

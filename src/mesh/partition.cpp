@@ -81,7 +81,8 @@ std::vector<idx_t> cut_into_parts(std::span<const double> weight, const std::vec
   const int status =
       METIS_PartGraphRecursive(&vertices, &constraints, start.data(), next.data(), weights.data(), nullptr,
                                edge.data(), &parts, shares.data(), nullptr, options, &cut, part.data());
-  if (status != METIS_OK) throw std::runtime_error("METIS could not cut the lines into parts");
+  if (status != METIS_OK)
+    throw std::runtime_error("METIS_PartGraphRecursive returns " + std::to_string(status));
   return part;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/base/error.hpp"
 #include "hawser/math/broken_line.hpp"
 #include "hawser/model/farm.hpp"
 #include "hawser/model/schema.hpp"
@@ -95,9 +96,13 @@ bool Case::off_at_start(const Volume& volume) const {
   return false;
 }
 
-void Case::refuse(const std::string& key, const std::string& why) const {
+std::string Case::refusal(const std::string& key, const std::string& why) const {
   const KeyPlace at = place_of(*this, key);
-  fail(at.file, at.line, key, why);
+  return model::refusal(at.file, at.line, key, why);
+}
+
+void Case::refuse(const std::string& key, const std::string& why) const {
+  throw InputError(refusal(key, why));
 }
 
 }  // namespace hawser::model

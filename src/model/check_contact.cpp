@@ -23,12 +23,13 @@ double thinnest(const Case& c, const Which& which) {
   return least;
 }
 
-void check_smoothing(double smoothing, double thickness, const std::string& key, const Issues& issue) {
-  if (thickness > 0 && smoothing > thickness)
+void check_smoothing(std::optional<double> smoothing, double thickness, const std::string& key,
+                     const Issues& issue) {
+  if (thickness > 0 && smoothing && *smoothing > thickness)
     issue(key,
           "a ramp of {:g} m is wider than the thinnest line is thick; at most its contact diameter of {:g} m "
           "is allowed",
-          smoothing, thickness);
+          *smoothing, thickness);
 }
 
 void check_kinetic(const Volume& v, const Issues& issue) {

@@ -95,8 +95,9 @@ class EventOrder : private EventChecks {
           const bool attach = c_.events[k].action.kind == Kind::attach;
           i_ = k;
           if (attach == now)
-            return issue("time", "{} of line '{}' is {} at {:g} s already", name, end.first,
-                         now ? "held" : "free", time(k));
+            return attach
+                       ? issue("time", "{} of line '{}' is held at {:g} s already", name, end.first, time(k))
+                       : issue("time", "{} of line '{}' is free at {:g} s already", name, end.first, time(k));
           now = attach;
         }
       }

@@ -91,8 +91,8 @@ void check_hull(const Case& c, const Body& b, const Issues& issue) {
   if (!m.weight)
     issue("", "brings the buoyancy of the body, so that its weight acts as well: remove 'weight'");
   for (const std::string& name : m.hull->volumes) {
-    const auto is = [&name](const Volume& v) { return v.name == name; };
-    const auto volume = std::find_if(c.volumes.begin(), c.volumes.end(), is);
+    const auto has_name = [&name](const Volume& v) { return v.name == name; };
+    const auto volume = std::find_if(c.volumes.begin(), c.volumes.end(), has_name);
     if (volume == c.volumes.end()) continue;  // said already
     if (volume->body != b.name)
       issue("volumes", "volume '{}' moves with {}, not with this body: set 'body: {}' there", name,

@@ -13,7 +13,7 @@
 
 namespace hawser::model {
 
-void fail(const std::string& file, int line, const std::string& key, const std::string& text) {
+std::string refusal(const std::string& file, int line, const std::string& key, const std::string& text) {
   std::string where = file;
   if (line > 0) where += fmt::format(":{}", line);
   if (line == kBySet) where += " with --set";
@@ -21,7 +21,11 @@ void fail(const std::string& file, int line, const std::string& key, const std::
   std::string s = where + ": " + text;
   for (char& c : s)  // one sentence, one line, whatever the file held
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  throw InputError(s);
+  return s;
+}
+
+void fail(const std::string& file, int line, const std::string& key, const std::string& text) {
+  throw InputError(refusal(file, line, key, text));
 }
 
 const char* name_pattern() { return "^[A-Za-z0-9_\u0080-\uffff][A-Za-z0-9_+ \u0080-\uffff-]*$"; }

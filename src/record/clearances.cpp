@@ -213,13 +213,16 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
   smallest_of_ranks(comm_, values, numbers);
   const int rank = rank_of(comm_);
   for (size_t k = 0; k < values.size(); ++k) {
-    std::vector<double>& row = to.emplace_back();
-    if (rank != 0) continue;
+    if (rank != 0) {
+      to.add({});
+      continue;
+    }
     const double* n = numbers.data() + 4 * k;
-    row = {values[k], n[0], n[1]};
+    std::vector<double> row{values[k], n[0], n[1]};
     if (!wanted[k].volume.empty()) row.insert(row.end(), {n[2], n[3]});
     // Nothing of the volume looks that way.
     if (!std::isfinite(values[k])) std::fill(row.begin(), row.end(), std::nan(""));
+    to.add(std::move(row));
   }
 }
 

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "hawser/advice/input_warnings.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/record/line_extremes.hpp"
 
 namespace hawser::record {
@@ -25,28 +28,35 @@ constexpr double kRecommendedInside = 0.37;
 double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
 constexpr double kRecommendedAtEnd = 2.1;
 
-constexpr size_t kNumbers = 8;  // of a node, that ranks exchange
-
-// The nodes of this rank of lines that the partition cuts.
-std::vector<int> cut_nodes(const LocalMesh& mesh, const std::vector<int>& cut) {
-  std::vector<int> out;
-  for (int n = 0; n < mesh.owned; ++n)
-    if (std::binary_search(cut.begin(), cut.end(), mesh.node(n).line)) out.push_back(n);
-  return out;
-}
+constexpr size_t kNumbers = 7;  // of a node, that ranks exchange
+constexpr int kNodesTag = 76;
 
 }  // namespace
 
 ElementErrors::ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                              const Feeders* feeders)
-    : case_(c),
-      mesh_(mesh),
-      feeders_(feeders),
-      comm_(comm),
-      owners_(line_owners(mesh)),
-      cut_nodes_(cut_nodes(mesh, owners_.cut)),
-      plan_(comm, static_cast<int>(kNumbers * cut_nodes_.size())),
-      lines_(mesh.mesh->lines.size()) {}
+    : case_(c), mesh_(mesh), feeders_(feeders), comm_(comm), lines_(mesh.mesh->lines.size()) {
+  LineOwners lines = line_owners(mesh);
+  uncut_ = std::move(lines.uncut);
+  const int rank = rank_of(comm);
+  std::map<int, Sharer> sharers;
+  for (const int l : lines.cut) {
+    const LineSpan& line = mesh.mesh->lines[l];
+    const int owner = mesh.owner[line.first_node];
+    for (int n = line.first_node; n < line.first_node + line.nodes; ++n) {
+      if (owner != rank && mesh.owner[n] == rank) sharers[owner].send.push_back(mesh.find(n));
+      if (owner == rank && mesh.owner[n] != rank)
+        sharers[mesh.owner[n]].receive.push_back(cut_nodes_ + static_cast<size_t>(n - line.first_node));
+    }
+    if (owner != rank) continue;
+    cut_.push_back(l);
+    cut_nodes_ += static_cast<size_t>(line.nodes);
+  }
+  for (auto& [other, sharer] : sharers) {
+    sharer.rank = other;
+    sharers_.push_back(std::move(sharer));
+  }
+}
 
 const model::LineType& ElementErrors::type(const Element& e) const { return case_.line_types[e.type]; }
 
@@ -57,22 +67,32 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& at, const Valu
           values.carried[n]};
 }
 
-// The nodes of all lines that the partition cuts, in the order of the case, on all ranks.
-std::vector<ElementErrors::At> ElementErrors::of_cut_lines(const Kinematics& at, const Values& values) const {
-  std::vector<double> mine, all;
-  for (const int n : cut_nodes_) {
-    const At a = node(static_cast<size_t>(n), at, values);
-    mine.insert(mine.end(), {static_cast<double>(mesh_.global[n]), a.x.x(), a.x.y(), a.x.z(), a.tension,
-                             a.moment, a.pressed, a.carried ? 1.0 : 0.0});
+// Fills in what other ranks have of the nodes of cut_, in the order of both.
+void ElementErrors::exchange(const Kinematics& at, const Values& values,
+                             std::vector<At>& of_cut_lines) const {
+  std::vector<std::vector<double>> out(sharers_.size()), in(sharers_.size());
+  std::vector<MPI_Request> requests(2 * sharers_.size());
+  for (size_t i = 0; i < sharers_.size(); ++i) {
+    const Sharer& s = sharers_[i];
+    for (const int n : s.send) {
+      const At a = node(static_cast<size_t>(n), at, values);
+      out[i].insert(out[i].end(),
+                    {a.x.x(), a.x.y(), a.x.z(), a.tension, a.moment, a.pressed, a.carried ? 1.0 : 0.0});
+    }
+    in[i].resize(kNumbers * s.receive.size());
+    MPI_Irecv(in[i].data(), static_cast<int>(in[i].size()), MPI_DOUBLE, s.rank, kNodesTag, comm_,
+              &requests[2 * i]);
+    MPI_Isend(out[i].data(), static_cast<int>(out[i].size()), MPI_DOUBLE, s.rank, kNodesTag, comm_,
+              &requests[2 * i + 1]);
   }
-  plan_.gather(mine.data(), all);
-  std::vector<std::pair<int, At>> nodes;
-  for (auto v = all.begin(); v != all.end(); v += kNumbers)
-    nodes.push_back({static_cast<int>(v[0]), {Vec3(v[1], v[2], v[3]), v[4], v[5], v[6], v[7] > 0}});
-  std::sort(nodes.begin(), nodes.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<At> out;
-  for (const auto& [number, a] : nodes) out.push_back(a);
-  return out;
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  for (size_t i = 0; i < sharers_.size(); ++i) {
+    const double* v = in[i].data();
+    for (const size_t place : sharers_[i].receive) {
+      of_cut_lines[place] = {Vec3(v), v[3], v[4], v[5], v[6] > 0};
+      v += kNumbers;
+    }
+  }
 }
 
 void ElementErrors::declare(Declarations& to) {
@@ -126,7 +146,7 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
     if (!values.moment.empty()) update_bends(line, nodes, first, last, at.time, lines_[l].bend);
   };
   std::vector<At> nodes;
-  for (const int l : owners_.uncut) {
+  for (const int l : uncut_) {
     const LineSpan& line = mesh_.mesh->lines[l];
     const auto first = static_cast<size_t>(mesh_.find(line.first_node));
     nodes.clear();
@@ -134,10 +154,17 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
       nodes.push_back(node(n, at, values));
     update_line(l, nodes.data());
   }
-  if (owners_.cut.empty()) return;
-  nodes = of_cut_lines(at, values);
+  nodes.clear();
+  for (const int l : cut_) {
+    const LineSpan& line = mesh_.mesh->lines[l];
+    for (int n = line.first_node; n < line.first_node + line.nodes; ++n) {
+      const int local = mesh_.find(n);
+      nodes.push_back(mesh_.owns(local) ? node(static_cast<size_t>(local), at, values) : At{});
+    }
+  }
+  exchange(at, values, nodes);
   size_t first = 0;
-  for (const int l : owners_.cut) {
+  for (const int l : cut_) {
     update_line(l, nodes.data() + first);
     first += static_cast<size_t>(mesh_.mesh->lines[l].nodes);
   }

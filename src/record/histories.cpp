@@ -80,13 +80,14 @@ void Histories::declare(Declarations& to) {
           series.columns.push_back({angle, "deg", 1});
     }
     points_.push_back(p);
-    series_.push_back(std::move(series));
+    size_t& columns = columns_.emplace_back(0);
+    for (const io::ResultField& f : series.columns) columns += static_cast<size_t>(f.components);
+    to.contents.series.push_back(std::move(series));
   }
   std::vector<int> ranks;
   for (const Point& p : points_) ranks.push_back(p.nodes[0] >= 0 || p.nodes[1] >= 0);
   all_reduce(subject_.comm(), MPI_SUM, ranks);
   for (size_t i = 0; i < points_.size(); ++i) points_[i].shared = ranks[i] > 1 || !points_[i].volume.empty();
-  to.contents.series.insert(to.contents.series.end(), series_.begin(), series_.end());
 }
 
 Histories::Point Histories::point_of(int line, double arc) const {
@@ -228,32 +229,17 @@ std::vector<double> Histories::volume_row(const std::string& volume, const Kinem
 }
 
 void Histories::rows(const Snapshot& s, Rows& to) {
-  const size_t first = to.size();
-  for (const Point& p : points_)
-    to.push_back(p.body >= 0        ? body_row(p.body, s.at)
-                 : p.volume.empty() ? line_row(p, s)
-                                    : volume_row(p.volume, s.at));
-  const std::span<std::vector<double>> rows(to.begin() + static_cast<std::ptrdiff_t>(first), to.end());
-
-  // Ranks each have a part of what they share; the first rank writes the sum.
-  std::vector<double> parts;
   for (size_t i = 0; i < points_.size(); ++i) {
-    if (!points_[i].shared) continue;
-    size_t columns = 0;
-    for (const io::ResultField& f : series_[i].columns) columns += static_cast<size_t>(f.components);
-    rows[i].resize(columns);
-    parts.insert(parts.end(), rows[i].begin(), rows[i].end());
-  }
-  if (parts.empty()) return;
-  const int rank = rank_of(subject_.comm());
-  MPI_Reduce(rank == 0 ? MPI_IN_PLACE : parts.data(), parts.data(), static_cast<int>(parts.size()),
-             MPI_DOUBLE, MPI_SUM, 0, subject_.comm());
-  auto part = parts.begin();
-  for (size_t i = 0; i < points_.size(); ++i) {
-    if (!points_[i].shared) continue;
-    std::copy_n(part, rows[i].size(), rows[i].begin());
-    part += static_cast<std::ptrdiff_t>(rows[i].size());
-    if (rank != 0) rows[i].clear();
+    const Point& p = points_[i];
+    std::vector<double> row = p.body >= 0        ? body_row(p.body, s.at)
+                              : p.volume.empty() ? line_row(p, s)
+                                                 : volume_row(p.volume, s.at);
+    if (!p.shared) {
+      to.add(std::move(row));
+      continue;
+    }
+    row.resize(columns_[i], 0.0);
+    to.add_part(std::move(row));
   }
 }
 

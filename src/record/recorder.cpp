@@ -121,7 +121,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   if (rows_every_ > 0) rows_from_ = next_multiple(info.time, rows_every_);
   Rows rows;
   for (const auto& r : recordings_) r->rows(s, rows);
-  file_->append_series(info.time, rows);
+  file_->append_series(info.time, std::move(rows).gathered(subject_.comm()));
 }
 
 // J, work in a step that one feeder does on its line and another takes out of its own, or of the same.

@@ -13,7 +13,7 @@ namespace hawser::record {
 namespace {
 
 void add_on_first(const Subject& subject, std::vector<double> row, Rows& to) {
-  to.push_back(rank_of(subject.comm()) == 0 ? std::move(row) : std::vector<double>{});
+  to.add(rank_of(subject.comm()) == 0 ? std::move(row) : std::vector<double>{});
 }
 
 }  // namespace
@@ -33,7 +33,7 @@ void TouchdownHistory::declare(Declarations& to) {
 }
 
 void TouchdownHistory::rows(const Snapshot& s, Rows& to) {
-  std::vector<double>& row = to.emplace_back();
+  std::vector<double> row;
   for (const Touchdown& t : touchdowns_.find(s.at)) {
     if (!owns_line(subject_.local(), t.line)) continue;
     for (const auto& p : {t.from_a, t.from_b}) {
@@ -42,6 +42,7 @@ void TouchdownHistory::rows(const Snapshot& s, Rows& to) {
     }
     row.push_back(t.laid);
   }
+  to.add(std::move(row));
 }
 
 TermHistory::TermHistory(const Subject& subject) : terms_(subject.system.with<HasSeries>()) {}
@@ -53,7 +54,7 @@ void TermHistory::declare(Declarations& to) {
 
 void TermHistory::rows(const Snapshot& s, Rows& to) {
   for (const HasSeries* term : terms_)
-    for (std::vector<double>& row : term->rows(s.at)) to.push_back(std::move(row));
+    for (std::vector<double>& row : term->rows(s.at)) to.add(std::move(row));
 }
 
 FeederHistory::FeederHistory(const Subject& subject) : subject_(subject), feeders_(subject.term<Feeders>()) {}

@@ -13,7 +13,7 @@ SupportLog::SupportLog(const Subject& subject)
     : subject_(subject),
       rollers_(subject),
       off_(subject.model.supports.size(), false),
-      carried_(off_),
+      carried_(off_.size(), 0),
       lowest_(off_.size(), HUGE_VAL) {}
 
 void SupportLog::declare(Declarations& to) {
@@ -26,35 +26,41 @@ void SupportLog::declare(Declarations& to) {
 
 void SupportLog::step(const Snapshot& s) {
   const model::Case& c = subject_.model;
-  const std::vector<SupportCrossing> crosses = rollers_.crossings(s);
-  std::vector<Vec3> forces = rollers_.forces(s.at);
-  const int rank = rank_of(subject_.comm());
-  MPI_Reduce(rank == 0 ? MPI_IN_PLACE : forces.data(), forces.data(), 3 * static_cast<int>(forces.size()),
-             MPI_DOUBLE, MPI_SUM, 0, subject_.comm());
-  rows_.assign(c.supports.size(), {});
-  for (size_t k = 0; k < rows_.size() && rank == 0; ++k) {
+  crossings_ = rollers_.crossings(s);
+  forces_ = rollers_.forces(s.at);
+  for (size_t k = 0; k < c.supports.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
-    const SupportCrossing& x = crosses[k];
-    std::vector<double>& row = rows_[k];
-    const auto of = [&](size_t i) -> const Vec3& { return forces[rollers_.first(k) + i]; };
-    Vec3 sum = Vec3::Zero();
-    for (size_t i = 0; i < b.rollers.size(); ++i) sum += of(i);
-    row.assign(sum.begin(), sum.end());
-    if (sum != Vec3::Zero()) carried_[k] = true;
+    const SupportCrossing& x = crossings_[k];
+    for (size_t i = 0; i < b.rollers.size(); ++i)
+      if (forces_[rollers_.first(k) + i] != Vec3::Zero()) carried_[k] = 1;
     if (x.known) lowest_[k] = std::min(lowest_[k], x.height);
-    for (size_t i = 0; i < b.rollers.size(); ++i) row.insert(row.end(), of(i).begin(), of(i).end());
-    for (const double value : {x.height, x.offset, x.arc}) row.push_back(x.known ? value : std::nan(""));
     if (off_[k] || !x.known || std::abs(x.offset) <= b.half_width || x.height >= b.rise) continue;
     off_[k] = true;
     warnings_.push_back(advice::off_rollers(b, x, s.at.time));
   }
 }
 
-void SupportLog::rows(const Snapshot&, Rows& to) { to.insert(to.end(), rows_.begin(), rows_.end()); }
+void SupportLog::rows(const Snapshot&, Rows& to) {
+  const model::Case& c = subject_.model;
+  const bool first = rank_of(subject_.comm()) == 0;
+  for (size_t k = 0; k < c.supports.size(); ++k) {
+    std::vector<double> row(3, 0.0);  // the sum of the rollers
+    for (size_t i = 0; i < c.supports[k].rollers.size(); ++i) {
+      const Vec3& of_roller = forces_[rollers_.first(k) + i];
+      for (int n = 0; n < 3; ++n) row[n] += of_roller[n];
+      row.insert(row.end(), of_roller.begin(), of_roller.end());
+    }
+    const SupportCrossing& x = crossings_[k];  // the same on all ranks
+    for (const double value : {x.height, x.offset, x.arc})
+      row.push_back(!first ? 0 : x.known ? value : std::nan(""));
+    to.add_part(std::move(row));
+  }
+}
 
 std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, const Audit&) {
   std::vector<Finding> out;
   for (const std::string& w : warnings_) out.push_back({w});
+  all_reduce(subject_.comm(), MPI_MAX, carried_);
   const model::Case& c = subject_.model;
   for (size_t k = 0; k < lowest_.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
@@ -65,12 +71,12 @@ std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, co
     for (size_t j = 0; j < lowest_.size(); ++j) {
       if (c.supports[j].line != b.line) continue;
       first = first && j >= k;
-      any = any || carried_[j];
-      further = further || (j > k && carried_[j]);
+      any = any || carried_[j] != 0;
+      further = further || (j > k && carried_[j] != 0);
     }
     // What lies clear of the last ones is laid as it is meant to be; by less than a diameter over one
     // between, the next have been set a little high.
-    if (further && !carried_[k] && lowest_[k] > diameter)
+    if (further && carried_[k] == 0 && lowest_[k] > diameter)
       out.push_back({advice::never_carries(b, lowest_[k])});
     if (first && !any) out.push_back({advice::none_carries(b.line)});
   }

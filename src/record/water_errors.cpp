@@ -7,7 +7,7 @@
 
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/base/gather.hpp"
-#include "hawser/terms/hydrodynamics.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 
 namespace hawser::record {
 namespace {
@@ -45,7 +45,7 @@ WaterErrors::WaterErrors(const model::Case& c, const System& system)
       case_(c),
       mesh_(system.mesh()),
       structure_(*system.find<CarriesTension>()),
-      water_(system.find<Hydrodynamics>()),
+      water_(system.find<LinesInWater>()),
       group_(joined_lines(*mesh_.mesh)),
       groups_(group_.size()) {
   if (water_ && !water_->moving()) water_ = nullptr;
@@ -65,11 +65,11 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
   const size_t n = groups.size();
   std::vector<double> all(3 * n);
   std::vector<Where> where(n);
-  for (const Hydrodynamics::Piece& p : water_->pieces()) {
+  for (const LinesInWater::Piece& p : water_->pieces()) {
     const Element& e = mesh_.element(p.at);
     const size_t g = group_[e.line];
     if (!p.at.counted || !groups[g]) continue;
-    const Hydrodynamics::FlowError f = water_->flow_error(at, p, parts);
+    const LinesInWater::FlowError f = water_->flow_error(at, p, parts);
     const Vec3 &a = at.x[p.at.first], &b = at.x[p.at.second], chord = (b - a).normalized();
     const double z = water_->above_still_water(0.5 * (a.z() + b.z()));
     const double weight = case_.line_types[e.type].mass_per_length * case_.environment.gravity -

@@ -15,6 +15,7 @@
 #endif
 
 #include "hawser/advice/cost.hpp"
+#include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/base/share_of_time.hpp"
@@ -178,11 +179,15 @@ void print_results(const model::Case& c, const record::Recorder& recorder, const
   if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);
   if (c.dynamics.enabled) {
     const record::Audit& a = recorder.audit();
-    fmt::print(
-        "\nenergy: brought in {:.6g} J, of which into motion {:.6g}, strain {:.6g}, friction {:.6g}, damping "
-        "{:.6g}, unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)\n",
-        a.brought_in, a.change.kinetic, a.change.strain, a.change.friction, a.change.damping,
-        a.change.unresolved, a.error, a.percent(), a.size());
+    fmt::print("\n{}\n", advice::energy_of_run({.brought_in = a.brought_in,
+                                                .kinetic = a.change.kinetic,
+                                                .strain = a.change.strain,
+                                                .friction = a.change.friction,
+                                                .damping = a.change.damping,
+                                                .unresolved = a.change.unresolved,
+                                                .error = a.error,
+                                                .percent = a.percent(),
+                                                .size = a.size()}));
     if (const std::string n = a.note(); !n.empty()) fmt::print("\nnote: {}\n", n);
     if (const std::string w = recorder.audit_warning(); !w.empty()) fmt::print("\nwarning: {}\n", w);
   }
@@ -199,8 +204,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
   const OutputPlace place(comm, c.output.file, options.restart, c.inputs);
   c.output.file = place.path();
-  if (restarted && !c.dynamics.enabled)
-    throw InputError(c.path + ": dynamics: only a run in time can go on from a checkpoint");
+  if (restarted && !c.dynamics.enabled) throw InputError(advice::restart_needs_dynamics(c));
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   set_hydrostatics(c, volumes);
   c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
@@ -213,9 +217,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
     checkpoint = read_restart(options.restart, sim);
     restart_notes = compare_changes(comm, options.restart, c.changes);
   }
-  progress.print(
-      fmt::format("{} nodes on {}", sim.mesh().nodes.size(),
-                  size == 1 ? "1 rank" : fmt::format("{} ranks, {} cut elements", size, sim.cut_elements())));
+  progress.print(advice::model_size(sim.mesh().nodes.size(), size, sim.cut_elements()));
   for (const auto& n : place.notes()) progress.print("note: " + n);
   for (const auto& n : restart_notes) progress.print("note: " + n);
   for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
@@ -235,9 +237,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
     return *made;
   };
   if (restarted) {
-    progress.print(fmt::format("going on from t = {:.6g} s of {}", checkpoint.time, options.restart));
-    if (checkpoint.time >= end * (1 - 1e-12))
-      progress.print("which is the end of the case: nothing left to compute");
+    progress.print(advice::goes_on(options.restart, checkpoint.time));
+    if (checkpoint.time >= end * (1 - 1e-12)) progress.print(advice::nothing_left());
   } else if (c.statics.enabled) {
     try {
       const Stage stage("statics");
@@ -285,9 +286,8 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (speak) {
     print_results(c, recorder, table);
     if (stopped)
-      fmt::print(
-          "\nstopped by a signal at t = {:.6g} of {:.6g} s: all this is of that time; --restart {} goes on\n",
-          sim.dynamics().committed().s.time, end, recorder.file().path());
+      fmt::print("\n{}\n",
+                 advice::stopped_by_signal(sim.dynamics().committed().s.time, end, recorder.file().path()));
     fmt::print("\nresults: {}\n", recorder.file().path());
     fmt::print("view them: hawser view {}\n", recorder.file().path());
     if (c.output.xdmf) fmt::print("in ParaView: paraview {}\n", recorder.file().xdmf_path());
@@ -336,10 +336,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   }
   fmt::print("{}", hulls_text(c, volumes));
   if (!met) {
-    fmt::print(
-        "note: a trial of {:g} CPU s does not find the lengths that lines need to have at rest what is asked "
-        "for, and the check ends here: a run may search for long; lengths near those needed make it short\n",
-        kTrial);
+    fmt::print("{}\n", advice::lengths_not_found_in_trial(kTrial));
     return 0;
   }
   const double read = peak_memory();
@@ -355,9 +352,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   if (verbose)
     for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
-  fmt::print("{}", starts_well ? "the case is valid\n"
-                               : "the case is valid if statics moves its lines out of the volumes they start "
-                                 "in; the run stops if not\n");
+  fmt::print("{}\n", advice::case_is_valid(starts_well));
   std::fflush(stdout);
   record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(c, volumes), run_info(c, "", 1),
                             nullptr, false, false);

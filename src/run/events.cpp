@@ -8,6 +8,7 @@
 #include <map>
 
 #include "hawser/advice/events.hpp"
+#include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/record/output_times.hpp"
@@ -224,7 +225,7 @@ void Events::come_to_rest(const std::function<void(bool)>& solve,
   const std::vector<std::string>& stages = sim_.model().stages;
   if (stages.empty()) solve(false);
   for (size_t k = 0; k < stages.size(); ++k) {
-    report(fmt::format("stage {} of statics", stages[k]));
+    report(advice::stage_of_statics(stages[k]));
     for (const std::string& e : at_rest(stages[k])) report(e);
     solve(k > 0 && releases_end(stages[k]));
     pay_out(stages[k], solve);

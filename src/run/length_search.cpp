@@ -110,12 +110,12 @@ double LengthSearch::error() const {
 
 bool LengthSearch::update(const AtRest& now) {
   if (failed_) return false;
-  const bool was = met_;
+  const bool met_before = met_;
   value_ = reached(now);
   last_found_ = length_;
   near_ = error() <= kCoarse;
   met_ = error() <= kTolerance || (narrow() && near_);
-  return was && !met_;
+  return met_before && !met_;
 }
 
 advice::LengthSearched LengthSearch::searched(const model::Case& c) const {

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <numeric>
 
+#include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
@@ -219,9 +220,7 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
                                  ? (beside.parent_path() / (beside.stem().string() + "-modes.h5")).string()
                                  : std::filesystem::absolute(options.output).string();
   const OutputPlace place(comm, wanted, "", c.inputs);
-  if (!c.statics.enabled)
-    throw InputError(c.path +
-                     ": statics: modes are about the static equilibrium, which this case does not compute");
+  if (!c.statics.enabled) throw InputError(advice::modes_need_statics(c));
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   set_hydrostatics(c, volumes);
   c = with_targets_met(comm, std::move(c), volumes, progress);
@@ -243,13 +242,12 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   const auto unstable = std::count_if(found.begin(), found.end(),
                                       [](const NaturalMode& m) { return m.squared < -kFreeMotion; });
   if (statics.negative_eigenvalues > unstable)
-    table += fmt::format("and {} more directions in which the equilibrium is unstable, faster than these\n",
-                         statics.negative_eigenvalues - unstable);
+    table += advice::faster_instabilities(statics.negative_eigenvalues - unstable) + "\n";
   write(comm, sim, volumes, options, place.path(), found, progress.messages());
   if (rank == 0 && !options.quiet) {
     fmt::print("\n{}", table);
     if (found.size() < static_cast<size_t>(options.count))
-      fmt::print("\nnote: the model has no more than {} modes\n", found.size());
+      fmt::print("\n{}\n", advice::model_has_no_more_modes(found.size()));
     fmt::print("\nresults: {}\n", place.path());
   }
   return 0;

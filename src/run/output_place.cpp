@@ -2,11 +2,11 @@
 // is kept, refused or continued.
 #include "hawser/run/output_place.hpp"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <filesystem>
 
+#include "hawser/advice/output_files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/old_results.hpp"
@@ -25,10 +25,6 @@ std::string followed(fs::path path) {
   return path.string();
 }
 
-InputError refusal(const std::string& path, const std::string& why) {
-  return InputError("cannot write the results to {}: {}", path, why);
-}
-
 bool same_file(const std::string& a, const std::string& b) {
   std::error_code e;
   return fs::equivalent(a, b, e);
@@ -40,11 +36,7 @@ void check_not_read(const std::string& what, const std::string& path, const std:
                     const std::vector<std::string>& read) {
   for (const std::string& out : written)
     for (const std::string& in : read)
-      if (same_file(out, in))
-        throw InputError(
-            "cannot write {} to {}: {} is a file that this run reads{}, and would be replaced; give another "
-            "file with -o",
-            what, path, in, in == out ? "" : " (" + out + ")");
+      if (same_file(out, in)) throw InputError(advice::would_replace_input(what, path, in, out));
 }
 
 OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,
@@ -61,35 +53,26 @@ OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::stri
                     io::backup_name(xdmf)},
                    read);
     lock_ = std::make_unique<io::RunLock>(path_);
-    if (!lock_->held())
-      notes_.push_back(fmt::format(
-          "the file system of {} does not support file locks: make sure that no other run writes this file",
-          path_));
+    if (!lock_->held()) notes_.push_back(advice::no_file_locks(path_));
     check_old();
-    if (!io::xml_holds(fs::path(path_).filename().string()))
-      notes_.push_back(
-          fmt::format("the name of {} is not UTF-8: the XDMF file cannot tell ParaView of it", path_));
+    if (!io::xml_holds(fs::path(path_).filename().string())) notes_.push_back(advice::name_not_utf8(path_));
   });
 }
 
 // Names and folders.
 void OutputPlace::check() const {
-  if (fs::is_symlink(path_)) throw refusal(path_, "it is a symbolic link that refers to itself");
+  if (fs::is_symlink(path_)) throw InputError(advice::link_to_itself(path_));
   const fs::path file(path_), folder = fs::absolute(file).parent_path();
   std::error_code e;
-  if (file.extension() != ".h5") throw refusal(path_, "the name must end in .h5");
-  if (!fs::exists(folder, e)) throw refusal(path_, "there is no folder " + folder.string());
-  if (!fs::is_directory(folder, e)) throw refusal(path_, folder.string() + " is not a folder");
+  if (file.extension() != ".h5") throw InputError(advice::name_must_end_in_h5(path_));
+  if (!fs::exists(folder, e)) throw InputError(advice::no_folder(path_, folder.string()));
+  if (!fs::is_directory(folder, e)) throw InputError(advice::not_a_folder(path_, folder.string()));
   if (access(folder.c_str(), W_OK | X_OK) != 0)
-    throw refusal(path_, "the folder " + folder.string() + " cannot be written");
+    throw InputError(advice::folder_not_writable(path_, folder.string()));
   const std::string longest = fs::path(io::xdmf_beside(path_) + ".new").filename().string();
   const long limit = pathconf(folder.c_str(), _PC_NAME_MAX);
   if (limit > 0 && longest.size() > static_cast<size_t>(limit))
-    throw refusal(
-        path_,
-        fmt::format(
-            "the name is too long: with .xdmf.new in place of .h5 it has {} characters, {} are allowed there",
-            longest.size(), limit));
+    throw InputError(advice::name_too_long(path_, longest.size(), limit));
 }
 
 // Files that are there already, and that the run will replace.
@@ -97,10 +80,8 @@ void OutputPlace::check_old() {
   const auto there = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
   const auto check_one = [&](const std::string& name, bool is_results) {
     if (!there(name) || is_results) return;
-    throw refusal(path_, fs::is_directory(name) ? name + " is a folder"
-                                                : name +
-                                                      " is not of hawser's making, and is not replaced; move "
-                                                      "it away, or give another file with -o");
+    throw InputError(fs::is_directory(name) ? advice::name_is_a_folder(path_, name)
+                                            : advice::third_party_file(path_, name));
   };
   const std::string xdmf = io::xdmf_beside(path_);
   check_one(path_, io::is_results(path_));
@@ -110,8 +91,7 @@ void OutputPlace::check_old() {
   const std::string kept = io::backup_name(path_), kept_xdmf = io::backup_name(xdmf);
   check_one(kept, io::is_results(kept));
   check_one(kept_xdmf, io::is_xdmf(kept_xdmf));
-  if (there(path_))
-    notes_.push_back(fmt::format("the results that are at {} will be kept as {}", path_, kept));
+  if (there(path_)) notes_.push_back(advice::results_kept_as(path_, kept));
 }
 
 }  // namespace hawser::run

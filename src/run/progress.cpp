@@ -12,6 +12,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "hawser/advice/run.hpp"
+
 namespace hawser::run {
 namespace {
 
@@ -68,10 +70,7 @@ void Progress::statics(int iterations, int relaxation_steps, double residual) {
   const auto now = Clock::now();
   if (seconds(now - last_) < (columns_ > 0 ? kRewriteEvery : kLineEvery)) return;
   last_ = now;
-  const std::string text = fmt::format(
-      "statics: {} iterations{}, out of balance by {:.1e} of the forces so far", iterations,
-      relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", relaxation_steps) : "",
-      residual);
+  const std::string text = advice::statics_progress(iterations, relaxation_steps, residual);
   if (columns_ > 0) {
     rewrite(text);
     passing_ = true;

@@ -8,6 +8,7 @@
 
 #include <ctime>
 
+#include "hawser/advice/run.hpp"
 #include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
@@ -85,10 +86,8 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
       },
       falls);
   for (size_t i = before; i < sim.notes().size(); ++i) progress.print("note: " + sim.notes()[i]);
-  progress.print(fmt::format(
-      "statics: {} iterations{}{}", s.iterations,
-      s.relaxation_steps > 0 ? fmt::format(", {} steps of dynamic relaxation", s.relaxation_steps) : "",
-      !sim.static_friction() && c.contact.has_friction(c.volumes) ? ", without friction of contact" : ""));
+  progress.print(advice::statics_done(s.iterations, s.relaxation_steps,
+                                      !sim.static_friction() && c.contact.has_friction(c.volumes)));
   for (const std::string& line : sim.on_bed()) progress.print(line);
   if (s.escapes > 0) progress.print("note: " + advice::unstable_equilibria_left(s.escapes));
   for (const std::string& w : sim.tilting_warnings()) progress.print("warning: " + w);

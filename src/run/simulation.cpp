@@ -32,8 +32,8 @@
 #include "hawser/terms/end_springs.hpp"
 #include "hawser/terms/feeders.hpp"
 #include "hawser/terms/hulls.hpp"
-#include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 #include "hawser/terms/links.hpp"
 #include "hawser/terms/platform_water.hpp"
 #include "hawser/terms/point_loads.hpp"
@@ -119,7 +119,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   v.normal_stiffness = best.per_length;
   // A long ramp is for damping: steps of an impact do not resolve its work. Statics needs a short one at
   // edges.
-  if (v.smoothing < 0 && !(v.relative_damping > 0)) v.smoothing = 2e-5 * radius;
+  if (!v.smoothing && !(v.relative_damping > 0)) v.smoothing = 2e-5 * radius;
   volume.automatic = true;
   volume.most = std::max(most, best.per_length);
   const double bounce = 0.5 * contact_period(best.per_length, mass), step = c.dynamics.step;
@@ -193,7 +193,7 @@ void Simulation::add_line_terms() {
   if (loads) add<PointLoads>(local(), point_loads(case_, local()));
   if (masses) add<PointMasses>(local(), point_masses(case_, local()), case_.environment.gravity);
   if (springs) add<EndSprings>(local(), bodies_, end_springs(case_, local()));
-  if (case_.environment.water.present) add<Hydrodynamics>(local(), case_);
+  if (case_.environment.water.present) add<LinesInWater>(local(), case_);
 }
 
 void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& held) {
@@ -220,11 +220,7 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
     for (int b = 0; b < bodies_->size(); ++b) poses.push_back(bodies_->pose(b, start));
     const auto wrong =
         advice::below_supports(case_, record::support_crossings(comm, case_, local(), start, poses), poses);
-    if (wrong) try {
-        case_.refuse(wrong->key, wrong->why);
-      } catch (const InputError& e) {
-        throw WrongPlaces(e.what());
-      }
+    if (wrong) throw WrongPlaces(case_.refusal(wrong->key, wrong->why));
   }
   if (volumes_.empty()) return;
   auto* contact = add<LineVolumeContact>(local(), bodies_, volumes_, contact_elements(case_, local(), held),
@@ -330,10 +326,11 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   if (auto* body_contact = system_->find<BodyContactTerm>()) body_contact->watch(state_.view(0));
   if (contact || line_pairs) system_->commit(state_.view(0));
   check_inside();
-  if (contact)
-    if (const std::string why = first_text(system_->comm(), contact->deeper_than_allowed(state_.view(0)));
-        !why.empty())
-      throw SolveError("statics: " + why);
+  if (contact) {
+    const auto deep = contact->deeper_than_allowed(state_.view(0));
+    const std::string why = first_text(system_->comm(), deep ? advice::too_deep_at_rest(*deep) : "");
+    if (!why.empty()) throw SolveError(why);
+  }
   for (std::string& note : raised_stiffness("in statics")) notes_.push_back(std::move(note));
   if (line_pairs)
     if (std::string note = shared_places_note(line_pairs->shared(), *mesh_); !note.empty())

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/case_reader.hpp"
@@ -47,18 +48,13 @@ std::vector<std::string> carriers(const model::Case& c) {
 
 int chosen_body(const model::Case& c, const std::string& name) {
   const std::vector<std::string> all = carriers(c);
-  if (all.empty())
-    throw InputError(c.path + ": no line is tied to a body, so that none has a stiffness of lines");
-  if (name.empty() && all.size() > 1)
-    throw InputError(fmt::format("{}: lines are tied to {}: choose one of them by --body", c.path,
-                                 model::enumerate(all, "and")));
+  if (all.empty()) throw InputError(advice::no_line_tied_to_body(c));
+  if (name.empty() && all.size() > 1) throw InputError(advice::lines_tied_to_bodies(c, all));
   const std::string& wanted = name.empty() ? all.front() : name;
   if (std::find(all.begin(), all.end(), wanted) == all.end())
-    throw InputError(fmt::format("{}: no line is tied to a body {}, but to {}", c.path, model::quote(wanted),
-                                 model::enumerate(all, "and")));
+    throw InputError(advice::lines_not_tied_to(c, wanted, all));
   const int body = c.body_index(wanted);
-  if (c.bodies[static_cast<size_t>(body)].on)
-    throw InputError(fmt::format("{}: body {} rides on a line", c.path, wanted));
+  if (c.bodies[static_cast<size_t>(body)].on) throw InputError(advice::body_rides_on_line(c, wanted));
   return body;
 }
 
@@ -82,10 +78,7 @@ void check_output(const std::string& path, const std::vector<std::string>& input
   std::ifstream file(path, std::ios::binary);
   std::string head(kHead.size(), ' ');
   if (file && !(file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead))
-    throw InputError(
-        "cannot write the table to {}: there is a file that is no table of stiffnesses; move it away, "
-        "or give another file with -o",
-        path);
+    throw InputError(advice::no_table_of_stiffnesses(path));
 }
 
 bool write(const std::string& path, const model::Case& c, const std::vector<Row>& rows) {
@@ -168,11 +161,9 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   const std::string path = o.output.empty()
                                ? (beside.parent_path() / (beside.stem().string() + "-stiffness.csv")).string()
                                : std::filesystem::absolute(o.output).string();
-  if (std::filesystem::path(path).extension() != ".csv")
-    throw InputError(path + ": a table of stiffnesses is a CSV file: give its name the ending .csv");
+  if (std::filesystem::path(path).extension() != ".csv") throw InputError(advice::table_needs_csv(path));
   on_root(comm, [&] { check_output(path, c.inputs); });
-  if (!c.statics.enabled)
-    throw InputError(c.path + ": statics: the stiffness is that at rest, which this case does not compute");
+  if (!c.statics.enabled) throw InputError(advice::stiffness_needs_statics(c));
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   set_hydrostatics(c, volumes);
   c = with_targets_met(comm, std::move(c), volumes, progress);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "hawser/advice/lengths.hpp"
+#include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
 #include "hawser/run/events.hpp"
@@ -73,7 +74,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
       Events(comm, sim).come_to_rest([&](bool falls) { sim.solve_statics(progress, falls); });
       const AtRest now = at_rest(comm, sim);
       for (LengthSearch& s : all) parted |= s.update(now);
-      if (tried) tried(fmt::format("statics {} of the search for lengths: {}", trial, worst(all).now(c)));
+      if (tried) tried(advice::length_trial(trial, worst(all).now(c)));
       if (std::all_of(all.begin(), all.end(), [](const LengthSearch& s) { return s.met(); })) {
         for (const LengthSearch& s : all) out.found.push_back(s.found(c, trial));
         return out;

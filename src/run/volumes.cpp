@@ -2,13 +2,12 @@
 // checks for all; and what contact of bodies and the pictures need of it.
 #include "hawser/run/volumes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
 
 #include "hawser/advice/meshes.hpp"
+#include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/host.hpp"
 #include "hawser/geometry/mesh_surface.hpp"
@@ -79,7 +78,7 @@ class Meshes {
     l.active = fit.active;
     l.report = advice::mesh_summary(loaded.report);
     l.notes = std::move(loaded.notes);
-    announce(fmt::format("making the mesh {} ready", std::filesystem::path(v.mesh).filename().string()), v);
+    announce(advice::preparing_mesh(std::filesystem::path(v.mesh).filename().string()), v);
     std::shared_ptr<const MeshSurface> surface;
     try {
       surface = std::make_shared<const MeshSurface>(

@@ -3,7 +3,6 @@
 // step_decision.cpp.
 #include "hawser/solve/dynamics.hpp"
 
-#include <fmt/format.h>
 #include <petscdm.h>
 
 #include <algorithm>
@@ -273,8 +272,8 @@ void Dynamics::start(const State& state) {
   // Residuals are evaluated as in a step of this length (h > 0), so that dampers act from the start.
   const double h = control_.proposal();
   prepare(h);
-  if (const std::string why = system_.lost_in_rounding(s.view(0)); !why.empty())
-    throw SolveError(fmt::format("at t = {:.6g} s {}", s.time, why));
+  if (const auto found = system_.lost_in_rounding(s.view(0)))
+    throw SolveError(advice::tension_lost_at(s.time, *found));
   s.mean = {};
   system_.residual(s.view(h), r_.get());
   mean_.q = mean_.f = system_.mean_forces();

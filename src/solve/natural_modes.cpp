@@ -2,13 +2,13 @@
 // Mass and damping are those at the frequency of each mode.
 #include "hawser/solve/natural_modes.hpp"
 
-#include <fmt/format.h>
 #include <petscmat.h>
 #include <slepceps.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/base/handle.hpp"
@@ -260,12 +260,10 @@ std::vector<NaturalMode> natural_modes(System& system, const Kinematics& at, int
   for (long ask = std::min<long>(count + kMore, free);; ask = std::min(2 * ask, free)) {
     std::vector<Eigenpair> modes = nearest_modes(system, K.get(), M.get(), static_cast<int>(ask));
     const size_t wanted = count;
-    if (modes.size() < wanted)
-      throw SolveError("modes: {} of {} eigenvalues have converged: ask for fewer", modes.size(), count);
+    if (modes.size() < wanted) throw SolveError(advice::fewer_modes_converged(modes.size(), wanted));
     const bool no_more = ask == free || std::ssize(modes) < ask;
     if (!no_more && !complete(K.get(), M.get(), modes, wanted)) {
-      if (ask > kMost * (count + kMore))
-        throw SolveError("modes: there are more natural frequencies than were found: ask for another number");
+      if (ask > kMost * (count + kMore)) throw SolveError(advice::modes_incomplete());
       continue;
     }
     modes.resize(wanted);

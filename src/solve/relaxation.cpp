@@ -71,7 +71,7 @@ class Relaxation : StaticTrial {
       }
       ++report.steps;
       accept_trial();
-      if (++free > kFree) blocked_by_.clear();
+      if (++free > kFree) blocked_by_.reset();
       if (iterations <= kEasyIterations) weigh(kLighter);
       if (settings_.friction) {
         system_.commit(state_.view(0));

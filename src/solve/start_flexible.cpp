@@ -7,7 +7,7 @@
 
 #include "hawser/kernels/flexible_shape.hpp"
 #include "hawser/model/bed.hpp"
-#include "hawser/terms/hydrodynamics.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 
 namespace hawser {
 namespace {

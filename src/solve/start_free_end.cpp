@@ -7,7 +7,7 @@
 
 #include "hawser/geometry/surface.hpp"
 #include "hawser/model/bed.hpp"
-#include "hawser/terms/hydrodynamics.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 #include "start_flexible.hpp"
 
 namespace hawser {

@@ -2,8 +2,6 @@
 // equilibria.
 #include "static_search.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -78,7 +76,7 @@ StaticsReport StaticSearch::run(bool again) {
 
 void StaticSearch::check_start() {
   residual();
-  if (!report_.norms.finite()) throw SolveError("statics: " + imbalance(system_, r_.get(), report_.norms));
+  if (!report_.norms.finite()) throw SolveError(failure(advice::StaticsEnds::forces_beyond_numbers));
 }
 
 void StaticSearch::residual() {
@@ -109,7 +107,8 @@ void StaticSearch::descend(double tolerance) {
   begun_ = report_.iterations;
   const SNESConvergedReason reason = solve();
   if (reason < 0)
-    throw_no_equilibrium(failure(reason == SNES_DIVERGED_MAX_IT ? "too many iterations" : "no descent"));
+    throw_no_equilibrium(failure(reason == SNES_DIVERGED_MAX_IT ? advice::StaticsEnds::too_many_iterations
+                                                                : advice::StaticsEnds::no_descent));
 }
 
 SNESConvergedReason StaticSearch::check_step(int iteration) {
@@ -188,7 +187,7 @@ bool StaticSearch::advance(Vec y) {
   if (taken) accept_trial();
   if (search) residual();
   // If lines block step after step, they approach each other more and more, and there is no way on.
-  if (!blocked) blocked_by_.clear();
+  if (!blocked) blocked_by_.reset();
   cut_ += blocked;
   if ((!taken && shift_ > 1e6) || cut_ > kMostCut) {
     residual();
@@ -306,8 +305,8 @@ bool StaticSearch::rest() {
   return r.steps > 0;
 }
 
-std::string StaticSearch::failure(const char* why) const {
-  return fmt::format("statics: {}: {}", why, imbalance(system_, r_.get(), report_.norms));
+std::string StaticSearch::failure(advice::StaticsEnds how) const {
+  return advice::no_equilibrium(how, imbalance(system_, r_.get(), report_.norms));
 }
 
 }  // namespace hawser

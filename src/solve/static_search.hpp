@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "hawser/advice/statics.hpp"
 #include "hawser/solve/kink.hpp"
 #include "hawser/solve/relaxation.hpp"
 #include "hawser/solve/static_trial.hpp"
@@ -60,7 +61,7 @@ class StaticSearch : StaticTrial {
   bool rest();
   // Largest distance of a node from its place in that state, m. Collective.
   double away(const State& from) const;
-  std::string failure(const char* why) const;
+  std::string failure(advice::StaticsEnds how) const;
 
   const StaticsSettings& settings_;
   const RelaxationSettings* relaxation_;

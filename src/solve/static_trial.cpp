@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/advice/statics.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
@@ -161,10 +162,10 @@ bool StaticTrial::path_is_clear() {
 }
 
 void StaticTrial::throw_no_equilibrium(const std::string& why) {
-  if (blocked_by_.empty()) throw SolveError(why);
+  if (!blocked_by_) throw SolveError(why);
   system_.spread(blocked_);
   if (system_.raise_stiffness_where_blocked(blocked_.view(0))) throw StiffnessRaised();
-  throw PathBlocked("statics: " + blocked_by_);
+  throw PathBlocked(advice::path_blocked(first_text(system_.comm(), advice::clause(*blocked_by_))));
 }
 
 void StaticTrial::perturb(int attempt) {

@@ -166,10 +166,10 @@ StaticsReport solve_statics(System& system, const StaticsSettings& settings, Sta
   for (auto* a : {&state.v, &state.a, &state.w, &state.alpha}) a->assign(n, Vec3::Zero());
   StaticSearch(system, settings, state).check_start();
   const StaticsReport report = outside_volumes(system, settings, state);
-  if (std::string why = system.overstretched(state.view(0)); !why.empty())
-    throw SolveError(advice::overstretched_in_statics(why));
-  if (const std::string why = system.lost_in_rounding(state.view(0)); !why.empty())
-    throw SolveError("statics: " + why);
+  if (const auto found = system.overstretched(state.view(0)))
+    throw SolveError(advice::overstretched_in_statics(*found));
+  if (const auto found = system.lost_in_rounding(state.view(0)))
+    throw SolveError(advice::tension_lost_in_statics(*found));
   system.commit(state.view(0));
   return report;
 }

@@ -42,7 +42,7 @@ std::string folded_element(const System& system, const Kinematics& at) {
 // terms have found all contacts of the step (candidates, tunnelling, penetration); impacts are resolved.
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
-  if (!tries_.solved) return {Kind::shorter, advice::not_converged(imbalance(system_, r_.get(), norms_))};
+  if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
   const Kinematics trial = trial_.s.view(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
   double most[2] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness),
@@ -53,11 +53,11 @@ Verdict Dynamics::check_step() {
     NodeValue worst = turn;
     MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     return {Kind::shorter,
-            advice::turns_too_far(system_.mesh().mesh->place(static_cast<int>(worst.node)), worst.value)};
+            advice::TurnsTooFar{system_.mesh().mesh->place(static_cast<int>(worst.node)), worst.value}};
   }
   if (Verdict v = system_.check_step(trial); !v.accepted()) return v;
   if (control_.divides(h_) && !system_.resolves_impacts(trial))
-    return {Kind::shorter, advice::impact_not_resolved()};
+    return {Kind::shorter, advice::ImpactNotResolved{}};
   return {};
 }
 
@@ -87,7 +87,7 @@ Dynamics::Decision Dynamics::decide() {
   Verdict verdict = check_step();
   const double error = tries_.info.error;
   const bool inaccurate = verdict.accepted() && !control_.accurate(h_, error);
-  if (inaccurate) verdict = {Verdict::Kind::shorter, advice::error_too_large(error)};
+  if (inaccurate) verdict = {Verdict::Kind::shorter, advice::ErrorTooLarge{error}};
   switch (verdict.kind) {
     case Verdict::Kind::accept:
       if (events_ && !control_.is_shortest(h_)) {
@@ -99,8 +99,8 @@ Dynamics::Decision Dynamics::decide() {
           return {false, next_try()};
         }
       }
-      if (const std::string why = system_.overstretched(trial_.s.view(h_)); !why.empty())
-        throw SolveError(advice::overstretched_at(trial_.s.time, why));
+      if (const auto found = system_.overstretched(trial_.s.view(h_)))
+        throw SolveError(advice::overstretched_at(trial_.s.time, *found));
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_again:
@@ -115,13 +115,14 @@ Dynamics::Decision Dynamics::decide() {
     case Verdict::Kind::shorter:
       break;
     case Verdict::Kind::stop:
-      throw SolveError(verdict.because);
+      throw SolveError(first_text(system_.comm(), advice::clause(verdict.because)));
   }
   ++tries_.info.rejected;
   tries_.search = {};
   tries_.event = HUGE_VAL;  // A shorter step may not reach the event.
   if (control_.rejected(h_, !inaccurate, error)) return {false, next_try()};
-  throw SolveError(advice::shortest_step_fails(committed_.s.time, h_, verdict.because,
+  const std::string because = first_text(system_.comm(), advice::clause(verdict.because));
+  throw SolveError(advice::shortest_step_fails(committed_.s.time, h_, because,
                                                folded_element(system_, committed_.s.view(h_))));
 }
 

@@ -1,10 +1,7 @@
-// Finds the node with the largest residual force or moment over all ranks, for error messages of statics and
-// time integration.
+// Finds the node with the largest residual force or moment over all ranks.
 #include "hawser/system/imbalance.hpp"
 
 #include <cmath>
-
-#include "hawser/advice/steps.hpp"
 
 namespace hawser {
 namespace {
@@ -27,7 +24,7 @@ Worst over_ranks(MPI_Comm comm, Worst w) {
 
 }  // namespace
 
-std::string imbalance(const System& system, Vec residual, const ResidualNorms& norms) {
+advice::Imbalance imbalance(const System& system, Vec residual, const ResidualNorms& norms) {
   const LocalMesh& m = system.mesh();
   Worst force, moment;
   const PetscScalar* p = nullptr;
@@ -45,11 +42,11 @@ std::string imbalance(const System& system, Vec residual, const ResidualNorms& n
                      moment.value * norms.force_scale > force.value * norms.moment_scale &&
                      norms.moment_scale > 0;
   const Worst& worst = turns ? moment : force;
-  return advice::imbalance({.place = m.mesh->place(worst.node),
-                            .value = worst.value,
-                            .scale = turns ? norms.moment_scale : norms.force_scale,
-                            .turns = turns,
-                            .finite = std::isfinite(worst.value) && norms.finite()});
+  return {.place = m.mesh->place(worst.node),
+          .value = worst.value,
+          .scale = turns ? norms.moment_scale : norms.force_scale,
+          .turns = turns,
+          .finite = std::isfinite(worst.value) && norms.finite()};
 }
 
 }  // namespace hawser

@@ -1,7 +1,6 @@
 // The class System: checks of states that solve the equations and are still no valid results.
 #include <algorithm>
 
-#include "hawser/advice/steps.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/system/system.hpp"
 
@@ -11,22 +10,22 @@ constexpr double kRoundOffShare = 0.01;  // largest ratio of round-off to tensio
 constexpr double kSure = 1e-3;           // this ratio for the EA that the message recommends
 }  // namespace
 
-std::string System::overstretched(const Kinematics& at) const {
+std::optional<advice::Overstretched> System::overstretched(const Kinematics& at) const {
   Overstretch worst;
   for (const CarriesTension* t : carry_tension_)
     if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
-  if (!broadcast_largest(comm_, worst.beyond, 0, worst)) return {};
-  return advice::overstretched({.place = mesh_.mesh->place(worst.node),
-                                .strain = worst.strain,
-                                .most = worst.most,
-                                .tension = worst.tension,
-                                .EA = worst.EA});
+  if (!broadcast_largest(comm_, worst.beyond, 0, worst)) return std::nullopt;
+  return advice::Overstretched{.place = mesh_.mesh->place(worst.node),
+                               .strain = worst.strain,
+                               .most = worst.most,
+                               .tension = worst.tension,
+                               .EA = worst.EA};
 }
 
 // Without dead loads the tension may be zero, and then nothing but round-off.
-std::string System::lost_in_rounding(const Kinematics& at) const {
+std::optional<advice::LostInRounding> System::lost_in_rounding(const Kinematics& at) const {
   const double load = dead_load();
-  if (load == 0) return {};
+  if (load == 0) return std::nullopt;
   std::vector<LineTension> lines(mesh_.mesh->lines.size());
   for (const CarriesTension* t : carry_tension_) t->tensions(at, lines);
   MPI_Allreduce(MPI_IN_PLACE, lines.data(), static_cast<int>(3 * lines.size()), MPI_DOUBLE, MPI_MAX, comm_);
@@ -34,9 +33,9 @@ std::string System::lost_in_rounding(const Kinematics& at) const {
     const LineTension& t = lines[l];
     const double share = t.round_off / std::max(t.tension, load);
     if (share <= kRoundOffShare) continue;
-    return advice::tension_lost_in_rounding(mesh_.mesh->lines[l].name, share, t.EA, t.EA * kSure / share);
+    return advice::LostInRounding{mesh_.mesh->lines[l].name, share, t.EA, t.EA * kSure / share};
   }
-  return {};
+  return std::nullopt;
 }
 
 }  // namespace hawser

@@ -87,8 +87,9 @@ Verdict System::check_step(const Kinematics& trial) const {
   int kind = static_cast<int>(worst.kind);
   all_reduce(comm_, MPI_MAX, kind);
   if (kind == static_cast<int>(Verdict::Kind::accept)) return {};
-  const bool mine = kind == static_cast<int>(worst.kind);
-  return {static_cast<Verdict::Kind>(kind), first_text(comm_, mine ? worst.because : std::string())};
+  if (kind != static_cast<int>(worst.kind)) worst.because = {};
+  worst.kind = static_cast<Verdict::Kind>(kind);
+  return worst;
 }
 
 }  // namespace hawser

@@ -157,19 +157,20 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
 // Corners, edges and balls, in the frame of the other body; a corner is taken for as round as the ramp of its
 // law is wide, or that of a law without one by default.
 bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
-  const Both &was = pair.at, is = both(pair, trial);
+  const Both &before = pair.at, now = both(pair, trial);
   auto field = distance_to(*volumes_[pair.b].surface);
   const double smoothing = pair.law.smoothing, round = std::max(smoothing, pair.round);
   bool through = false;
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& centre, double radius) {
-        const Vec3 from = was.across(centre), to = is.across(centre);
+        const Vec3 from = before.across(centre), to = now.across(centre);
         return !through && near(pair.b, 0.5 * (from + to), radius + 0.5 * (to - from).norm(), smoothing);
       },
       [&](const SkeletonPart& p) {
-        through = through || goes_through(field, BezierAxis::straight(was.across(p.from), was.across(p.to)),
-                                          BezierAxis::straight(is.across(p.from), is.across(p.to)),
-                                          std::max(p.radius, round), true);
+        through =
+            through || goes_through(field, BezierAxis::straight(before.across(p.from), before.across(p.to)),
+                                    BezierAxis::straight(now.across(p.from), now.across(p.to)),
+                                    std::max(p.radius, round), true);
       });
   return through;
 }
@@ -177,7 +178,7 @@ bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
 Verdict BodyContactTerm::check_step(const Kinematics& trial) const {
   const bool through = std::any_of(pairs_.begin(), pairs_.end(),
                                    [&](const Pair& pair) { return pair.counted && tunnels(pair, trial); });
-  return through ? Verdict{Verdict::Kind::shorter, advice::body_passes_body()} : Verdict{};
+  return through ? Verdict{Verdict::Kind::shorter, advice::BodyPassesBody{}} : Verdict{};
 }
 
 }  // namespace hawser

@@ -6,7 +6,7 @@ namespace hawser {
 NormalLaw normal_law(const model::Volume& v, double share, double smoothing, double mass) {
   NormalLaw law;
   law.stiffness = v.normal_stiffness * share;
-  law.smoothing = v.force_table ? 0 : v.smoothing >= 0 ? v.smoothing : smoothing;
+  law.smoothing = v.force_table ? 0 : v.smoothing.value_or(smoothing);
   law.table = v.force_table.get();
   law.table_factor = share;
   law.damping = contact_damping(v.relative_damping, law.stiffness, mass);

@@ -45,4 +45,9 @@ ContactShare ContactVolumes::takes_part(int line, int volume, double from, doubl
   return {std::max(0.0, (found->end_a - from) / span), std::min(1.0, (end - from) / span)};
 }
 
+advice::VolumeLaw ContactVolumes::law_of(int volume) const {
+  const model::Volume& v = settings(volume);
+  return {v.name, v.basis, v.normal_stiffness, v.force_table != nullptr, automatic(volume)};
+}
+
 }  // namespace hawser

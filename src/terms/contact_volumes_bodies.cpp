@@ -58,7 +58,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
                                     (committed.v[b] - pose.velocity_at(committed.x[b])).norm());
       const double way =
           h > 0 ? std::max(2 * h * speed, 0.5 * g.length) : kStaticsWay * mesh.lines[g.line].length;
-      const double contact_distance = 1.01 * thickest + std::max(v.settings.smoothing, 0.0);
+      const double contact_distance = 1.01 * thickest + v.settings.smoothing.value_or(0);
       const double away = distance(boxes_[k], pose.to_body(middle)) - contact_distance -
                           (committed.x[b] - committed.x[a]).norm() - 0.5 * g.length;
       if (away > 2 * way + 2 * g.length) continue;

@@ -24,7 +24,7 @@ Angle angle(double sine, double cosine) {
     return {0.5 * phi * phi, -(1 + u * (1.0 / 3 + u * (2.0 / 15 + u * (2.0 / 35)))),
             1.0 / 3 + u * (4.0 / 15 + u * (6.0 / 35))};
   }
-  const double s = std::max(sine, 1e-6);  // folded back: any direction out is as good
+  const double s = std::max(sine, 1e-6);  // at phi = pi every direction turns back equally: a finite one
   return {0.5 * phi * phi, -phi / s, (1 - phi * cosine / s) / (s * s)};
 }
 
@@ -54,7 +54,7 @@ EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodi
       driven_.push_back(i);
 }
 
-// The line's tangent and the direction it is turned to.
+// The tangent of the line at its end, and the direction towards which the spring turns it.
 std::array<AttachedNow, 2> EndSprings::directions(const EndSpring& s, const Kinematics& at) const {
   const Attached tangent{mesh_.global[s.node], -1, Vec3::UnitX(), true};
   return {attached_now(tangent, at, mesh_, *bodies_),
@@ -74,7 +74,8 @@ void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
     apart.topRightCorner<3, 3>().setIdentity();
     apart.bottomLeftCorner<3, 3>().setIdentity();
     K += s.stiffness * a.first * apart;
-    // Far from a solution as if it were k (t - d)²/2, at no angle.
+    // Far from a solution W(c) may be concave: the tangent is that of k |t - d|²/2, which is convex, at t =
+    // d, where it has no force.
     if (assembler.convex()) {
       f.setZero();
       K = s.stiffness * (Mat6::Identity() - apart);
@@ -97,7 +98,7 @@ void EndSprings::holds(const Kinematics& at, std::vector<Hold>& out) const {
 
 void EndSprings::prepare(const Kinematics& committed, double) { holds(committed, before_); }
 
-// By the trapezoidal rule in the body's axes, as the work of clamped ends.
+// The work by the trapezoidal rule in the body's axes, like that of clamped ends.
 void EndSprings::commit(const Kinematics& accepted) {
   if (before_.empty()) return;
   holds(accepted, now_);

@@ -378,7 +378,7 @@ Verdict Feeders::check_step(const Kinematics& trial) const {
       const double length = feed_point(f, trial, true).length, whole = element_length(f, f.feed_point);
       if (length < kShortest * whole ||
           length > whole + kLonger * element_length(f, std::max(f.feed_point - 1, 0)))
-        return {Verdict::Kind::shorter, advice::feeds_too_fast(f.name)};
+        return {Verdict::Kind::shorter, advice::FeedsTooFast{f.name}};
     }
   }
   return {};

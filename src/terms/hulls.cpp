@@ -37,9 +37,9 @@ HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& fac
   const model::BodyMass& m = *c.bodies[body].mass;
   HullSurface out;
   for (const std::string& name : m.hull->volumes) {
-    const auto is = [&name](const model::Volume& v) { return v.name == name; };
+    const auto has_name = [&name](const model::Volume& v) { return v.name == name; };
     const size_t v =
-        static_cast<size_t>(std::find_if(c.volumes.begin(), c.volumes.end(), is) - c.volumes.begin());
+        static_cast<size_t>(std::find_if(c.volumes.begin(), c.volumes.end(), has_name) - c.volumes.begin());
     if (v >= facets.size()) throw std::logic_error("a hull without the triangles of its volumes");
     TriangleMesh mesh = c.volumes[v].shape ? facets_of_volume(*c.volumes[v].shape) : facets[v]->copy();
     split_edges(mesh, longest, kMostTriangles);

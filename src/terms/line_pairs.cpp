@@ -82,18 +82,18 @@ std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& at) const {
 }
 
 // Whether the surfaces, which were `clear` apart, may have met since the start of the step.
-bool LinePairs::met(const Pair& p, const std::vector<Rod>& is) const {
-  const auto moved = [&](int segment) {
-    return std::max((is[segment].x1 - rods_[segment].x1).norm(),
-                    (is[segment].x2 - rods_[segment].x2).norm()) +
-           is[segment].sagitta;
+bool LinePairs::met(const Pair& p, const std::vector<Rod>& moved) const {
+  const auto path = [&](int segment) {
+    return std::max((moved[segment].x1 - rods_[segment].x1).norm(),
+                    (moved[segment].x2 - rods_[segment].x2).norm()) +
+           moved[segment].sagitta;
   };
-  return moved(p.a) + moved(p.b) >= p.clear;
+  return path(p.a) + path(p.b) >= p.clear;
 }
 
-bool LinePairs::near(const Pair& p, const std::vector<Rod>& is) const {
-  if (!met(p, is)) return false;
-  const Rod &a = is[p.a], &b = is[p.b];
+bool LinePairs::near(const Pair& p, const std::vector<Rod>& moved) const {
+  if (!met(p, moved)) return false;
+  const Rod &a = moved[p.a], &b = moved[p.b];
   return closest_points_of_segments(a.x1, a.x2, b.x1, b.x2).distance - a.sagitta - b.sagitta <
          p.law.radii + p.law.normal.smoothing;
 }
@@ -155,9 +155,9 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
   const AxisContactMode mode{trial.step > 0, tangent, assembler.convex()};
   BlockVector f;
   BlockMatrix K, C;
-  const std::vector<Rod> is = rods(trial);
+  const std::vector<Rod> moved = rods(trial);
   for (Pair& pair : pairs_) {
-    if (!near(pair, is)) continue;
+    if (!near(pair, moved)) continue;
     const PairAxis A = axis(trial, pair.a), B = axis(trial, pair.b);
     Trial& found = find(pair, A, B);
     if (!found.active) continue;
@@ -185,10 +185,10 @@ void LinePairs::evaluate(const Kinematics& trial, Assembler& assembler) {
 }
 
 void LinePairs::commit(const Kinematics& accepted) {
-  const std::vector<Rod> is = rods(accepted);
+  const std::vector<Rod> moved = rods(accepted);
   const bool moves = accepted.step > 0;
   for (Pair& pair : pairs_) {
-    if (!near(pair, is) && !pair.points) continue;
+    if (!near(pair, moved) && !pair.points) continue;
     const PairAxis A = axis(accepted, pair.a), B = axis(accepted, pair.b);
     Trial& t = find(pair, A, B);
     if (!t.evaluated || t.moves != moves || !t.a.same_motion(A.now) || !t.b.same_motion(B.now))
@@ -226,13 +226,14 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     const auto add = [&](const LinePairContactPoint& h, bool at_end) {
       const double xi = at_end ? h.xi : material_of_start(a, slave, h.xi),
                    eta = at_end ? h.eta : material_of_start(b, master, h.eta);
-      const Vec3 was = slave.start.point(xi) - master.start.point(eta),
-                 is = slave.now.point(xi) - master.now.point(eta);
+      const Vec3 between_before = slave.start.point(xi) - master.start.point(eta),
+                 between_now = slave.now.point(xi) - master.now.point(eta);
       const Mat3 turned = share * turn(slave, xi) + (1 - share) * turn(master, eta);
       // The lever of the couple is what is between the axes while the force acts.
-      const Vec3 moved = at_end ? Vec3(turned.transpose() * is - was) : Vec3(is - turned * was);
+      const Vec3 moved = at_end ? Vec3(turned.transpose() * between_now - between_before)
+                                : Vec3(between_now - turned * between_before);
       sum.friction -= 0.5 * h.weight * h.friction.dot(moved);
-      sum.damping -= 0.5 * h.weight * h.damping_force * h.normal.dot(is - was);
+      sum.damping -= 0.5 * h.weight * h.damping_force * h.normal.dot(between_now - between_before);
     };
     if (pair.points)
       for (const LinePairContactPoint& h : (*pair.points)[k]) add(h, false);
@@ -243,7 +244,7 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
 // In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
 Energy LinePairs::energy(const Kinematics& at) const {
   Energy e;
-  const std::vector<Rod> is = at.step > 0 ? std::vector<Rod>{} : rods(at);
+  const std::vector<Rod> moved = at.step > 0 ? std::vector<Rod>{} : rods(at);
   for (const Pair& p : pairs_) {
     if (!p.counted) continue;
     if (at.step > 0) {
@@ -252,7 +253,7 @@ Energy LinePairs::energy(const Kinematics& at) const {
           for (const LinePairContactPoint& h : part) e.strain += h.weight * h.potential;
       continue;
     }
-    if (!near(p, is)) continue;
+    if (!near(p, moved)) continue;
     const PairAxis A = axis(at, p.a), B = axis(at, p.b);
     each_pass(p, A, B, false, false,
               [&](size_t, const LinePairPass& pass) { e.strain += pass.potential(pass.panels()); });

@@ -12,11 +12,11 @@ PairAxis LinePairs::axis(const Kinematics& at, int segment) const {
   const AxisEnds now = ends(at, segment);
   const int fed = fed_end(segment);
   if (fed < 0) return {now, start(segment)};
-  AxisEnds was = start(segment);
-  const double part = now.length / was.length;
-  (fed == 0 ? was.x1 : was.x2) = AxisShape(was).point(fed == 0 ? 1 - part : part);
-  was.length = now.length;
-  return {now, was};
+  AxisEnds before = start(segment);
+  const double part = now.length / before.length;
+  (fed == 0 ? before.x1 : before.x2) = AxisShape(before).point(fed == 0 ? 1 - part : part);
+  before.length = now.length;
+  return {now, before};
 }
 
 // The place that material has in `axis` which was at xi at the start of the step.

@@ -66,7 +66,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
   } else {
     law.normal.stiffness = s.normal_stiffness * share;
   }
-  law.normal.smoothing = s.smoothing > 0 ? s.smoothing : 0.001 * diameter;
+  law.normal.smoothing = s.smoothing.value_or(0.001 * diameter);
   law.normal.damping = contact_damping(
       s.relative_damping, law.normal.stiffness,
       A.mass_per_length * B.mass_per_length / std::max(A.mass_per_length + B.mass_per_length, 1e-300));

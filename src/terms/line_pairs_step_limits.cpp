@@ -1,14 +1,12 @@
 // Which steps LinePairs accepts and which it asks for: no line goes through another, and it is seen how they
 // meet.
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "hawser/advice/contact_stiffness.hpp"
-#include "hawser/advice/steps.hpp"
 #include "hawser/kernels/axis_approach.hpp"
 #include "hawser/math/ordered.hpp"
+#include "hawser/mesh/arc.hpp"
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
@@ -30,13 +28,13 @@ constexpr double kProposed = 0.25;
 }  // namespace
 
 Verdict LinePairs::check_step(const Kinematics& trial) const {
-  if (!candidates_.covers(trial)) return {Verdict::Kind::prepare_again, advice::beyond_contact_search()};
+  if (!candidates_.covers(trial)) return {Verdict::Kind::prepare_again, advice::BeyondContactSearch{}};
   if (start_.size() != candidates_.segments().size()) return {};  // not prepared: nothing to compare with
-  const std::vector<Rod> is = rods(trial);
+  const std::vector<Rod> moved = rods(trial);
   const Pair* through = nullptr;
   double least = HUGE_VAL;
   for (const Pair& p : pairs_) {
-    if (clipped(p) || !met(p, is) || !tunnels(p, trial)) continue;
+    if (clipped(p) || !met(p, moved) || !tunnels(p, trial)) continue;
     const double gap = nearest_at_start(p).gap;
     if (!through || gap < least) {
       through = &p;
@@ -45,7 +43,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   }
   if (through)
     return {Verdict::Kind::shorter,
-            trial.step > 0 ? too_soft(*through) : advice::lines_pass(where(*through))};
+            trial.step > 0 ? too_soft(*through) : advice::LinesPass{nearest_places(*through)}};
   return {};
 }
 
@@ -106,10 +104,10 @@ double LinePairs::mass(const Pair& p) const {
 // All of the energy of two that meet or part is uncertain in a step of more than a third of the contact's
 // period; in a shorter one, that by which the trapezoidal rule misses where they touch first or last.
 void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
-  const std::vector<Rod> is = rods(trial);
+  const std::vector<Rod> moved = rods(trial);
   for (const Pair& p : pairs_) {
     const double slow = inverse_frequency(p, 0), ramp = p.law.normal.smoothing;
-    if (!p.counted || clipped(p) || resolves_contact(slow, trial.step) || (!p.points && !near(p, is)))
+    if (!p.counted || clipped(p) || resolves_contact(slow, trial.step) || (!p.points && !near(p, moved)))
       continue;
     const AxisEnds a = ends(trial, p.a), b = ends(trial, p.b);
     const Nearest before = nearest_at_start(p),
@@ -153,15 +151,11 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   }
 }
 
-// Where two lines are nearest in the accepted state, in words.
-std::string LinePairs::where(const Pair& p) const {
+// Where two lines are nearest in the accepted state.
+advice::NearestPlaces LinePairs::nearest_places(const Pair& p) const {
+  const Element &a = element(p.key.first), &b = element(p.key.second);
   const Mesh& m = *mesh_.mesh;
-  const auto place = [&](int element, double xi) {
-    const Element& e = this->element(element);
-    return fmt::format("{} (arc length {:.6g} m)", m.lines[e.line].name,
-                       m.nodes[e.first].arc + xi * e.length);
-  };
-  return "lines " + place(p.key.first, p.chords.s) + " and " + place(p.key.second, p.chords.t);
+  return {m.lines[a.line].name, m.lines[b.line].name, arc_at(m, a, p.chords.s), arc_at(m, b, p.chords.t)};
 }
 
 // J, in the springs of the contact of the two lines, of what this rank counts.
@@ -174,20 +168,20 @@ double LinePairs::stored(const Pair& of) const {
 }
 
 // A crossing holds energy with the depth to the power 5/2.
-std::string LinePairs::too_soft(const Pair& p) const {
+advice::StepFinding LinePairs::too_soft(const Pair& p) const {
   const double radii = p.law.radii, k = p.law.normal.stiffness, speed = -nearest_at_start(p).speed,
                depth = deepest(p);
-  if (!(depth > kProposed * radii)) return advice::lines_start_too_near(where(p));
+  if (!(depth > kProposed * radii)) return advice::LinesStartTooNear{nearest_places(p)};
   const double has = stored(p), more = speed > 0 ? 0.5 * mass(p) * speed * speed : 0;
   const double wanted = k * std::pow(depth / (kProposed * radii), 2.5) * (1 + more / has);
-  advice::PressedLines at{
-      .places = where(p), .depth = depth, .radii = radii, .stiffness = k, .wanted = wanted, .energy = has};
-  const auto [one, other] = ordered(element(p.key.first).line, element(p.key.second).line);
-  if (options_.tuned.count({one, other})) {
-    at.only_of = mesh_.mesh->lines[one].name;
-    at.only_of_other = mesh_.mesh->lines[other].name;
-  }
-  return advice::lines_too_soft(at);
+  const bool own = options_.tuned.count(ordered(element(p.key.first).line, element(p.key.second).line)) > 0;
+  return advice::PressedLines{.at = nearest_places(p),
+                              .depth = depth,
+                              .radii = radii,
+                              .stiffness = k,
+                              .wanted = wanted,
+                              .energy = has,
+                              .own_settings = own};
 }
 
 }  // namespace hawser

@@ -96,8 +96,8 @@ void LineVolumeContact::revert_stiffness() {
   if (volumes_.revert_raise()) renew_laws();
 }
 
-std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) const {
-  if (finder_.by_gap()) return {};  // the compression of gap springs has no limit
+std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kinematics& trial) const {
+  if (finder_.by_gap()) return std::nullopt;  // the compression of gap springs has no limit
   const Pair* in = nullptr;
   double deepest = 0, xi = 0;
   for (const Pair& pair : pairs_) {
@@ -112,14 +112,14 @@ std::string LineVolumeContact::deeper_than_allowed(const Kinematics& trial) cons
         xi = there.xi;
       }
   }
-  if (!in) return {};
+  if (!in) return std::nullopt;
   const LocalElement& e = local(*in);
   const int node = mesh_.global[xi < 0.5 ? e.first : e.second];
-  return advice::too_deep(volumes_.settings(in->volume), {.place = mesh_.mesh->place(node),
-                                                          .depth = deepest,
-                                                          .radius = in->radius,
-                                                          .time = trial.time,
-                                                          .automatic = volumes_.automatic(in->volume)});
+  return advice::TooDeep{.law = volumes_.law_of(in->volume),
+                         .place = mesh_.mesh->place(node),
+                         .depth = deepest,
+                         .radius = in->radius,
+                         .time = trial.time};
 }
 
 }  // namespace hawser

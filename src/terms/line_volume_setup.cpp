@@ -128,14 +128,14 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
 // Takes over the results of the last step. `found` is reused only if it refers to the whole surface, because
 // facet groups may have changed, and only if nothing touched, because panels must be split as at the start of
 // this step.
-void LineVolumeContact::carry_over(Pair& was, Pair& pair) const {
-  if (!was.several && was.points.empty()) pair.found = std::move(was.found);
-  pair.points = std::move(was.points);
-  pair.springs = was.springs;
-  pair.hint = was.hint;
-  pair.ahead = was.ahead;
-  pair.clearance = was.clearance;
-  if (!pair.points.empty()) pair.near_facets = std::move(was.near_facets);
+void LineVolumeContact::carry_over(Pair& previous, Pair& pair) const {
+  if (!previous.several && previous.points.empty()) pair.found = std::move(previous.found);
+  pair.points = std::move(previous.points);
+  pair.springs = previous.springs;
+  pair.hint = previous.hint;
+  pair.ahead = previous.ahead;
+  pair.clearance = previous.clearance;
+  if (!pair.points.empty()) pair.near_facets = std::move(previous.near_facets);
 }
 
 // Determines whether several facet groups may be met in the step. Gap springs need only the point where they

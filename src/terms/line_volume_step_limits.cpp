@@ -144,11 +144,11 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
     const ContactQuadrature& found = finder_.find(pair, shape, pose);
     for (int w = 0; w < pair.facet_groups(); ++w) {
-      double deepest = 0, was = 0;
+      double deepest = 0, deepest_before = 0;
       for (const QuadraturePoint& p : found.quadrature)
         if (found.panels[p.panel].group == w) deepest = std::max(deepest, pair.radius - p.at.distance);
-      for (const AxisContactPoint& p : pair.previous(w)) was = std::max(was, -p.gap);
-      to.too_deep = to.too_deep || sinks_too_far(pair.radius, was, deepest);
+      for (const AxisContactPoint& p : pair.previous(w)) deepest_before = std::max(deepest_before, -p.gap);
+      to.too_deep = to.too_deep || sinks_too_far(pair.radius, deepest_before, deepest);
     }
     if (resolves_contact(spring(pair, 0).inverse_frequency, trial.step) &&
         resolves_contact(spring(pair, 1).inverse_frequency, trial.step))

@@ -5,8 +5,6 @@
 #include <array>
 #include <optional>
 
-#include "hawser/advice/contact_stiffness.hpp"
-#include "hawser/advice/steps.hpp"
 #include "hawser/kernels/axis_sweep.hpp"
 #include "hawser/terms/axis_distance.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
@@ -29,8 +27,7 @@ BezierAxis part_of(const LineVolumePair& pair, const AxisShape& shape, const Rig
 Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
   const bool rests = !(trial.step > 0);
   if (!rests)
-    if (std::string why = deeper_than_allowed(trial); !why.empty())
-      return {Verdict::Kind::shorter, std::move(why)};
+    if (const auto deep = deeper_than_allowed(trial)) return {Verdict::Kind::shorter, *deep};
   const std::vector<RigidPose> poses = volumes_.poses(trial);
   std::optional<AxisShape> shape;
   int element = -1;  // element of `shape`; the pairs of an element are successive
@@ -42,11 +39,12 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
     const RigidPose& pose = poses[volumes_.body(pair.volume)];
     const bool drawn = rests && is_drawn_in(pair, *shape, pose);
     if (!drawn && !tunnels(pair, *shape, pose, rests)) continue;
-    if (!rests) return {Verdict::Kind::shorter, advice::line_passes_volume()};
+    if (!rests) return {Verdict::Kind::shorter, advice::LinePassesVolume{}};
     const int node = mesh_.global[local(pair).first];
     return {Verdict::Kind::shorter,
-            advice::drawn_through(volumes_.settings(pair.volume), mesh_.mesh->place(node),
-                                  drawn && !volumes_.automatic(pair.volume))};
+            advice::DrawnThrough{.law = volumes_.law_of(pair.volume),
+                                 .place = mesh_.mesh->place(node),
+                                 .too_soft = drawn && !volumes_.automatic(pair.volume)}};
   }
   return {};
 }

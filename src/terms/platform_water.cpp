@@ -58,9 +58,9 @@ void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
   g.past.push_back(std::move(next));
 }
 
-// F(t) = v_0 G'(t - t_0) + sum_k a_k [G(t - t_k) - G(t - t_k+1)], G the second integral of the retardation
+// F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)], S the second integral of the retardation
 // function, v_0 the first velocity of the bodies, a_k their mean acceleration from t_k to t_k+1. The step
-// that is tried, from t_n on, adds G(t - t_n) (v - v_n)/(t - t_n).
+// that is tried, from t_n on, adds S(t - t_n) (v - v_n)/(t - t_n).
 const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time) const {
   AtTime& now = g.now;
   if (g.known && now.time == time) return now;
@@ -79,7 +79,7 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
     }
   };
   if (!g.past.empty() && entries > 0) {
-    std::vector<double> later(entries), earlier(entries), dG(entries);
+    std::vector<double> later(entries), earlier(entries), first_integral(entries);
     g.memory.integrals(time - g.past.back().time, later.data(), nullptr);
     if (const double h = time - g.past.back().time; h > 0)
       for (size_t e = 0; e < entries; ++e) {
@@ -93,8 +93,8 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
       add(later, to.slope);
       std::swap(later, earlier);
     }
-    g.memory.integrals(time - g.past.front().time, earlier.data(), dG.data());
-    add(dG, g.past.front().rate);
+    g.memory.integrals(time - g.past.front().time, earlier.data(), first_integral.data());
+    add(first_integral, g.past.front().rate);
   }
   const double ramp = sea_.wave_ramp > 0 ? quintic_ramp(time, sea_.wave_ramp).value : 1;
   for (size_t i = 0; i < g.platforms.size(); ++i) {

@@ -162,13 +162,13 @@ void SeabedTerm::commit(const Kinematics& accepted) {
       next = LandedPoint(c, at.normal);
       next.active = true;
     }
-    const SuctionState was = soil(p, accepted.step);
-    if (const double pulled = pull_of(law(p).suction, was, at.gap).force; pulled > 0) {
+    const SuctionState before = soil(p, accepted.step);
+    if (const double pulled = pull_of(law(p).suction, before, at.gap).force; pulled > 0) {
       next.normal = at.normal;
       next.force -= pulled * at.normal;
       next.damping_force -= pulled;
     }
-    next.soil = suction_after(law(p).suction, was, at.gap);
+    next.soil = suction_after(law(p).suction, before, at.gap);
     if (p.counted && accepted.step > 0 && (next.active || last.active || last.soil.held)) {
       const Vec3 moved = of_nodes(p, accepted.x) - starts_[place(p)].point;
       account_.friction -= 0.5 * (next.friction + last.friction).dot(moved);

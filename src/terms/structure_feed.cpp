@@ -99,8 +99,8 @@ void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
     const double middle = 0.5 * (c.from + c.to);
     if (middle > from || middle <= to) continue;
     double* in = kept.data() + (c.values - kept.data());
-    for (const RememberedCell& was : remembered_cells(0, from, values.data(), n))
-      if (was.from <= middle && middle <= was.to) std::copy_n(was.values, n, in);
+    for (const RememberedCell& old : remembered_cells(0, from, values.data(), n))
+      if (old.from <= middle && middle <= old.to) std::copy_n(old.values, n, in);
     b.section.plastic->bend(0, 0, in);
   }
 }

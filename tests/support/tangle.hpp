@@ -32,9 +32,9 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
   }
   void limit_step(const Kinematics&, ImpactEvents&) const override {}
   Verdict check_step(const Kinematics& t) const override {
-    if (!list.covers(t)) return {Verdict::Kind::prepare_again, "candidates are out of date"};
+    if (!list.covers(t)) return {Verdict::Kind::prepare_again, advice::BeyondContactSearch{}};
     const bool refused = t.step > refuse && t.time > refuse_from && t.time < refuse_to;
-    return refused ? Verdict{Verdict::Kind::shorter, "the test refuses it"} : Verdict{};
+    return refused ? Verdict{Verdict::Kind::shorter, advice::ImpactNotResolved{}} : Verdict{};
   }
   void evaluate(const Kinematics& at, Assembler& assembler) override {
     for (const CandidatePair& p : list.pairs()) {

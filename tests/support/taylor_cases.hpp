@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hawser/terms/end_springs.hpp"
-#include "hawser/terms/hydrodynamics.hpp"
 #include "hawser/terms/line_mass.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/structure.hpp"
 #include "support/taylor_contact.hpp"
@@ -170,16 +170,16 @@ inline std::vector<SuiteCase> mass_and_load_cases() {
 inline void add_water(SuiteModel& m, const Placement& at, double surface, bool waves = false) {
   constexpr double radius = 2;
   const LocalMesh& l = m.system->mesh();
-  std::vector<Hydrodynamics::Piece> pieces;
+  std::vector<LinesInWater::Piece> pieces;
   for (const LocalElement& e : l.elements) {
     const Element& g = m.mesh.elements[static_cast<size_t>(e.global)];
-    Hydrodynamics::Piece p;
+    LinesInWater::Piece p;
     p.at = e;
     p.beam = g.beam;
     p.section = {g.length, radius, 40, 4, 3, 1, 2, 0.7};
     pieces.push_back(p);
   }
-  std::vector<Hydrodynamics::Ball> balls;
+  std::vector<LinesInWater::Ball> balls;
   for (int n = 0; n < l.owned; ++n)
     if (const int g = l.global[static_cast<size_t>(n)]; g == 2 || g == 6)
       balls.push_back({n, {20, 2, 1, 3, 0.6}});
@@ -204,7 +204,7 @@ inline void add_water(SuiteModel& m, const Placement& at, double surface, bool w
     sea.waves = WaveField(std::move(components), 0, sea.gravity, Stretching::wheeler);
     sea.wave_ramp = 3;
   }
-  m.system->add(std::make_unique<Hydrodynamics>(l, sea, std::move(pieces), std::move(balls)));
+  m.system->add(std::make_unique<LinesInWater>(l, sea, std::move(pieces), std::move(balls)));
 }
 
 inline std::vector<SuiteCase> water_cases() {

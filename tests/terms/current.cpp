@@ -6,7 +6,7 @@
 
 #include "hawser/model/case.hpp"
 #include "hawser/system/system.hpp"
-#include "hawser/terms/hydrodynamics.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 
 namespace hawser::current_test {
 namespace {
@@ -36,7 +36,7 @@ double pull(double ramp, double time, double step) {
   t.outer_diameter = 0.5;
   t.Cd_normal = 1.2;
   System system(PETSC_COMM_SELF, std::move(local));
-  system.add(std::make_unique<Hydrodynamics>(system.mesh(), c));
+  system.add(std::make_unique<LinesInWater>(system.mesh(), c));
   State s(2);
   s.time = time;
   s.x = {Vec3(0, 0, -50), Vec3(2, 0, -50)};

@@ -114,7 +114,7 @@ TEST(LinePairs, AdviceNamesTheLines) {
     const State end = state_of(m.system->mesh(), m.trial);
     m.system->couple(straight_path(m.system->mesh(), start, end, h).view(h), h);
     m.system->prepare(start.view(h), h);
-    const std::string message = m.contact->check_step(end.view(h)).because;
+    const std::string message = advice::clause(m.contact->check_step(end.view(h)).because);
     const std::string advice = "Try contact: {between_lines: {";
     EXPECT_NE(message.find(advice + (tuned ? "pairs: [{lines: [hose, rope], normal_stiffness: {per_length: "
                                            : "normal_s")),

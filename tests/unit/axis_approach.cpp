@@ -77,15 +77,17 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
     }
     a = shifted(a, {0, 0, low});
     // From 0.3 % of the radii on one side to as much on the other, or nearly to the middle.
-    const double was = reach * std::pow(10, -1.25 + 1.25 * unit(random)), side = unit(random) < 0 ? -1 : 1;
-    const AxisShape from(shifted(a, {0, 0, side * was}));
-    for (const double is : {-1.0, -0.2, -0.01}) {
+    const double start_gap = reach * std::pow(10, -1.25 + 1.25 * unit(random)),
+                 side = unit(random) < 0 ? -1 : 1;
+    const AxisShape from(shifted(a, {0, 0, side * start_gap}));
+    for (const double factor : {-1.0, -0.2, -0.01}) {
       ++through;
-      EXPECT_EQ(sides_kept(from, AxisShape(shifted(a, {0, 0, side * is * was})), B, B, limits), Sides::near)
-          << i << ": " << was << " to " << is;
+      EXPECT_EQ(sides_kept(from, AxisShape(shifted(a, {0, 0, side * factor * start_gap})), B, B, limits),
+                Sides::near)
+          << i << ": " << start_gap << " to " << factor;
     }
-    for (const double is : {0.7, 0.9, 1.0, 1.5}) {
-      const AxisShape to(shifted(a, {0, 0, side * is * was}));
+    for (const double factor : {0.7, 0.9, 1.0, 1.5}) {
+      const AxisShape to(shifted(a, {0, 0, side * factor * start_gap}));
       const double d0 = distance(from, B), d1 = distance(to, B), least = std::min(d0, d1);
       double limit = std::min(limits.most, limits.part * d0);
       if (d0 >= limits.floor) limit = std::max(limit, limits.floor);

@@ -50,10 +50,10 @@ TEST(CarriedBends, PaidOutAndHauledIn) {
   const Values none{0}, more{3};
   double length = 0.4, expected = 0.4;
   for (int i = 0; i < 300; ++i) {
-    const Values was = now;
+    const Values old = now;
     const double to = length + 0.002;
     Cells cells;
-    add(cells, 0, length, was);
+    add(cells, 0, length, old);
     cells.push_back({length, to, (i < 150 ? none : more).data()});
     remember_cells(cells, 1, 0, to, now.data());
     expected += 0.002 * (i < 150 ? 0 : 3);

@@ -95,15 +95,15 @@ TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
         return g;
       };
       for (double c = -1; c < L; c += move, height += assembler) {
-        Gap was = humps(c - move);
-        const auto before = contact_intervals(was, {L, r, 0}, 4);
+        Gap moved_back = humps(c - move);
+        const auto before = contact_intervals(moved_back, {L, r, 0}, 4);
         Gap g = humps(c);
         std::vector<InactiveInterval> filled;
         const auto now = as_split_before(
             contact_intervals(g, {L, r, 0}, 2, middles(inactive_intervals(before))), before, filled);
         const double d = depth(g, L, now);
         std::vector<InactiveInterval> none;
-        within = std::max(within, std::abs(d - depth(was, L, as_split_before(before, before, none))));
+        within = std::max(within, std::abs(d - depth(moved_back, L, as_split_before(before, before, none))));
         EXPECT_TRUE(none.empty());
         if (last >= 0) between_steps = std::max(between_steps, std::abs(d - last));
         last = d;

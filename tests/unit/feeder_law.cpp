@@ -24,14 +24,15 @@ double tension(const CableSection& s, double chord, double length) {
   return strain > 0 ? s.axial(strain).force : 0;
 }
 
-// Of a step that began with the strain `was`.
+// Of a step that began with the strain `strain_before`.
 struct Fed {
   double length = 0, by_chord = 0;
 };
-Fed step(const CableSection& s, const FeedLaw& law, double from, double h, double chord, double was = 0) {
+Fed step(const CableSection& s, const FeedLaw& law, double from, double h, double chord,
+         double strain_before = 0) {
   const FedElement e =
-      feed_step([&](double length) { return cable_feed(s, chord, length, was, h); }, law, from, h);
-  return {e.length, e.length_by_force * cable_feed(s, chord, e.length, was, h).by_chord};
+      feed_step([&](double length) { return cable_feed(s, chord, length, strain_before, h); }, law, from, h);
+  return {e.length, e.length_by_force * cable_feed(s, chord, e.length, strain_before, h).by_chord};
 }
 
 TEST(Feed, SolvesItsSpeedLaw) {
@@ -73,15 +74,16 @@ TEST(Feed, LeavesItsBandWithoutAJump) {
       for (const double sign : {1.0, -1.0}) {
         const CableSection s{1, 300, damping};
         const FeedLaw law{60, 0.5, most_speed, true, 50, 75};
-        constexpr double from = 1, h = 0.01, was = 0.2;  // 60 N
+        constexpr double from = 1, h = 0.01, strain_before = 0.2;  // 60 N
         const auto T = [&](double chord) {
-          return cable_feed(s, chord, step(s, law, from, h, chord, was).length, was, h).force;
+          return cable_feed(s, chord, step(s, law, from, h, chord, strain_before).length, strain_before, h)
+              .force;
         };
         int rested = 0, at_edge = 0, by_law = 0, limited = 0;
         double last = 60;
         for (int i = 0; i < 2000; ++i) {
           const double chord = 1.2 + sign * 1e-4 * i, now = T(chord);
-          const Fed e = step(s, law, from, h, chord, was);
+          const Fed e = step(s, law, from, h, chord, strain_before);
           const double v = (e.length - from) / h;
           EXPECT_GE(sign * (now - last), -1e-9);
           EXPECT_LT(sign * (now - last), 2.1 * 300 * 1e-4 * (1 + damping / h)) << chord;
@@ -100,9 +102,9 @@ TEST(Feed, LeavesItsBandWithoutAJump) {
           last = now;
           if (i % 100 != 50) continue;
           constexpr double d = 1e-7;
-          const double slope =
-              (step(s, law, from, h, chord + d, was).length - step(s, law, from, h, chord - d, was).length) /
-              (2 * d);
+          const double slope = (step(s, law, from, h, chord + d, strain_before).length -
+                                step(s, law, from, h, chord - d, strain_before).length) /
+                               (2 * d);
           EXPECT_NEAR(slope, e.by_chord, 1e-6) << chord;
         }
         EXPECT_GT(rested, 10);

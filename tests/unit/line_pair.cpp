@@ -410,11 +410,11 @@ TEST(LinePair, RigidMotionLeavesTheSlipAlone) {
       for (size_t k = 0; k < 6; ++k) {
         ASSERT_EQ(next[k].size(), rig.history[k].size()) << s.name;
         for (size_t i = 0; i < next[k].size(); ++i) {
-          const LinePairContactPoint &was = rig.history[k][i], &is = next[k][i];
-          EXPECT_NEAR(was.slip[0], is.slip[0], 1e-10) << s.name << ", part " << k;
-          EXPECT_NEAR(was.slip[1], is.slip[1], 1e-10) << s.name << ", part " << k;
-          EXPECT_LE((turn * was.friction - is.friction).norm() / is.normal_force,
-                    1e-6 + std::abs(was.normal_force / is.normal_force - 1))
+          const LinePairContactPoint &before = rig.history[k][i], &after = next[k][i];
+          EXPECT_NEAR(before.slip[0], after.slip[0], 1e-10) << s.name << ", part " << k;
+          EXPECT_NEAR(before.slip[1], after.slip[1], 1e-10) << s.name << ", part " << k;
+          EXPECT_LE((turn * before.friction - after.friction).norm() / after.normal_force,
+                    1e-6 + std::abs(before.normal_force / after.normal_force - 1))
               << s.name;
         }
       }

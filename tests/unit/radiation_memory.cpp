@@ -44,25 +44,25 @@ TEST(RadiationMemory, GivesTheAddedMassByOgilvie) {
 
 TEST(RadiationMemory, IntegralsAreThoseOfTheRetardation) {
   const RadiationMemory m = memory(0.1);
-  double G[2], rate[2], later[2], slope[2];
-  m.integrals(0, G, rate);
-  EXPECT_EQ(G[0], 0);
+  double S[2], rate[2], later[2], slope[2];
+  m.integrals(0, S, rate);
+  EXPECT_EQ(S[0], 0);
   EXPECT_EQ(rate[0], 0);
   const double e = 1e-4;
   for (double t = 0.013; t < 0.9 * m.length(); t += 0.61) {
-    m.integrals(t, G, rate);
+    m.integrals(t, S, rate);
     m.integrals(t + e, later, slope);
-    EXPECT_NEAR((later[0] - G[0]) / e, 0.5 * (rate[0] + slope[0]), 1e-6) << t;
+    EXPECT_NEAR((later[0] - S[0]) / e, 0.5 * (rate[0] + slope[0]), 1e-6) << t;
     EXPECT_NEAR((slope[0] - rate[0]) / e, m.retardation(t + 0.5 * e)[0], 2e-5) << t;
   }
   // No force on a body that has moved steadily for longer than the memory.
-  m.integrals(m.length() + 5, G, rate);
+  m.integrals(m.length() + 5, S, rate);
   EXPECT_EQ(rate[0], 0);
   m.integrals(m.length(), later, slope);
-  EXPECT_EQ(G[0], later[0]);
+  EXPECT_EQ(S[0], later[0]);
 }
 
-// A harmonic motion has the damping omega int_0^length G' sin(omega t) dt by the memory. Far below the peak,
+// A harmonic motion has the damping omega int_0^length S' sin(omega t) dt by the memory. Far below the peak,
 // at 0.4 % of it, a memory that ends where K is 0.1 % of K(0) gives 4 % too much.
 TEST(RadiationMemory, IsLongEnoughForLittleDamping) {
   const auto B = [](double omega) { return std::pow(omega, 4) * std::exp(-2 * omega); };
@@ -72,9 +72,9 @@ TEST(RadiationMemory, IsLongEnoughForLittleDamping) {
   for (size_t k = 0; k < omega.size(); ++k) damping(static_cast<int>(k), 0) = B(omega[k]);
   const RadiationMemory m(omega, damping);
   const double h = 0.01, slow = 0.2;
-  double found = 0, G = 0, rate = 0;
+  double found = 0, S = 0, rate = 0;
   for (double t = 0.5 * h; t < m.length(); t += h) {
-    m.integrals(t, &G, &rate);
+    m.integrals(t, &S, &rate);
     found += h * slow * std::sin(slow * t) * rate;
   }
   EXPECT_NEAR(found, B(slow), 0.02 * B(slow));

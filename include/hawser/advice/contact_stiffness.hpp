@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hawser/model/case.hpp"
+#include "hawser/advice/step_findings.hpp"
 
 namespace hawser::advice {
 
@@ -25,29 +25,13 @@ std::string chosen_stiffness(const std::string& volume, double stiffness, const 
 // From and to [N/m per m]; when: "in statics" or the like.
 std::string raised_stiffness(const std::string& volume, double from, double to, const std::string& when);
 
-// A line that is deeper in a volume than its law is for. place: of the line, in words.
-struct TooDeep {
-  std::string place;
-  double depth = 0, radius = 0;  // m; of the line
-  double time = 0;               // s
-  bool automatic = false;        // the stiffness is, and was raised
-};
-std::string too_deep(const model::Volume& volume, const TooDeep& at);
-
-// A line that would be drawn through a volume on its way to an equilibrium. too_soft: by a stiffness that the
-// case gives.
-std::string drawn_through(const model::Volume& volume, const std::string& place, bool too_soft);
-
-// Lines that would pass through each other. places: of both, in words.
-std::string lines_pass(const std::string& places);
-std::string lines_start_too_near(const std::string& places);
-struct PressedLines {
-  std::string places;
-  double depth = 0, radii = 0;                   // m; the sum of both
-  double stiffness = 0, wanted = 0;              // N/m per m: it is; it should be, which is rounded up
-  double energy = 0;                             // J, in the contact
-  std::string only_of = {}, only_of_other = {};  // lines, where the case has a stiffness for these two
-};
+// The end of statics.
+std::string too_deep_at_rest(const TooDeep& at);
+// Clauses of steps.hpp.
+std::string too_deep(const TooDeep& at);
+std::string drawn_through(const DrawnThrough& at);
+std::string lines_pass(const NearestPlaces& at);
+std::string lines_start_too_near(const NearestPlaces& at);
 std::string lines_too_soft(const PressedLines& at);
 
 // Bodies that are in each other by `depth` [m], beyond what their corners and edges met [m]; time in s.

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "hawser/advice/step_findings.hpp"
 #include "hawser/model/case.hpp"
 
 namespace hawser::advice {
@@ -22,8 +23,12 @@ std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
 // So many steps of dynamic relaxation without rest.
 std::string long_relaxation(int steps);
-// Why statics ends without an equilibrium. imbalance: in words.
-std::string no_rest(int steps, const std::string& imbalance);
+// Why statics ends without an equilibrium; at: where the state is farthest from balance.
+enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent };
+std::string no_equilibrium(StaticsEnds how, const Imbalance& at);
+std::string no_rest(int steps, const Imbalance& at);
+// because: by clause() of steps.hpp.
+std::string path_blocked(const std::string& because);
 // Of a body, by its place in words, that slides or falls on and on; m from where it started.
 std::string body_moves_on(const std::string& place, double far);
 std::string automatic_stiffness_unsettled();

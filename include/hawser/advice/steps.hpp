@@ -4,15 +4,12 @@
 
 #include <string>
 
+#include "hawser/advice/step_findings.hpp"
+
 namespace hawser::advice {
 
-// The largest residual, in N, or N m if it `turns`.
-struct Imbalance {
-  std::string place;
-  double value = 0, scale = 0;  // scale: of the forces or moments that act
-  bool turns = false;
-  bool finite = true;
-};
+// Why a step, or a trial of statics, is not accepted; empty: by std::monostate.
+std::string clause(const StepFinding& found);
 std::string imbalance(const Imbalance& at);
 
 struct Overstretched {
@@ -20,22 +17,16 @@ struct Overstretched {
   double strain = 0, most = 0;  // most: that a line of such an EA bears
   double tension = 0, EA = 0;   // N
 };
-std::string overstretched(const Overstretched& at);
-std::string overstretched_in_statics(const std::string& what);
-std::string overstretched_at(double time, const std::string& what);  // s
+std::string overstretched_in_statics(const Overstretched& at);
+std::string overstretched_at(double time, const Overstretched& at);  // s
 
 // Tension known within a part `share` of itself; sufficient: EA [N] equivalent to no stretch.
-std::string tension_lost_in_rounding(const std::string& line, double share, double EA, double sufficient);
-
-// Of a step: clauses that say why it is not taken.
-std::string not_converged(const std::string& imbalance);
-std::string turns_too_far(const std::string& place, double angle);  // rad
-std::string impact_not_resolved();
-std::string error_too_large(double error);  // m
-std::string beyond_contact_search();
-std::string line_passes_volume();
-std::string body_passes_body();
-std::string feeds_too_fast(const std::string& feeder);
+struct LostInRounding {
+  std::string line;
+  double share = 0, EA = 0, sufficient = 0;
+};
+std::string tension_lost_in_statics(const LostInRounding& at);
+std::string tension_lost_at(double time, const LostInRounding& at);  // s
 
 // A beam element [m] that is bent by so much [rad]; sufficient: m, of elements that follow it.
 struct FoldedElement {
@@ -43,7 +34,7 @@ struct FoldedElement {
   double turn = 0, length = 0, sufficient = 0;
 };
 std::string folded_element(const FoldedElement& at);
-// because: a clause of those above.
+// because: by clause().
 std::string shortest_step_fails(double time, double step, const std::string& because,
                                 const std::string& folded);
 std::string no_mass(double time);  // s

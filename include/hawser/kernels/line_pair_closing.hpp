@@ -41,8 +41,8 @@ S line_pair_closing(const LinePairMotion<S>& way) {
                    b = unit(way.along);
   const S c = a.dot(b), wa = w.dot(a), wb = w.dot(b);
   const S both = over(S(0.5 * (wa + wb)), S(1 + c)), apart = over(S(0.5 * (wa - wb)), S(1 - c));
-  const auto brings = [&n](const S& by, const Vector3<S>& was, const Vector3<S>& now) -> S {
-    const Vector3<S> mean = was + now;
+  const auto brings = [&n](const S& by, const Vector3<S>& before, const Vector3<S>& now) -> S {
+    const Vector3<S> mean = before + now;
     // A line whose direction reverses within the step, as one that folds onto itself, does not slide along
     // it.
     if (!(now.dot(mean) > kHalfRound)) return S(0);

@@ -1,8 +1,8 @@
 // The force of the waves that a body has made by its own motion (Cummins 1962), from its radiation damping:
 //   F(t) = int_-inf^t K(t - s) v(s) ds,   K(t) = (2/pi) int_0^inf B(omega) cos(omega t) d omega  (Ogilvie
 //   1964)
-// With velocities that are linear between times t_k, with slopes a_k, and G'' = K, G(0) = G'(0) = 0:
-//   F(t) = v_0 G'(t - t_0) + sum_k a_k [G(t - t_k) - G(t - t_k+1)]
+// With velocities that are linear between times t_k, with slopes a_k, and S'' = K, S(0) = S'(0) = 0:
+//   F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)]
 // exactly, for steps of any length. See docs/theory/platforms.md.
 #pragma once
 
@@ -21,15 +21,15 @@ class RadiationMemory {
   RadiationMemory(const std::vector<double>& omega, const Eigen::MatrixXd& damping);
 
   Eigen::Index entries() const { return damping_.cols(); }
-  // s, after which the memory ends: K is small from there on, and G is taken as constant. Steady motion is
+  // s, after which the memory ends: K is small from there on, and S is taken as constant. Steady motion is
   // then not damped, as without an end of the memory, since the integral of K over all times is zero.
   double length() const { return length_; }
 
   // By entry: K(t) by its closed form, t >= 0.
   Eigen::RowVectorXd retardation(double t) const;
-  // By entry: G(t) and, where `rate` is not null, G'(t), t >= 0, from a table, to about 1e-8 of
+  // By entry: S(t) and, where `rate` is not null, S'(t), t >= 0, from a table, to about 1e-8 of
   // K(0)/omega_last².
-  void integrals(double t, double* G, double* rate) const;
+  void integrals(double t, double* S, double* rate) const;
   // By entry, kg and so on: A(inf) - A(omega) = int_0^length K(t) sin(omega t) dt/omega (Ogilvie 1964), as
   // the mean over these frequencies.
   Eigen::RowVectorXd added_mass_below_infinite(const std::vector<double>& omega) const;
@@ -39,7 +39,7 @@ class RadiationMemory {
   std::vector<double> omega_;
   Eigen::MatrixXd damping_;
   double length_ = 0, spacing_ = 0;
-  // By time: G of all entries, then G', then K.
+  // By time: S of all entries, then S', then K.
   std::vector<double> table_;
 };
 

@@ -12,8 +12,7 @@ namespace hawser::model {
 // in: what rests lies beyond the ramp, what touches down is soft. A table of forces has none.
 inline double bed_smoothing(const Seabed& bed, double radius, double weight, double stiffness) {
   if (bed.force_table) return 0;
-  return bed.smoothing >= 0 ? bed.smoothing
-                            : std::max(0.002 * radius, 0.2 * std::max(weight, 0.0) / stiffness);
+  return bed.smoothing.value_or(std::max(0.002 * radius, 0.2 * std::max(weight, 0.0) / stiffness));
 }
 
 // m, height of the line's axis above the bed at which the force begins.

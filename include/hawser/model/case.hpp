@@ -190,8 +190,8 @@ struct Volume {
   double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis; of a table its largest slope
   std::shared_ptr<const ContactForceTable> force_table;  // N, N/m or N/m² by basis; null: by stiffness
   double allowed_penetration = 0;                        // m, of an automatic stiffness; 0: default
-  double smoothing = -1;        // m, half width of the C1 ramp; 0: linear law; < 0: default
-  double relative_damping = 0;  // zeta of the contact spring
+  std::optional<double> smoothing;  // m, half width of the C1 ramp; 0: linear law; none: default
+  double relative_damping = 0;      // zeta of the contact spring
   Friction friction;
   bool roller = false;  // of `supports`: touches lines only
 };
@@ -312,7 +312,7 @@ enum class ContactMethod { nodes, line, gap };
 struct LinePairSettings {
   StiffnessBasis basis = StiffnessBasis::automatic;  // per length, per area or automatic
   double normal_stiffness = 0;                       // N/m² or N/m³ by basis
-  double smoothing = 0;                              // m, half width of the C1 ramp; 0: default
+  std::optional<double> smoothing;                   // m, half width of the C1 ramp; none: default
   double relative_damping = 0;                       // zeta of the contact spring
   double friction = 0;                               // Coulomb coefficient, the same in all directions
   double mobilisation_length = 0;                    // m; 0: default of 1 % of the mean contact diameter
@@ -442,6 +442,8 @@ struct Case {
   bool rides(int body) const { return body >= 0 && bodies[body].on.has_value(); }
   // Throws InputError "file:line: key: why".
   [[noreturn]] void refuse(const std::string& key, const std::string& why) const;
+  // The sentence of refuse(): file, line and key before `why`.
+  std::string refusal(const std::string& key, const std::string& why) const;
   template <class First, class... More>
   [[noreturn]] void refuse(const std::string& key, fmt::format_string<First, More...> why, First&& first,
                            More&&... more) const {

@@ -75,7 +75,7 @@ struct Seabed {
   double normal_stiffness = 0;  // N/m² or N/m³ by basis; of a table its largest slope
   std::shared_ptr<const ContactForceTable> force_table;  // N/m or N/m² by basis; null: by stiffness
   double damping = 0;                                    // N s/m² or N s/m³ by basis
-  double smoothing = -1;                                 // m, half width of the C1 ramp; < 0: default
+  std::optional<double> smoothing;                       // m, half width of the C1 ramp; none: default
   double suction = 0;         // N/m or N/m² by basis, largest pull on what leaves; in dynamics
   double suction_length = 0;  // m above the deepest place, where it lets go
   Friction friction;

@@ -137,6 +137,8 @@ template <class First, class... More>
 }
 
 // Throws InputError with the sentence "file:line: key: text".
+// "file:line: key: text".
+std::string refusal(const std::string& file, int line, const std::string& key, const std::string& text);
 [[noreturn]] void fail(const std::string& file, int line, const std::string& key, const std::string& text);
 template <class First, class... More>
 [[noreturn]] void fail(const std::string& file, int line, const std::string& key,

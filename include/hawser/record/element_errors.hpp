@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "hawser/advice/long_elements.hpp"
-#include "hawser/base/gather.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/record/recording.hpp"
@@ -20,7 +19,7 @@ namespace hawser::record {
 
 class ElementErrors : public Recording {
  public:
-  // feeders: null where no line is fed. Collective.
+  // feeders: null where no line is fed.
   ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Feeders* feeders);
 
   // Of a state, by owned node of the lines; empty: there is none of it.
@@ -30,7 +29,8 @@ class ElementErrors : public Recording {
     std::span<const double> pressed;  // N, normal force of volumes
     std::vector<bool> carried;        // something touches the line there
   };
-  // Collective: a few numbers a node of lines that the partition cuts.
+  // Of a line that the partition cuts the owner of its first node receives a few numbers a node from those
+  // who share it. Collective.
   void update(const Kinematics& at, const Values& values);
 
   void declare(Declarations& to) override;
@@ -52,7 +52,7 @@ class ElementErrors : public Recording {
     bool carried = false;
   };
   At node(size_t n, const Kinematics& at, const Values& values) const;
-  std::vector<At> of_cut_lines(const Kinematics& at, const Values& values) const;
+  void exchange(const Kinematics& at, const Values& values, std::vector<At>& of_cut_lines) const;
   void update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
                   Worst& worst) const;
   void update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last, double time,
@@ -65,10 +65,16 @@ class ElementErrors : public Recording {
   const LocalMesh& mesh_;
   const Feeders* feeders_;
   MPI_Comm comm_;
-  LineOwners owners_;
-  std::vector<int> cut_nodes_;                     // of this rank, of lines that are cut
-  GatherPlan plan_;                                // of their numbers
-  std::vector<OfLine> lines_;                      // of lines of this rank and those that are cut
+  // Of lines that are cut: those of which this rank owns the first node, and how many nodes they have.
+  std::vector<int> uncut_, cut_;
+  size_t cut_nodes_ = 0;
+  struct Sharer {  // another rank that owns nodes of the same lines
+    int rank = 0;
+    std::vector<int> send;        // local nodes of lines of which it owns the first node
+    std::vector<size_t> receive;  // places of its nodes among the nodes of cut_
+  };
+  std::vector<Sharer> sharers_;                    // by rank
+  std::vector<OfLine> lines_;                      // known on one rank each; on all of them after findings()
   int tension_ = -1, moment_ = -1, pressed_ = -1;  // among the fields
   std::vector<std::pair<int, int>> touches_;  // likewise with components: not zero where something touches
 };

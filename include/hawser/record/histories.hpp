@@ -32,7 +32,7 @@ class Histories : public Recording {
     std::array<int, 2> nodes{-1, -1};  // local; -1: another rank's, or without weight
     std::array<double, 2> weights{1, 0};
     std::array<int, 2> places{-1, -1};  // of its nodes among those of the end forces; -1: none
-    bool shared = false;                // several ranks have a part of it
+    bool shared = false;                // several ranks have a part of its row
   };
   Point point_of(int line, double arc) const;
   std::vector<double> node_row(const Point& p, size_t side, const Snapshot& s) const;
@@ -52,7 +52,7 @@ class Histories : public Recording {
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
       moment_2_ = -1, moment_3_ = -1;
   std::vector<Point> points_;
-  std::vector<io::ResultSeries> series_;
+  std::vector<size_t> columns_;  // of the series of each point
 };
 
 }  // namespace hawser::record

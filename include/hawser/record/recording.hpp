@@ -3,10 +3,13 @@
 // src/record/recordings.cpp lists them.
 #pragma once
 
+#include <mpi.h>
+
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/io/checkpoint.hpp"
@@ -18,7 +21,24 @@
 namespace hawser::record {
 
 using Values = std::vector<std::vector<double>>;  // by field, of this rank's owned nodes or ends
-using Rows = std::vector<std::vector<double>>;    // one for each series; empty where another rank has it
+
+// The rows of a step, one for each series.
+class Rows {
+ public:
+  // Complete on this rank; empty where another rank has it.
+  void add(std::vector<double> row) { rows_.push_back(std::move(row)); }
+  // This rank's part, as long as on all ranks; rank 0 gets the sum.
+  void add_part(std::vector<double> part) {
+    parts_.push_back(rows_.size());
+    rows_.push_back(std::move(part));
+  }
+  // With the sums, in one reduction for the parts of all recordings. Collective.
+  std::vector<std::vector<double>> gathered(MPI_Comm comm) &&;
+
+ private:
+  std::vector<std::vector<double>> rows_;
+  std::vector<size_t> parts_;  // their places among the rows
+};
 
 // An accepted state with what is known of it.
 class Snapshot {
@@ -34,7 +54,7 @@ class Snapshot {
         subject_(subject) {}
 
   const Kinematics& at;
-  const StepInfo step;  // that led to it; of no length: none did
+  const StepInfo step;  // that led to this state; of length 0: none did
   const Values &values, &ends;
   const EndForces& end_forces;
   const Audit& audit;
@@ -73,9 +93,9 @@ class Recording {
   // Once, when all fields are known. Collective.
   virtual void declare(Declarations& to) { (void)to; }
 
-  // The rest of a stage of statics but the last; the equilibrium with which a run begins, before its first
-  // step. Collective, as are the others.
+  // Called with the equilibrium of each stage of statics but the last. Collective, as are the others.
   virtual void stage(const Snapshot& s) { (void)s; }
+  // Called once, before the first step, with the equilibrium from which a run starts.
   virtual void start(const Snapshot& s) { (void)s; }
   virtual void step(const Snapshot& s) { (void)s; }
   virtual void output(const Snapshot& s) { (void)s; }

@@ -20,19 +20,19 @@ class SupportLog : public Recording {
   // `arc_length` of its crossing.
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
-  // On rank 0 (elsewhere empty).
   void rows(const Snapshot& s, Rows& to) override;
   // Every box once off the end of whose rollers a line was, the first time it was; then those over which a
-  // line went clear so far, although boxes further on carried it, and groups that never carried one. On rank
-  // 0.
+  // line went clear so far, although boxes further on carried it, and groups that never carried one.
   std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
  private:
   const Subject& subject_;
   SupportRollers rollers_;
-  Rows rows_;              // of the last step
-  std::vector<bool> off_;  // reported already
-  std::vector<bool> carried_;
+  std::vector<Vec3> forces_;  // N, of the last step, of all volumes of the contact: this rank's part
+  std::vector<SupportCrossing> crossings_;  // of the last step
+  std::vector<bool> off_;                   // reported already
+  std::vector<int>
+      carried_;  // not 0: a line has touched a part of the box on this rank; findings() joins the ranks
   std::vector<double> lowest_;  // m, height of the line over each; infinite: it did not cross it
   std::vector<std::string> warnings_;
 };

@@ -13,7 +13,7 @@
 #include "hawser/system/system.hpp"
 
 namespace hawser {
-class Hydrodynamics;
+class LinesInWater;
 }
 
 namespace hawser::record {
@@ -42,7 +42,7 @@ class WaterErrors : public Recording {
     int line = 0;
     bool crossed = false;  // by the surface
   };
-  // Of each group in a state, if its elements are cut into so many parts (Hydrodynamics::flow_error).
+  // Of each group in a state, if its elements are cut into so many parts (LinesInWater::flow_error).
   struct Sums {
     std::vector<double> error, force, weight;  // N, of all ranks; weight in water across the lines
     std::vector<Where> where;
@@ -62,10 +62,10 @@ class WaterErrors : public Recording {
   const model::Case& case_;
   const LocalMesh& mesh_;
   const CarriesTension& structure_;
-  const Hydrodynamics* water_;  // null: it does not move
-  std::vector<size_t> group_;   // of each line
-  std::vector<Group> groups_;   // as many as lines; some are empty
-  int steps_ = 0;               // since the last look in motion
+  const LinesInWater* water_;  // null: it does not move
+  std::vector<size_t> group_;  // of each line
+  std::vector<Group> groups_;  // as many as lines; some are empty
+  int steps_ = 0;              // since the last look in motion
 };
 
 }  // namespace hawser::record

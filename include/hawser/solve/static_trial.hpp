@@ -6,6 +6,7 @@
 
 #include <petscsnes.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -88,8 +89,9 @@ class StaticTrial {
   double length_ = 0;                 // m, length of the longest element
   double longest_ = 0;                // m, of the longest line; both of bodies alone: what suits them
   int layout_ = 0;                    // how often build() has created the vectors
-  // What blocks the path to the last trial that was not clear, in words, and that trial; empty: nothing does.
-  std::string blocked_by_;
+  // What blocks the path to the last trial that was not clear, and that trial; nullopt on all ranks: nothing
+  // does.
+  std::optional<advice::StepFinding> blocked_by_;
   State blocked_;
 };
 

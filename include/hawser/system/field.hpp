@@ -13,8 +13,8 @@ struct Field {
   enum class History {
     no,
     yes,
-    behind_ends
-  };  // behind_ends: the column stands after those that only ends of lines have
+    behind_ends  // its column stands after those that only ends of lines have
+  };
   // How the report of a run shows it along each line: not, as a row of the table of extremes, or with a range
   // graph, too.
   enum class Report { no, table, graph };
@@ -25,14 +25,17 @@ struct Field {
   std::string label = {};  // in tables, figures and warnings; empty: the name, with blanks for underscores
   History history = History::no;
   bool statistics = false;   // minimum, maximum, mean and deviation over every step
-  bool at_stations = false;  // also recorded at places that stay with the feeder of a line that is fed
+  bool at_stations = false;  // also recorded at stations, which stay with the feeder (record/stations.hpp)
   // Name of its row "max EXTREME" in the table of extremes. Fields of one line with the same name share the
   // row.
   std::string extreme = {};
   bool smallest = false;  // it also has a row "min EXTREME"
   Report report = Report::no;
-  int order = 100;       // rank in tables and reports, smallest first; then in the order of declaration
-  bool carries = false;  // the force [N] of something that carries the line, which does not hang freely there
+  int order =
+      100;  // of rows in tables and reports, smallest first; of equal ones in the order of declaration
+  // The field is a contact force [N] of what a line rests on: where it is not zero, the line does not hang
+  // freely.
+  bool carries = false;
   // For a utilisation (the used share of what is allowed): the ratio in words ("effective tension over the
   // breaking load of the line type"), and the sentence for a line where it exceeds 1 ("pulled with more than
   // its breaking load").

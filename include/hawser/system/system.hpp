@@ -5,9 +5,11 @@
 
 #include <initializer_list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "hawser/advice/steps.hpp"
 #include "hawser/base/handle.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
@@ -88,7 +90,7 @@ class System {
   // Whether this rank may compute forces on nodes of other ranks (contact of a line with a floating body).
   bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
   // Checks a converged step or a trial of statics. Returns the most severe verdict of all terms and ranks,
-  // the same on all ranks. Collective.
+  // the same on all ranks; its finding is on ranks that have it. Collective.
   Verdict check_step(const Kinematics& trial) const;
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
@@ -133,11 +135,11 @@ class System {
   // depends on the length. Collective.
   void expect(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);
-  // Why an equilibrium or a converged step is not a valid result, as a sentence for the user; empty if it is
-  // valid. overstretched: an element is strained beyond the range of its law. lost_in_rounding: round-off is
-  // a hundredth or more of a line's tension. Collective.
-  std::string overstretched(const Kinematics& at) const;
-  std::string lost_in_rounding(const Kinematics& at) const;
+  // Why an equilibrium or a converged step is not a valid result; nullopt: it is. overstretched: an element
+  // is strained beyond the range of its law. lost_in_rounding: round-off is a hundredth or more of a line's
+  // tension. Collective, the same on all ranks.
+  std::optional<advice::Overstretched> overstretched(const Kinematics& at) const;
+  std::optional<advice::LostInRounding> lost_in_rounding(const Kinematics& at) const;
   // Summed over the terms, this rank's share.
   Energy energy(const Kinematics& at) const;
   FieldRegistry fields() const;

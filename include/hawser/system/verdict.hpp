@@ -3,7 +3,7 @@
 // Newton's iteration all return it.
 #pragma once
 
-#include <string>
+#include "hawser/advice/step_findings.hpp"
 
 namespace hawser {
 
@@ -16,7 +16,7 @@ struct Verdict {
     stop            // no step, however short, can help
   };
   Kind kind = Kind::accept;
-  std::string because;  // a clause for the user
+  advice::StepFinding because;  // advice::clause() makes the text
 
   bool accepted() const { return kind == Kind::accept; }
 };

@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "hawser/advice/step_findings.hpp"
 #include "hawser/geometry/surface.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
@@ -64,6 +65,7 @@ class ContactVolumes {
   int size() const { return static_cast<int>(volumes_.size()); }
   // With the stiffness of the trial.
   const model::Volume& settings(int volume) const { return at(volume).settings; }
+  advice::VolumeLaw law_of(int volume) const;
   const Surface& surface(int volume) const { return *at(volume).surface; }
   const Box& box(int volume) const { return boxes_[volume]; }
 

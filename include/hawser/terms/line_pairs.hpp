@@ -176,8 +176,8 @@ class LinePairs final : public ForceTerm,
                         const AxisContactMode& mode) const;
   bool joint(int element, int end) const;
   std::vector<Rod> rods(const Kinematics& at) const;
-  bool met(const Pair& pair, const std::vector<Rod>& is) const;
-  bool near(const Pair& pair, const std::vector<Rod>& is) const;
+  bool met(const Pair& pair, const std::vector<Rod>& moved) const;
+  bool near(const Pair& pair, const std::vector<Rod>& moved) const;
   struct Nearest {
     double speed = 0, gap = 0;
   };
@@ -188,10 +188,10 @@ class LinePairs final : public ForceTerm,
   double inverse_frequency(const Pair& pair, double speed) const;
   double mass(const Pair& pair) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
-  std::string where(const Pair& pair) const;
+  advice::NearestPlaces nearest_places(const Pair& pair) const;
   double deepest(const Pair& pair) const;
   double stored(const Pair& pair) const;
-  std::string too_soft(const Pair& pair) const;
+  advice::StepFinding too_soft(const Pair& pair) const;
   void account(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next);
   double fed_work(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next) const;
 

@@ -64,9 +64,9 @@ class LineVolumeContact final : public ForceTerm,
   // when a run continues from a checkpoint.
   double stiffness(int volume) const { return volumes_.stiffness(volume); }
   void raise_to(int volume, double stiffness) { volumes_.raise_to(volume, stiffness); }
-  // Where a line is deeper in a volume than the range of its law, in words for the user; empty: nowhere.
-  // Local; for the trial that was evaluated last.
-  std::string deeper_than_allowed(const Kinematics& trial) const;
+  // Where a line is deeper in a volume than the range of its law; nullopt: nowhere. Local; for the trial that
+  // was evaluated last.
+  std::optional<advice::TooDeep> deeper_than_allowed(const Kinematics& trial) const;
   // For what this rank counts: the largest penetration over the run (its node: the nearer end of the
   // element); the number of pairs of an element and a volume in contact; the number of candidate pairs in the
   // step.
@@ -115,7 +115,7 @@ class LineVolumeContact final : public ForceTerm,
 
   // Pairs of an element and a volume at the start of a step, with data from earlier steps.
   bool start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h, double& motion) const;
-  void carry_over(Pair& was, Pair& pair) const;
+  void carry_over(Pair& previous, Pair& pair) const;
   void start_facet_groups(Pair& pair, double motion) const;
   bool idle(int element) const;
   void find_near_pairs(const Kinematics& trial);

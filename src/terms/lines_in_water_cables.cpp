@@ -3,11 +3,11 @@
 
 #include "hawser/kernels/line_water.hpp"
 #include "hawser/terms/feeders.hpp"
-#include "hawser/terms/hydrodynamics.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 
 namespace hawser {
 
-void Hydrodynamics::group() {
+void LinesInWater::group() {
   const auto cables = std::count_if(pieces_.begin(), pieces_.end(), [](const Piece& p) { return !p.beam; });
   fours_.reserve((static_cast<size_t>(cables) + 3) / 4);
   for (size_t p = 0; p < pieces_.size(); ++p) {
@@ -28,7 +28,7 @@ void Hydrodynamics::group() {
 }
 
 // An idle element has no length for what is computed in fours.
-void Hydrodynamics::update_from_feeders(double FedLine::*length) {
+void LinesInWater::update_from_feeders(double FedLine::*length) {
   if (!feeders_) return;
   feeders_->update_lengths(mesh_, length, pieces_);
   for (Four& q : fours_)
@@ -42,15 +42,15 @@ void Hydrodynamics::update_from_feeders(double FedLine::*length) {
 
 // J, by which feeders change the potential of buoyancy: by a longer element where it was and where it is, the
 // mean.
-double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
+double LinesInWater::fed_buoyancy(const Kinematics& at) const {
   Water calm;
   calm.surface = sea_.surface;
   double sum = 0;
-  const State& was = feeders_->before();
-  if (was.x.size() != at.x.size()) return 0;
+  const State& old = feeders_->before();
+  if (old.x.size() != at.x.size()) return 0;
   Kinematics before = at;
-  before.x = was.x;
-  before.q = was.q;
+  before.x = old.x;
+  before.q = old.q;
   for (const Piece& p : pieces_) {
     if (!p.at.counted || p.idle) continue;
     const FedLine* fed = feeders_->find(p.at.global);
@@ -65,7 +65,7 @@ double Hydrodynamics::fed_buoyancy(const Kinematics& at) const {
   return sum;
 }
 
-CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k) const {
+CablesInWater4 LinesInWater::motion(const Four& q, const Kinematics& k) const {
   CablesInWater4 m;
   const bool moves = moving();
   for (int end = 0; end < 2; ++end) {
@@ -92,7 +92,7 @@ CablesInWater4 Hydrodynamics::motion(const Four& q, const Kinematics& k) const {
 
 // What is not wholly wet goes one by one, and all of it while statics is far from its solution: how an
 // element is computed must not depend on its company, which is another on another rank.
-void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const {
+void LinesInWater::evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const {
   const CablesInWater4 m = motion(q, trial);
   const unsigned wet = assembler.convex() ? 0 : submerged(q.sections, m);
   std::array<Vec6, 4> f;
@@ -116,7 +116,7 @@ void Hydrodynamics::evaluate(const Four& q, const Kinematics& trial, Assembler& 
 }
 
 // Where both the surface and the still water are above all of it buoyancy has nothing to give.
-unsigned Hydrodynamics::flow(const Four& q, const Kinematics& at, WaterForce* out) const {
+unsigned LinesInWater::flow(const Four& q, const Kinematics& at, WaterForce* out) const {
   CablesInWater4 m = motion(q, at);
   for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);
   const unsigned wet = submerged(q.sections, m);

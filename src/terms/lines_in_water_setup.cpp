@@ -4,7 +4,7 @@
 
 #include "hawser/model/case.hpp"
 #include "hawser/terms/buried.hpp"
-#include "hawser/terms/hydrodynamics.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 
 namespace hawser {
 
@@ -25,12 +25,12 @@ WaterSection water_section(const model::Case& c, int type, double length) {
 
 namespace {
 
-std::vector<Hydrodynamics::Piece> pieces_of(const LocalMesh& mesh, const model::Case& c) {
-  std::vector<Hydrodynamics::Piece> out;
+std::vector<LinesInWater::Piece> pieces_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<LinesInWater::Piece> out;
   out.reserve(mesh.elements.size());
   for (const LocalElement& e : mesh.elements) {
     const Element& g = mesh.mesh->elements[static_cast<size_t>(e.global)];
-    Hydrodynamics::Piece& p = out.emplace_back();
+    LinesInWater::Piece& p = out.emplace_back();
     p.at = e;
     p.beam = g.beam;
     p.section = water_section(c, g.type, g.length);
@@ -50,8 +50,8 @@ bool in_soil(const model::Line& line, double arc) {
                      [arc](const model::Buried& b) { return b.from <= arc && arc <= b.to; });
 }
 
-std::vector<Hydrodynamics::Ball> balls_of(const LocalMesh& mesh, const model::Case& c) {
-  std::vector<Hydrodynamics::Ball> out;
+std::vector<LinesInWater::Ball> balls_of(const LocalMesh& mesh, const model::Case& c) {
+  std::vector<LinesInWater::Ball> out;
   const double rho = c.environment.water.density;
   for (size_t l = 0; l < c.lines.size(); ++l)
     for (const model::PointMass& m : c.lines[l].masses) {
@@ -74,8 +74,8 @@ std::vector<Hydrodynamics::Ball> balls_of(const LocalMesh& mesh, const model::Ca
 
 }  // namespace
 
-Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, const model::Case& c)
-    : Hydrodynamics(mesh, sea_of(c), pieces_of(mesh, c), balls_of(mesh, c)) {
+LinesInWater::LinesInWater(const LocalMesh& mesh, const model::Case& c)
+    : LinesInWater(mesh, sea_of(c), pieces_of(mesh, c), balls_of(mesh, c)) {
   for (const model::LineType& t : c.line_types) {
     // Coatings, floats and marine growth hand the pressure of the sea on to the wall under them.
     const double wall = t.wall_diameter > 0 ? t.wall_diameter : t.outer_diameter;

@@ -1,12 +1,12 @@
-// What the flow would exert on an element of Hydrodynamics if that had more nodes
+// What the flow would exert on an element of LinesInWater if that had more nodes
 // (docs/theory/element-length.md).
-#include "hawser/terms/hydrodynamics.hpp"
+#include "hawser/terms/lines_in_water.hpp"
 
 namespace hawser {
 
 // The parts lie on the chord and move with it, so that the water alone makes the difference. The surface is
 // linear over the whole piece for the same reason: a line that floats follows it, whatever its form.
-Hydrodynamics::FlowError Hydrodynamics::flow_error(const Kinematics& at, const Piece& p, int parts) const {
+LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const Piece& p, int parts) const {
   FlowError out;
   if (p.idle) return out;
   constexpr int kFiner = 4;

@@ -14,11 +14,11 @@
 
 namespace hawser {
 
-class Hydrodynamics final : public ForceTerm,
-                            public ActsOnElements,
-                            public ScalesResiduals,
-                            public InCurrent,
-                            public ActsOnFedLines {
+class LinesInWater final : public ForceTerm,
+                           public ActsOnElements,
+                           public ScalesResiduals,
+                           public InCurrent,
+                           public ActsOnFedLines {
  public:
   struct Piece {
     LocalElement at;
@@ -31,8 +31,8 @@ class Hydrodynamics final : public ForceTerm,
     WaterBall ball;
   };
 
-  Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls = {});
-  Hydrodynamics(const LocalMesh& mesh, const model::Case& c);
+  LinesInWater(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls = {});
+  LinesInWater(const LocalMesh& mesh, const model::Case& c);
 
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
@@ -43,14 +43,15 @@ class Hydrodynamics final : public ForceTerm,
   double above_still_water(double z) const { return z - sea_.surface; }
   const std::vector<Piece>& pieces() const { return pieces_; }
   // What drag and inertia of the water exert on a piece cut into so many equal parts, at the ends of which
-  // the motion of the water is looked at, and how far that is from four times as many. Changes nothing.
+  // the motion of the water is evaluated, and its difference from that of four times as many. Changes
+  // nothing.
   struct FlowError {
     double force = 0, error = 0;  // N, sizes summed over the parts
     bool crossed = false;         // by the surface
   };
   FlowError flow_error(const Kinematics& at, const Piece& p, int parts) const;
 
-  std::string_view name() const override { return "hydrodynamics"; }
+  std::string_view name() const override { return "hydrodynamics"; }  // in checkpoints
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
@@ -107,13 +108,14 @@ class Hydrodynamics final : public ForceTerm,
   std::vector<Ball> balls_;
   std::vector<Four> fours_;  // all cables
   std::vector<int> beams_;   // pieces
-  // At the last state that was looked at, by local node; calm water is the same everywhere: one.
+  // In the last state that was evaluated, by local node; of calm water, which is the same everywhere, one.
   mutable std::vector<Water> water_;
-  // Waves are looked at once a step: at its end, where the nodes get with their speed at its start.
+  // Waves are evaluated once a step: for its end, at the places that the nodes reach with their velocity at
+  // its start.
   double start_time_ = 0;                 // s
   std::vector<Vec3> start_, speed_;       // m, m/s, at the start of the step
-  std::vector<Vec3> place_;               // m, where they were looked at for the state at start_time_
-  mutable std::vector<WaveMotion> wave_;  // cache: what they are at wave_time_
+  std::vector<Vec3> place_;               // m, at which they were evaluated for the state at start_time_
+  mutable std::vector<WaveMotion> wave_;  // cache: their motion at wave_time_
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
   Flow flow_;        // of the last accepted state; in statics of the last iteration

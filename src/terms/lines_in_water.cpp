@@ -1,7 +1,7 @@
-// Forces, tangent, energy and history of Hydrodynamics: motion of the water at the nodes, forces on beams
+// Forces, tangent, energy and history of LinesInWater: motion of the water at the nodes, forces on beams
 // and balls, work, wall tension. The formula: kernels/morison_formula.hpp; cables in fours are in
-// hydrodynamics_cables.cpp.
-#include "hawser/terms/hydrodynamics.hpp"
+// lines_in_water_cables.cpp.
+#include "hawser/terms/lines_in_water.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +10,18 @@
 
 namespace hawser {
 
-Hydrodynamics::Hydrodynamics(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces,
-                             std::vector<Ball> balls)
+LinesInWater::LinesInWater(const LocalMesh& mesh, Sea sea, std::vector<Piece> pieces, std::vector<Ball> balls)
     : mesh_(mesh), sea_(std::move(sea)), pieces_(std::move(pieces)), balls_(std::move(balls)) {
   group();
 }
 
-Vec3 Hydrodynamics::wave_place(const Kinematics& at, size_t node) const {
+Vec3 LinesInWater::wave_place(const Kinematics& at, size_t node) const {
   if (at.time > start_time_ && node < start_.size())
     return start_[node] + (at.time - start_time_) * speed_[node];
   return node < place_.size() ? place_[node] : at.x[node];
 }
 
-const std::vector<WaveMotion>& Hydrodynamics::waves(const Kinematics& at) const {
+const std::vector<WaveMotion>& LinesInWater::waves(const Kinematics& at) const {
   if (wave_known_ && wave_time_ == at.time && wave_.size() == at.x.size()) return wave_;
   wave_.resize(at.x.size());
   for (size_t n = 0; n < at.x.size(); ++n) wave_[n] = sea_.waves_at(wave_place(at, n), at.time);
@@ -31,19 +30,19 @@ const std::vector<WaveMotion>& Hydrodynamics::waves(const Kinematics& at) const 
   return wave_;
 }
 
-Water Hydrodynamics::water(const Kinematics& at, size_t node) const {
+Water LinesInWater::water(const Kinematics& at, size_t node) const {
   const Water still = sea_.still_at(at.x[node].z(), at.time);
   return sea_.waves.none() || !(at.step > 0) ? still : still + waves(at)[node];
 }
 
-void Hydrodynamics::update_water(const Kinematics& at) const {
+void LinesInWater::update_water(const Kinematics& at) const {
   water_.resize(moving() ? at.x.size() : 1);
   if (!moving()) water_.front().surface = sea_.surface;
   for (size_t n = 0; moving() && n < at.x.size(); ++n) water_[n] = water(at, n);
 }
 
-WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& first,
-                              const Water& second) const {
+WaterEnds LinesInWater::ends(const Piece& p, const Kinematics& k, const Water& first,
+                             const Water& second) const {
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
   WaterEnds e;
   e.x1 = k.x[i];
@@ -70,7 +69,7 @@ WaterEnds Hydrodynamics::ends(const Piece& p, const Kinematics& k, const Water& 
   return e;
 }
 
-void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const {
+void LinesInWater::evaluate(const Piece& p, const Kinematics& trial, Assembler& assembler) const {
   if (p.idle) return;
   const bool tangent = assembler.needs_tangent(), convex = assembler.convex();
   const size_t i = static_cast<size_t>(p.at.first), j = static_cast<size_t>(p.at.second);
@@ -103,7 +102,7 @@ void Hydrodynamics::evaluate(const Piece& p, const Kinematics& trial, Assembler&
   }
 }
 
-void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
+void LinesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   update_from_feeders(&FedLine::predicted);
   update_water(trial);
   const bool tangent = assembler.needs_tangent();
@@ -125,7 +124,7 @@ void Hydrodynamics::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-Hydrodynamics::Flow Hydrodynamics::flow(const Kinematics& at) const {
+LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
   update_water(at);
   Flow out;
   out.force.assign(static_cast<size_t>(mesh_.chain_blocks), Vec3::Zero());
@@ -135,7 +134,7 @@ Hydrodynamics::Flow Hydrodynamics::flow(const Kinematics& at) const {
     out.place[block] = at.x[node];
     if (mesh_.rotates(n)) out.place[block + 1] = at.q[node] * Vec3::UnitX();
   }
-  // What is inside a feeder feels no water.
+  // Elements inside a feeder are not in the water.
   const auto put = [&](const Piece& p, const WaterForce& force) {
     const double L = p.section.length;
     for (int j = 0; j < 4; j += p.beam ? 1 : 2) {
@@ -172,8 +171,9 @@ Hydrodynamics::Flow Hydrodynamics::flow(const Kinematics& at) const {
   return out;
 }
 
-// In statics before every iteration: what the line search needs of forces without a potential.
-void Hydrodynamics::prepare(const Kinematics& committed, double h) {
+// Statics calls this before every iteration: the line search needs the work of forces without a potential
+// since then.
+void LinesInWater::prepare(const Kinematics& committed, double h) {
   if (!sea_.waves.none()) {
     if (!(committed.step > 0) || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
     start_.assign(committed.x.begin(), committed.x.end());
@@ -182,7 +182,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
     wave_known_ = false;
   }
   update_from_feeders(&FedLine::length);
-  // Where no step went before, waves act from here on, and accelerations have jumped.
+  // At the first step waves start to act, and accelerations jump: the flow of the last commit does not hold.
   const bool begins = !(committed.step > 0);
   if (begins || flow_.place.empty() || feeders_) {
     Kinematics now = committed;
@@ -191,7 +191,7 @@ void Hydrodynamics::prepare(const Kinematics& committed, double h) {
   }
 }
 
-void Hydrodynamics::commit(const Kinematics& accepted) {
+void LinesInWater::commit(const Kinematics& accepted) {
   update_from_feeders(&FedLine::length);
   if (feeders_) feeders_->add_work(fed_buoyancy(accepted));
   Flow now = flow(accepted);
@@ -204,8 +204,8 @@ void Hydrodynamics::commit(const Kinematics& accepted) {
   start_time_ = accepted.time;
 }
 
-// In statics forces without a potential are given the work they do on the way from the last iteration.
-Energy Hydrodynamics::energy(const Kinematics& at) const {
+// In statics the work that forces without a potential have done since the last iteration counts as potential.
+Energy LinesInWater::energy(const Kinematics& at) const {
   Energy e;
   // The potential is that of the still water; what waves do is work.
   Water calm;
@@ -221,14 +221,14 @@ Energy Hydrodynamics::energy(const Kinematics& at) const {
   return e;
 }
 
-double Hydrodynamics::work(const Flow& from, const Flow& to) {
+double LinesInWater::work(const Flow& from, const Flow& to) {
   double sum = 0;
   for (size_t i = 0; i < to.place.size(); ++i)
     sum += 0.5 * (to.force[i] + from.force[i]).dot(to.place[i] - from.place[i]);
   return sum;
 }
 
-double Hydrodynamics::dead_load() const {
+double LinesInWater::dead_load() const {
   double sum = 0;
   for (const Piece& p : pieces_)
     if (p.at.counted && !p.idle) sum += p.section.length * p.section.buoyancy;
@@ -236,7 +236,7 @@ double Hydrodynamics::dead_load() const {
   return sum;
 }
 
-double Hydrodynamics::round_off(const Kinematics& at, double h) const {
+double LinesInWater::round_off(const Kinematics& at, double h) const {
   if (h <= 0) return 0;
   double sum = 0;
   for (const Piece& p : pieces_)
@@ -244,7 +244,7 @@ double Hydrodynamics::round_off(const Kinematics& at, double h) const {
   return sum;
 }
 
-void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
+void LinesInWater::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   const Piece* p = of_element(pieces_, e);
   if (!p || p->idle) return;
   const size_t i = static_cast<size_t>(e.first), j = static_cast<size_t>(e.second);
@@ -260,9 +260,9 @@ void Hydrodynamics::element_force(const Kinematics& at, const LocalElement& e, V
   }
 }
 
-// Of the wall: effective tension, and the pressures on the ends that it stands for (Sparks 1984). Where the
-// type changes it is the larger one's own.
-void Hydrodynamics::fields(FieldRegistry& registry) const {
+// True tension of the wall (Sparks 1984): T_wall = T_effective + p_i A_i - p_e A_e. Where the type changes it
+// is that of the type with the larger one.
+void LinesInWater::fields(FieldRegistry& registry) const {
   const std::string effective = "effective_tension";
   const auto& all = registry.sources();
   if (walls_.empty() ||
@@ -282,9 +282,9 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
                       if (node >= mesh_.owned) continue;
                       const size_t n = static_cast<size_t>(node);
                       const double depth = sea_.surface - k.x[n].z();
-                      const double out_ = sea_.density * sea_.gravity * std::max(depth, 0.0);
-                      const double in = wall.pressure + wall.contents * sea_.gravity * depth;
-                      const double more = wall.inside * in - wall.outside * out_;
+                      const double external = sea_.density * sea_.gravity * std::max(depth, 0.0);
+                      const double internal = wall.pressure + wall.contents * sea_.gravity * depth;
+                      const double more = wall.inside * internal - wall.outside * external;
                       if (mesh_.mesh->nodes[static_cast<size_t>(mesh_.global[n])].two_sided) {
                         if (weight[n] == 0 || std::abs(out[n] + more) > std::abs(out[n] + sum[n]))
                           sum[n] = more;
@@ -303,7 +303,7 @@ void Hydrodynamics::fields(FieldRegistry& registry) const {
 
 namespace {
 enum Kind { kSums, kPlaces };
-constexpr int kOwn = -1;  // key of a node's own place; others are nodes of the mesh, counted from 1
+constexpr int kOwn = -1;  // key of a record of the node itself; others are 1 + a neighbour of it in the mesh
 
 struct Place {
   Vec3 position = Vec3::Zero();  // m
@@ -314,13 +314,14 @@ struct Place {
 };
 }  // namespace
 
-// The sums at this rank's first node: over ranks they are what counts. Where the waves of the committed state
-// were looked at, at each node and for each of its neighbours, which another rank may own.
-std::vector<CheckpointKind> Hydrodynamics::checkpoint_kinds() const {
+// The sums of a rank are stored at its first node; a restart adds up those of all ranks. The places at which
+// the waves of the committed state were evaluated are stored at each node, with those of its neighbours,
+// which another rank may own.
+std::vector<CheckpointKind> LinesInWater::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a rank"), checkpoint_kind<Place>("places of waves")};
 }
 
-std::vector<CheckpointRecord> Hydrodynamics::records(NodeRange of) const {
+std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
   if (mesh_.owned == 0) return {};
   std::vector<CheckpointRecord> out;
   if (of.has(mesh_.global[0])) out.push_back(record_of(mesh_.global[0], 0, WorkDone{work_}, kSums));
@@ -337,8 +338,9 @@ std::vector<CheckpointRecord> Hydrodynamics::records(NodeRange of) const {
   return out;
 }
 
-// A state that is gone on from has been looked at already.
-void Hydrodynamics::restore(const std::vector<CheckpointRecord>& records) {
+// The restored state is a committed one, so its waves hold at the places of the checkpoint (wave_place), not
+// at the nodes.
+void LinesInWater::restore(const std::vector<CheckpointRecord>& records) {
   work_ = 0;
   flow_ = {};
   start_.clear();

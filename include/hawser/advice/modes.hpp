@@ -1,0 +1,32 @@
+// Sentences of `hawser modes` and `hawser stiffness`: what they cannot compute, and what they found.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::advice {
+
+// Refusals of a case without statics.
+std::string modes_need_statics(const model::Case& c);
+std::string stiffness_needs_statics(const model::Case& c);
+
+std::string fewer_modes_converged(size_t found, size_t wanted);
+std::string modes_incomplete();
+std::string model_has_no_more_modes(size_t found);
+std::string faster_instabilities(long directions);
+
+// Refusals of the body of `hawser stiffness`; all: names of the bodies that lines are tied to.
+std::string no_line_tied_to_body(const model::Case& c);
+std::string lines_tied_to_bodies(const model::Case& c, const std::vector<std::string>& all);
+std::string lines_not_tied_to(const model::Case& c, const std::string& body,
+                              const std::vector<std::string>& all);
+std::string body_rides_on_line(const model::Case& c, const std::string& body);
+
+// Of its table.
+std::string table_needs_csv(const std::string& path);
+std::string no_table_of_stiffnesses(const std::string& path);
+
+}  // namespace hawser::advice

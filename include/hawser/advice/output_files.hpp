@@ -1,0 +1,30 @@
+// Sentences about files that a run would write: why it cannot, and what becomes of older ones. path: of the
+// file that was asked for.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace hawser::advice {
+
+// what: "the results" or "the table"; read: a file of the case, `written`, the same by another name, would
+// replace it.
+std::string would_replace_input(const std::string& what, const std::string& path, const std::string& read,
+                                const std::string& written);
+
+// Why the results cannot be written to `path`.
+std::string link_to_itself(const std::string& path);
+std::string name_must_end_in_h5(const std::string& path);
+std::string no_folder(const std::string& path, const std::string& folder);
+std::string not_a_folder(const std::string& path, const std::string& folder);
+std::string folder_not_writable(const std::string& path, const std::string& folder);
+std::string name_too_long(const std::string& path, size_t characters, long allowed);
+std::string name_is_a_folder(const std::string& path, const std::string& name);
+std::string third_party_file(const std::string& path, const std::string& name);
+
+// Notes.
+std::string no_file_locks(const std::string& path);
+std::string name_not_utf8(const std::string& path);
+std::string results_kept_as(const std::string& path, const std::string& kept);
+
+}  // namespace hawser::advice

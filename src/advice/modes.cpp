@@ -1,0 +1,65 @@
+// Sentences of `hawser modes` and `hawser stiffness`.
+#include "hawser/advice/modes.hpp"
+
+#include <fmt/format.h>
+
+#include "hawser/model/nearest.hpp"
+
+namespace hawser::advice {
+
+std::string modes_need_statics(const model::Case& c) {
+  return c.path + ": statics: modes are about the static equilibrium, which this case does not compute";
+}
+
+std::string stiffness_needs_statics(const model::Case& c) {
+  return c.path + ": statics: the stiffness is that at rest, which this case does not compute";
+}
+
+std::string fewer_modes_converged(size_t found, size_t wanted) {
+  return fmt::format("modes: {} of {} eigenvalues have converged: ask for fewer", found, wanted);
+}
+
+std::string modes_incomplete() {
+  return "modes: there are more natural frequencies than were found: ask for another number";
+}
+
+std::string model_has_no_more_modes(size_t found) {
+  return fmt::format("note: the model has no more than {} modes", found);
+}
+
+std::string faster_instabilities(long directions) {
+  return fmt::format("and {} more directions in which the equilibrium is unstable, faster than these",
+                     directions);
+}
+
+std::string no_line_tied_to_body(const model::Case& c) {
+  return c.path + ": no line is tied to a body, so that none has a stiffness of lines";
+}
+
+std::string lines_tied_to_bodies(const model::Case& c, const std::vector<std::string>& all) {
+  return fmt::format("{}: lines are tied to {}: choose one of them by --body", c.path,
+                     model::enumerate(all, "and"));
+}
+
+std::string lines_not_tied_to(const model::Case& c, const std::string& body,
+                              const std::vector<std::string>& all) {
+  return fmt::format("{}: no line is tied to a body {}, but to {}", c.path, model::quote(body),
+                     model::enumerate(all, "and"));
+}
+
+std::string body_rides_on_line(const model::Case& c, const std::string& body) {
+  return fmt::format("{}: body {} rides on a line", c.path, body);
+}
+
+std::string table_needs_csv(const std::string& path) {
+  return path + ": a table of stiffnesses is a CSV file: give its name the ending .csv";
+}
+
+std::string no_table_of_stiffnesses(const std::string& path) {
+  return fmt::format(
+      "cannot write the table to {}: there is a file that is no table of stiffnesses; move it away, "
+      "or give another file with -o",
+      path);
+}
+
+}  // namespace hawser::advice

@@ -1,0 +1,74 @@
+// Sentences about a run as a whole.
+#include "hawser/advice/run.hpp"
+
+#include <fmt/format.h>
+
+namespace hawser::advice {
+namespace {
+
+std::string after_relaxation(int steps) {
+  return steps > 0 ? fmt::format(", {} steps of dynamic relaxation", steps) : "";
+}
+
+}  // namespace
+
+std::string restart_needs_dynamics(const model::Case& c) {
+  return c.path + ": dynamics: only a run in time can go on from a checkpoint";
+}
+
+std::string model_size(size_t nodes, int ranks, int cut_elements) {
+  if (ranks == 1) return fmt::format("{} nodes on 1 rank", nodes);
+  return fmt::format("{} nodes on {} ranks, {} cut elements", nodes, ranks, cut_elements);
+}
+
+std::string goes_on(const std::string& file, double time) {
+  return fmt::format("going on from t = {:.6g} s of {}", time, file);
+}
+
+std::string nothing_left() { return "which is the end of the case: nothing left to compute"; }
+
+std::string stage_of_statics(const std::string& stage) { return fmt::format("stage {} of statics", stage); }
+
+std::string statics_progress(int iterations, int relaxation_steps, double imbalance) {
+  return fmt::format("statics: {} iterations{}, out of balance by {:.1e} of the forces so far", iterations,
+                     after_relaxation(relaxation_steps), imbalance);
+}
+
+std::string statics_done(int iterations, int relaxation_steps, bool without_friction) {
+  return fmt::format("statics: {} iterations{}{}", iterations, after_relaxation(relaxation_steps),
+                     without_friction ? ", without friction of contact" : "");
+}
+
+std::string length_trial(int trial, const std::string& value) {
+  return fmt::format("statics {} of the search for lengths: {}", trial, value);
+}
+
+std::string preparing_mesh(const std::string& file) { return fmt::format("making the mesh {} ready", file); }
+
+std::string energy_of_run(const EnergyOfRun& e) {
+  return fmt::format(
+      "energy: brought in {:.6g} J, of which into motion {:.6g}, strain {:.6g}, friction {:.6g}, damping "
+      "{:.6g}, unresolved {:.3g} J; not accounted for {:.3g} J ({:.3g} % of the work done, {:.3g} J)",
+      e.brought_in, e.kinetic, e.strain, e.friction, e.damping, e.unresolved, e.error, e.percent, e.size);
+}
+
+std::string stopped_by_signal(double time, double end, const std::string& results) {
+  return fmt::format(
+      "stopped by a signal at t = {:.6g} of {:.6g} s: all this is of that time; --restart {} goes on", time,
+      end, results);
+}
+
+std::string lengths_not_found_in_trial(double spent) {
+  return fmt::format(
+      "note: a trial of {:g} CPU s does not find the lengths that lines need to have at rest what is asked "
+      "for, and the check ends here: a run may search for long; lengths near those needed make it short",
+      spent);
+}
+
+std::string case_is_valid(bool starts_outside) {
+  if (starts_outside) return "the case is valid";
+  return "the case is valid if statics moves its lines out of the volumes they start in; the run stops if "
+         "not";
+}
+
+}  // namespace hawser::advice
