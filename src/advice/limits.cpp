@@ -50,13 +50,13 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
   if (!(-at.value > limit)) return {};
   return fmt::format(
       "line {} is under an effective compression of {:.3g} kN at arc length {:.6g} m, {}; on a pinned foot "
-      "it buckles at about {:.2g} kN: does its upper end pull enough?",
+      "it buckles at about {:.2g} kN: is the tension at its upper end too low?",
       at.line, -at.value / 1000, at.arc, when_text(c, at.time), limit / 1000);
 }
 
 std::string penetration_warning(const model::Case& c, const Extreme& at) {
   const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
-  // What the case allows is none of its surprises.
+  // What the case allows needs no warning. The extreme does not know its volume.
   double allowed = 0;
   for (const model::Volume& v : c.volumes) allowed = std::max(allowed, v.allowed_penetration);
   if (!(at.value > std::max(c.contact.warned_penetration * radius, 1.1 * allowed))) return {};
@@ -66,7 +66,7 @@ std::string penetration_warning(const model::Case& c, const Extreme& at) {
       at.value > radius ? "contact goes no deeper than the radius: it is trapped inside, or the volume is "
                           "too soft for a line as thin as this, which then needs a larger 'contact_diameter'"
                         : "a normal_stiffness that is given can be raised; an automatic one is as high as "
-                          "the line's EA asks: is its tension more than it bears?");
+                          "the line's EA allows: is its tension above its breaking load?");
 }
 
 std::string curvature_warning(const model::Case& c, const Extreme& at) {

@@ -25,7 +25,7 @@ std::string goes_on(const std::string& file, double time) {
   return fmt::format("going on from t = {:.6g} s of {}", time, file);
 }
 
-std::string nothing_left() { return "which is the end of the case: nothing left to compute"; }
+std::string nothing_left() { return "the checkpoint is at the end of the case; nothing is left to compute"; }
 
 std::string stage_of_statics(const std::string& stage) { return fmt::format("stage {} of statics", stage); }
 
@@ -54,14 +54,17 @@ std::string energy_of_run(const EnergyOfRun& e) {
 
 std::string stopped_by_signal(double time, double end, const std::string& results) {
   return fmt::format(
-      "stopped by a signal at t = {:.6g} of {:.6g} s: all this is of that time; --restart {} goes on", time,
-      end, results);
+      "stopped by a signal at t = {:.6g} of {:.6g} s: the results end at that time; --restart {} continues",
+      time, end, results);
 }
 
 std::string lengths_not_found_in_trial(double spent) {
   return fmt::format(
-      "note: a trial of {:g} CPU s does not find the lengths that lines need to have at rest what is asked "
-      "for, and the check ends here: a run may search for long; lengths near those needed make it short",
+      "note: in {:g} CPU s the search has not found lengths with which the lines have at rest what the case "
+      "asks "
+      "for; the check ends here, and how the lines start is not checked; a run searches on, faster from "
+      "lengths "
+      "near those needed",
       spent);
 }
 

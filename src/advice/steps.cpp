@@ -12,7 +12,9 @@ namespace hawser::advice {
 std::string imbalance(const Imbalance& at) {
   if (!at.finite)
     return at.place +
-           ", has forces beyond all numbers; is its mass, its load, its EA or the gravity in another unit?";
+           ", has a force that is not a finite number; is its mass, its load, its EA or the gravity in "
+           "another "
+           "unit?";
   return at.turns ? fmt::format("{}, is out of balance by {:.3g} N m (moments of size {:.3g} N m)", at.place,
                                 at.value, at.scale)
                   : fmt::format("{}, is out of balance by {:.3g} N (forces of size {:.3g} N)", at.place,
@@ -22,11 +24,9 @@ std::string imbalance(const Imbalance& at) {
 namespace {
 
 std::string overstretched(const Overstretched& at) {
-  return fmt::format(
-      "{}, is {} by {:.3g} % by {:.3g} N on an EA of {:.3g} N, and {:g} % is more than any line of such an "
-      "EA bears",
-      at.place, at.strain > 0 ? "stretched" : "pressed together", 100 * std::abs(at.strain),
-      std::abs(at.tension), at.EA, 100 * std::abs(at.most));
+  return fmt::format("{}, {} {:.3g} % by {:.3g} N on an EA of {:.3g} N; no line of such an EA bears {:g} %",
+                     at.place, at.strain > 0 ? "is stretched by" : "is compressed by",
+                     100 * std::abs(at.strain), std::abs(at.tension), at.EA, 100 * std::abs(at.most));
 }
 
 std::string lost_in_rounding(const LostInRounding& at) {
@@ -47,7 +47,7 @@ struct Clause {
                        at.angle);
   }
   std::string operator()(ImpactNotResolved) const {
-    return "it does not resolve an impact that its start did not show";
+    return "it is too long for an impact that begins within it";
   }
   std::string operator()(ErrorTooLarge at) const {
     return fmt::format("its local error of {:.3g} m is too large", at.error);
@@ -89,7 +89,7 @@ std::string tension_lost_at(double time, const LostInRounding& at) {
 std::string folded_element(const FoldedElement& at) {
   return fmt::format(
       "; {}, is bent by {:.0f} degrees within an element of {:.3g} m: elements of {:.2g} m would follow "
-      "that, and if it is not meant to fold, a slower motion, 'EI' or 'stiffness_damping' keeps it from it",
+      "that, and if it is not meant to fold, a slower motion, 'EI' or 'stiffness_damping' prevents it",
       at.place, at.turn * 180 / M_PI, at.length, at.sufficient);
 }
 

@@ -17,7 +17,8 @@ namespace {
 // there is none. Such an element cannot represent the shape of the line, and shorter steps help only for a
 // short time. Collective.
 std::string folded_element(const System& system, const Kinematics& at) {
-  constexpr double kFolded = M_PI / 3, kKept = M_PI / 9;  // rad between the ends: bent too far; recommended.
+  constexpr double kFolded = M_PI / 3;  // rad between the ends: the element is folded
+  constexpr double kKept = M_PI / 9;    // rad: the most that is recommended in one element
   struct {
     double turn = 0, length = 0;  // rad, m
     int node = -1;

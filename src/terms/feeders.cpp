@@ -269,7 +269,7 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     // the opposite sign.
     const double by_x = m.acceleration / m.length - 2 * rate * rate, by_v = 2 * rate;
     const double own = f.mass_per_length * m.speed * rate;
-    Mat6 K = Mat6::Zero(), C = Mat6::Zero(), M = Mat6::Zero();
+    Mat6 K = Mat6::Zero(), C = Mat6::Zero();
     const auto put = [](Mat6& to, int i, double value) {
       to.block<3, 3>(3 * i, 3).diagonal().array() = value;
       to.block<3, 3>(3 * i, 0).diagonal().array() = -value;
@@ -278,7 +278,7 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
     put(K, 1, shared * by_x);
     put(C, 0, held * by_v);
     put(C, 1, shared * by_v);
-    assembler.add(blocks, r.data(), K.data(), C.data(), M.data());
+    assembler.add(blocks, r.data(), K.data(), C.data(), nullptr);
   }
 }
 

@@ -98,7 +98,7 @@ dynamics: {duration: 12, step: 0.05, min_step: 0.05}
         self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
         self.assertRegex(result.stderr, r"stopped at t = .*; line whip, arc length \d+ m, is bent by \d+ degrees within an element "
                          r"of 1 m: elements of 0\.\d+ m would follow that, and if it is not meant to fold, a slower motion, 'EI' or "
-                         r"'stiffness_damping' keeps it from it")
+                         r"'stiffness_damping' prevents it")
 
     def test_statics_that_goes_on(self):
         """A slack chain over a cliff, which folds onto itself."""
