@@ -58,6 +58,10 @@ std::string stopped_by_signal(double time, double end, const std::string& result
       end, results);
 }
 
+std::string petsc_option_is_fixed(const std::string& option, const std::string& value) {
+  return fmt::format("the option -dynamics_{} can only be '{}'", option, value);
+}
+
 std::string lengths_not_found_in_trial(double spent) {
   return fmt::format(
       "note: a trial of {:g} CPU s does not find the lengths that lines need to have at rest what is asked "
