@@ -58,6 +58,10 @@ std::string stopped_by_signal(double time, double end, const std::string& result
       time, end, results);
 }
 
+std::string petsc_option_is_fixed(const std::string& option, const std::string& value) {
+  return fmt::format("the option -dynamics_{} can only be '{}'", option, value);
+}
+
 std::string lengths_not_found_in_trial(double spent) {
   return fmt::format(
       "note: in {:g} CPU s the search has not found lengths with which the lines have at rest what the case "

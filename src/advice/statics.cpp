@@ -86,6 +86,10 @@ std::string no_rest(int steps, const Imbalance& at) {
   return fmt::format("statics: no rest after {} steps of dynamic relaxation: {}", steps, imbalance(at));
 }
 
+std::string second_failure(const std::string& first, const std::string& second) {
+  return fmt::format("{}; after that, {}", first, second);
+}
+
 std::string path_blocked(const std::string& because) { return "statics: " + because; }
 
 std::string body_moves_on(const std::string& place, double far) {

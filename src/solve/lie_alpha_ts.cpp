@@ -3,9 +3,9 @@
 // the next try, or step, is. An accepted step is committed afterwards. Dynamics computes the steps, because
 // the configuration differs from the unknown (rotations) and TSALPHA2 of PETSc 3.18 is of first order. Events
 // are part of the verdict: docs/decisions/027-events-in-the-verdict.md.
-#include <fmt/format.h>
 #include <petsc/private/tsimpl.h>
 
+#include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/solve/dynamics.hpp"
 
@@ -97,7 +97,7 @@ void lie_alpha_options(TS ts) {
   const auto must_be = [](void* object, const char* type, const char* option) {
     PetscBool same = PETSC_FALSE;
     check(PetscObjectTypeCompare(static_cast<PetscObject>(object), type, &same));
-    if (!same) throw InputError("the option -dynamics_{} can only be '{}'", option, type);
+    if (!same) throw InputError(advice::petsc_option_is_fixed(option, type));
   };
   must_be(ts, kType, "ts_type");
   must_be(adapt, kVerdict, "ts_adapt_type");

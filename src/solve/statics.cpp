@@ -128,7 +128,7 @@ StaticsReport first_equilibrium(System& system, const StaticsSettings& settings,
     } catch (const PathBlocked&) {
       throw;
     } catch (const SolveError& second) {
-      throw SolveError("{}; after that, {}", first.what(), second.what());
+      throw SolveError(advice::second_failure(first.what(), second.what()));
     }
   }
 }

@@ -32,6 +32,9 @@ struct EnergyOfRun {
 std::string energy_of_run(const EnergyOfRun& e);
 std::string stopped_by_signal(double time, double end, const std::string& results);  // s
 
+// Of an option of PETSc (-dynamics_<option>) that the time integration needs as it is.
+std::string petsc_option_is_fixed(const std::string& option, const std::string& value);
+
 // Of `hawser check`. spent: CPU s of its trial.
 std::string lengths_not_found_in_trial(double spent);
 std::string case_is_valid(bool starts_outside);

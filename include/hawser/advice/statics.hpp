@@ -27,6 +27,8 @@ std::string long_relaxation(int steps);
 enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent };
 std::string no_equilibrium(StaticsEnds how, const Imbalance& at);
 std::string no_rest(int steps, const Imbalance& at);
+// Of a search from the same start by other means, after the first had failed; both in words.
+std::string second_failure(const std::string& first, const std::string& second);
 // because: by clause() of steps.hpp.
 std::string path_blocked(const std::string& because);
 // Of a body, by its place in words, that slides or falls on and on; m from where it started.
