@@ -12,7 +12,7 @@ namespace {
 // The memory ends where K is below this share of K(0), and its integral below this share of its largest
 // value: what is cut off is then less than about 1e-4 of the peak of B, which counts where a body oscillates
 // at a frequency with little damping.
-constexpr double kNegligible = 3e-4;
+constexpr double kNegligible = 2e-4;
 // Points of the table in a period of the highest frequency.
 constexpr double kPointsPerPeriod = 12;
 constexpr double kLongest = 400;  // s
