@@ -53,14 +53,25 @@ Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& at) const
 
 void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
   Past next{time, std::move(rate), {}};
-  next.slope = Eigen::VectorXd::Zero(next.rate.size());
-  if (!g.past.empty()) next.slope = (next.rate - g.past.back().rate) / (time - g.past.back().time);
+  const auto entries = static_cast<Eigen::Index>(g.entries.size());
+  next.slopes = Eigen::ArrayX2d::Zero(entries, 2);
+  if (!g.past.empty()) {
+    const Eigen::VectorXd slope = (next.rate - g.past.back().rate) / (time - g.past.back().time);
+    for (Eigen::Index e = 0; e < entries; ++e) {
+      const auto [i, j] = g.entries[static_cast<size_t>(e)];
+      next.slopes(e, 0) = slope[j];
+      if (i != j) next.slopes(e, 1) = slope[i];
+    }
+  }
   g.past.push_back(std::move(next));
 }
 
-// F(t) = v_0 G'(t - t_0) + sum_k a_k [G(t - t_k) - G(t - t_k+1)], G the second integral of the retardation
-// function, v_0 the first velocity of the bodies, a_k their mean acceleration from t_k to t_k+1. The step
-// that is tried, from t_n on, adds G(t - t_n) (v - v_n)/(t - t_n).
+// F(t) = v_0 G'(t - t_0) + sum_k a_k [G(t - t_k) - G(t - t_k+1)]
+//      = v_0 G'(t - t_0) + sum_k (a_k - a_k-1) G(t - t_k),   a_-1 = a_n = 0,
+// G the second integral of the retardation function, v_0 the first velocity of the bodies, a_k their mean
+// acceleration from t_k to t_k+1, up to t_n. The step that is tried, from there on, adds
+// G(t - t_n) (v - v_n)/(t - t_n). Entry by entry of G: what it does on its row, and on its column by
+// symmetry.
 const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time) const {
   AtTime& now = g.now;
   if (g.known && now.time == time) return now;
@@ -70,31 +81,26 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   now.first = now.second = Eigen::VectorXd::Zero(n);
   now.damping = Eigen::MatrixXd::Zero(n, n);
   g.known = true;
-  const size_t entries = g.entries.size();
-  const auto add = [&](const std::vector<double>& weight, const Eigen::VectorXd& by) {
-    for (size_t e = 0; e < entries; ++e) {
-      const auto [i, j] = g.entries[e];
-      now.past[i] += weight[e] * by[j];
-      if (i != j) now.past[j] += weight[e] * by[i];
-    }
-  };
+  const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
-    std::vector<double> later(entries), earlier(entries), dG(entries);
-    g.memory.integrals(time - g.past.back().time, later.data(), nullptr);
-    if (const double h = time - g.past.back().time; h > 0)
-      for (size_t e = 0; e < entries; ++e) {
-        const auto [i, j] = g.entries[e];
-        now.damping(i, j) = now.damping(j, i) = later[e] / h;
-      }
-    for (size_t k = g.past.size() - 1; k > 0; --k) {
-      const Past &from = g.past[k - 1], &to = g.past[k];
-      g.memory.integrals(time - from.time, earlier.data(), nullptr);
-      for (size_t e = 0; e < entries; ++e) later[e] = earlier[e] - later[e];
-      add(later, to.slope);
-      std::swap(later, earlier);
+    Eigen::ArrayXd G(entries), dG(entries);
+    const Eigen::ArrayX2d still = Eigen::ArrayX2d::Zero(entries, 2);
+    Eigen::ArrayX2d force = still;
+    for (size_t k = 0; k < g.past.size(); ++k) {
+      const Eigen::ArrayX2d& before = k > 0 ? g.past[k].slopes : still;
+      const Eigen::ArrayX2d& after = k + 1 < g.past.size() ? g.past[k + 1].slopes : still;
+      g.memory.integrals(time - g.past[k].time, G.data(), k > 0 ? nullptr : dG.data());
+      force.col(0) += G * (after.col(0) - before.col(0));
+      force.col(1) += G * (after.col(1) - before.col(1));
     }
-    g.memory.integrals(time - g.past.front().time, earlier.data(), dG.data());
-    add(dG, g.past.front().rate);
+    const Eigen::VectorXd& first = g.past.front().rate;
+    const double h = time - g.past.back().time;
+    for (Eigen::Index e = 0; e < entries; ++e) {
+      const auto [i, j] = g.entries[static_cast<size_t>(e)];
+      now.past[i] += force(e, 0) + dG[e] * first[j];
+      if (i != j) now.past[j] += force(e, 1) + dG[e] * first[i];
+      if (h > 0) now.damping(i, j) = now.damping(j, i) = G[e] / h;  // the last G is that of this step
+    }
   }
   const double ramp = sea_.wave_ramp > 0 ? quintic_ramp(time, sea_.wave_ramp).value : 1;
   for (size_t i = 0; i < g.platforms.size(); ++i) {
@@ -120,10 +126,9 @@ void PlatformWater::damping(const Group& g, const AtTime& now, const Eigen::Vect
     const Platform& p = g.platforms[i];
     const auto first = 6 * static_cast<Eigen::Index>(i);
     const Vec6 own = rate.segment<6>(first), size = own.cwiseAbs();
-    force.segment<6>(first) += p.damping * own + p.quadratic.cwiseProduct(size).cwiseProduct(own);
+    force.segment<6>(first) += p.damping * own + p.quadratic * size.cwiseProduct(own);
     if (!slope) continue;
-    slope->block<6, 6>(first, first) += p.damping;
-    slope->block<6, 6>(first, first).diagonal() += 2 * p.quadratic.cwiseProduct(size);
+    slope->block<6, 6>(first, first) += p.damping + p.quadratic * (2 * size).asDiagonal();
   }
 }
 

@@ -68,17 +68,20 @@ class PlatformWater final : public ForceTerm,
     PlatformHydrostatics hydrostatics;
     PlatformPotential potential;  // of the stiffness that is added
     Mat6 damping = Mat6::Zero();
-    Vec6 quadratic = Vec6::Zero();
+    Mat6 quadratic = Mat6::Zero();
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
     RigidBodyState rest;                     // of statics, in the last iteration
     Power power;                             // of the last accepted state
   };
-  // Velocities of a group at the end of an accepted step, and their change over its length.
+  // Velocities of a group at the end of an accepted step, and their change over its length as the entries of
+  // the memory take it: that of the entry's column, which moves its row, and of its row where that is
+  // another.
   struct Past {
     double time = 0;
-    Eigen::VectorXd rate, slope;
+    Eigen::VectorXd rate;
+    Eigen::ArrayX2d slopes;
   };
   // Turns axes and wave forces to the slow heading.
   static void turn(Platform& p);
