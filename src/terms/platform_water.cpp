@@ -52,18 +52,14 @@ Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& at) const
 }
 
 void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
-  Past next{time, std::move(rate), {}};
-  const auto entries = static_cast<Eigen::Index>(g.entries.size());
-  next.slopes = Eigen::ArrayX2d::Zero(entries, 2);
-  if (!g.past.empty()) {
-    const Eigen::VectorXd slope = (next.rate - g.past.back().rate) / (time - g.past.back().time);
-    for (Eigen::Index e = 0; e < entries; ++e) {
-      const auto [i, j] = g.entries[static_cast<size_t>(e)];
-      next.slopes(e, 0) = slope[j];
-      if (i != j) next.slopes(e, 1) = slope[i];
-    }
+  if (g.past.empty()) {
+    g.slopes.assign(2 * g.entries.size(), 0);
+  } else {
+    const Eigen::VectorXd slope = (rate - g.past.back().rate) / (time - g.past.back().time);
+    for (const auto& [i, j] : g.entries) g.slopes.push_back(slope[j]);
+    for (const auto& [i, j] : g.entries) g.slopes.push_back(i != j ? slope[i] : 0);
   }
-  g.past.push_back(std::move(next));
+  g.past.push_back({time, std::move(rate)});
 }
 
 // F(t) = v_0 G'(t - t_0) + sum_k a_k [G(t - t_k) - G(t - t_k+1)]
@@ -84,14 +80,15 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
     Eigen::ArrayXd G(entries), dG(entries);
-    const Eigen::ArrayX2d still = Eigen::ArrayX2d::Zero(entries, 2);
-    Eigen::ArrayX2d force = still;
+    const std::vector<double> still(2 * g.entries.size(), 0);
+    Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
+    using Slopes = Eigen::Map<const Eigen::ArrayX2d>;
     for (size_t k = 0; k < g.past.size(); ++k) {
-      const Eigen::ArrayX2d& before = k > 0 ? g.past[k].slopes : still;
-      const Eigen::ArrayX2d& after = k + 1 < g.past.size() ? g.past[k + 1].slopes : still;
+      const Slopes before(k > 0 ? &g.slopes[k * still.size()] : still.data(), entries, 2);
+      const Slopes after(k + 1 < g.past.size() ? &g.slopes[(k + 1) * still.size()] : still.data(), entries,
+                         2);
       g.memory.integrals(time - g.past[k].time, G.data(), k > 0 ? nullptr : dG.data());
-      force.col(0) += G * (after.col(0) - before.col(0));
-      force.col(1) += G * (after.col(1) - before.col(1));
+      force += (after - before).colwise() * G;
     }
     const Eigen::VectorXd& first = g.past.front().rate;
     const double h = time - g.past.back().time;
@@ -240,9 +237,13 @@ void PlatformWater::commit(const Kinematics& accepted) {
       p.power = end[i];
     }
     add_past(g, accepted.time, std::move(rate));
-    // Velocities from before the length of the memory have no force any more.
-    const auto over = [&](const Past& p) { return p.time < accepted.time - g.memory.length(); };
-    while (g.past.size() > 2 && over(g.past[1])) g.past.pop_front();
+    // Velocities from before the length of the memory have no force any more: they go many at once.
+    constexpr size_t kOver = 100;
+    const double least = accepted.time - g.memory.length();
+    if (g.past.size() > kOver + 1 && g.past[kOver].time < least) {
+      g.past.erase(g.past.begin(), g.past.begin() + kOver);
+      g.slopes.erase(g.slopes.begin(), g.slopes.begin() + static_cast<int>(2 * kOver * g.entries.size()));
+    }
     for (Platform& p : g.platforms) {
       if (!(p.follow > 0)) continue;
       const Vec3 pose = pose_of(p, floating_state(accepted, p.local));
