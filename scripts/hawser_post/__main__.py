@@ -63,7 +63,7 @@ def commands():
 
     p = sub.add_parser("plot", help="one figure, as PNG, SVG or PDF")
     p.add_argument("results", help=of)
-    p.add_argument("what", choices=("range", "stress", "history", "spectrum", "phase", "offsets", *scene.VIEWS))
+    p.add_argument("what", choices=("range", "stress", "history", "spectrum", "phase", "offsets", "radiation", *scene.VIEWS))
     p.add_argument("-o", "--output", help="file (default: <results>-<what>.png)")
     p.add_argument("--line", help="of a range or stress graph (default: that with the largest tension)")
     p.add_argument("--outer-diameter", type=float, metavar="D", help="m, of a pipe: stress (default: the case's)")

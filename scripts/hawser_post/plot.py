@@ -1,7 +1,7 @@
 """hawser plot: one figure of a range, a stress, a history or the model."""
 from pathlib import Path
 
-from . import charts, export, offsets, report, scene, stress
+from . import charts, export, offsets, radiation, report, scene, stress
 from .arguments import place_for
 from .given import history_of, refuse_since, results_of
 from .page import whole
@@ -10,7 +10,7 @@ from .results import Refusal
 HISTORY = {"name", "column", "since"}
 # What each figure takes, besides a file and --set.
 TAKES = {"range": {"line", "field", "since"}, "stress": {"line", "outer_diameter", "wall", "since"},
-         "offsets": set(), "history": HISTORY, "spectrum": HISTORY, "phase": HISTORY | {"over"}, **{view: {"time"} for view in scene.VIEWS}}
+         "offsets": set(), "radiation": set(), "history": HISTORY, "spectrum": HISTORY, "phase": HISTORY | {"over"}, **{view: {"time"} for view in scene.VIEWS}}
 
 
 def refuse_what_is_not_taken(options):
@@ -37,20 +37,20 @@ def default_line(results, options):
     return results.line(options.line) if options.line else report.by_tension(results)[0]
 
 
-def make_offsets(options):
-    figure = offsets.figure_of(options.results)
+def make_of_table(options):
+    figure = {"offsets": offsets, "radiation": radiation}[options.what].figure_of(options.results)
     if options.changes:
         raise Refusal(f"{options.results}: --set changes a case file, and this is a table")
     path = Path(options.results)
-    output = place_for(options.output or path.with_name(f"{path.stem}-offsets.png"), [], (".png", ".svg", ".pdf"), "a figure", [path])
+    output = place_for(options.output or path.with_name(f"{path.stem}-{options.what}.png"), [], (".png", ".svg", ".pdf"), "a figure", [path])
     figure.savefig(output, dpi=150)
     print(f"figure: {output}")
 
 
 def make(options):
     refuse_what_is_not_taken(options)
-    if options.what == "offsets":
-        return make_offsets(options)
+    if options.what in ("offsets", "radiation"):
+        return make_of_table(options)
     results = results_of(options.results, options.changes)
     refuse_since(results, options.since)
     since, field = options.since or 0.0, options.field or "effective_tension"

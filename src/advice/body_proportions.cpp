@@ -72,7 +72,7 @@ class BodyProportions {
                  most = 150 * ball;
     const double small = std::sqrt(m.inertia.minCoeff() / m.mass),
                  large = std::sqrt(m.inertia.maxCoeff() / m.mass);
-    if (small >= least && large <= most) return;
+    if (m.matrix || (small >= least && large <= most)) return;
     const double off = small < least ? small : large;
     warn(4, "floating.inertia",
          "a radius of gyration of {:.2g} m is {} for a body of {:.4g} kg (a steel ball has {:.2g} m): are "

@@ -16,6 +16,7 @@ using namespace model;
 namespace {
 
 void warn_of_inertia(const Body& b, std::vector<InputWarning>& out) {
+  if (b.mass->matrix) return;
   const Vec3 moments = eigenpairs(b.mass->tensor()).values;
   const double sum = moments[0] + moments[1];
   if (moments[2] > (1 + 1e-9) * sum)

@@ -6,6 +6,7 @@
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hydrodynamic_files.hpp"
 #include "hawser/model/body_motion.hpp"
+#include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/wave_components.hpp"
 
 namespace hawser::io {
@@ -129,6 +130,7 @@ void read_load_table(const Value& table, const CaseSource& source, model::BodyLo
 
 void finish_body(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   if (const Value* f = v.find("floating")) {
+    if (b.mass->matrix) model::use_mass_matrix(*b.mass);
     if (const Value* w = f->find("in_water"))
       b.mass->in_water->added_mass += c.environment.water.density * b.mass->in_water->volume * vec(*w, "Ca");
     if (const Value* loads = f->find("loads"))

@@ -12,7 +12,7 @@ namespace {
 // The memory ends where K is below this share of K(0), and its integral below this share of its largest
 // value: what is cut off is then less than about 1e-4 of the peak of B, which counts where a body oscillates
 // at a frequency with little damping.
-constexpr double kNegligible = 3e-4;
+constexpr double kNegligible = 2e-4;
 // Points of the table in a period of the highest frequency.
 constexpr double kPointsPerPeriod = 12;
 constexpr double kLongest = 400;  // s
@@ -108,9 +108,12 @@ void RadiationMemory::integrals(double t, double* S, double* rate) const {
   const double curve0 = 0.5 * h * h * s * s * r3, curve1 = 0.5 * h * h * r * r * s3;
   const double *S0 = &table_[3 * n * p], *rate0 = S0 + n, *K0 = rate0 + n;
   const double *S1 = K0 + n, *rate1 = S1 + n, *K1 = rate1 + n;
-  for (size_t i = 0; i < n; ++i)
-    S[i] = value0 * S0[i] + slope0 * rate0[i] + curve0 * K0[i] + value1 * S1[i] + slope1 * rate1[i] +
-           curve1 * K1[i];
+  const auto row = [n](const double* of) {
+    return Eigen::Map<const Eigen::ArrayXd>(of, static_cast<int>(n));
+  };
+  Eigen::Map<Eigen::ArrayXd>(S, static_cast<int>(n)) = value0 * row(S0) + slope0 * row(rate0) +
+                                                       curve0 * row(K0) + value1 * row(S1) +
+                                                       slope1 * row(rate1) + curve1 * row(K1);
   if (!rate) return;
   const double dvalue = 30 * s * s * r * r / h;
   const double dslope0 = r * r * (1 + 2 * s - 15 * s * s), dslope1 = s * s * (1 + 2 * r - 15 * r * r);
@@ -119,6 +122,27 @@ void RadiationMemory::integrals(double t, double* S, double* rate) const {
     rate[i] = over ? 0
                    : dvalue * (S1[i] - S0[i]) + dslope0 * rate0[i] + dslope1 * rate1[i] + dcurve0 * K0[i] +
                          dcurve1 * K1[i];
+}
+
+// On an interval B = c + s u, and B/(u² - w²) has the integral
+//   [(c + s w) ln|u - w| - (c - s w) ln(u + w)]/(2 w).
+// At a row, u = w, c + s w is B of that row on both sides: the logarithms cancel.
+Eigen::RowVectorXd RadiationMemory::added_mass_by_damping(double omega) const {
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(entries()), from = sum;
+  double a = 0;
+  for (Eigen::Index k = 0; k < damping_.rows(); ++k) {
+    const double b = omega_[static_cast<size_t>(k)];
+    const Eigen::RowVectorXd s = (damping_.row(k) - from) / (b - a), c = from - s * a;
+    const auto distance = [omega](double u) {
+      const double d = std::abs(u - omega);
+      return d > 1e-12 * omega ? std::log(d) : 0;
+    };
+    sum += (c + s * omega) * (distance(b) - distance(a)) -
+           (c - s * omega) * (std::log(b + omega) - std::log(a + omega));
+    from = damping_.row(k);
+    a = b;
+  }
+  return sum / (M_PI * omega);
 }
 
 // Each interval of the table by the rule of Gauss and Legendre.

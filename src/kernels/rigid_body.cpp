@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "hawser/kernels/coupled_mass.hpp"
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
@@ -39,6 +40,7 @@ RigidBodyResidual rigid_body(const RigidBodyData& b, const RigidBodyState& s, co
   r.C.bottomRightCorner<3, 3>() = hat(s.w) * b.inertia - hat(Jw) + Mat3(b.turning_damping.asDiagonal());
   r.M.topLeftCorner<3, 3>() = b.mass * Mat3::Identity();
   r.M.bottomRightCorner<3, 3>() = b.inertia;
+  if (!b.coupled.isZero(0)) add_coupled_mass(b.coupled, s, r);
   return r;
 }
 
@@ -85,7 +87,7 @@ double load_power(const RigidBodyLoad& load, const RigidBodyState& s) {
 }
 
 double rigid_body_kinetic(const RigidBodyData& b, const RigidBodyState& s) {
-  return 0.5 * b.mass * s.v.squaredNorm() + 0.5 * s.w.dot(b.inertia * s.w);
+  return 0.5 * b.mass * s.v.squaredNorm() + 0.5 * s.w.dot(b.inertia * s.w) + coupled_kinetic(b.coupled, s);
 }
 
 double rigid_body_strain(const RigidBodyData& b, const RigidBodyState& s, const RigidPose& rest) {

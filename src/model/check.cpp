@@ -145,11 +145,35 @@ void check_rides(const Case& c, const Issues& issue) {
   }
 }
 
+void check_mass_matrix(const MassMatrix& m, const std::string& key, const Issues& issue) {
+  constexpr double kRounded = 1e-6;
+  const Mat6& M = m.rows;
+  // Lengths of the body by its own numbers, so that kg and kg m² are compared.
+  const Vec6 size = M.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < i; ++j)
+      if (std::abs(M(i, j) - M(j, i)) > kRounded * size[i] * size[j]) {
+        issue(key, "is not symmetric: row {} has {:g} in column {}, and row {} has {:g} in column {}", i + 1,
+              M(i, j), j + 1, j + 1, M(j, i), i + 1);
+        return;
+      }
+  const Mat6 scaled = size.cwiseInverse().asDiagonal() * M * size.cwiseInverse().asDiagonal();
+  if (const double least = eigenpairs(scaled).values[0]; !(least > 0))
+    issue(key,
+          "no body has this inertia: it must be positive in every motion, and one has {:.3g} of what the "
+          "diagonal says",
+          least);
+}
+
 void check_floating(const Case& c, const Issues& issue) {
   bool any = false;
   for (const Body& b : c.bodies) {
     if (!b.mass) continue;
     any = true;
+    if (b.mass->matrix) {
+      check_mass_matrix(*b.mass->matrix, "bodies." + b.name + ".floating.mass_matrix.rows", issue);
+      continue;
+    }
     const Vec3 moments = eigenpairs(b.mass->tensor()).values;
     // Radii of gyration of ships are estimates: of platforms the sum is a warning only
     // (advice/input_platforms.cpp).

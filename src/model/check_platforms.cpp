@@ -52,16 +52,17 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
 // The stiffness has a potential, and the damping takes energy.
 void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
   constexpr double kRounded = 1e-6;
-  const Mat6 &K = h.stiffness, &B = h.damping;
+  const Mat6& K = h.stiffness;
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < i; ++j)
       if (std::abs(K(i, j) - K(j, i)) > kRounded * K.cwiseAbs().maxCoeff())
         issue("stiffness", "is not symmetric: row {} has {:g} in column {}, and row {} has {:g} in column {}",
               i + 1, K(i, j), j + 1, j + 1, K(j, i), i + 1);
-  for (int i = 0; i < 6; ++i)
-    if (B(i, i) < 0)
-      issue("damping", "row {} has {:g} on the diagonal: damping takes energy, so that it is not negative",
-            i + 1, B(i, i));
+  for (const auto& [key, B] : {std::pair("damping", &h.damping), {"quadratic_damping", &h.quadratic_damping}})
+    for (int i = 0; i < 6; ++i)
+      if ((*B)(i, i) < 0)
+        issue(key, "row {} has {:g} on the diagonal: damping takes energy, so that it is not negative", i + 1,
+              (*B)(i, i));
 }
 
 void check_platform(const Case& c, const Body& b, const Issues& issue) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hawser/kernels/table_places.hpp"
+#include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/platform.hpp"
 
 namespace hawser::model {
@@ -31,13 +32,12 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const double g = c.environment.gravity;
   const Vec3 stiffness = restoring(m, hydrostatics(m, c.environment.water.density, g), g);
-  const Mat3 inertia = m.tensor();
-  const Vec3 square = m.mass * m.centre.cwiseAbs2();
+  const Mat6 mass = whole_mass(m, Vec3::Zero());
   const int first = 6 * (h.body - 1);
   PlatformPeriods out;
-  out.heave = period(*h.data, first + 2, m.mass, stiffness[0]);
-  out.roll = period(*h.data, first + 3, inertia(0, 0) + square.y() + square.z(), stiffness[1]);
-  out.pitch = period(*h.data, first + 4, inertia(1, 1) + square.x() + square.z(), stiffness[2]);
+  out.heave = period(*h.data, first + 2, mass(2, 2), stiffness[0]);
+  out.roll = period(*h.data, first + 3, mass(3, 3), stiffness[1]);
+  out.pitch = period(*h.data, first + 4, mass(4, 4), stiffness[2]);
   return out;
 }
 

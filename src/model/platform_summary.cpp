@@ -42,10 +42,18 @@ std::string platform_text(const Case& c, const Body& b) {
                    data.excitation.empty() ? ", no wave forces"
                                            : fmt::format(", wave forces of {} directions",
                                                          data.excitation.front().directions().size()));
-  for (const std::vector<int>& group : radiating_groups(c))
-    if (std::find(group.begin(), group.end(), c.body_index(b.name)) != group.end())
-      s += fmt::format("    memory of the waves that it makes: {:.3g} s\n",
-                       platform_memory(c, group).memory.length());
+  for (const std::vector<int>& group : radiating_groups(c)) {
+    if (std::find(group.begin(), group.end(), c.body_index(b.name)) == group.end()) continue;
+    const PlatformMemory memory = platform_memory(c, group);
+    s += fmt::format("    memory of the waves that it makes: {:.3g} s\n", memory.memory.length());
+    const OgilvieCheck check = ogilvie_check(data, memory);
+    if (check.omega > 0)
+      s += fmt::format(
+          "    added mass by the damping (Ogilvie's relation): within {:.2g} % of what that of the files "
+          "varies "
+          "by ({}, at {:.3g} s)\n",
+          100 * check.difference, freedom_name(c, group, check.freedom), 2 * M_PI / check.omega);
+  }
   return s;
 }
 

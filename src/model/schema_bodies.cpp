@@ -124,20 +124,26 @@ Key body_in_water() {
       at_most_one({"Ca", "added_mass"}));
 }
 
-// A 6x6 matrix of the hydrodynamics of a body, by rows.
-Key six_by_six(const char* name, Mat6 BodyHydrodynamics::*matrix, std::string about) {
-  const auto fill = [matrix](BodyHydrodynamics& h, const Value& v) {
+// A 6x6 matrix by rows.
+template <class Of>
+Key six_by_six(const char* name, Mat6 Of::*matrix, std::string about, auto... parts) {
+  const auto fill = [matrix](Of& of, const Value& v) {
     for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j) (h.*matrix)(i, j) = v.items[i].items[j].number;
+      for (int j = 0; j < 6; ++j) (of.*matrix)(i, j) = v.items[i].items[j].number;
   };
-  return list({name, by<BodyHydrodynamics>(fill)}, list("", number("", none), items(6, 6)), std::move(about),
-              items(6, 6));
+  return list({name, by<Of>(fill)}, list("", number("", none), items(6, 6)), std::move(about), items(6, 6),
+              parts...);
 }
 
 Key body_hydrodynamics() {
   using H = BodyHydrodynamics;
   const auto by_freedom = [](H& h, const Value& v) {
-    for (int i = 0; i < 6; ++i) h.quadratic_damping[i] = v.items[i].number;
+    for (int i = 0; i < 6; ++i) {
+      const Value& row = v.items[i];
+      if (row.items.empty()) h.quadratic_damping(i, i) = row.number;
+      for (size_t j = 0; j < row.items.size(); ++j)
+        h.quadratic_damping(i, static_cast<int>(j)) = row.items[j].number;
+    }
   };
   return map(
       {"hydrodynamics", &BodyMass::hydrodynamics},
@@ -189,10 +195,12 @@ Key body_hydrodynamics() {
                   "added to it about the body's origin, from `place`: six rows of six, N/m, N, N m/rad"),
        six_by_six("damping", &H::damping,
                   "linear damping added about the body's origin: six rows of six, N s/m, N s, N m s"),
-       list(
-           {"quadratic_damping", by<H>(by_freedom)}, number("", none, at_least(0)),
-           "for each of the six velocities v of its origin the force is this times |v| v: N s²/m² and N m s²",
-           items(6, 6))},
+       list({"quadratic_damping", by<H>(by_freedom)},
+            one_of("", {number("", none, at_least(0)), list("", number("", none), items(6, 6))}),
+            "for each of the six velocities v of its origin the force is this times |v| v: N s²/m² and N m "
+            "s²; "
+            "or six rows of six, times all |v| v",
+            items(6, 6))},
       "the sea acts on it by the coefficients of a diffraction program "
       "([theory](../theory/platforms.md)); its `weight` acts",
       either({"wamit", "capytaine", "bemio"}));
@@ -301,14 +309,27 @@ Key body_loads() {
       "forces on it, in statics too: thrust of a turbine or of thrusters");
 }
 
+Key mass_matrix() {
+  return map(
+      {"mass_matrix", &BodyMass::matrix},
+      {six_by_six("rows", &MassMatrix::rows,
+                  "six rows of six, kg, kg m, kg m²: surge, sway, heave, roll, pitch, yaw", required),
+       vec3({"about", &MassMatrix::about}, length, "point that it is about, in the body's frame",
+            or_else(kZero))},
+      "instead of `inertia`: all of the body's inertia, which need not be that of a rigid body of `mass`; "
+      "`mass` is what weighs ([theory](../theory/body-contact.md#a-floating-body))");
+}
+
 Key floating() {
   return map({"floating", &Body::mass},
              {number({"mass", &BodyMass::mass}, mass, "mass", above(0), required),
               vec3({"inertia", &BodyMass::inertia}, inertia,
-                   "moments of inertia about the centre of mass, along the body's axes", above(0), required),
+                   "moments of inertia about the centre of mass, along the body's axes", above(0)),
               vec3({"products_of_inertia", &BodyMass::products}, inertia,
                    "Ixy, Iyz, Ixz: off the diagonal of the inertia", or_else(kZero)),
-              vec3({"centre_of_mass", &BodyMass::centre}, length, "in the body's frame", or_else(kZero)),
+              mass_matrix(),
+              vec3({"centre_of_mass", &BodyMass::centre, set(&BodyMass::centre_given, true)}, length,
+                   "in the body's frame", or_else_note("[0, 0, 0]; where `mass_matrix` has it")),
               boolean({"weight", &BodyMass::weight},
                       "gravity acts on it; `false`: buoyancy that is not modelled carries its weight",
                       or_else("false")),
@@ -328,7 +349,8 @@ Key floating() {
               body_in_water(), body_hydrodynamics(), body_hull(), body_members(), body_wind(), body_current(),
               body_loads()},
              "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
-             "prescribed");
+             "prescribed",
+             either({{{"inertia", "products_of_inertia"}, {"inertia"}}, "mass_matrix"}));
 }
 
 }  // namespace

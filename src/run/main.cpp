@@ -26,6 +26,7 @@
 #include "hawser/run/driver.hpp"
 #include "hawser/run/modes.hpp"
 #include "hawser/run/post.hpp"
+#include "hawser/run/radiation.hpp"
 #include "hawser/run/stiffness.hpp"
 #include "hawser/run/usage.hpp"
 #include "hawser/run/version.hpp"
@@ -146,7 +147,7 @@ struct CommandLine {
   double direction = 0;                     // deg
   std::vector<std::string> changes;
   bool in_vacuum = false;
-  std::string check_path;
+  std::string check_path, radiation;
   int ranks = 0;
   bool quick = false, verbose = false, json = false, markdown = false;
 
@@ -235,6 +236,10 @@ CommandLine::CommandLine() {
   check_command->add_flag("--json", json,
                           "Print the case as it was read, with all defaults, as JSON, and nothing else");
   check_command->add_flag("--verbose", verbose, "Also print what was chosen that rarely matters");
+  check_command
+      ->add_option("--radiation", radiation,
+                   "Also write K(t), A, B and Ogilvie's check of floating bodies to this CSV file")
+      ->excludes("--json");
   add_set(check_command);
 
   schema_command = cli.add_subcommand("schema", "Print the schema of case files.");
@@ -306,6 +311,8 @@ int main(int argc, char** argv) {
       read_places(line.point, line.offsets, line.direction, line.stiffness);
       return hawser::run::stiffness(PETSC_COMM_WORLD, line.stiffness);
     }
+    if (!line.radiation.empty())
+      hawser::run::write_radiation(PETSC_COMM_WORLD, line.check_path, line.changes, line.radiation);
     if (!*line.run_command && !*line.modes_command)
       return line.json ? hawser::run::print_case(PETSC_COMM_WORLD, line.check_path, line.changes)
                        : hawser::run::check_case(PETSC_COMM_WORLD, line.check_path, line.ranks, !line.quick,

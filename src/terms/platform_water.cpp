@@ -52,15 +52,22 @@ Eigen::VectorXd PlatformWater::rates(const Group& g, const Kinematics& at) const
 }
 
 void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
-  Past next{time, std::move(rate), {}};
-  next.slope = Eigen::VectorXd::Zero(next.rate.size());
-  if (!g.past.empty()) next.slope = (next.rate - g.past.back().rate) / (time - g.past.back().time);
-  g.past.push_back(std::move(next));
+  if (g.past.empty()) {
+    g.slopes.assign(2 * g.entries.size(), 0);
+  } else {
+    const Eigen::VectorXd slope = (rate - g.past.back().rate) / (time - g.past.back().time);
+    for (const auto& [i, j] : g.entries) g.slopes.push_back(slope[j]);
+    for (const auto& [i, j] : g.entries) g.slopes.push_back(i != j ? slope[i] : 0);
+  }
+  g.past.push_back({time, std::move(rate)});
 }
 
-// F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)], S the second integral of the retardation
-// function, v_0 the first velocity of the bodies, a_k their mean acceleration from t_k to t_k+1. The step
-// that is tried, from t_n on, adds S(t - t_n) (v - v_n)/(t - t_n).
+// F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)]
+//      = v_0 S'(t - t_0) + sum_k (a_k - a_k-1) S(t - t_k),   a_-1 = a_n = 0,
+// S the second integral of the retardation function, v_0 the first velocity of the bodies, a_k their mean
+// acceleration from t_k to t_k+1, up to t_n. The step that is tried, from there on, adds
+// S(t - t_n) (v - v_n)/(t - t_n). Entry by entry of S: what it does on its row, and on its column by
+// symmetry.
 const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time) const {
   AtTime& now = g.now;
   if (g.known && now.time == time) return now;
@@ -70,31 +77,27 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   now.first = now.second = Eigen::VectorXd::Zero(n);
   now.damping = Eigen::MatrixXd::Zero(n, n);
   g.known = true;
-  const size_t entries = g.entries.size();
-  const auto add = [&](const std::vector<double>& weight, const Eigen::VectorXd& by) {
-    for (size_t e = 0; e < entries; ++e) {
-      const auto [i, j] = g.entries[e];
-      now.past[i] += weight[e] * by[j];
-      if (i != j) now.past[j] += weight[e] * by[i];
-    }
-  };
+  const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
-    std::vector<double> later(entries), earlier(entries), first_integral(entries);
-    g.memory.integrals(time - g.past.back().time, later.data(), nullptr);
-    if (const double h = time - g.past.back().time; h > 0)
-      for (size_t e = 0; e < entries; ++e) {
-        const auto [i, j] = g.entries[e];
-        now.damping(i, j) = now.damping(j, i) = later[e] / h;
-      }
-    for (size_t k = g.past.size() - 1; k > 0; --k) {
-      const Past &from = g.past[k - 1], &to = g.past[k];
-      g.memory.integrals(time - from.time, earlier.data(), nullptr);
-      for (size_t e = 0; e < entries; ++e) later[e] = earlier[e] - later[e];
-      add(later, to.slope);
-      std::swap(later, earlier);
+    Eigen::ArrayXd S(entries), dS(entries);
+    const std::vector<double> still(2 * g.entries.size(), 0);
+    Eigen::ArrayX2d force = Eigen::ArrayX2d::Zero(entries, 2);
+    using Slopes = Eigen::Map<const Eigen::ArrayX2d>;
+    for (size_t k = 0; k < g.past.size(); ++k) {
+      const Slopes before(k > 0 ? &g.slopes[k * still.size()] : still.data(), entries, 2);
+      const Slopes after(k + 1 < g.past.size() ? &g.slopes[(k + 1) * still.size()] : still.data(), entries,
+                         2);
+      g.memory.integrals(time - g.past[k].time, S.data(), k > 0 ? nullptr : dS.data());
+      force += (after - before).colwise() * S;
     }
-    g.memory.integrals(time - g.past.front().time, earlier.data(), first_integral.data());
-    add(first_integral, g.past.front().rate);
+    const Eigen::VectorXd& first = g.past.front().rate;
+    const double h = time - g.past.back().time;
+    for (Eigen::Index e = 0; e < entries; ++e) {
+      const auto [i, j] = g.entries[static_cast<size_t>(e)];
+      now.past[i] += force(e, 0) + dS[e] * first[j];
+      if (i != j) now.past[j] += force(e, 1) + dS[e] * first[i];
+      if (h > 0) now.damping(i, j) = now.damping(j, i) = S[e] / h;  // the last S is that of this step
+    }
   }
   const double ramp = sea_.wave_ramp > 0 ? quintic_ramp(time, sea_.wave_ramp).value : 1;
   for (size_t i = 0; i < g.platforms.size(); ++i) {
@@ -120,10 +123,9 @@ void PlatformWater::damping(const Group& g, const AtTime& now, const Eigen::Vect
     const Platform& p = g.platforms[i];
     const auto first = 6 * static_cast<Eigen::Index>(i);
     const Vec6 own = rate.segment<6>(first), size = own.cwiseAbs();
-    force.segment<6>(first) += p.damping * own + p.quadratic.cwiseProduct(size).cwiseProduct(own);
+    force.segment<6>(first) += p.damping * own + p.quadratic * size.cwiseProduct(own);
     if (!slope) continue;
-    slope->block<6, 6>(first, first) += p.damping;
-    slope->block<6, 6>(first, first).diagonal() += 2 * p.quadratic.cwiseProduct(size);
+    slope->block<6, 6>(first, first) += p.damping + p.quadratic * (2 * size).asDiagonal();
   }
 }
 
@@ -235,9 +237,13 @@ void PlatformWater::commit(const Kinematics& accepted) {
       p.power = end[i];
     }
     add_past(g, accepted.time, std::move(rate));
-    // Velocities from before the length of the memory have no force any more.
-    const auto over = [&](const Past& p) { return p.time < accepted.time - g.memory.length(); };
-    while (g.past.size() > 2 && over(g.past[1])) g.past.pop_front();
+    // Velocities from before the length of the memory have no force any more: they go many at once.
+    constexpr size_t kOver = 100;
+    const double least = accepted.time - g.memory.length();
+    if (g.past.size() > kOver + 1 && g.past[kOver].time < least) {
+      g.past.erase(g.past.begin(), g.past.begin() + kOver);
+      g.slopes.erase(g.slopes.begin(), g.slopes.begin() + static_cast<int>(2 * kOver * g.entries.size()));
+    }
     for (Platform& p : g.platforms) {
       if (!(p.follow > 0)) continue;
       const Vec3 pose = pose_of(p, floating_state(accepted, p.local));

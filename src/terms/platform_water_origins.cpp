@@ -59,7 +59,7 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) 
       const AtTime& now = at_time(g, at.time);
       damping(g, now, rate, force, nullptr);
       const Vec6 own = rate.segment<6>(first);
-      const Vec6 dampers = p.damping * own + p.quadratic.cwiseProduct(own.cwiseAbs()).cwiseProduct(own);
+      const Vec6 dampers = p.damping * own + p.quadratic * own.cwiseAbs().cwiseProduct(own);
       const Vec6 radiation =
           force.segment<6>(first) - dampers + (g.added_mass * acceleration).segment<6>(first);
       return {of_unknowns(still), by_rate(radiation), of_unknowns(pull + m.G.transpose() * dampers),

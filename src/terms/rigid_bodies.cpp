@@ -67,6 +67,7 @@ RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::share
     Floating f;
     f.data.mass = m.mass;
     f.data.inertia = m.tensor();
+    f.data.coupled = m.coupled;
     if (m.weight) f.data.weight = -m.mass * c.environment.gravity * Vec3::UnitZ();
     f.data.stiffness = m.stiffness;
     f.data.damping = m.damping;
@@ -202,7 +203,8 @@ double RigidBodies::round_off(const Kinematics& at, double h) const {
     sum += std::pow(4 * eps * d.stiffness.maxCoeff() * at.x[n].norm(), 2);
     sum += std::pow(4 * eps * d.turning_stiffness.maxCoeff(), 2);
     if (!(h > 0)) continue;
-    sum += std::pow(4 * eps * f.data.mass * at.v[n].norm() / h, 2);
+    const double coupled = f.data.coupled.topLeftCorner<3, 3>().cwiseAbs().maxCoeff();
+    sum += std::pow(4 * eps * (f.data.mass + coupled) * at.v[n].norm() / h, 2);
     sum += std::pow(4 * eps * f.data.inertia.diagonal().maxCoeff() * at.w[n].norm() / h, 2);
   }
   return sum;

@@ -207,10 +207,12 @@ VARIANTS = (
      "wind: {rows: [[0, 0.8, 0, 0], [60, 0.4, 0.6, 0.1], [120, -0.4, 0.6, -0.1], [180, -0.8, 0, 0]], angles: to, frontal_area: 100, "
      "lateral_area: 200, length: 40, at: [0, 0, 10], height: 10}, current: {file: flow.txt, angles: to, length: 40, draught: 3, at: [0, 0, -2]}, "
      "hydrodynamics: {wamit: barge, length_scale: 10, body: 1, origin_in_file: [0, 0, 0], displaced_volume: 500, gravity_in_stiffness: false, "
-     "place: [200, 0, 0], heading_deg: 0, follow_period: 60, symmetry: none, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, 1], "
+     "place: [200, 0, 0], heading_deg: 0, follow_period: 60, symmetry: none, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, [0, 0, 0, 0, 0, 1]], "
      "stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], damping: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]]}}}"},
     {"bodies.barge": "{position: [200, 0, 0], floating: {mass: 4000, inertia: [2e3, 6e3, 7e3], hydrodynamics: {bemio: buoy.h5}}}",
-     "bodies.float": "{position: [230, 0, 0], floating: {mass: 4000, inertia: [2e3, 6e3, 7e3], hydrodynamics: {capytaine: buoy.nc}}}"},
+     "bodies.float": "{position: [230, 0, 0], floating: {mass: 4000, mass_matrix: {about: [0, 0, 0], rows: [[4000, 0, 0, 0, 10, 0], "
+     "[0, 4000, 0, -10, 0, 0], [0, 0, 4100, 0, 0, 0], [0, -10, 0, 2e3, 0, 0], [10, 0, 0, 0, 6e3, 0], [0, 0, 0, 0, 0, 7e3]]}, "
+     "hydrodynamics: {capytaine: buoy.nc}}}"},
     {"bodies.spar": "{position: [260, 0, 0], floating: {mass: 5e4, inertia: [1e6, 1e6, 1e5], centre_of_mass: [0, 0, -4], "
      "hull: {volumes: [column], wave_pressure: true}, "
      "members: [{from: [0, 0, -8], to: [0, 0, 2], diameter: 3, Cd: 1, Ca: 1, axial_Cd: 1, axial_Ca: 1}]}}",

@@ -42,6 +42,25 @@ TEST(RadiationMemory, GivesTheAddedMassByOgilvie) {
   }
 }
 
+// The same by the integral over frequencies, at rows and between them: against that of K, whose memory is
+// cut, and the closed form of one triangle of damping from 0 over 1 at 2 rad/s to 0 at 4, by hand: with c + s
+// w = w/2 up to 2 and 2 - w/2 from there.
+TEST(RadiationMemory, GivesTheAddedMassByFrequencies) {
+  const RadiationMemory m = memory();
+  for (const double omega : {0.3, 1.0, 1.027, 2.5})
+    EXPECT_NEAR(m.added_mass_by_damping(omega)[0], -m.added_mass_below_infinite({omega})[0], 2e-3) << omega;
+  Eigen::MatrixXd triangle(2, 1);
+  triangle << 1, 0;
+  const RadiationMemory one({2, 4}, triangle);
+  for (const double w : {0.7, 2.0, 3.1}) {
+    const double first = w == 2 ? 0 : std::log(std::abs(2 - w));
+    const double up = 0.5 * w * (first - std::log(w)) + 0.5 * w * (std::log(2 + w) - std::log(w));
+    const double down = (2 - 0.5 * w) * (std::log(std::abs(4 - w)) - first) -
+                        (2 + 0.5 * w) * (std::log(4 + w) - std::log(2 + w));
+    EXPECT_NEAR(one.added_mass_by_damping(w)[0], (up + down) / (M_PI * w), 1e-12) << w;
+  }
+}
+
 TEST(RadiationMemory, IntegralsAreThoseOfTheRetardation) {
   const RadiationMemory m = memory(0.1);
   double S[2], rate[2], later[2], slope[2];

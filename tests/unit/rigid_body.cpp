@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "hawser/kernels/coupled_mass.hpp"
 #include "hawser/math/so3.hpp"
+#include "hawser/model/mass_matrix.hpp"
 #include "support/difference.hpp"
 
 namespace hawser::rigid_body_test {
@@ -57,6 +59,103 @@ TEST(RigidBody, TangentsAreDerivatives) {
     EXPECT_LT((r.C * d - C).norm(), 1e-8 * r.C.norm()) << k;
     EXPECT_LT((r.M * d - M).norm(), 1e-8 * r.M.norm()) << k;
   }
+}
+
+// Another mass in each direction, masses that couple ways and turns: symmetric, full.
+Mat6 coupled() {
+  Mat6 N;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j) N(i, j) = std::cos(1.0 + i + j + 0.3 * i * j);
+  return N;
+}
+
+// The residual is linear in N: all of it is that of the coupled mass.
+TEST(RigidBody, TangentsOfCoupledMassAreDerivatives) {
+  const Mat6 N = coupled();
+  const auto of = [&](const RigidBodyState& s) {
+    RigidBodyResidual r;
+    add_coupled_mass(N, s, r);
+    return r;
+  };
+  const RigidBodyResidual r = of(state());
+  const Vec6 zero = Vec6::Zero();
+  for (int k = 0; k < 6; ++k) {
+    const Vec6 d = Vec6::Unit(k);
+    const Vec6 K = slope([&](const Vec6& u) { return of(state(u)).f(); }, d);
+    const Vec6 C = slope([&](const Vec6& u) { return of(state(zero, u)).f(); }, d);
+    const Vec6 M = slope([&](const Vec6& u) { return of(state(zero, zero, u)).f(); }, d);
+    EXPECT_LT((r.K * d - K).norm(), 1e-8 * r.K.norm()) << k;
+    EXPECT_LT((r.C * d - C).norm(), 1e-8 * r.C.norm()) << k;
+    EXPECT_LT((r.M * d - M).norm(), 1e-8 * r.M.norm()) << k;
+  }
+}
+
+// Force and moment are the rates of momentum and angular momentum, their power that of the kinetic energy.
+TEST(RigidBody, CoupledMassKeepsMomentumAndEnergy) {
+  const Mat6 N = coupled();
+  const RigidBodyState now = state();
+  const auto at = [&](double t) {
+    RigidBodyState s = now;
+    s.x += t * now.v + 0.5 * t * t * now.a;
+    s.v += t * now.a;
+    s.w += t * now.alpha;
+    // R' = R w^, with w = w0 + alpha t; (w0 x alpha) t³/12 of Magnus' series.
+    s.q =
+        now.q * exp_so3(Vec3(t * now.w + 0.5 * t * t * now.alpha + t * t * t / 12 * now.w.cross(now.alpha)));
+    return s;
+  };
+  const auto momentum = [&](double t) {
+    const RigidBodyState s = at(t);
+    Vec6 rate;
+    rate << s.q.conjugate() * s.v, s.w;
+    const Vec6 P = N * rate;
+    const Vec3 p = s.q * P.head<3>();
+    Vec6 out;
+    out << p, s.x.cross(p) + s.q * P.tail<3>();
+    return out;
+  };
+  RigidBodyResidual r;
+  add_coupled_mass(N, now, r);
+  const Vec6 f = r.f();
+  const double e = 1e-3;
+  const auto rate = [&](const auto& of) {
+    return ((8 * (of(e) - of(-e)) - (of(2 * e) - of(-2 * e))) / (12 * e));
+  };
+  const Vec6 change = rate(momentum);
+  Vec6 expected;
+  expected << f.head<3>(), now.x.cross(f.head<3>()) + now.q * f.tail<3>();
+  EXPECT_LT((change - expected).norm(), 1e-8 * expected.norm());
+  const double power = rate([&](double t) { return coupled_kinetic(N, at(t)); });
+  EXPECT_NEAR(power, f.head<3>().dot(now.v) + f.tail<3>().dot(now.w), 1e-8 * f.norm());
+}
+
+// A matrix of a rigid body about any point gives its mass, centre and inertia back, and couples nothing.
+TEST(RigidBody, MassMatrixOfARigidBody) {
+  model::BodyMass body;
+  body.mass = 3;
+  body.centre = Vec3(0.5, -0.7, 1.1);
+  body.inertia = Vec3(4, 5, 6);
+  body.products = Vec3(0.3, 0.1, -0.2);
+  model::BodyMass found;
+  found.mass = 3;
+  const Vec3 about(2, 1, -4);
+  found.matrix = model::MassMatrix{model::whole_mass(body, about), about};
+  model::use_mass_matrix(found);
+  EXPECT_LT((found.centre - body.centre).norm(), 1e-14);
+  EXPECT_LT((found.tensor() - body.tensor()).norm(), 1e-13);
+  EXPECT_LT(found.coupled.norm(), 1e-13);
+  // Of surge, heave and yaw about the origin, by hand.
+  const Mat6 M = model::whole_mass(body, Vec3::Zero());
+  EXPECT_NEAR(M(0, 4), 3 * 1.1, 1e-14);
+  EXPECT_NEAR(M(2, 3), 3 * -0.7, 1e-14);
+  EXPECT_NEAR(M(5, 5), 6 + 3 * (0.25 + 0.49), 1e-14);
+  // With a centre that the couplings do not have, all of the matrix is there still.
+  model::BodyMass other = found;
+  other.centre = Vec3(0.1, 0.2, 0.3);
+  other.centre_given = true;
+  model::use_mass_matrix(other);
+  EXPECT_GT(other.coupled.norm(), 1);
+  EXPECT_LT((model::whole_mass(other, about) - found.matrix->rows).norm(), 1e-12);
 }
 
 TEST(RigidBody, SpringsPullDownTheirEnergy) {

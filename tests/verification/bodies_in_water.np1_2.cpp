@@ -125,6 +125,36 @@ TEST(BodiesInWater, TerminalVelocity) {
   EXPECT_NEAR(found, v, 1e-3 * v);
 }
 
+// A body of 100 kg in 50 kg of water with an added mass of 0.5 and 5 t sinks by z = v²/a0 ln cosh(a0 t/v):
+// five and fifty times its mass, on the side of the forces, do not make it unstable at steps of any length.
+TEST(BodiesInWater, LightBodyWithMuchAddedMassSinks) {
+  for (const auto& [added, step, tolerance] : {std::tuple(500.0, 0.1, 1e-3),
+                                               {500.0, 0.05, 2.5e-4},
+                                               {500.0, 1.0, 0.05},
+                                               {5000.0, 0.1, 1e-3},
+                                               {5000.0, 1.0, 0.05}}) {
+    const model::Case c =
+        load("",
+             fmt::format("position: [0, 0, -20], floating: {{mass: 100, inertia: [50, 50, 50], weight: true, "
+                         "in_water: {{volume: 0.05, height: 0.3, drag_area: [0.2, 0.2, 0.2], "
+                         "added_mass: [{0}, {0}, {0}]}}}}",
+                         added),
+             "", fmt::format("statics: false\ndynamics: {{duration: 10, step: {}}}", step));
+    Simulation s(PETSC_COMM_WORLD, c);
+    Dynamics& d = s.dynamics();
+    d.start(s.state());
+    const double a0 = 50 * kG / (100 + added), v = std::sqrt(2 * 50 * kG / (1000 * 0.2));
+    double worst = 0;
+    integrate(d, 10, 1, [&](const StepInfo& i) {
+      const double sunk = -20 - from_owner(s, [&](size_t n) { return d.kinematics().x[n].z(); });
+      const double exact = v * v / a0 * std::log(std::cosh(a0 * i.time / v));
+      if (i.time > 0.99) worst = std::max(worst, std::abs(sunk / exact - 1));
+    });
+    printf("light body, added mass %g kg, steps of %g s: off by %.1e\n", added, step, worst);
+    EXPECT_LT(worst, tolerance);
+  }
+}
+
 // Draught: the wet share is that of mass to volume. It starts above the water and with a list.
 TEST(BodiesInWater, BoxFindsItsDraught) {
   const model::Case c = load("",

@@ -1,6 +1,9 @@
 // A floating body that nothing holds, on its own: it falls, and tumbles.
 #include <gtest/gtest.h>
 
+#include "hawser/base/gather.hpp"
+#include "hawser/kernels/coupled_mass.hpp"
+#include "hawser/model/mass_matrix.hpp"
 #include "hawser/run/simulation.hpp"
 #include "verification/dynamics_rig.hpp"
 
@@ -61,6 +64,61 @@ TEST(BodyFree, Tumbles) {
   }
   printf("tumbles: angular momentum %.1e off\n", worst);
   EXPECT_LT(worst, 1e-5);
+}
+
+// A body with a full matrix of mass, of which no part is that of a rigid body, thrown and turning: momentum,
+// angular momentum about a fixed point and energy stay, to the second order of the step.
+TEST(BodyFree, CoupledMassKeepsMomentum) {
+  double before = 0;
+  for (const double step : {0.02, 0.01}) {
+    model::Case c = box(1000);
+    model::BodyMass& m = *c.bodies[0].mass;
+    Mat6 rows = Mat6::Zero();
+    rows.diagonal() << 1500, 2600, 4000, 700, 900, 600;
+    rows(0, 4) = rows(4, 0) = 400;
+    rows(1, 3) = rows(3, 1) = -250;
+    rows(2, 5) = rows(5, 2) = 300;
+    rows(0, 1) = rows(1, 0) = 200;
+    m.matrix = model::MassMatrix{rows, Vec3(0.2, 0.1, -0.3)};
+    m.centre_given = true;
+    model::use_mass_matrix(m);
+    m.velocity = Vec3(1, -0.5, 0.3);
+    m.angular_velocity = Vec3(0.6, -0.4, 0.8);
+    c.dynamics.step = step;
+    c.dynamics.rho_infinity = 1;
+    Vec6 first = Vec6::Zero();
+    double energy = 0, off = 0, lost = 0;
+    const Mat6 M = rigid_mass(m.mass, m.tensor()) + m.coupled;
+    const auto momentum = [&](const Kinematics& k, int n) {
+      Vec6 rate, P, out;
+      rate << k.q[n].conjugate() * k.v[n], k.w[n];
+      P = M * rate;
+      const Vec3 p = k.q[n] * P.head<3>();
+      out << p, k.x[n].cross(p) + k.q[n] * P.tail<3>();
+      return std::pair(out, 0.5 * rate.dot(P));
+    };
+    run::Simulation s(PETSC_COMM_WORLD, c);
+    Dynamics& d = s.dynamics();
+    d.start(s.state());
+    const int node = s.local().find(s.mesh().body_node(0));
+    const bool here = s.local().owns(node);
+    if (here) std::tie(first, energy) = momentum(d.kinematics(), node);
+    integrate(d, 4, 4, [&](const StepInfo&) {
+      if (!here) return;
+      const auto [P, T] = momentum(d.kinematics(), node);
+      off = std::max(off, (P - first).norm() / first.norm());
+      lost = std::max(lost, std::abs(T / energy - 1));
+    });
+    std::vector<double> both = {off, lost};
+    all_reduce(PETSC_COMM_WORLD, MPI_MAX, both);
+    printf("coupled mass, steps of %g s: momentum off by %.1e, energy by %.1e\n", step, both[0], both[1]);
+    EXPECT_LT(both[0], 2e-4 * (step / 0.01) * (step / 0.01));
+    EXPECT_LT(both[1], 6e-5 * (step / 0.01) * (step / 0.01));
+    if (before > 0) {
+      EXPECT_NEAR(before / both[0], 4, 0.3);
+    }
+    before = both[0];
+  }
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ namespace hawser {
 struct RigidBodyData {
   double mass = 0;                                        // kg
   Mat3 inertia = Mat3::Zero();                            // kg m², about the centre of mass, body axes
+  Mat6 coupled = Mat6::Zero();                            // of a full matrix beyond them (coupled_mass.hpp)
   Vec3 weight = Vec3::Zero();                             // N, force of gravity that nothing else carries
   Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m, space axes
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes

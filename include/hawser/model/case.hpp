@@ -129,11 +129,20 @@ struct BodyMember {
   double added = 1, axial_added = 0;            // Ca; of rho pi D³/12
 };
 
+// What a body resists acceleration with, where that is more than mass and moments of inertia.
+struct MassMatrix {
+  Mat6 rows = Mat6::Zero();   // kg, kg m, kg m², axes of the body
+  Vec3 about = Vec3::Zero();  // m, body frame
+};
+
 struct BodyMass {
-  double mass = 0;                       // kg
-  Vec3 inertia = Vec3::Zero();           // kg m², about the centre of mass, along the body's axes
-  Vec3 products = Vec3::Zero();          // kg m², Ixy, Iyz, Ixz: off the diagonal
-  Vec3 centre = Vec3::Zero();            // m, centre of mass, body frame
+  double mass = 0;               // kg
+  Vec3 inertia = Vec3::Zero();   // kg m², about the centre of mass, along the body's axes
+  Vec3 products = Vec3::Zero();  // kg m², Ixy, Iyz, Ixz: off the diagonal
+  Vec3 centre = Vec3::Zero();    // m, centre of mass, body frame
+  bool centre_given = false;
+  std::optional<MassMatrix> matrix;      // in the place of inertia and products, which are made of it
+  Mat6 coupled = Mat6::Zero();           // what it has beyond them and the mass, about the centre of mass
   bool weight = false;                   // gravity acts; else something not modelled carries it
   Vec3 velocity = Vec3::Zero();          // m/s, of the centre of mass at t = 0, space axes
   Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes

@@ -33,7 +33,7 @@ struct BodyHydrodynamics {
   std::optional<double> heading;      // rad, there
   double follow = 100;                // s: waves and coefficients follow motion slower than this; 0: none
   Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // added, about its origin: N/m ... N m s
-  Vec6 quadratic_damping = Vec6::Zero();                  // by freedom: N/(m/s)², N m/(rad/s)²
+  Mat6 quadratic_damping = Mat6::Zero();  // times |v| v of the six velocities: N/(m/s)² ... N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;
   const char* key() const;  // that names the files
 };

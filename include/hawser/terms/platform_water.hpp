@@ -4,7 +4,6 @@
 
 #include <mpi.h>
 
-#include <deque>
 #include <memory>
 #include <vector>
 
@@ -68,17 +67,17 @@ class PlatformWater final : public ForceTerm,
     PlatformHydrostatics hydrostatics;
     PlatformPotential potential;  // of the stiffness that is added
     Mat6 damping = Mat6::Zero();
-    Vec6 quadratic = Vec6::Zero();
+    Mat6 quadratic = Mat6::Zero();
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
     RigidBodyState rest;                     // of statics, in the last iteration
     Power power;                             // of the last accepted state
   };
-  // Velocities of a group at the end of an accepted step, and their change over its length.
+  // Velocities of a group at the end of an accepted step.
   struct Past {
     double time = 0;
-    Eigen::VectorXd rate, slope;
+    Eigen::VectorXd rate;
   };
   // Turns axes and wave forces to the slow heading.
   static void turn(Platform& p);
@@ -104,7 +103,11 @@ class PlatformWater final : public ForceTerm,
     Eigen::MatrixXd harmonic_damping;  // of that frequency; empty: time integration
     std::shared_ptr<const model::HydrodynamicData> data;
     std::vector<int> rows;  // of the data's matrices
-    std::deque<Past> past;
+    std::vector<Past> past;
+    // By step of `past` (none before the first): the change of velocity over its length as the entries of the
+    // memory take it, that of their columns, which moves their rows, then that of their rows, 0 on the
+    // diagonal. In one piece: the memory is read as a whole in each step.
+    std::vector<double> slopes;
     double slow_time = 0;  // s, of the slow poses
     bool here = false;     // this rank owns one of its bodies
     mutable AtTime now;

@@ -1,0 +1,39 @@
+// Whether added mass and damping of the files belong together.
+#include "hawser/model/platform_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::model {
+
+std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row) {
+  constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+  const std::string& body = c.bodies[static_cast<size_t>(bodies[static_cast<size_t>(row / 6)])].name;
+  return (bodies.size() > 1 ? body + " " : "") + kNames[row % 6];
+}
+
+// Not of the last row, where damping that ends has no finite added mass.
+OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& of) {
+  std::vector<Eigen::RowVectorXd> by_damping;
+  for (size_t k = 0; k + 1 < data.omega.size() && !of.entries.empty(); ++k)
+    by_damping.push_back(of.memory.added_mass_by_damping(data.omega[k]));
+  OgilvieCheck worst;
+  for (size_t e = 0; e < of.entries.size(); ++e) {
+    const auto [i, j] = of.entries[e];
+    if (i != j) continue;
+    const int row = of.rows[static_cast<size_t>(i)];
+    OgilvieCheck own{0, i, 0};
+    double most = 0;
+    for (size_t k = 0; k < by_damping.size(); ++k) {
+      const double varies = data.added_mass[k](row, row) - data.infinite(row, row);
+      const double off = std::abs(by_damping[k][static_cast<Eigen::Index>(e)] - varies);
+      most = std::max(most, std::abs(varies));
+      if (off > own.difference) own = {off, i, data.omega[k]};
+    }
+    if (most > 0) own.difference /= most;
+    if (own.difference > worst.difference) worst = own;
+  }
+  return worst;
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,105 @@
+// Retardation functions, damping and added mass of platforms as a CSV file.
+#include "hawser/run/radiation.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/io/write_error.hpp"
+#include "hawser/model/platform.hpp"
+#include "hawser/model/platform_memory.hpp"
+#include "hawser/run/output_place.hpp"
+
+namespace hawser::run {
+namespace {
+
+constexpr std::string_view kHead = "quantity,t [s] or omega [rad/s]";
+
+// A file that the case reads, or that is no such table, is not replaced.
+void check_output(const std::string& path, const std::vector<std::string>& inputs) {
+  check_not_read("the table", path, {path}, inputs);
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kHead.size(), ' ');
+  if (file && !(file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead))
+    throw InputError(
+        "cannot write the table to {}: there is a file that is no table of radiation; move it away, or give "
+        "another name",
+        path);
+}
+
+// Steps of K(t) in a period of the highest frequency.
+constexpr double kPointsPerPeriod = 6;
+
+std::string table(const model::Case& c, const std::vector<int>& bodies) {
+  const model::HydrodynamicData& data =
+      *c.bodies[static_cast<size_t>(bodies.front())].mass->hydrodynamics->data;
+  const model::PlatformMemory of = model::platform_memory(c, bodies);
+  std::string s(kHead);
+  for (const auto& [i, j] : of.entries)
+    s += fmt::format(",{}-{}", model::freedom_name(c, bodies, i), model::freedom_name(c, bodies, j));
+  s += "\n";
+  const auto row = [&](std::string_view quantity, double at, const auto& value) {
+    s += fmt::format("{},{:.10g}", quantity, at);
+    for (size_t e = 0; e < of.entries.size(); ++e) s += fmt::format(",{:.10g}", value(e));
+    s += "\n";
+  };
+  const auto entry = [&](const Eigen::MatrixXd& of_files, size_t e) {
+    const auto [i, j] = of.entries[e];
+    return of_files(of.rows[static_cast<size_t>(i)], of.rows[static_cast<size_t>(j)]);
+  };
+  const auto of_row = [](const Eigen::RowVectorXd& r) {
+    return [&r](size_t e) { return r[static_cast<Eigen::Index>(e)]; };
+  };
+  const double step = 2 * M_PI / data.omega.back() / kPointsPerPeriod;
+  for (int k = 0; k * step <= of.memory.length() && !of.entries.empty(); ++k) {
+    const Eigen::RowVectorXd K = of.memory.retardation(k * step);
+    row("retardation", k * step, of_row(K));
+  }
+  for (size_t k = 0; k < data.omega.size(); ++k) {
+    row("damping", data.omega[k], [&](size_t e) { return entry(data.damping[k], e); });
+    row("added mass", data.omega[k], [&](size_t e) { return entry(data.added_mass[k], e); });
+    if (k + 1 == data.omega.size() || of.entries.empty()) continue;
+    const Eigen::RowVectorXd A = of.memory.added_mass_by_damping(data.omega[k]);
+    row("added mass by damping", data.omega[k],
+        [&](size_t e) { return entry(data.infinite, e) + A[static_cast<Eigen::Index>(e)]; });
+  }
+  return s;
+}
+
+}  // namespace
+
+void write_radiation(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes,
+                     const std::string& path) {
+  const model::Case c = io::read_case(case_path, {}, comm, changes);
+  const std::vector<std::vector<int>> groups = model::radiating_groups(c);
+  if (groups.empty())
+    throw InputError(c.path + ": no body has hydrodynamic coefficients, of which there would be a table");
+  const std::filesystem::path wanted = std::filesystem::absolute(path);
+  if (wanted.extension() != ".csv")
+    throw InputError(path + ": a table of radiation is a CSV file: give its name the ending .csv");
+  for (const std::vector<int>& group : groups) {
+    std::filesystem::path file = wanted;
+    if (groups.size() > 1)
+      file.replace_filename(wanted.stem().string() + "-" + c.bodies[static_cast<size_t>(group.front())].name +
+                            ".csv");
+    on_root(comm, [&] { check_output(file.string(), c.inputs); });
+    const auto write = [&] {
+      std::ofstream out(file, std::ios::binary);
+      out << table(c, group);
+      out.close();
+      return !out.fail();
+    };
+    if (on_any_rank(comm, rank_of(comm) == 0 && !write()))
+      throw io::WriteError(io::cannot_write(file.string(), std::strerror(errno)));
+    if (rank_of(comm) == 0) fmt::print("radiation table: {}\n", file.string());
+  }
+}
+
+}  // namespace hawser::run

@@ -1,0 +1,113 @@
+"""hawser check --radiation and its figure: of a spar, and of the VolturnUS-S where its files are beside the sources."""
+import csv
+import os
+import shutil
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+from support import ROOT, run, write
+
+HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
+DATA = ROOT.parent / "shared/data/umaine-semi"
+CASE = """\
+hawser: 1
+environment: {water: {density: 1025, depth: 200}}
+bodies:
+BODIES
+statics: false
+dynamics: {duration: 1}
+output: {histories: [{body: a}]}
+"""
+BODY = ("  NAME: {position: [X, 0, 0], floating: {mass: 2.01e7, centre_of_mass: [0, 0, -2.32], inertia: [4.25e10, 4.25e10, 2.37e10], "
+        "hydrodynamics: {wamit: FILES}}}\n")
+
+
+def body(name, files, x=0):
+    return BODY.replace("NAME", name).replace("FILES", files).replace("X", str(x))
+
+
+def table(path):
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    names = rows[0][2:]
+    return names, {q: np.array([[float(x) for x in r[1:]] for r in rows[1:] if r[0] == q]) for q in {r[0] for r in rows[1:]}}
+
+
+class Radiation(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        for ending in (".1", ".hst"):
+            for copy in ("spar", "other"):
+                shutil.copy(ROOT / f"docs/tutorial/spar{ending}", self.folder / f"{copy}{ending}")
+
+    def hawser(self, *words):
+        return run(HAWSER, *words, cwd=self.folder)
+
+    def check(self, bodies, *words):
+        write(self.folder, "case.yaml", CASE.replace("BODIES\n", bodies))
+        return self.hawser("check", "case.yaml", "--quick", "--radiation", *words)
+
+    def test_table_and_figure(self):
+        done = self.check(body("a", "spar"), "r.csv")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"radiation table: .*/r.csv\n")
+        self.assertRegex(done.stdout, r"added mass by the damping \(Ogilvie's relation\): within [\d.]+ % of what that of the files varies by")
+        names, found = table(self.folder / "r.csv")
+        self.assertIn("surge-surge", names)
+        self.assertEqual(len(found["damping"]), len(found["added mass"]))
+        self.assertEqual(len(found["damping"]), len(found["added mass by damping"]) + 1)
+        # K(0) = (2/pi) int B, by straight lines.
+        omega, B = found["damping"][:, 0], found["damping"][:, 1:]
+        whole = np.trapezoid(np.vstack([0 * B[:1], B]), np.append(0, omega), axis=0) if hasattr(np, "trapezoid") else np.trapz(
+            np.vstack([0 * B[:1], B]), np.append(0, omega), axis=0)
+        np.testing.assert_allclose(found["retardation"][0, 1:], 2 / np.pi * whole, rtol=1e-8)
+        made = self.hawser("plot", "r.csv", "radiation")
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.assertGreater((self.folder / "r-radiation.png").stat().st_size, 10000)
+
+    def test_several_groups(self):
+        done = self.check(body("a", "spar") + body("b", "other", 500), "r.csv")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertTrue((self.folder / "r-a.csv").exists() and (self.folder / "r-b.csv").exists())
+
+    def test_sentences(self):
+        write(self.folder, "mine.csv", "a,b\n1,2\n")
+        for words, part in ((["r.txt"], "give its name the ending .csv"), (["mine.csv"], "that is no table of radiation"),
+                            (["r.csv", "--json"], "json")):
+            done = self.check(body("a", "spar"), *words)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertIn(part, done.stderr)
+        done = self.check("  a: {floating: {mass: 1, inertia: [1, 1, 1]}}\n", "r.csv")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("no body has hydrodynamic coefficients", done.stderr)
+        self.assertIn("this is no table of hawser check --radiation", self.hawser("plot", "mine.csv", "radiation").stderr)
+
+    def test_volturnus(self):
+        """K(0) by an exact integral of the damping of the file, which is made passive when it is read: 0.2 %. A - A(inf) by a principal
+        value, 0.1 % of its largest."""
+        if not DATA.is_dir():
+            self.skipTest(f"{DATA} is not there")
+        for ending in (".1", ".hst"):
+            shutil.copy(DATA / f"IEA-15-240-RWT-UMaineSemi{ending}", self.folder / f"semi{ending}")
+        done = self.check(body("a", "semi"), "r.csv")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        names, found = table(self.folder / "r.csv")
+        time = found["retardation"][:, 0]
+        for entry, start in (("surge-surge", 4366937), ("heave-heave", 1283124.19), ("pitch-pitch", 5.787088e8), ("surge-pitch", -1.608762e7)):
+            print(f"VolturnUS-S, K(0) of {entry}: off by {found['retardation'][0, 1 + names.index(entry)] / start - 1:+.1e}")
+            self.assertAlmostEqual(found["retardation"][0, 1 + names.index(entry)] / start, 1, delta=2e-3)
+        omega, by_damping = found["added mass by damping"][:, 0], found["added mass by damping"][:, 1:]
+        for entry, infinite, known in (("surge-surge", 9642417, ((0.25, 3399477), (0.6, 3494120), (1.5, -1614010))),
+                                       ("heave-heave", 2.482172e7, ((0.1, 2286556.27), (0.5, 4753393.36), (2.0, -414328.073)))):
+            for w, exact in known:
+                at = np.argmin(np.abs(omega - w))
+                self.assertAlmostEqual(by_damping[at, names.index(entry)] - infinite, exact, delta=1e-3 * 4.8e6)
+        print(next(line for line in done.stdout.splitlines() if "Ogilvie" in line), f"; memory of {time[-1]:.0f} s")
+
+
+if __name__ == "__main__":
+    unittest.main()
