@@ -208,7 +208,7 @@ HydrodynamicData read_bemio(const std::string& path, const HydrodynamicForm& for
                       : "'second_order' needs 'mean_drift' of each body, and there is none");
     data.drift = force_tables(file, form, scale.force, part, "", data.bodies, path);
   }
-  finish_coefficients(data, has_infinite, notes);
+  finish_coefficients(data, has_infinite, {}, notes);
   return data;
 }
 

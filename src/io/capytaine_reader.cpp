@@ -297,7 +297,7 @@ HydrodynamicData read_capytaine(const std::string& path, const HydrodynamicForm&
                     "port_starboard' is for files of one body",
                     data.bodies));
   read_excitation(file, f, scale, form, data, notes);
-  finish_coefficients(data, has_infinite, notes);
+  finish_coefficients(data, has_infinite, {}, notes);
   return data;
 }
 

@@ -88,7 +88,8 @@ double asymmetry(const Eigen::MatrixXd& m) {
 
 }  // namespace
 
-void finish_coefficients(HydrodynamicData& data, bool has_infinite, std::vector<std::string>& notes) {
+void finish_coefficients(HydrodynamicData& data, bool has_infinite, const Eigen::MatrixXd& zero_frequency,
+                         std::vector<std::string>& notes) {
   constexpr double kAsymmetry = 0.05;
   double asymmetric = has_infinite ? asymmetry(data.infinite) : 0;
   std::string worst = "at infinite frequency";
@@ -109,6 +110,7 @@ void finish_coefficients(HydrodynamicData& data, bool has_infinite, std::vector<
     make_symmetric(data.infinite);
   else
     estimate_infinite(data, notes);
+  check_coefficients(data, has_infinite, zero_frequency, notes);
   make_passive(data, notes);
 }
 

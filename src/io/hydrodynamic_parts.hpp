@@ -36,7 +36,16 @@ class WaveForceRows {
 };
 
 // Symmetric matrices, damping without negative eigenvalues, the added mass at infinite frequency where the
-// files have none (`has_infinite` false).
-void finish_coefficients(model::HydrodynamicData& data, bool has_infinite, std::vector<std::string>& notes);
+// files have none (`has_infinite` false). zero_frequency: added mass at omega = 0, empty where there is none.
+// Refuses what no body has, and notes what looks odd (hydrodynamic_checks.cpp).
+void finish_coefficients(model::HydrodynamicData& data, bool has_infinite,
+                         const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes);
+
+// Added mass and damping within themselves and against each other, symmetric.
+void check_coefficients(const model::HydrodynamicData& data, bool has_infinite,
+                        const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes);
+
+// "surge and pitch", of modes from 0.
+std::string modes_text(int i, int j);
 
 }  // namespace hawser::io

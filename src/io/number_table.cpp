@@ -6,6 +6,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -36,8 +37,12 @@ std::string unpacked(const std::string& path) {
   return text;
 }
 
-// False where the line has something that is no number.
-bool numbers_of(const std::string& line, std::vector<double>& to) {
+// False where the line has something that is no number. Fortran writes some exponents with D.
+bool numbers_of(std::string line, std::vector<double>& to) {
+  for (size_t i = 1; i < line.size(); ++i)
+    if ((line[i] == 'D' || line[i] == 'd') &&
+        (std::isdigit(static_cast<unsigned char>(line[i - 1])) || line[i - 1] == '.'))
+      line[i] = 'e';
   const char* at = line.c_str();
   while (true) {
     while (*at == ' ' || *at == '\t' || *at == '\r' || *at == ',') ++at;

@@ -47,9 +47,27 @@ NumberTable required(const std::string& stem, const char* ending, const std::vec
   return table;
 }
 
+// Rows that are missing are zero by symmetry at all frequencies, so that one that is missing at some of them
+// is an error where it counts. given: by frequency, infinite as well.
+void check_rows(const HydrodynamicData& data, const std::map<double, Eigen::MatrixXi>& given) {
+  constexpr double kCounts = 1e-3;
+  Eigen::MatrixXd most = Eigen::MatrixXd::Zero(6 * data.bodies, 6 * data.bodies);
+  for (const Eigen::MatrixXd& A : data.added_mass) most = most.cwiseMax(A.cwiseAbs());
+  for (const auto& [omega, rows] : given)
+    for (Eigen::Index i = 0; i < most.rows(); ++i)
+      for (Eigen::Index j = 0; j < most.cols(); ++j) {
+        if (rows(i, j) || !(most(i, j) > kCounts * std::sqrt(most(i, i) * most(j, j)))) continue;
+        throw std::runtime_error(fmt::format(
+            "{}: has no row {} {} ({}) {}, though other periods have one: complete the file",
+            data.radiation_file, i + 1, j + 1, modes_text(static_cast<int>(i), static_cast<int>(j)),
+            std::isinf(omega) ? "at period 0 (infinite frequency)"
+                              : fmt::format("at {:.6g} s", 2 * M_PI / omega)));
+      }
+}
+
 // A = rho L^k Abar, B = rho omega L^k Bbar; k = 3 between translations, 5 between rotations, else 4.
 void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
-                    HydrodynamicData& data, bool& has_infinite) {
+                    HydrodynamicData& data, bool& has_infinite, Eigen::MatrixXd& zero_frequency) {
   const NumberTable table = required(stem, ".1", {4, 5}, "added mass and damping", read);
   data.radiation_file = table.path;
   int modes = 6;
@@ -61,7 +79,10 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
   struct Frequency {
     Eigen::MatrixXd added, damping;
+    Eigen::MatrixXi given;  // whether there is a row
   };
+  const Eigen::MatrixXi no_rows = Eigen::MatrixXi::Zero(n, n);
+  Eigen::MatrixXi at_infinity = no_rows;
   std::map<double, Frequency> by_omega;
   has_infinite = false;
   data.infinite = none;
@@ -72,15 +93,23 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
     if (period == 0) {
       has_infinite = true;
       data.infinite(i, j) = scale * row.values[3];
+      at_infinity(i, j) = 1;
+    }
+    if (period < 0) {
+      if (zero_frequency.size() == 0) zero_frequency = none;
+      zero_frequency(i, j) = scale * row.values[3];
     }
     if (period <= 0) continue;
     if (row.values.size() < 5)
       refuse(table, row, "a row at a period above 0 has 5 numbers (period, two modes, added mass, damping)");
     const double omega = 2 * M_PI / period;
-    Frequency& at = by_omega.try_emplace(omega, Frequency{none, none}).first->second;
+    Frequency& at = by_omega.try_emplace(omega, Frequency{none, none, no_rows}).first->second;
     at.added(i, j) = scale * row.values[3];
     at.damping(i, j) = scale * omega * row.values[4];
+    at.given(i, j) = 1;
   }
+  std::map<double, Eigen::MatrixXi> given;
+  for (const auto& [omega, at] : by_omega) given[omega] = at.given;
   for (auto& [omega, at] : by_omega) {
     data.omega.push_back(omega);
     data.added_mass.push_back(std::move(at.added));
@@ -89,6 +118,8 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
   if (data.omega.size() < 2)
     throw std::runtime_error(table.path +
                              ": has fewer than two periods above 0, and memory needs a range of them");
+  if (has_infinite) given[HUGE_VAL] = at_infinity;
+  check_rows(data, given);
 }
 
 // C33 = rho g L², C34, C35: L³, the rest: L⁴ times Cbar.
@@ -104,6 +135,33 @@ void read_hydrostatics(const std::string& stem, const HydrodynamicForm& form, st
   }
 }
 
+// Columns from `first` on: modulus, phase [deg], real and imaginary part of one number, to a few digits; the
+// phase of a number next to zero means nothing.
+void check_parts(const NumberTable& table, const NumberRow& row, size_t first, double largest) {
+  constexpr double kRounded = 0.01, kSmall = 0.01;
+  const double modulus = row.values[first], phase = row.values[first + 1];
+  const Complex parts(row.values[first + 2], row.values[first + 3]);
+  const double scale = std::max(modulus, std::abs(parts));
+  if (scale <= kSmall * largest) return;
+  // A negative real number may be written with its modulus and the phase 0.
+  if (std::abs(parts - std::polar(modulus, phase * kRadPerDegree)) <= 2 * kRounded * scale) return;
+  if (parts.imag() == 0 && std::abs(std::abs(parts.real()) - std::abs(modulus)) <= kRounded * scale) return;
+  refuse(table, row,
+         fmt::format(
+             "modulus {:g} and phase {:g} deg are not those of the real and imaginary part, {:g} and {:g}, "
+             "which are {:.6g} and {:.4g} deg",
+             modulus, phase, parts.real(), parts.imag(), std::abs(parts), std::arg(parts) / kRadPerDegree));
+}
+
+// By mode, the largest modulus in a column of a table with modes in another.
+std::vector<double> largest_by_mode(const NumberTable& table, size_t mode, size_t column) {
+  std::vector<double> most(6 * kMostBodies + 1, 0);
+  for (const NumberRow& row : table.rows)
+    if (const double m = row.values[mode]; m >= 0 && m <= 6 * kMostBodies)
+      most[static_cast<size_t>(m)] = std::max(most[static_cast<size_t>(m)], std::abs(row.values[column]));
+  return most;
+}
+
 // X = rho g L^m (re + i im): m = 2 of forces, 3 of moments.
 void read_excitation(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
                      HydrodynamicData& data) {
@@ -112,9 +170,11 @@ void read_excitation(const std::string& stem, const HydrodynamicForm& form, std:
   if (table.path.empty()) return;
   data.excitation_file = table.path;
   WaveForceRows rows(data.bodies, form.mirrored);
+  const std::vector<double> most = largest_by_mode(table, 2, 3);
   for (const NumberRow& row : table.rows) {
     if (!(row.values[0] > 0)) continue;
     const int mode = mode_of(table, row, 2, 6 * data.bodies);
+    check_parts(table, row, 3, most[static_cast<size_t>(mode + 1)]);
     const double scale = form.density * form.gravity * std::pow(form.length, 2 + rotates(mode));
     rows.add(2 * M_PI / row.values[0], row.values[1], mode, scale * Complex(row.values[5], row.values[6]));
   }
@@ -124,17 +184,26 @@ void read_excitation(const std::string& stem, const HydrodynamicForm& form, std:
 // Mean forces in a regular wave: rho g A² L^k re, k = 1 of forces, 2 of moments; of two directions only equal
 // ones count. Modes below 0 are moments about other axes.
 bool read_drift(const std::string& stem, const char* ending, const HydrodynamicForm& form,
-                std::vector<std::string>& read, HydrodynamicData& data) {
+                std::vector<std::string>& read, HydrodynamicData& data, std::vector<std::string>& notes) {
   const NumberTable table = table_of(stem, ending, {8}, read);
   if (table.path.empty()) return false;
   WaveForceRows rows(data.bodies, form.mirrored);
+  const std::vector<double> most = largest_by_mode(table, 3, 4);
+  bool heave = false;
   for (const NumberRow& row : table.rows) {
     if (row.values[1] != row.values[2] || !(row.values[0] > 0) || row.values[3] < 0) continue;
     const int mode = mode_of(table, row, 3, 6 * data.bodies);
+    check_parts(table, row, 4, most[static_cast<size_t>(mode + 1)]);
+    heave = heave || mode % 6 == 2;
     const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
     rows.add(2 * M_PI / row.values[0], row.values[1], mode, scale * row.values[6]);
   }
   data.drift = rows.tables(table.path);
+  if (!heave)
+    notes.push_back(
+        table.path +
+        ": has no rows of heave, roll and pitch, whose mean drift is then zero (the momentum of .8 tells "
+        "only that of surge, sway and yaw)");
   return true;
 }
 
@@ -166,6 +235,7 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
   const size_t n = distinct.size();
   std::vector<ComplexVec6> values(n * n, ComplexVec6::Zero());
   std::vector<bool> given(n * n, false);
+  const std::vector<double> most = largest_by_mode(table, 4, 5);
   bool others = false;
   for (const NumberRow& row : table.rows) {
     if (row.values[2] != direction || row.values[3] != direction) {
@@ -173,6 +243,7 @@ bool read_difference(const std::string& stem, const HydrodynamicForm& form, std:
       continue;
     }
     const int mode = mode_of(table, row, 4, 6);
+    check_parts(table, row, 5, most[static_cast<size_t>(mode + 1)]);
     const double scale = form.density * form.gravity * std::pow(form.length, 1 + rotates(mode));
     const Complex value = scale * Complex(row.values[7], row.values[8]);
     const size_t i = place(row.values[0]), j = place(row.values[1]);
@@ -204,7 +275,8 @@ HydrodynamicData read_wamit(const std::string& stem, const HydrodynamicForm& for
   HydrodynamicData data;
   data.excitation_file = stem + ".3";
   bool has_infinite = false;
-  read_radiation(stem, form, read, data, has_infinite);
+  Eigen::MatrixXd zero_frequency;
+  read_radiation(stem, form, read, data, has_infinite, zero_frequency);
   read_hydrostatics(stem, form, read, data);
   if (form.mirrored && data.bodies > 1)
     throw std::runtime_error(fmt::format(
@@ -214,15 +286,15 @@ HydrodynamicData read_wamit(const std::string& stem, const HydrodynamicForm& for
   read_excitation(stem, form, read, data);
   if (order != SecondOrder::none) {
     const bool found = (data.bodies == 1 && read_difference(stem, form, read, data, notes)) ||
-                       (order != SecondOrder::full && (read_drift(stem, ".8", form, read, data) ||
-                                                       read_drift(stem, ".7", form, read, data) ||
-                                                       read_drift(stem, ".9", form, read, data)));
+                       (order != SecondOrder::full && (read_drift(stem, ".8", form, read, data, notes) ||
+                                                       read_drift(stem, ".7", form, read, data, notes) ||
+                                                       read_drift(stem, ".9", form, read, data, notes)));
     if (!found)
       throw std::runtime_error(
           fmt::format("{}: 'second_order' needs {}, and there is none", stem,
                       order == SecondOrder::full ? "a file .12d of one body" : "a file .12d, .8, .9 or .7"));
   }
-  finish_coefficients(data, has_infinite, notes);
+  finish_coefficients(data, has_infinite, zero_frequency, notes);
   return data;
 }
 

@@ -1,53 +1,12 @@
 // What coefficients of platforms cannot be: other conventions, other units, bodies that are missing.
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "hawser/model/case.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::model {
 namespace {
-
-constexpr double kDegree = M_PI / 180;
-
-// In long waves the water carries a body as it moves itself: heave follows the crest and surge comes a
-// quarter of a period before it, and the heave force is that of the hydrostatic stiffness. Waves of this wave
-// number times the side of a cube of its volume are long.
-constexpr double kLongWaves = 0.1;
-constexpr double kPhase = 30 * kDegree;
-
-void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
-  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
-  if (h.data->excitation.empty()) return;
-  const WaveForceTable& table = h.data->excitation[static_cast<size_t>(h.body) - 1];
-  const double g = c.environment.gravity, omega = table.lowest();
-  const PlatformHydrostatics still = hydrostatics(*b.mass, c.environment.water.density, g);
-  const double size = std::cbrt(still.buoyancy / (c.environment.water.density * g));
-  if (g == 0 || omega * omega / g * size > kLongWaves) return;
-  const ComplexVec6 X = table.at(omega, 0);
-  const double C33 = still.stiffness(0, 0), heave = std::abs(X[2]) / C33;
-  if (!(C33 > 0)) return;
-  const double surge = std::arg(X[0]);
-  if (std::abs(std::remainder(surge + M_PI / 2, 2 * M_PI)) < kPhase && std::abs(X[0]) > 0.02 * std::abs(X[2]))
-    issue(h.key(),
-          "in the longest waves, {:.4g} s, the surge force comes {:.3g} deg after the crest, but the water "
-          "there pushes a quarter of a period before it: the phases of {} are conjugated (WAMIT's and "
-          "BEMIO's are leads "
-          "with exp(+i omega t), Capytaine's lags with exp(-i omega t))",
-          2 * M_PI / omega, -surge / kDegree, h.data->excitation_file);
-  constexpr double kFar = 1.5;
-  if (heave > kFar || heave < 1 / kFar)
-    issue(
-        h.key(),
-        "in the longest waves, {:.4g} s, the heave force of {} is {:.3g} times the hydrostatic stiffness "
-        "C33, and should be about 1: {}",
-        2 * M_PI / omega, h.data->excitation_file, heave,
-        h.format == BodyHydrodynamics::Format::wamit
-            ? fmt::format("is 'length_scale' (ULEN, {:g} m here) that of the files, and are they in metres?",
-                          h.length)
-            : "are both of one body, and of the density and gravity that the file states?");
-}
 
 // The stiffness has a potential, and the damping takes energy.
 void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
@@ -80,7 +39,7 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
       h.data->excitation.empty())
     issue(h.key(), "there are waves, and no forces of waves in {}: 'excitation: false' does without them",
           h.data->excitation_file);
-  check_long_waves(c, b, issue);
+  check_hydrodynamic_data(c, b, issue);
   check_matrices(h, issue);
 }
 

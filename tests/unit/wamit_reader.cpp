@@ -42,12 +42,14 @@ class WamitReader : public ::testing::Test {
  private:
   static constexpr const char* kRadiation =
       "PER I J Abar Bbar\n"
-      "-1 1 1 0.7\n 0 1 1 0.5\n 0 3 3 0.25\n"
-      "6.283185307179586 1 1 0.6 0.1\n6.283185307179586 1 5 0.3 0.2\n6.283185307179586 5 1 0.3 0.2\n"
+      "-1 1 1 0.7\n 0 1 1 0.5\n 0 3 3 0.25\n 0 1 5 0.3\n 0 5 1 0.3\n 0 5 5 0.4\n"
+      "6.283185307179586 1 1 0.6 0.1\n6.283185307179586 1 5 0.3 0.02\n6.283185307179586 5 1 0.3 0.02\n"
+      "6.283185307179586 5 5 0.4 0.3\n3.141592653589793 1 5 0.3 0.02\n3.141592653589793 5 1 0.3 0.02\n"
       "3.141592653589793 1 1 0.55 0.05\n3.141592653589793 5 5 0.4 0.3\n";
   static constexpr const char* kExcitation =
-      "6.283185307179586 -180 3 9 9 1 2\n6.283185307179586 0 3 9 9 3 4\n6.283185307179586 0 5 9 9 5 6\n"
-      "3.141592653589793 -180 3 9 9 7 8\n3.141592653589793 0 3 9 9 9 10\n";
+      "6.283185307179586 -180 3 2.23607 63.4349 1 2\n6.283185307179586 0 3 5 53.1301 3 4\n6.283185307179586 "
+      "0 5 7.81025 50.1944 5 6\n"
+      "3.141592653589793 -180 3 10.6301 48.8141 7 8\n3.141592653589793 0 3 13.4536 48.0128 9 10\n";
   std::filesystem::path folder_;
 };
 
@@ -82,7 +84,8 @@ TEST_F(WamitReader, MirrorsTheOtherSide) {
   for (const int deg : {0, 45, 180})
     for (const char* period : {"6.283185307179586", "3.141592653589793"})
       for (int mode = 1; mode <= 6; ++mode)
-        rows += fmt::format("{} {} {} 9 9 {} {}\n", period, deg, mode, deg + mode, mode);
+        rows += fmt::format("{} {} {} {} {} {} {}\n", period, deg, mode, std::hypot(deg + mode, mode),
+                            std::atan2(mode, deg + mode) * 180 / M_PI, deg + mode, mode);
   write(".3", rows);
   form = {1, 1, 1, true};
   const model::HydrodynamicData d = read();
@@ -98,10 +101,10 @@ TEST_F(WamitReader, MirrorsTheOtherSide) {
     const Complex between = (2 * sign * Complex(45 + mode, mode) + Complex(180 + mode, mode)) / 3.0;
     EXPECT_NEAR(std::abs(table.at(1.5, 270 * M_PI / 180)[mode - 1] - between), 0, 1e-9) << mode;
   }
-  write(".3", rows + "6.283185307179586 300 1 9 9 1 1\n3.141592653589793 300 1 9 9 1 1\n");
+  write(".3", rows + "6.283185307179586 300 1 1.41421 45 1 1\n3.141592653589793 300 1 1.41421 45 1 1\n");
   EXPECT_NE(refusal().find("has directions on both sides of the body"), std::string::npos) << refusal();
   write(".3", rows);
-  write(".1", "6.28 1 1 1 1\n3.14 1 1 1 1\n3.14 7 7 1 1\n");
+  write(".1", "6.28 1 1 1 1\n6.28 7 7 1 1\n3.14 1 1 1 1\n3.14 7 7 1 1\n");
   EXPECT_NE(refusal().find("has 2 bodies, which are no mirror image"), std::string::npos) << refusal();
 }
 
@@ -130,12 +133,14 @@ TEST_F(WamitReader, EstimatesTheInfiniteFrequencyWithANote) {
 }
 
 TEST_F(WamitReader, ReadsDifferenceFrequencies) {
-  write(".12d", "6.2832 6.2832 0 0 1 9 9 4 0\n6.2832 3.1416 0 0 1 9 9 2 1\n3.1416 3.1416 0 0 1 9 9 3 0\n");
+  write(
+      ".12d",
+      "6.2832 6.2832 0 0 1 4 0 4 0\n6.2832 3.1416 0 0 1 2.23607 26.5651 2 1\n3.1416 3.1416 0 0 1 3 0 3 0\n");
   const model::HydrodynamicData d = read(SecondOrder::full);
   EXPECT_NEAR(std::abs(d.difference.at(2, 1)[0] - 2e4 * Complex(2, -1)), 0, 1);
   EXPECT_NEAR(std::abs(d.difference.at(1, 2)[0] - 2e4 * Complex(2, 1)), 0, 1);
   EXPECT_NEAR(d.drift[0].at(2, 0)[0].real(), 6e4, 1);
-  write(".12d", "6.2832 6.2832 0 0 1 9 9 4 0\n3.1416 3.1416 0 0 1 9 9 3 0\n");
+  write(".12d", "6.2832 6.2832 0 0 1 4 0 4 0\n3.1416 3.1416 0 0 1 3 0 3 0\n");
   EXPECT_NE(refusal(SecondOrder::full).find("no row for the periods"), std::string::npos);
 }
 
@@ -152,6 +157,7 @@ TEST_F(WamitReader, NamesThePeriodOfSkewAddedMass) {
   std::string text = "0 1 1 0.5\n0 2 2 0.5\n";
   for (const char* period : {"6.283185307179586", "3.141592653589793"})
     for (const char* entry : {" 1 1 0.5 1", " 2 2 0.5 1"}) text += std::string(period) + entry + "\n";
+  text += "6.283185307179586 1 2 0 0\n6.283185307179586 2 1 0 0\n0 1 2 0\n0 2 1 0\n";
   text += "3.141592653589793 1 2 0.1 0\n3.141592653589793 2 1 0.2 0\n";
   write(".1", text);
   read();

@@ -1,0 +1,195 @@
+// What added mass and damping cannot be, and what looks odd in them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hydrodynamic_parts.hpp"
+
+namespace hawser::io {
+namespace {
+
+using model::HydrodynamicData;
+
+// Of the diagonal of added mass, over its range.
+Eigen::VectorXd largest_diagonal(const HydrodynamicData& data) {
+  Eigen::VectorXd most = Eigen::VectorXd::Zero(6 * data.bodies);
+  for (const Eigen::MatrixXd& A : data.added_mass) most = most.cwiseMax(A.diagonal().cwiseAbs());
+  return most;
+}
+
+// The water moves with the body at infinite frequency, so that its kinetic energy, and the added mass, is not
+// negative. At single finite frequencies it may be (a moonpool, a gap between hulls), but not on average.
+void check_sign(const HydrodynamicData& data, const Eigen::VectorXd& scale) {
+  constexpr double kNoise = 0.02;
+  for (Eigen::Index i = 0; i < scale.size(); ++i) {
+    double mean = 0;
+    for (const Eigen::MatrixXd& A : data.added_mass) mean += A(i, i) / static_cast<double>(data.omega.size());
+    const bool at_infinity = data.infinite(i, i) < -kNoise * scale[i];
+    if (at_infinity || mean < -kNoise * scale[i])
+      throw std::runtime_error(fmt::format(
+          "{}: added mass of {} {} is negative, {:.4g}: no body can have that; does the file have the other "
+          "sign?",
+          data.radiation_file, modes_text(static_cast<int>(i), static_cast<int>(i)),
+          at_infinity ? "at infinite frequency" : "on average", at_infinity ? data.infinite(i, i) : mean));
+  }
+}
+
+// Added mass goes to that of omega = 0 in long waves, and to that of infinite frequency in short ones.
+void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::MatrixXd& zero_frequency,
+                  const Eigen::VectorXd& scale) {
+  const bool has_zero = zero_frequency.size() > 0;
+  double straight = 0, crossed = 0;
+  for (Eigen::Index i = 0; i < scale.size(); ++i) {
+    if (!(scale[i] > 0)) continue;
+    const double longest = data.added_mass.front()(i, i), shortest = data.added_mass.back()(i, i);
+    if (has_zero) {
+      straight += std::abs(longest - zero_frequency(i, i)) / scale[i];
+      crossed += std::abs(shortest - zero_frequency(i, i)) / scale[i];
+    }
+    if (has_infinite) {
+      straight += std::abs(shortest - data.infinite(i, i)) / scale[i];
+      crossed += std::abs(longest - data.infinite(i, i)) / scale[i];
+    }
+  }
+  constexpr double kClear = 0.1;
+  if ((has_zero || has_infinite) && straight > kClear && crossed < 0.5 * straight)
+    throw std::runtime_error(
+        fmt::format("{}: added mass at zero frequency (WAMIT's period -1) belongs to the shortest waves of "
+                    "the file and that at infinite frequency (period 0) to the longest: these rows are "
+                    "swapped, or the first column has frequencies in place of periods",
+                    data.radiation_file));
+}
+
+// A(omega) - A(inf) = 2/pi PV int_0^inf B(u)/(u² - omega²) du (Ogilvie 1964) of an entry whose B is straight
+// between the rows, 0 at omega = 0 and beyond the last row. Between a and b, with B = p + s u, the integral
+// is
+//   [(B(omega)/(2 omega) ln|u - omega| + (s omega - p)/(2 omega) ln(u + omega)]_a^b
+// and the first terms of neighbours at a row u = omega are each other's opposite.
+double above_infinite(const HydrodynamicData& data, Eigen::Index i, size_t at) {
+  const double omega = data.omega[at];
+  double sum = 0, a = 0, from = 0;
+  const auto logarithm = [omega](double u) { return u == omega ? 0 : std::log(std::abs(u - omega)); };
+  for (size_t k = 0; k < data.omega.size(); ++k) {
+    const double b = data.omega[k], to = data.damping[k](i, i), s = (to - from) / (b - a), p = from - s * a;
+    sum += (p + s * omega) * (logarithm(b) - logarithm(a)) +
+           (s * omega - p) * (std::log(b + omega) - std::log(a + omega));
+    a = b;
+    from = to;
+  }
+  // B ends at the last row with a jump.
+  return sum / (M_PI * omega);
+}
+
+// By Ogilvie's relation each row tells the added mass at infinite frequency: all the same one.
+void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen::VectorXd& scale,
+                   std::vector<std::string>& notes) {
+  constexpr size_t kRows = 60;
+  constexpr double kInside = 0.6, kVaries = 0.1, kApart = 0.5;
+  double apart = 0, varies = 0;
+  for (Eigen::Index i = 0; i < scale.size(); ++i) {
+    if (!(scale[i] > 0)) continue;
+    std::vector<double> infinite, added;
+    for (size_t k = 0; k < data.omega.size(); k += std::max<size_t>(1, data.omega.size() / kRows)) {
+      if (data.omega[k] > kInside * data.omega.back()) break;
+      added.push_back(data.added_mass[k](i, i) / scale[i]);
+      infinite.push_back(added.back() - above_infinite(data, i, k) / scale[i]);
+    }
+    if (added.size() < 3) continue;
+    const auto spread = [](const std::vector<double>& x, double about) {
+      double sum = 0;
+      for (const double value : x) sum += (value - about) * (value - about);
+      return std::sqrt(sum / static_cast<double>(x.size()));
+    };
+    const auto mean = [](const std::vector<double>& x) {
+      double sum = 0;
+      for (const double value : x) sum += value;
+      return sum / static_cast<double>(x.size());
+    };
+    const double of_added = spread(added, mean(added));
+    if (of_added < kVaries * std::abs(mean(added))) continue;
+    varies += of_added;
+    apart += spread(infinite, has_infinite ? data.infinite(i, i) / scale[i] : mean(infinite));
+  }
+  if (apart > kApart * varies)
+    notes.push_back(
+        fmt::format("{}: added mass and damping do not belong together: by Ogilvie's relation each frequency "
+                    "tells the added mass at infinite frequency, and what they tell is apart by {:.0f} % of "
+                    "what the added mass varies by",
+                    data.radiation_file, 100 * apart / varies));
+}
+
+// How far each value is from the straight line between its neighbours where it is not between them; of the
+// first and the last 0.
+std::vector<double> off_line(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>& of,
+                             Eigen::Index i, Eigen::Index j) {
+  std::vector<double> off(data.omega.size(), 0);
+  for (size_t k = 1; k + 1 < off.size(); ++k) {
+    const double share = (data.omega[k] - data.omega[k - 1]) / (data.omega[k + 1] - data.omega[k - 1]);
+    const double before = of[k - 1](i, j), here = of[k](i, j), after = of[k + 1](i, j);
+    if (here > std::max(before, after) || here < std::min(before, after))
+      off[k] = std::abs(here - (1 - share) * before - share * after);
+  }
+  return off;
+}
+
+// A single value that is far from its neighbours while all others are near theirs.
+void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>& of, const char* what,
+               std::vector<std::string>& notes) {
+  // Of the diagonal. Sharp peaks of semi-submersibles that are well resolved are a tenth off the line.
+  constexpr double kFar = 0.3, kTimes = 4;
+  if (data.omega.size() < 8) return;
+  Eigen::VectorXd scale = Eigen::VectorXd::Zero(6 * data.bodies);
+  for (const Eigen::MatrixXd& m : of) scale = scale.cwiseMax(m.diagonal().cwiseAbs());
+  int count = 0;
+  double most = 0;
+  std::string text;
+  for (Eigen::Index i = 0; i < scale.size(); ++i)
+    for (Eigen::Index j = i; j < scale.size(); ++j) {
+      const double size = std::sqrt(scale[i] * scale[j]);
+      const std::vector<double> off = off_line(data, of, i, j);
+      const auto worst = static_cast<size_t>(std::max_element(off.begin(), off.end()) - off.begin());
+      if (!(off[worst] > kFar * size)) continue;
+      double next = 0;
+      for (size_t k = 1; k + 1 < off.size(); ++k)
+        if (k + 1 < worst || k > worst + 1) next = std::max(next, off[k]);
+      if (off[worst] < kTimes * next) continue;
+      ++count;
+      if (off[worst] < most * size) continue;
+      most = off[worst] / size;
+      text = fmt::format("{}: {} of {} at {:.5g} s, {:.4g}, is far from its neighbours, {:.4g} and {:.4g}",
+                         data.radiation_file, what, modes_text(static_cast<int>(i), static_cast<int>(j)),
+                         2 * M_PI / data.omega[worst], of[worst](i, j), of[worst + 1](i, j),
+                         of[worst - 1](i, j));
+    }
+  if (count > 1) text += fmt::format(" (and {} more)", count - 1);
+  if (count > 0)
+    notes.push_back(
+        text +
+        ": an error of the file, or an irregular frequency of its panels: leave that period out, or remove "
+        "irregular frequencies in the run (WAMIT's IRR)");
+}
+
+}  // namespace
+
+std::string modes_text(int i, int j) {
+  constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
+  const auto name = [&](int mode) {
+    return mode < 6 ? std::string(kNames[mode])
+                    : fmt::format("{} of body {}", kNames[mode % 6], mode / 6 + 1);
+  };
+  return i == j ? name(i) : name(i) + " and " + name(j);
+}
+
+void check_coefficients(const HydrodynamicData& data, bool has_infinite,
+                        const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes) {
+  const Eigen::VectorXd scale = largest_diagonal(data);
+  check_sign(data, scale);
+  check_limits(data, has_infinite, zero_frequency, scale);
+  check_ogilvie(data, has_infinite, scale, notes);
+  note_wild(data, data.added_mass, "added mass", notes);
+  note_wild(data, data.damping, "damping", notes);
+}
+
+}  // namespace hawser::io

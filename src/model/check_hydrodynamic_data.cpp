@@ -1,0 +1,171 @@
+// What the coefficients of a platform tell of each other, of its size and of long waves: other conventions,
+// other units.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numeric>
+
+#include "hawser/kernels/waves.hpp"
+#include "hawser/math/angle_gap.hpp"
+#include "hawser/model/case.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::model {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+
+// In long waves the water carries a body as it moves itself: heave follows the crest and surge comes a
+// quarter of a period before it, and the heave force is that of the hydrostatic stiffness. Waves of this wave
+// number times the side of a cube of its volume are long.
+constexpr double kLongWaves = 0.1;
+constexpr double kPhase = 30 * kDegree;
+
+// The water pushes along its way a quarter of a period before the crest.
+void check_push(const BodyHydrodynamics& h, const char* mode, double omega, Complex push, Complex heave,
+                const Issues& issue) {
+  const double phase = std::arg(push);
+  if (std::abs(std::remainder(phase + M_PI / 2, 2 * M_PI)) < kPhase &&
+      std::abs(push) > 0.02 * std::abs(heave))
+    issue(h.key(),
+          "in the longest waves, {:.4g} s, the {} force comes {:.3g} deg after the crest, but the water "
+          "there pushes a quarter of a period before it: the phases of {} are conjugated (WAMIT's and "
+          "BEMIO's are leads with exp(+i omega t), Capytaine's lags with exp(-i omega t))",
+          2 * M_PI / omega, mode, -phase / kDegree, h.data->excitation_file);
+}
+
+void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  const WaveForceTable& table = h.data->excitation[static_cast<size_t>(h.body) - 1];
+  const double g = c.environment.gravity, omega = table.lowest();
+  const PlatformHydrostatics still = hydrostatics(*b.mass, c.environment.water.density, g);
+  const double size = std::cbrt(still.buoyancy / (c.environment.water.density * g));
+  if (g == 0 || omega * omega / g * size > kLongWaves) return;
+  const ComplexVec6 X = table.at(omega, 0);
+  const double C33 = still.stiffness(0, 0), heave = std::abs(X[2]) / C33;
+  if (!(C33 > 0)) return;
+  check_push(h, "surge", omega, X[0], X[2], issue);
+  const ComplexVec6 across = table.at(omega, M_PI / 2);
+  check_push(h, "sway", omega, across[1], across[2], issue);
+  constexpr double kFar = 1.5;
+  if (heave > kFar || heave < 1 / kFar)
+    issue(
+        h.key(),
+        "in the longest waves, {:.4g} s, the heave force of {} is {:.3g} times the hydrostatic stiffness "
+        "C33, and should be about 1: {}",
+        2 * M_PI / omega, h.data->excitation_file, heave,
+        h.format == BodyHydrodynamics::Format::wamit
+            ? fmt::format("is 'length_scale' (ULEN, {:g} m here) that of the files, and are they in metres?",
+                          h.length)
+            : "are both of one body, and of the density and gravity that the file states?");
+}
+
+// Rows of a body in the matrices of its files.
+Eigen::Index first_row(const BodyHydrodynamics& h) { return 6 * (static_cast<Eigen::Index>(h.body) - 1); }
+
+// In waves that are long, but not very long, the heave force is that of the stiffness and, a quarter of a
+// period before the crest, that of the damping by the water's own velocity: Im X3 = omega B33, about the body
+// itself.
+void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
+  constexpr double kLong = 0.6, kCounts = 0.015, kOpposite = -0.4;
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  const HydrodynamicData& data = *h.data;
+  if (data.bodies > 1 || h.in_file.head<2>().norm() > 0) return;
+  const WaveForceTable& table = data.excitation.front();
+  const double size = std::cbrt(b.mass->mass / c.environment.water.density);
+  double imaginary = 0, damped = 0, all = 0;
+  for (size_t k = 0; k < data.omega.size(); ++k) {
+    const double omega = data.omega[k];
+    if (omega < table.lowest() || omega * omega / c.environment.gravity * size > kLong) continue;
+    const Complex X = table.at(omega, table.directions().front())[2];
+    imaginary += X.imag();
+    damped += omega * data.damping[k](2, 2);
+    all += std::abs(X);
+  }
+  if (damped > kCounts * all && imaginary < kOpposite * damped)
+    issue(h.key(),
+          "in waves longer than {:.3g} s the heave force comes after the crest, where the damping of {} has "
+          "it before it: its phases in {} are conjugated (they are leads with exp(+i omega t))",
+          2 * M_PI / std::sqrt(kLong * c.environment.gravity / size), data.radiation_file,
+          data.excitation_file);
+}
+
+// Haskind's relation: the waves that a body makes are those that push it,
+//   B_ii = k/(8 pi rho g c_g) int |X_i(beta)|² dbeta
+// (Newman 1977, Marine Hydrodynamics, 6.173). The middle of the ratios over the frequencies at which the
+// damping counts; other units of one of the two make it far from 1.
+void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issue) {
+  constexpr double kGap = M_PI / 3, kCounts = 0.1, kFar = 2;
+  const HydrodynamicData& data = *h.data;
+  const WaveForceTable& table = data.excitation[static_cast<size_t>(h.body) - 1];
+  if (table.directions().size() < 3 || widest_gap(table.directions(), 2 * M_PI).width() > kGap) return;
+  const double g = c.environment.gravity, density = c.environment.water.density;
+  constexpr const char* kNames[] = {"surge", "sway", "heave"};
+  for (Eigen::Index mode = 0; mode < 3; ++mode) {
+    const Eigen::Index row = first_row(h) + mode;
+    double most = 0;
+    for (const Eigen::MatrixXd& B : data.damping) most = std::max(most, B(row, row));
+    std::vector<double> ratios;
+    for (size_t k = 0; k < data.omega.size(); ++k) {
+      const double omega = data.omega[k], B = data.damping[k](row, row);
+      if (omega < table.lowest() || omega > table.highest() || !(B > kCounts * most)) continue;
+      const double number = wave_number(omega, c.environment.water.depth, g),
+                   steep = number * c.environment.water.depth;
+      const double group =
+          0.5 * omega / number * (steep > 0 && steep < 20 ? 1 + 2 * steep / std::sinh(2 * steep) : 1);
+      double sum = 0;
+      constexpr int kDirections = 72;
+      for (int d = 0; d < kDirections; ++d)
+        sum += std::norm(table.at(omega, 2 * M_PI * d / kDirections)[mode]) * 2 * M_PI / kDirections;
+      ratios.push_back(number * sum / (8 * M_PI * density * g * group * B));
+    }
+    if (ratios.size() < 3) continue;
+    const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    if (*middle > kFar || *middle < 1 / kFar)
+      issue(h.key(),
+            "by Haskind's relation the wave forces of {} mean {:.3g} times the radiation damping in {} of "
+            "{}: one of them is in other units (over the density, of another length scale)",
+            data.excitation_file, *middle, kNames[mode], data.radiation_file);
+  }
+}
+
+// Added mass over that of the displaced water, and the waterplane over its size: bounds that hulls do not
+// come near, and that values over the density or of another length scale do.
+void check_size(const Case& c, const Body& b, const Issues& issue) {
+  const BodyHydrodynamics& h = *b.mass->hydrodynamics;
+  const HydrodynamicData& data = *h.data;
+  const double density = c.environment.water.density, g = c.environment.gravity;
+  const double volume = h.volume > 0 ? h.volume : b.mass->mass / density;
+  double added = 0;
+  for (const Eigen::MatrixXd& A : data.added_mass)
+    added = std::max(added, A.diagonal().segment<3>(first_row(h)).maxCoeff() / (density * volume));
+  constexpr double kLeast = 0.02, kMost = 50;
+  if (added < kLeast || added > kMost)
+    issue(
+        h.key(),
+        "the largest added mass of {} is {:.3g} times the mass of the displaced water, and hulls have 0.1 to "
+        "10: are its values over the density, or of another length scale, or is 'mass' that of another body?",
+        data.radiation_file, added);
+  const double C33 = hydrostatics(*b.mass, density, g).stiffness(0, 0);
+  const double plane = C33 / (density * g) / std::pow(volume, 2.0 / 3);
+  constexpr double kLargest = 100;
+  if (g > 0 && plane > kLargest)
+    issue(h.key(),
+          "the hydrostatic stiffness C33, {:.3g} N/m, means a waterplane of {:.3g} m², and the body "
+          "displaces {:.3g} m³: is the stiffness times the density, or of another length scale?",
+          C33, C33 / (density * g), volume);
+}
+
+}  // namespace
+
+void check_hydrodynamic_data(const Case& c, const Body& b, const Issues& issue) {
+  if (b.mass->hydrodynamics->excitation && !b.mass->hydrodynamics->data->excitation.empty()) {
+    check_long_waves(c, b, issue);
+    check_heave_phase(c, b, issue);
+    check_haskind(c, *b.mass->hydrodynamics, issue);
+  }
+  check_size(c, b, issue);
+}
+
+}  // namespace hawser::model

@@ -1,0 +1,215 @@
+// Errors in coefficients, one at a time in the set of the tutorial: each is refused or noted by one sentence,
+// and the set as it is by none.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include "hawser/io/case_reader.hpp"
+#include "hawser/model/check.hpp"
+
+namespace hawser::hydrodynamic_checks_test {
+namespace {
+
+using Row = std::vector<double>;
+using Change = std::function<void(std::vector<Row>&)>;
+
+// Of the set with what `change` makes of the rows of one file: the refusal, or else all notes.
+class HydrodynamicChecks : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / "hawser_hydrodynamic_checks" / test->name();
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    for (const char* ending : {".1", ".3", ".hst"}) with(ending, [](auto&) {});
+  }
+  static std::vector<Row> rows_of(const std::string& ending) {
+    std::ifstream file(HAWSER_SOURCE_DIR "/docs/tutorial/spar" + ending);
+    std::vector<Row> rows;
+    for (std::string line; std::getline(file, line);) {
+      std::istringstream in(line);
+      rows.emplace_back();
+      for (double x = 0; in >> x;) rows.back().push_back(x);
+    }
+    return rows;
+  }
+  void write(const std::string& ending, const std::string& text) {
+    std::ofstream((folder_ / "spar").string() + ending) << text;
+  }
+  void with(const std::string& ending, const Change& change) {
+    std::vector<Row> rows = rows_of(ending);
+    change(rows);
+    std::string text;
+    for (const Row& r : rows) text += fmt::format("{:.10g}\n", fmt::join(r, " "));
+    write(ending, text);
+  }
+  std::string reported(const std::string& keys = "") {
+    const std::string text =
+        "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025}}\nbodies:\n  spar: {floating: "
+        "{mass: 2.8981e7, "
+        "centre_of_mass: [0, 0, -50], inertia: [2e10, 2e10, 1e9], hydrodynamics: {wamit: " +
+        (folder_ / "spar").string() + keys + "}}}\nstatics: false\ndynamics: {duration: 20}\n";
+    try {
+      const model::Case c = io::read_case_text(text, "spar.yaml", {}, MPI_COMM_SELF);
+      std::string out;
+      for (const model::Issue& i : model::check(c)) out += i.text + "\n";
+      for (const std::string& n : c.notes) out += n + "\n";
+      return out;
+    } catch (const std::exception& e) {
+      return e.what();
+    }
+  }
+  // What is reported, which has `part` in it and is one sentence.
+  void expect(const std::string& part, const std::string& keys = "") {
+    const std::string text = reported(keys);
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 1) << text;
+    for (const char* ending : {".1", ".3", ".hst"}) with(ending, [](auto&) {});
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+bool is_entry(const Row& r, double i, double j) { return r[1] == i && r[2] == j; }
+
+TEST_F(HydrodynamicChecks, NothingIsReportedOfWhatIsRight) { EXPECT_EQ(reported(), ""); }
+
+TEST_F(HydrodynamicChecks, RowsOfAddedMass) {
+  with(".1", [](auto& rows) {
+    for (Row& r : rows) r[3] = -r[3];
+  });
+  expect("added mass of surge at infinite frequency is negative");
+  with(".1", [](auto& rows) {  // the rows at infinity as those at omega = 0, and the other way round
+    const std::vector<Row> before = rows;
+    for (Row& r : rows) {
+      if (r[0] != 0) continue;
+      for (const Row& other : before)
+        if (other[0] > 125 && is_entry(other, r[1], r[2])) r[3] = other[3];
+    }
+    for (const Row& r : before)
+      if (r[0] == 0) rows.push_back({-1, r[1], r[2], r[3]});
+  });
+  expect("these rows are swapped, or the first column has frequencies");
+  with(".1", [](auto& rows) {
+    for (Row& r : rows)
+      if (r[0] > 0) r[0] = 2 * M_PI / r[0];
+  });
+  expect("or the first column has frequencies");
+  with(".1", [](auto& rows) {
+    const auto heave = [](const Row& r) { return r[0] > 9 && is_entry(r, 3, 3); };
+    rows.erase(std::find_if(rows.begin(), rows.end(), heave));
+  });
+  expect("spar.1: has no row 3 3 (heave) at ");
+  with(".1", [](auto& rows) {
+    const auto pitch = [](const Row& r) { return r[0] == 0 && is_entry(r, 1, 5); };
+    rows.erase(std::find_if(rows.begin(), rows.end(), pitch));
+  });
+  expect("has no row 1 5 (surge and pitch) at period 0 (infinite frequency)");
+  with(".1", [](auto& rows) {
+    const auto surge = [](const Row& r) { return r[0] > 0 && r[0] < 12 && is_entry(r, 1, 1); };
+    (*std::find_if(rows.begin(), rows.end(), surge))[3] *= 1.5;
+  });
+  expect("added mass of surge at ");
+  with(".1", [](auto& rows) {
+    for (Row& r : rows)
+      if (r.size() > 4) r[4] *= 2.2;
+  });
+  expect("added mass and damping do not belong together", ", excitation: false");
+  with(".1", [](auto& rows) {
+    for (Row& r : rows)
+      for (size_t k = 3; k < r.size(); ++k) r[k] *= 1025;
+  });
+  expect("the largest added mass of ", ", excitation: false");
+}
+
+TEST_F(HydrodynamicChecks, WaveForces) {
+  const auto conjugated = [](double mode) {
+    return [mode](auto& rows) {
+      for (Row& r : rows)
+        if (mode == 0 || r[2] == mode) {
+          r[4] = -r[4];
+          r[6] = -r[6];
+        }
+    };
+  };
+  with(".3", conjugated(1));
+  expect("the surge force comes 90 deg after the crest");
+  with(".3", conjugated(2));
+  expect("the sway force comes 90 deg after the crest");
+  with(".3", [](auto& rows) { rows[7][6] *= 1.1; });
+  expect("spar.3:8: modulus ");
+  with(".3", [](auto& rows) {
+    for (Row& r : rows) r[6] = -r[6];
+  });
+  expect("spar.3:1: modulus ");
+  with(".3", [](auto& rows) {
+    for (Row& r : rows)
+      for (const size_t k : {3, 5, 6}) r[k] *= 1.6;
+  });
+  expect("times the hydrostatic stiffness C33");
+  with(".3", [](auto& rows) {  // long waves are right, all else is not
+    for (Row& r : rows)
+      for (const size_t k : {3, 5, 6})
+        if (r[0] < 100) r[k] *= 2;
+  });
+  expect("by Haskind's relation");
+}
+
+// A wide float, where the damping shows in the phase of heave.
+TEST_F(HydrodynamicChecks, ConjugatedHeave) {
+  const auto force = [](double sign) {
+    return [sign](auto& rows) {
+      for (Row& r : rows)
+        if (r[2] == 3) {
+          const double angle = 30 * M_PI / 180 * std::min(1.0, 12 / r[0]);
+          r[4] = sign * angle * 180 / M_PI;
+          r[5] = r[3] * std::cos(angle);
+          r[6] = sign * r[3] * std::sin(angle);
+        }
+    };
+  };
+  const auto damped = [](auto& rows) {
+    for (Row& r : rows)
+      if (r[0] > 0 && is_entry(r, 3, 3)) r[4] *= 30;
+  };
+  with(".3", force(1));
+  with(".1", damped);
+  EXPECT_EQ(reported().find("its phases in"), std::string::npos) << reported();
+  with(".3", force(-1));
+  EXPECT_NE(reported().find("where the damping of"), std::string::npos) << reported();
+}
+
+TEST_F(HydrodynamicChecks, StiffnessTimesTheDensity) {
+  with(".hst", [](auto& rows) {
+    for (Row& r : rows) r[2] *= 1025;
+  });
+  EXPECT_NE(reported(", excitation: false").find("means a waterplane of"), std::string::npos) << reported();
+}
+
+// Of the momentum there are surge, sway and yaw only.
+TEST_F(HydrodynamicChecks, DriftWithoutHeave) {
+  std::string text;
+  for (const int period : {5, 10, 20})
+    for (const int mode : {1, 2, 6}) text += fmt::format("{} 0 0 {} 0.1 0 0.1 0\n", period, mode);
+  write(".8", text);
+  expect("has no rows of heave, roll and pitch", ", second_order: newman");
+}
+
+TEST_F(HydrodynamicChecks, ExponentsOfFortran) {
+  std::ifstream in(HAWSER_SOURCE_DIR "/docs/tutorial/spar.1");
+  std::string text((std::istreambuf_iterator<char>(in)), {});
+  for (char& letter : text)
+    if (letter == 'e') letter = 'D';
+  write(".1", "PER I J Added Damping\n" + text);
+  EXPECT_EQ(reported(), "");
+}
+
+}  // namespace
+}  // namespace hawser::hydrodynamic_checks_test
