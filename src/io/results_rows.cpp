@@ -38,7 +38,7 @@ void SharedFile::open(const std::vector<std::string>& datasets) {
     const int size = ranks_of(comm_);
     if (size > 1) {
       h5::check(H5Pset_fapl_mpio(access, comm_, MPI_INFO_NULL), "HDF5 with MPI");
-      h5::check(H5Pset_dxpl_mpio(transfer_, H5FD_MPIO_COLLECTIVE), "HDF5 with MPI");
+      h5::check(H5Pset_dxpl_mpio(transfer_, H5FD_MPIO_INDEPENDENT), "HDF5 with MPI");
     } else {
       // What is written is with the system at once, as it is with MPI: a kill must not take it away.
       h5::check(H5Pset_sieve_buf_size(access, 0), "HDF5 property list");

@@ -184,6 +184,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
 
 void Clearances::rows(const Snapshot& s, Rows& to) {
   const auto& wanted = case_.output.clearances;
+  if (wanted.empty()) return;
   std::vector<double> values, numbers;
   const auto add = [&](const Best& b) {
     values.push_back(b.clearance);

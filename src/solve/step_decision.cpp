@@ -40,26 +40,26 @@ std::string folded_element(const System& system, const Kinematics& at) {
 }  // namespace
 
 // Checks in this order: Newton's iteration converged; no rotation is ambiguous (more than half a turn); the
-// terms have found all contacts of the step (candidates, tunnelling, penetration); impacts are resolved.
+// terms have found all contacts of the step (candidates, tunnelling, penetration); impacts are resolved. All
+// but the first share one reduction over the ranks.
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
   if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
   const Kinematics trial = trial_.s.view(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
-  double most[2] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness),
-                    turn.value};
-  all_reduce(system_.comm(), MPI_MAX, most);
-  tries_.info.error = most[0];
-  if (most[1] > M_PI) {  // The same orientation would have another increment, in the opposite direction.
+  enum : size_t { kError, kTurn, kOverstretch };
+  double most[] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness),
+                   turn.value, system_.overstretch(trial).beyond};
+  Verdict verdict = system_.check_step(trial, control_.divides(h_), most);
+  tries_.info.error = most[kError];
+  tries_.overstretched = most[kOverstretch] > 0;
+  if (most[kTurn] > M_PI) {  // The same orientation would have another increment, in the opposite direction.
     NodeValue worst = turn;
     MPI_Allreduce(MPI_IN_PLACE, &worst, 1, MPI_DOUBLE_INT, MPI_MAXLOC, system_.comm());
     return {Kind::shorter,
             advice::TurnsTooFar{system_.mesh().mesh->place(static_cast<int>(worst.node)), worst.value}};
   }
-  if (Verdict v = system_.check_step(trial); !v.accepted()) return v;
-  if (control_.divides(h_) && !system_.resolves_impacts(trial))
-    return {Kind::shorter, advice::ImpactNotResolved{}};
-  return {};
+  return verdict;
 }
 
 // Length of a try from the committed state, towards the next output or the event that is searched for.
@@ -100,8 +100,8 @@ Dynamics::Decision Dynamics::decide() {
           return {false, next_try()};
         }
       }
-      if (const auto found = system_.overstretched(trial_.s.view(h_)))
-        throw SolveError(advice::overstretched_at(trial_.s.time, *found));
+      if (tries_.overstretched)
+        throw SolveError(advice::overstretched_at(trial_.s.time, *system_.overstretched(trial_.s.view(h_))));
       control_.accepted(h_, tries_.info.iterations, error);
       return {true, control_.proposal()};
     case Verdict::Kind::prepare_again:

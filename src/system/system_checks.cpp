@@ -10,10 +10,15 @@ constexpr double kRoundOffShare = 0.01;  // largest ratio of round-off to tensio
 constexpr double kSure = 1e-3;           // this ratio for the EA that the message recommends
 }  // namespace
 
-std::optional<advice::Overstretched> System::overstretched(const Kinematics& at) const {
+Overstretch System::overstretch(const Kinematics& at) const {
   Overstretch worst;
   for (const CarriesTension* t : carry_tension_)
     if (const Overstretch o = t->overstretched(at); o.beyond > worst.beyond) worst = o;
+  return worst;
+}
+
+std::optional<advice::Overstretched> System::overstretched(const Kinematics& at) const {
+  Overstretch worst = overstretch(at);
   if (!broadcast_largest(comm_, worst.beyond, 0, worst)) return std::nullopt;
   return advice::Overstretched{.place = mesh_.mesh->place(worst.node),
                                .strain = worst.strain,

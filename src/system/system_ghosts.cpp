@@ -37,7 +37,7 @@ void System::with_frames(Couplings& c) const {
 CouplingChange System::couple(const Kinematics& committed, double h) {
   bool same = true;
   for (CouplesNodes* t : couple_nodes_) same &= !t->recouple(committed, h);
-  if (all(comm_, same)) return CouplingChange::unchanged;
+  if (same) return CouplingChange::unchanged;
   Couplings wanted;
   for (const CouplesNodes* t : couple_nodes_) t->couple(wanted);
   with_frames(wanted);

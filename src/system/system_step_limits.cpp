@@ -1,8 +1,9 @@
-// The class System: limits of a step by impacts, whether a step resolved its impacts, and the verdict of the
-// terms on a trial.
+// The class System: limits of a step by impacts, and the verdict of the terms on a trial, with whether it
+// resolved its impacts.
 #include <algorithm>
 #include <utility>
 
+#include "hawser/advice/steps.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/system/system.hpp"
 #include "logged.hpp"
@@ -11,29 +12,23 @@ namespace hawser {
 
 void System::sum(std::span<double> values) const { all_reduce(comm_, MPI_SUM, values); }
 
-// Motion of the masses of each line in the state, with the energy of its impacts. The second half of the
-// result is the same with algorithmic accelerations as velocities. impacts: of this rank. of_all: of lines of
-// other ranks as well.
-std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion& stored,
-                                        const std::vector<ImpactEvent>& impacts, bool of_all) const {
-  const size_t n = lines_;
-  std::vector<LineMotion> lines(2 * n);
+namespace {
+std::span<double> numbers_of(std::span<LineMotion> lines) {
+  static_assert(sizeof(LineMotion) == 6 * sizeof(double));
+  return {reinterpret_cast<double*>(lines.data()), 6 * lines.size()};
+}
+}  // namespace
+
+// This rank's share of the motion of the masses of each line in the state, without its impacts. The second
+// half of the result is the same with algorithmic accelerations as velocities.
+std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion& stored) const {
+  std::vector<LineMotion> lines(2 * lines_);
   Kinematics accelerations = at;
   accelerations.v = stored.accelerations;
   for (const MovesMasses* t : move_masses_) {
-    t->motion(at, std::span(lines).first(n));
-    t->motion(accelerations, std::span(lines).last(n));
+    t->motion(at, std::span(lines).first(lines_));
+    t->motion(accelerations, std::span(lines).last(lines_));
   }
-  for (const ImpactEvent& s : impacts) {
-    lines[s.line].impact_energy += s.energy();
-    if (s.other >= 0) lines[s.other].impact_energy += s.energy();
-  }
-  static_assert(sizeof(LineMotion) == 6 * sizeof(double));
-  const std::span<double> numbers(reinterpret_cast<double*>(lines.data()), 6 * lines.size());
-  if (of_all)
-    sum(numbers);
-  else
-    sum_cut_lines({numbers.first(6 * n), numbers.last(6 * n)});
   return lines;
 }
 
@@ -44,20 +39,30 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
     const Logged logged(limit_event_);
     for (const LimitsSteps* t : limit_steps_) t->limit_step(committed, impacts);
   }
-  double both[2] = {impacts.longest, impacts.list.empty() ? 1.0 : 0.0};
-  all_reduce(comm_, MPI_MIN, both);
-  StepLimit limit;
-  limit.longest = both[0];
+  const std::vector<LineMotion> shares = motions(committed, stored);
   // The tolerance is also set if there is no impact yet: impacts that only the end of the step shows are
   // compared with it.
-  const bool no_impact = both[1] > 0;
-  const std::vector<LineMotion> lines = motions(committed, stored, impacts.list, !no_impact);
-  const size_t n = lines_;
-  energy_tolerance_ = energy_tolerance(std::span(lines).first(n));
-  limit.longest = std::min(limit.longest, growth_limited_step(std::span(lines).last(n), energy_tolerance_,
-                                                              stored.share, committed.step));
+  const auto growth_limit = [&](std::span<LineMotion> lines) {
+    energy_tolerance_ = energy_tolerance(lines.first(lines_));
+    return growth_limited_step(lines.last(lines_), energy_tolerance_, stored.share, committed.step);
+  };
+  std::vector<LineMotion> lines = shares;
+  sum_cut_lines({numbers_of(std::span(lines).first(lines_)), numbers_of(std::span(lines).last(lines_))});
+  // Without impacts this is the only reduction.
+  double least[3] = {impacts.longest, growth_limit(lines), impacts.list.empty() ? 1.0 : 0.0};
+  all_reduce(comm_, MPI_MIN, least);
+  StepLimit limit;
+  limit.longest = std::min(least[0], least[1]);
+  if (least[2] > 0) return limit;
+
+  lines = shares;
+  for (const ImpactEvent& s : impacts.list) {
+    lines[s.line].impact_energy += s.energy();
+    if (s.other >= 0) lines[s.other].impact_energy += s.energy();
+  }
+  sum(numbers_of(lines));
+  limit.longest = std::min(least[0], growth_limit(lines));
   all_reduce(comm_, MPI_MIN, limit.longest);
-  if (no_impact) return limit;
   const StepLimit impact_limited =
       impact_limited_step(impacts.list, energy_tolerance_, std::min(most, limit.longest),
                           [this](std::span<double> values) { sum(values); });
@@ -66,30 +71,34 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   return limit;
 }
 
-bool System::resolves_impacts(const Kinematics& trial) {
-  UnresolvedImpacts found;
-  {
-    const Logged logged(limit_event_);
-    for (LimitsSteps* t : limit_steps_) t->unresolved(trial, found);
-  }
-  int any[2] = {found.too_deep, !found.list.empty()};
-  all_reduce(comm_, MPI_MAX, any);
-  if (any[0]) return false;
-  if (!any[1]) return true;
-  all_reduce(comm_, MPI_MAX, energy_tolerance_);  // of lines of other ranks as well
-  return within_tolerance(found.list, energy_tolerance_, [this](std::span<double> values) { sum(values); });
-}
-
-Verdict System::check_step(const Kinematics& trial) const {
+Verdict System::check_step(const Kinematics& trial, bool impacts, std::span<double> largest) {
   Verdict worst;
   for (const LimitsSteps* t : limit_steps_)
     if (Verdict v = t->check_step(trial); v.kind > worst.kind) worst = std::move(v);
-  int kind = static_cast<int>(worst.kind);
-  all_reduce(comm_, MPI_MAX, kind);
-  if (kind == static_cast<int>(Verdict::Kind::accept)) return {};
-  if (kind != static_cast<int>(worst.kind)) worst.because = {};
-  worst.kind = static_cast<Verdict::Kind>(kind);
-  return worst;
+  UnresolvedImpacts found;
+  if (impacts) {
+    const Logged logged(limit_event_);
+    for (LimitsSteps* t : limit_steps_) t->unresolved(trial, found);
+  }
+  // One reduction for all that every trial asks of the ranks.
+  enum : size_t { kKind, kTooDeep, kImpacts, kFirst };
+  std::vector<double> most{static_cast<double>(worst.kind), found.too_deep ? 1.0 : 0.0,
+                           found.list.empty() ? 0.0 : 1.0};
+  most.insert(most.end(), largest.begin(), largest.end());
+  all_reduce(comm_, MPI_MAX, most);
+  std::copy(most.begin() + kFirst, most.end(), largest.begin());
+  const auto kind = static_cast<Verdict::Kind>(most[kKind]);
+  if (kind != Verdict::Kind::accept) {
+    if (kind != worst.kind) worst.because = {};
+    worst.kind = kind;
+    return worst;
+  }
+  const Verdict not_resolved{Verdict::Kind::shorter, advice::ImpactNotResolved{}};
+  if (most[kTooDeep] > 0) return not_resolved;
+  if (most[kImpacts] == 0) return {};
+  all_reduce(comm_, MPI_MAX, energy_tolerance_);  // of lines of other ranks as well
+  const auto over_ranks = [this](std::span<double> values) { sum(values); };
+  return within_tolerance(found.list, energy_tolerance_, over_ranks) ? Verdict{} : not_resolved;
 }
 
 }  // namespace hawser

@@ -215,9 +215,9 @@ bool LineCandidates::update(const Kinematics& committed, double h) {
       within_[k] = kShared * settings_.shared->within(static_cast<int>(k));
   predict(committed, h);
   std::vector<std::pair<int, int>> found = search();
-  if (found == list_) return false;
+  const bool changed = on_any_rank(comm_, found != list_);
   list_ = std::move(found);
-  return true;
+  return changed;
 }
 
 // The paths are parabolas in time. If they bend much (a line that is swung, a long step), they are predicted

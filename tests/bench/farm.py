@@ -101,7 +101,7 @@ def print_cost(given, folder):
 
 
 def print_counts(given, folder):
-    print("lines  ranks  collective calls (bytes): a step; a run of 10 steps; data sets written in it")
+    print("lines  ranks  collective calls (bytes): a step; a run of 10 steps")
     for lines in given.lines:
         for ranks in given.ranks:
             found = {}
@@ -111,8 +111,7 @@ def print_counts(given, folder):
                 found[duration] = counted(given.hawser, given.counter, ranks, case, folder)
             (calls, size), longer = collectives(found[1]), collectives(found[2])
             step = (longer[0] - calls) / 10, (longer[1] - size) / 10
-            written = found[1]["File_write_at_all"][0]
-            print(f"{lines:5}  {ranks:5}  {step[0]:.1f} ({step[1]:.0f})  {calls} ({size:.0f})  {written}")
+            print(f"{lines:5}  {ranks:5}  {step[0]:.1f} ({step[1]:.0f})  {calls} ({size:.0f})")
 
 
 def main():

@@ -147,6 +147,7 @@ class Dynamics {
     double allowed = HUGE_VAL;    // s, longest step that the terms allow
     double event = HUGE_VAL;      // s from the start of the step to the event that is searched for
     bool prepared_again = false;  // this step has been prepared a second time
+    bool overstretched = false;   // an element of some rank, in the last try
     EventSearch search;
     std::vector<double> at_start;  // values of the event functions at the start of the step
   } tries_;

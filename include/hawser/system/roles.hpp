@@ -18,7 +18,8 @@ class CouplesNodes {
  public:
   virtual ~CouplesNodes() = default;
   // Called before a step of length h [s] (0: statics) and before prepare(), with the local nodes as before.
-  // True if couple() or anything stored by local node has changed; update_ghosts() follows then. Collective.
+  // True if couple() or anything stored by local node has changed on any rank; update_ghosts() follows then.
+  // Collective, and the same on all ranks.
   virtual bool recouple(const Kinematics& committed, double h) = 0;
   // Adds the groups of coupled nodes of which this rank owns a node.
   virtual void couple(Couplings& to) const = 0;

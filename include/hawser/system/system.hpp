@@ -90,8 +90,10 @@ class System {
   // Whether this rank may compute forces on nodes of other ranks (contact of a line with a floating body).
   bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
   // Checks a converged step or a trial of statics. Returns the most severe verdict of all terms and ranks,
-  // the same on all ranks; its finding is on ranks that have it. Collective.
-  Verdict check_step(const Kinematics& trial) const;
+  // the same on all ranks; its finding is on ranks that have it. impacts: also whether the step resolved its
+  // impacts, including those that its start did not show when longest_step() was called. largest: numbers of
+  // the caller, of which each becomes the largest of all ranks. Collective.
+  Verdict check_step(const Kinematics& trial, bool impacts = false, std::span<double> largest = {});
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
   VecHandle create_vector() const;
@@ -122,9 +124,6 @@ class System {
   double dead_load() const;
   // Limit for a step of at most `most` [s]. Impacts limit it by the error of energy that they may cause.
   StepLimit longest_step(const Kinematics& committed, const StoredMotion& stored, double most);
-  // Whether a converged step resolved its impacts, including those that its start did not show when
-  // longest_step() was called.
-  bool resolves_impacts(const Kinematics& trial);
   bool raise_stiffness(const Kinematics& equilibrium);  // true on all ranks: solve again
   bool raise_stiffness_where_blocked(
       const Kinematics& trial);  // in statics; true on all ranks: stiffness was raised, search again
@@ -139,6 +138,8 @@ class System {
   // is strained beyond the range of its law. lost_in_rounding: round-off is a hundredth or more of a line's
   // tension. Collective, the same on all ranks.
   std::optional<advice::Overstretched> overstretched(const Kinematics& at) const;
+  // The most overstretched element of this rank, if any; not collective.
+  Overstretch overstretch(const Kinematics& at) const;
   std::optional<advice::LostInRounding> lost_in_rounding(const Kinematics& at) const;
   // Summed over the terms, this rank's share.
   Energy energy(const Kinematics& at) const;
@@ -151,8 +152,7 @@ class System {
   }
   void size_arrays();
   void sum(std::span<double> values) const;  // sums over the ranks, in place
-  std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored,
-                                  const std::vector<ImpactEvent>& impacts, bool of_all) const;
+  std::vector<LineMotion> motions(const Kinematics& at, const StoredMotion& stored) const;
   void sum_cut_lines(std::initializer_list<std::span<double>> all) const;
   void reghost_ties();
   void with_frames(Couplings& c) const;
