@@ -49,6 +49,11 @@ std::string turns_too_far(const std::string& place, double angle) {
   return fmt::format("{}, turns by {:.3g} rad in it, and a step follows half a turn at most", place, angle);
 }
 
+std::string element_turns_over(const std::string& place) {
+  return fmt::format("{}, a beam element folds: its ends turn against each other by more than half a turn",
+                     place);
+}
+
 std::string impact_not_resolved() { return "it does not resolve an impact that its start did not show"; }
 
 std::string error_too_large(double error) {

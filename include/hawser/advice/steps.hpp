@@ -29,6 +29,7 @@ std::string tension_lost_in_rounding(const std::string& line, double share, doub
 
 // Of a step: clauses that say why it is not taken.
 std::string not_converged(const std::string& imbalance);
+std::string element_turns_over(const std::string& place);
 std::string turns_too_far(const std::string& place, double angle);  // rad
 std::string impact_not_resolved();
 std::string error_too_large(double error);  // m
