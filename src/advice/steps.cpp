@@ -46,6 +46,9 @@ struct Clause {
     return fmt::format("{}, turns by {:.3g} rad in it, and a step follows half a turn at most", at.place,
                        at.angle);
   }
+  std::string operator()(const ElementTurnsOver& at) const {
+    return at.place + ", a beam element folds: its ends turn against each other by more than half a turn";
+  }
   std::string operator()(ImpactNotResolved) const {
     return "it is too long for an impact that begins within it";
   }

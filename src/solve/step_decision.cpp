@@ -37,19 +37,34 @@ std::string folded_element(const System& system, const Kinematics& at) {
                                  .sufficient = worst.length * kKept / worst.turn});
 }
 
+// First end of a beam element whose ends turned past half a turn against each other in the step, -1 if there
+// is none on this rank. Such an element measures that turn from then on in the other direction, and so its
+// strain jumps. The quaternions of the turns, of q and -q the one with w >= 0, are then more than a right
+// angle apart.
+int turned_over(const LocalMesh& mesh, const Kinematics& before, const Kinematics& after) {
+  const auto turn = [](const Kinematics& at, const LocalElement& e) -> Quat {
+    const Quat q = at.q[e.first].conjugate() * at.q[e.second];
+    return q.w() < 0 ? Quat(-q.coeffs()) : q;
+  };
+  for (const LocalElement& e : mesh.elements)
+    if (mesh.element(e).beam && turn(before, e).dot(turn(after, e)) < 0) return mesh.global[e.first];
+  return -1;
+}
+
 }  // namespace
 
-// Checks in this order: Newton's iteration converged; no rotation is ambiguous (more than half a turn); the
-// terms have found all contacts of the step (candidates, tunnelling, penetration); impacts are resolved. All
-// but the first share one reduction over the ranks.
+// Checks in this order: Newton's iteration converged; no rotation is ambiguous (more than half a turn in
+// the step, or within a beam element); the terms have found all contacts of the step (candidates, tunnelling,
+// penetration); impacts are resolved. All but the first share one reduction over the ranks.
 Verdict Dynamics::check_step() {
   using Kind = Verdict::Kind;
   if (!tries_.solved) return {Kind::shorter, imbalance(system_, r_.get(), norms_)};
   const Kinematics trial = trial_.s.view(h_);
   const NodeValue turn = alpha_turn(system_.mesh(), local_u_);
-  enum : size_t { kError, kTurn, kOverstretch };
+  const int over = turned_over(system_.mesh(), committed_.s.view(h_), trial);
+  enum : size_t { kError, kTurn, kOver, kOverstretch };
   double most[] = {alpha_error(system_.mesh(), alpha_, h_, committed_, trial_, settings_.strictness),
-                   turn.value, system_.overstretch(trial).beyond};
+                   turn.value, static_cast<double>(over), system_.overstretch(trial).beyond};
   Verdict verdict = system_.check_step(trial, control_.divides(h_), most);
   tries_.info.error = most[kError];
   tries_.overstretched = most[kOverstretch] > 0;
@@ -59,6 +74,9 @@ Verdict Dynamics::check_step() {
     return {Kind::shorter,
             advice::TurnsTooFar{system_.mesh().mesh->place(static_cast<int>(worst.node)), worst.value}};
   }
+  if (most[kOver] >= 0)
+    return {Kind::shorter,
+            advice::ElementTurnsOver{system_.mesh().mesh->place(static_cast<int>(most[kOver]))}};
   return verdict;
 }
 

@@ -14,11 +14,9 @@ void ContactWork::add(const StepOfBody& b, const ContactPoint& p, const Mat3& R,
                       const Vec3& y1, double touching) {
   const Vec3 relative = 0.5 * (b.R0 + b.R1) * (y1 - y0);
   const Vec3 carried = b.shift + 0.5 * (b.R1 - b.R0) * (y0 + y1);
-  const Vec3 normal = 0.5 * touching * p.weight * (R * (p.force - p.friction));
-  const Vec3 tangential = 0.5 * p.weight * (R * p.friction);
-  friction -= tangential.dot(relative);
+  friction -= 0.5 * p.weight * (R * p.friction).dot(relative);
   damping -= 0.5 * touching * p.weight * p.damping_force * (R * p.normal).dot(relative);
-  if (b.prescribed) work += (normal + tangential).dot(carried);
+  if (b.prescribed) work += 0.5 * p.weight * (R * p.force).dot(carried);
 }
 
 }  // namespace hawser

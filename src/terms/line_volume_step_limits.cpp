@@ -36,16 +36,17 @@ void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to
 }
 
 void LineVolumeContact::add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share,
-                                      double gap, const Vec3& normal, bool last, ImpactEvents& to) const {
+                                      double gap, const Vec3& normal, bool last, ImpactEvents& to,
+                                      double touching) const {
   const Quat back = pair.start.pose.rotation.conjugate();
   const Vec3 velocity = back * velocity_at_start(pair, xi),
              acceleration = back * along(committed.a, local(pair), xi);
   const Approach at{gap, -normal.dot(velocity), normal.dot(acceleration), last};
   limit_depth(pair.radius, at, to);
-  const ContactSpring s = spring(pair, xi);
+  const ContactSpring s = spring(pair, xi, touching);
+  const double mass = settings(pair).mass_per_length * share * pair.length / touching;
   if (local(pair).counted && share > 0)
-    to.add(impact_event(s.inverse_frequency, s.significant_depth, settings(pair).mass_per_length * share, at),
-           element(pair).line);
+    to.add(impact_event(s.inverse_frequency, s.significant_depth, mass, at), element(pair).line);
 }
 
 void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinematics& committed,
@@ -62,7 +63,8 @@ void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinemat
     for (auto p = first; p != end; ++p) all += p->weight;
     for (auto p = first; p != end; ++p)
       add_impact_at(pair, committed, p->xi, p == deepest && !apart ? all : p->weight,
-                    p->gap - pair.smoothing(), p->normal, p == deepest || apart, to);
+                    p->gap - pair.smoothing(), p->normal, p == deepest || apart, to,
+                    apart ? pair.length : all);
   }
 }
 
@@ -73,7 +75,8 @@ void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& comm
                                     [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
   // Weights of Simpson's rule, or of the nodes. Points in contact are in limit_by_active_contacts().
   const double gap = p.distance - pair.contact_distance, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
-  add_impact_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to);
+  add_impact_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to,
+                pair.length);
 }
 
 bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinematics& committed,
@@ -107,7 +110,7 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
     const double xi = kSamples[i], speed = velocity_at_start(pair, xi).norm();
     // The range of the query is the distance covered in half a second.
     const double far = 0.5 * (start.slope_bound() + speed), within = pair.contact_distance + far;
-    const ContactSpring s = spring(pair, xi);
+    const ContactSpring s = spring(pair, xi, pair.length);
     const bool matters = may_limit_depth(pair.radius, clearance, speed, to) ||
                          may_impact(s.inverse_frequency, s.significant_depth, speed,
                                     along(committed.a, local(pair), xi).norm());
@@ -150,12 +153,13 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       for (const AxisContactPoint& p : pair.previous(w)) deepest_before = std::max(deepest_before, -p.gap);
       to.too_deep = to.too_deep || sinks_too_far(pair.radius, deepest_before, deepest);
     }
-    if (resolves_contact(spring(pair, 0).inverse_frequency, trial.step) &&
-        resolves_contact(spring(pair, 1).inverse_frequency, trial.step))
+    if (resolves_contact(spring(pair, 0, pair.length).inverse_frequency, trial.step) &&
+        resolves_contact(spring(pair, 1, pair.length).inverse_frequency, trial.step))
       continue;
 
-    const auto add = [&](double xi, double share, double force, double potential, double path, double speed) {
-      const ContactSpring s = spring(pair, xi);
+    const auto add = [&](double touching, double xi, double share, double force, double potential,
+                         double path, double speed) {
+      const ContactSpring s = spring(pair, xi, finder_.at_nodes() ? pair.length : touching);
       const double error =
           share * crossing_error(s.inverse_frequency, s.significant_depth, force, potential, path, speed);
       if (error > 0) to.list.push_back({element(pair).line, -1, error});
@@ -164,7 +168,9 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       return pose.to_body(shape.point(xi)) - pair.start.pose.to_body(pair.start.shape.point(xi));
     };
     // On the facet group that the point touched at the start, or touches now.
-    for (int w = 0; w < pair.facet_groups(); ++w)
+    for (int w = 0; w < pair.facet_groups(); ++w) {
+      double touched = 0;
+      for (const AxisContactPoint& p : pair.previous(w)) touched += p.weight;
       for (const AxisContactPoint& p : pair.previous(w)) {
         const auto holds = [&](const auto& s) { return s.from <= p.xi && p.xi <= s.to; };
         if (std::any_of(found.panels.begin(), found.panels.end(),
@@ -172,9 +178,10 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
             std::none_of(found.filled.begin(), found.filled.end(), holds))
           continue;
         const Vec3 x = shape.point(p.xi), leaves = shape.velocity(p.xi) - pose.velocity_at(x);
-        add(p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
+        add(touched, p.xi, p.weight, p.elastic_force(), p.potential, p.normal.dot(moved(p.xi)),
             (pose.rotation * p.normal).dot(leaves));
       }
+    }
     for (const QuadraturePoint& p : found.quadrature) {
       const auto& previous = pair.previous(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
@@ -186,7 +193,11 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       const double came = -p.at.normal.dot(way);
       if (!(came > pair.contact_distance - p.at.distance)) continue;
       const NormalForce f = normal_force(pair.law(p.xi).normal, p.at.distance - pair.radius, 0);
-      add(p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
+      double touches = 0;
+      for (const QuadraturePoint& q : found.quadrature)
+        if (found.panels[q.panel].group == found.panels[p.panel].group && pair.in_contact(q.at))
+          touches += q.weight;
+      add(touches, p.xi, p.weight, f.elastic, f.potential, came, came / trial.step);
     }
   }
 }

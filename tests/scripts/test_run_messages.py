@@ -100,6 +100,17 @@ dynamics: {duration: 12, step: 0.05, min_step: 0.05}
                          r"of 1 m: elements of 0\.\d+ m would follow that, and if it is not meant to fold, a slower motion, 'EI' or "
                          r"'stiffness_damping' prevents it")
 
+    def test_beam_that_is_rolled_up(self):
+        """Its ends turn against each other by more than half a turn, which an element takes for less in the other direction."""
+        wheel = "bodies:\n  wheel: {position: [12, 0, 0], motion: {rotation: {axis: [0, 1, 0], rate: 1}, ramp: 1}}\nlines:"
+        roll = CASE.replace("lines:", wheel).replace("elements: 8", "elements: 1").replace("duration: 0.2", "duration: 6")
+        roll = roll.replace("end_b: free", "end_b: {body: wheel, at: [0, 0, 0], direction: [1, 0, 0], clamped: true}")
+        write(self.folder, "rod.yaml", roll)
+        result = self.hawser("run", "rod.yaml")
+        self.assertEqual(result.returncode, 3, result.stdout + result.stderr)
+        self.assertRegex(result.stderr, r"stopped at t = 3\.\d+ s: .*line rod, arc length 0 m, a beam element folds: its ends turn "
+                         r"against each other by more than half a turn; line rod, arc length 0 m, is bent by 1\d\d degrees")
+
     def test_statics_that_goes_on(self):
         """A slack chain over a cliff, which folds onto itself."""
         (self.folder / "cliff.xyz").write_text("".join(

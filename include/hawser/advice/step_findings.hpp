@@ -23,6 +23,11 @@ struct TurnsTooFar {
   double angle = 0;  // rad, in the step
 };
 
+// A beam element whose ends turn against each other by more than half a turn.
+struct ElementTurnsOver {
+  std::string place;
+};
+
 // An impact that the start of the step did not show.
 struct ImpactNotResolved {};
 
@@ -86,8 +91,9 @@ struct PressedLines {
 };
 
 // monostate: nothing, or another rank has the finding.
-using StepFinding = std::variant<std::monostate, Imbalance, TurnsTooFar, ImpactNotResolved, ErrorTooLarge,
-                                 BeyondContactSearch, LinePassesVolume, BodyPassesBody, FeedsTooFast, TooDeep,
-                                 DrawnThrough, LinesPass, LinesStartTooNear, PressedLines>;
+using StepFinding =
+    std::variant<std::monostate, Imbalance, TurnsTooFar, ElementTurnsOver, ImpactNotResolved, ErrorTooLarge,
+                 BeyondContactSearch, LinePassesVolume, BodyPassesBody, FeedsTooFast, TooDeep, DrawnThrough,
+                 LinesPass, LinesStartTooNear, PressedLines>;
 
 }  // namespace hawser::advice

@@ -109,8 +109,9 @@ class LineVolumeContact final : public ForceTerm,
   ContactLaw applied(const ContactLaw& l) const {
     return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
   }
-  ContactSpring spring(const Pair& p, double xi) const {
-    return contact_spring(p.law(xi).normal, settings(p).mass_per_length, p.radius);
+  // All of a straight element moves on the spring of the length [m] that touches.
+  ContactSpring spring(const Pair& p, double xi, double touching) const {
+    return contact_spring(p.law(xi).normal, settings(p).mass_per_length * p.length / touching, p.radius);
   }
 
   // Pairs of an element and a volume at the start of a step, with data from earlier steps.
@@ -124,10 +125,10 @@ class LineVolumeContact final : public ForceTerm,
   AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;
   void account(const Pair& pair, const AxisShape& shape, const std::vector<AxisContactPoint>& next);
 
-  // add_impact_at(): adds the impact at xi, of `share` m of the line; `last`: see Approach.
-  // predict_impacts(): adds the impact with a surface that the element may reach.
+  // add_impact_at(): adds the impact at xi, of `share` m of the `touching` m that touch; `last`: see
+  // Approach. predict_impacts(): adds the impact with a surface that the element may reach.
   void add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
-                     const Vec3& normal, bool last, ImpactEvents& to) const;
+                     const Vec3& normal, bool last, ImpactEvents& to, double touching) const;
   void predict_impacts(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
                        ImpactEvents& to) const;
   // The same for each facet group that the element may reach in the step. Returns whether there are several.
