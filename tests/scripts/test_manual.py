@@ -102,7 +102,7 @@ class Made(unittest.TestCase):
         self.assertEqual(self.words("mo"), ["modes"])
         self.assertEqual(self.words("run", "a"), ["a.yaml"])
         self.assertEqual(self.words("run", "a.yaml", "--rest"), ["--restart"])
-        self.assertEqual(self.words("plot", "a.h5", "ra"), ["range"])
+        self.assertEqual(self.words("plot", "a.h5", "ran"), ["range"])
         self.assertEqual(self.words("fatigue", "a.h5", "--curve", "no-such-curve"), [])
         self.assertGreater(len(self.words("fatigue", "a.h5", "--curve", "")), 1)
         self.assertEqual(self.words("no-such-command", ""), [])

@@ -9,6 +9,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import h5py
 import numpy as np
 from support import ROOT, run, write
 
@@ -150,6 +151,27 @@ class Responses(unittest.TestCase):
             exact = found[k].copy()
             exact[:3] += np.cross(exact[3:], r)
             self.assertLess(off(moved[k], exact), 2e-4)
+
+    def test_quadratic_damping_by_a_matrix(self):
+        """Its diagonal damps as six numbers do; heave that acts on surge pushes the spar along -x, with the sign of its speed."""
+        found = {}
+        mixed = np.diag([1e6, 1e6, 1e7, 1e10, 1e10, 1e8])
+        mixed[0, 2] = 5e6
+        for name, damping in (("numbers", [1e6, 1e6, 1e7, 1e10, 1e10, 1e8]), ("rows", np.diag([1e6, 1e6, 1e7, 1e10, 1e10, 1e8]).tolist()),
+                              ("mixed", mixed.tolist())):
+            text = SPAR.replace("  waves: WAVES\n", "").replace("\ndynamics:", "\nstatics: false\ndynamics:").replace(
+                "      hydrodynamics: {", f"      velocity: [0, 0, 1]\n      hydrodynamics: {{quadratic_damping: {damping}, ")
+            for key, value in (("PLACE", "[0, 0, 0]"), ("HEADING", 0), ("FOLLOW", 0), ("DURATION", 4), ("STEP", 0.1),
+                               ("DAMPING", rows_of(0 * DAMPING)), ("STIFFNESS", rows_of(STIFFNESS))):
+                text = text.replace(key, str(value))
+            write(self.folder, f"{name}.yaml", text)
+            done = run(HAWSER, "run", f"{name}.yaml", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with h5py.File(self.folder / f"{name}.h5") as file:
+                found[name] = file["series/the_spar"][:, :6]
+        np.testing.assert_array_equal(found["numbers"], found["rows"])
+        self.assertLess(np.abs(found["rows"][:, 0]).max(), 1e-6)
+        self.assertLess(found["mixed"][-1, 0], -0.05)
 
     def test_table_for_a_vessel_that_moves_by_it(self):
         """The .rao file drives a body by responses as the spar moved, by the convention of `motion.rao`."""
