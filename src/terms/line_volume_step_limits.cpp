@@ -26,6 +26,9 @@ bool sinks_too_far(double radius, double before, double after) {
   return after > std::max(before, 0.0) + radius;
 }
 
+// A beam bends where it is pressed, so that its whole mass does not move with the place.
+bool straight(const AxisShape& shape) { return shape.count() < AxisShape::kMost; }
+
 }  // namespace
 
 void LineVolumeContact::limit_step(const Kinematics& committed, ImpactEvents& to) const {
@@ -64,7 +67,7 @@ void LineVolumeContact::limit_by_active_contacts(const Pair& pair, const Kinemat
     for (auto p = first; p != end; ++p)
       add_impact_at(pair, committed, p->xi, p == deepest && !apart ? all : p->weight,
                     p->gap - pair.smoothing(), p->normal, p == deepest || apart, to,
-                    apart ? pair.length : all);
+                    apart || !straight(pair.start.shape) ? pair.length : all);
   }
 }
 
@@ -159,7 +162,8 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
 
     const auto add = [&](double touching, double xi, double share, double force, double potential,
                          double path, double speed) {
-      const ContactSpring s = spring(pair, xi, finder_.at_nodes() ? pair.length : touching);
+      const ContactSpring s =
+          spring(pair, xi, finder_.at_nodes() || !straight(shape) ? pair.length : touching);
       const double error =
           share * crossing_error(s.inverse_frequency, s.significant_depth, force, potential, path, speed);
       if (error > 0) to.list.push_back({element(pair).line, -1, error});
