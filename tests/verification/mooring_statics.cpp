@@ -38,7 +38,7 @@ model::Case mooring(const std::vector<Part>& parts, double x, double z, double f
   }
   // The anchor is where the line rests, so that it is not led down to it.
   bed.smoothing = 0.01 * parts[0].weight / bed.normal_stiffness;
-  const double level = -1000 + 0.5e-3 - parts[0].weight / bed.normal_stiffness - 0.5 * bed.smoothing;
+  const double level = -1000 + 0.5e-3 - parts[0].weight / bed.normal_stiffness - 0.5 * *bed.smoothing;
   l.end_a = anchor({7, -4, level});
   l.end_b = anchor(Vec3(7 + 0.8 * x, -4 - 0.6 * x, z + level));
   c.lines.push_back(l);
