@@ -8,6 +8,7 @@
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/symmetric.hpp"
+#include "hawser/model/check.hpp"
 
 namespace hawser::advice {
 
@@ -43,6 +44,12 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
                    "its coefficients are those of linear waves: the wave of 'stokes' acts on it as a linear "
                    "one of the same height and period",
                    33});
+}
+
+void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  std::vector<Issue> found;
+  note_hydrodynamic_data(c, b, Issues(found, "bodies." + b.name + ".floating.hydrodynamics"));
+  for (Issue& one : found) out.push_back({std::move(one.key), std::move(one.text), 37});
 }
 
 void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {
@@ -82,6 +89,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     if (b.mass) warn_of_hull(b, out);
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);
+    warn_of_coefficients(c, b, out);
     warn_of_sea_of_platform(c, b, out);
     warn_of_directions(c, b, out);
   }

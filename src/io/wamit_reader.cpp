@@ -136,13 +136,13 @@ void read_hydrostatics(const std::string& stem, const HydrodynamicForm& form, st
 }
 
 // Columns from `first` on: modulus, phase [deg], real and imaginary part of one number, to a few digits; the
-// phase of a number next to zero means nothing.
+// phase of a number next to zero means nothing. Modulus and phase that are both zero are not given.
 void check_parts(const NumberTable& table, const NumberRow& row, size_t first, double largest) {
   constexpr double kRounded = 0.01, kSmall = 0.01;
   const double modulus = row.values[first], phase = row.values[first + 1];
   const Complex parts(row.values[first + 2], row.values[first + 3]);
   const double scale = std::max(modulus, std::abs(parts));
-  if (scale <= kSmall * largest) return;
+  if (scale <= kSmall * largest || (modulus == 0 && phase == 0)) return;
   // A negative real number may be written with its modulus and the phase 0.
   if (std::abs(parts - std::polar(modulus, phase * kRadPerDegree)) <= 2 * kRounded * scale) return;
   if (parts.imag() == 0 && std::abs(std::abs(parts.real()) - std::abs(modulus)) <= kRounded * scale) return;

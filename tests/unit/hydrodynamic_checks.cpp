@@ -126,7 +126,7 @@ TEST_F(HydrodynamicChecks, RowsOfAddedMass) {
     for (Row& r : rows)
       for (size_t k = 3; k < r.size(); ++k) r[k] *= 1025;
   });
-  expect("the largest added mass of ", ", excitation: false");
+  expect("the largest added mass of ", ", excitation: false, displaced_volume: 28274");
 }
 
 TEST_F(HydrodynamicChecks, WaveForces) {

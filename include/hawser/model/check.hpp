@@ -51,8 +51,10 @@ void check_supports(const Case& c, const Issues& issue);
 // Its part that is about springs and dampers between two points.
 void check_links(const Case& c, const Issues& issue);
 void check_platforms(const Case& c, const Issues& issue);
-// Of a body with hydrodynamics: its coefficients against each other, its size and long waves.
+// Of a body with hydrodynamics: its coefficients against long waves.
 void check_hydrodynamic_data(const Case& c, const Body& b, const Issues& issue);
+// What is unlikely in its coefficients by each other and by its size, and no error for certain.
+void note_hydrodynamic_data(const Case& c, const Body& b, const Issues& note);
 // The end of the line that comes first on its way over these supports, its tensioner's: the held end that is
 // nearer to the first box; null: no end is held.
 const End* end_before(const Case& c, const Line& line, const SupportBox& first);
