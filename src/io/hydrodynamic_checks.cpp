@@ -36,9 +36,10 @@ void check_sign(const HydrodynamicData& data, const Eigen::VectorXd& scale) {
   }
 }
 
-// Added mass goes to that of omega = 0 in long waves, and to that of infinite frequency in short ones.
+// Added mass goes to that of omega = 0 in long waves, and to that of infinite frequency in short ones. Where
+// the file has both and they fit the other end, it is refused; one alone may be near the wrong end by chance.
 void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::MatrixXd& zero_frequency,
-                  const Eigen::VectorXd& scale) {
+                  const Eigen::VectorXd& scale, std::vector<std::string>& notes) {
   const bool has_zero = zero_frequency.size() > 0;
   double straight = 0, crossed = 0;
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
@@ -54,12 +55,14 @@ void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::
     }
   }
   constexpr double kClear = 0.1;
-  if ((has_zero || has_infinite) && straight > kClear && crossed < 0.5 * straight)
-    throw std::runtime_error(
-        fmt::format("{}: added mass at zero frequency (WAMIT's period -1) belongs to the shortest waves of "
-                    "the file and that at infinite frequency (period 0) to the longest: these rows are "
-                    "swapped, or the first column has frequencies in place of periods",
-                    data.radiation_file));
+  if (!(straight > kClear && crossed < 0.5 * straight)) return;
+  const std::string text = fmt::format(
+      "{}: added mass at zero frequency (WAMIT's period -1) belongs to the shortest waves of "
+      "the file and that at infinite frequency (period 0) to the longest: these rows are "
+      "swapped, or the first column has frequencies in place of periods",
+      data.radiation_file);
+  if (has_zero && has_infinite) throw std::runtime_error(text);
+  notes.push_back(text);
 }
 
 // A(omega) - A(inf) = 2/pi PV int_0^inf B(u)/(u² - omega²) du (Ogilvie 1964) of an entry whose B is straight
@@ -186,7 +189,7 @@ void check_coefficients(const HydrodynamicData& data, bool has_infinite,
                         const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes) {
   const Eigen::VectorXd scale = largest_diagonal(data);
   check_sign(data, scale);
-  check_limits(data, has_infinite, zero_frequency, scale);
+  check_limits(data, has_infinite, zero_frequency, scale, notes);
   check_ogilvie(data, has_infinite, scale, notes);
   note_wild(data, data.added_mass, "added mass", notes);
   note_wild(data, data.damping, "damping", notes);
