@@ -29,8 +29,12 @@ def page_of(a, b, path):
     page.text(f"B is {b.path}: {run_of(b)}")
     for words in compare_tables.only(a, b):
         page.text(words, "note")
+    for letter, results in (("A", a), ("B", b)):
+        for words in results.messages():
+            if words.startswith("warning"):
+                page.text(f"{letter}: {words}", "note")
     page.section("Models")
-    page.text("A is coloured by a field, B is in one colour; of B that output is shown which is nearest in time.")
+    page.text("A is coloured by a field, B is orange; of B that output is shown which is nearest in time. The notes beside the model are those of A.")
     page.model(a, b)
     page.section("Differences")
     differences(page, a, b)

@@ -74,7 +74,7 @@ TEST(Kill, WhatWasAcceptedStaysAndTheRunGoesOn) {
   std::uniform_real_distribution<double> moment(0.05 * duration, duration);
   std::remove(file.c_str());
   int kills = 0, restarts = 0, ends = 0;
-  for (int attempt = 0; attempt < 100 && (kills < 10 || ends < 2); ++attempt) {
+  for (int attempt = 0; attempt < 100 && (kills < 10 || restarts < 3 || ends < 2); ++attempt) {
     // A file of a run that was killed before its first checkpoint can only be made anew.
     std::vector<std::string> words{"run", input, "-q", "-o", file};
     const bool going_on = rows(file).first > 1;

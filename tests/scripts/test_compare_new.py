@@ -68,6 +68,12 @@ class Compare(unittest.TestCase):
             for target, words in ((self.a.path, "is a .html or .htm file"), (self.folder / "c.txt", "is a .html or .htm file")):
                 self.assertEqual(post.main(["compare", str(self.a.path), str(self.b.path), "-o", str(target)]), 2)
                 self.assertIn(words, out.getvalue())
+        with mock.patch.object(Results, "messages", lambda self: ["warning: too short", "note: no matter"]), contextlib.redirect_stdout(out):
+            post.main(["compare", str(self.a.path), str(self.b.path), "-o", str(self.folder / "warned.html")])
+        warned = (self.folder / "warned.html").read_text(encoding="utf-8")
+        for words in ("A: warning: too short", "B: warning: too short"):
+            self.assertIn(words, warned)
+        self.assertNotIn("B: note", warned)
         page = (self.folder / "c.html").read_text(encoding="utf-8")
         for words in ("lines.mooring.length", "Only A has the line spare.", "A, largest", 'data-others="other"', 'data-of="other"'):
             self.assertIn(words, page)

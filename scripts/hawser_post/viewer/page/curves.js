@@ -65,7 +65,7 @@ hawser.Curves = class {
       const n = this.main.header.nodes;
       ["least of the run", "mean", "largest of the run"].forEach((label, row) => {
         const y = this.envelope.values.subarray(row * n + this.line.first, row * n + this.line.first + this.line.nodes);
-        curves.push({label, colour: ["#5b6770", "#7a5a2e", "#5b6770"][row], dashed: row !== 1, x: now[0] ? now[0].x : [],
+        curves.push({label, colour: ["#5b6770", "#7a5a2e", "#8a3324"][row], dashed: row !== 1, x: now[0] ? now[0].x : [],
                      y: Float32Array.from(y, (v) => v / this.field.factor), wide: 1});
       });
     }
@@ -93,7 +93,7 @@ hawser.Curves = class {
       if (!found || model.outputs < 2) continue;
       const ends = await model.ends(found.field, found.line);
       ["end A", "end B"].forEach((name, row) => {
-        curves.push({label: this.models.length > 1 ? `${name}, ${label}` : name, x: model.header.times,
+        curves.push({label: this.models.length > 1 ? `${name} in run ${label}` : name, x: model.header.times,
                      y: Float32Array.from(ends[row], (v) => v / found.field.factor)});
       });
     }
