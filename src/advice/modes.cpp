@@ -1,4 +1,4 @@
-// Sentences of `hawser modes` and `hawser stiffness`.
+// Sentences of `hawser modes`, `hawser stiffness` and `hawser check --radiation`.
 #include "hawser/advice/modes.hpp"
 
 #include <fmt/format.h>
@@ -51,15 +51,8 @@ std::string body_rides_on_line(const model::Case& c, const std::string& body) {
   return fmt::format("{}: body {} rides on a line", c.path, body);
 }
 
-std::string table_needs_csv(const std::string& path) {
-  return path + ": a table of stiffnesses is a CSV file: give its name the ending .csv";
-}
-
-std::string no_table_of_stiffnesses(const std::string& path) {
-  return fmt::format(
-      "cannot write the table to {}: there is a file that is no table of stiffnesses; move it away, "
-      "or give another file with -o",
-      path);
+std::string no_coefficients(const model::Case& c) {
+  return c.path + ": no body has hydrodynamic coefficients, of which there would be a table";
 }
 
 }  // namespace hawser::advice

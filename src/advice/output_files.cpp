@@ -58,6 +58,17 @@ std::string third_party_file(const std::string& path, const std::string& name) {
       name + " is not of hawser's making, and is not replaced; move it away, or give another file with -o");
 }
 
+std::string table_needs_csv(const std::string& path, const std::string& what) {
+  return fmt::format("{}: a table of {} is a CSV file: give its name the ending .csv", path, what);
+}
+
+std::string not_such_a_table(const std::string& path, const std::string& what) {
+  return fmt::format(
+      "cannot write the table to {}: there is a file that is no table of {}; move it away, or give another "
+      "file",
+      path, what);
+}
+
 std::string no_file_locks(const std::string& path) {
   return fmt::format(
       "the file system of {} does not support file locks: make sure that no other run writes this file",

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "hawser/kernels/radiation_memory.hpp"
 #include "hydrodynamic_parts.hpp"
 
 namespace hawser::io {
@@ -65,41 +66,30 @@ void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::
   notes.push_back(text);
 }
 
-// A(omega) - A(inf) = 2/pi PV int_0^inf B(u)/(u² - omega²) du (Ogilvie 1964) of an entry whose B is straight
-// between the rows, 0 at omega = 0 and beyond the last row. Between a and b, with B = p + s u, the integral
-// is
-//   [(B(omega)/(2 omega) ln|u - omega| + (s omega - p)/(2 omega) ln(u + omega)]_a^b
-// and the first terms of neighbours at a row u = omega are each other's opposite.
-double above_infinite(const HydrodynamicData& data, Eigen::Index i, size_t at) {
-  const double omega = data.omega[at];
-  double sum = 0, a = 0, from = 0;
-  const auto logarithm = [omega](double u) { return u == omega ? 0 : std::log(std::abs(u - omega)); };
-  for (size_t k = 0; k < data.omega.size(); ++k) {
-    const double b = data.omega[k], to = data.damping[k](i, i), s = (to - from) / (b - a), p = from - s * a;
-    sum += (p + s * omega) * (logarithm(b) - logarithm(a)) +
-           (s * omega - p) * (std::log(b + omega) - std::log(a + omega));
-    a = b;
-    from = to;
-  }
-  // B ends at the last row with a jump.
-  return sum / (M_PI * omega);
-}
-
 // By Ogilvie's relation each row tells the added mass at infinite frequency: all the same one.
 void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen::VectorXd& scale,
                    std::vector<std::string>& notes) {
   constexpr size_t kRows = 60;
   constexpr double kInside = 0.6, kVaries = 0.1, kApart = 0.5;
+  Eigen::MatrixXd damping(std::ssize(data.omega), scale.size());
+  for (Eigen::Index k = 0; k < damping.rows(); ++k)
+    damping.row(k) = data.damping[static_cast<size_t>(k)].diagonal().transpose();
+  std::vector<size_t> rows;
+  std::vector<Eigen::RowVectorXd> above_infinite;
+  for (size_t k = 0; k < data.omega.size(); k += std::max<size_t>(1, data.omega.size() / kRows)) {
+    if (data.omega[k] > kInside * data.omega.back()) break;
+    rows.push_back(k);
+    above_infinite.push_back(added_mass_by_damping(data.omega, damping, data.omega[k]));
+  }
+  if (rows.size() < 3) return;
   double apart = 0, varies = 0;
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
     if (!(scale[i] > 0)) continue;
     std::vector<double> infinite, added;
-    for (size_t k = 0; k < data.omega.size(); k += std::max<size_t>(1, data.omega.size() / kRows)) {
-      if (data.omega[k] > kInside * data.omega.back()) break;
-      added.push_back(data.added_mass[k](i, i) / scale[i]);
-      infinite.push_back(added.back() - above_infinite(data, i, k) / scale[i]);
+    for (size_t r = 0; r < rows.size(); ++r) {
+      added.push_back(data.added_mass[rows[r]](i, i) / scale[i]);
+      infinite.push_back(added.back() - above_infinite[r][i] / scale[i]);
     }
-    if (added.size() < 3) continue;
     const auto spread = [](const std::vector<double>& x, double about) {
       double sum = 0;
       for (const double value : x) sum += (value - about) * (value - about);

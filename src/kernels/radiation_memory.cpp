@@ -127,22 +127,27 @@ void RadiationMemory::integrals(double t, double* S, double* rate) const {
 // On an interval B = c + s u, and B/(u² - w²) has the integral
 //   [(c + s w) ln|u - w| - (c - s w) ln(u + w)]/(2 w).
 // At a row, u = w, c + s w is B of that row on both sides: the logarithms cancel.
-Eigen::RowVectorXd RadiationMemory::added_mass_by_damping(double omega) const {
-  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(entries()), from = sum;
+Eigen::RowVectorXd added_mass_by_damping(const std::vector<double>& omega, const Eigen::MatrixXd& damping,
+                                         double at) {
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(damping.cols()), from = sum;
   double a = 0;
-  for (Eigen::Index k = 0; k < damping_.rows(); ++k) {
-    const double b = omega_[static_cast<size_t>(k)];
-    const Eigen::RowVectorXd s = (damping_.row(k) - from) / (b - a), c = from - s * a;
-    const auto distance = [omega](double u) {
-      const double d = std::abs(u - omega);
-      return d > 1e-12 * omega ? std::log(d) : 0;
-    };
-    sum += (c + s * omega) * (distance(b) - distance(a)) -
-           (c - s * omega) * (std::log(b + omega) - std::log(a + omega));
-    from = damping_.row(k);
+  const auto log_distance = [at](double u) {
+    const double d = std::abs(u - at);
+    return d > 1e-12 * at ? std::log(d) : 0;
+  };
+  for (Eigen::Index k = 0; k < damping.rows(); ++k) {
+    const double b = omega[static_cast<size_t>(k)];
+    const Eigen::RowVectorXd s = (damping.row(k) - from) / (b - a), c = from - s * a;
+    sum += (c + s * at) * (log_distance(b) - log_distance(a)) -
+           (c - s * at) * (std::log(b + at) - std::log(a + at));
+    from = damping.row(k);
     a = b;
   }
-  return sum / (M_PI * omega);
+  return sum / (M_PI * at);
+}
+
+Eigen::RowVectorXd RadiationMemory::added_mass_by_damping(double omega) const {
+  return hawser::added_mass_by_damping(omega_, damping_, omega);
 }
 
 // Each interval of the table by the rule of Gauss and Legendre.

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "hawser/advice/output_files.hpp"
 #include "hawser/base/error.hpp"
@@ -37,6 +38,15 @@ void check_not_read(const std::string& what, const std::string& path, const std:
   for (const std::string& out : written)
     for (const std::string& in : read)
       if (same_file(out, in)) throw InputError(advice::would_replace_input(what, path, in, out));
+}
+
+void check_table(const std::string& path, std::string_view head, const std::string& what,
+                 const std::vector<std::string>& inputs) {
+  check_not_read("the table", path, {path}, inputs);
+  std::ifstream file(path, std::ios::binary);
+  std::string found(head.size(), ' ');
+  if (file && !(file.read(found.data(), static_cast<std::streamsize>(found.size())) && found == head))
+    throw InputError(advice::not_such_a_table(path, what));
 }
 
 OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "hawser/advice/modes.hpp"
+#include "hawser/advice/output_files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/case_reader.hpp"
@@ -21,18 +23,6 @@ namespace hawser::run {
 namespace {
 
 constexpr std::string_view kHead = "quantity,t [s] or omega [rad/s]";
-
-// A file that the case reads, or that is no such table, is not replaced.
-void check_output(const std::string& path, const std::vector<std::string>& inputs) {
-  check_not_read("the table", path, {path}, inputs);
-  std::ifstream file(path, std::ios::binary);
-  std::string head(kHead.size(), ' ');
-  if (file && !(file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead))
-    throw InputError(
-        "cannot write the table to {}: there is a file that is no table of radiation; move it away, or give "
-        "another name",
-        path);
-}
 
 // Steps of K(t) in a period of the highest frequency.
 constexpr double kPointsPerPeriod = 6;
@@ -79,17 +69,15 @@ void write_radiation(MPI_Comm comm, const std::string& case_path, const std::vec
                      const std::string& path) {
   const model::Case c = io::read_case(case_path, {}, comm, changes);
   const std::vector<std::vector<int>> groups = model::radiating_groups(c);
-  if (groups.empty())
-    throw InputError(c.path + ": no body has hydrodynamic coefficients, of which there would be a table");
+  if (groups.empty()) throw InputError(advice::no_coefficients(c));
   const std::filesystem::path wanted = std::filesystem::absolute(path);
-  if (wanted.extension() != ".csv")
-    throw InputError(path + ": a table of radiation is a CSV file: give its name the ending .csv");
+  if (wanted.extension() != ".csv") throw InputError(advice::table_needs_csv(path, "radiation"));
   for (const std::vector<int>& group : groups) {
     std::filesystem::path file = wanted;
     if (groups.size() > 1)
       file.replace_filename(wanted.stem().string() + "-" + c.bodies[static_cast<size_t>(group.front())].name +
                             ".csv");
-    on_root(comm, [&] { check_output(file.string(), c.inputs); });
+    on_root(comm, [&] { check_table(file.string(), kHead, "radiation", c.inputs); });
     const auto write = [&] {
       std::ofstream out(file, std::ios::binary);
       out << table(c, group);

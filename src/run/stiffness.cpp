@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "hawser/advice/modes.hpp"
+#include "hawser/advice/output_files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/io/case_reader.hpp"
@@ -71,15 +72,6 @@ std::vector<Offset> offsets_of(const StiffnessOptions& o) {
 
 constexpr double kDegree = M_PI / 180;
 constexpr std::string_view kHead = "x offset [m],y offset [m],z offset [m],rx offset [deg]";
-
-// A file that the case reads, or that is no such table, is not replaced.
-void check_output(const std::string& path, const std::vector<std::string>& inputs) {
-  check_not_read("the table", path, {path}, inputs);
-  std::ifstream file(path, std::ios::binary);
-  std::string head(kHead.size(), ' ');
-  if (file && !(file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kHead))
-    throw InputError(advice::no_table_of_stiffnesses(path));
-}
 
 bool write(const std::string& path, const model::Case& c, const std::vector<Row>& rows) {
   std::string s(kHead);
@@ -161,8 +153,9 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   const std::string path = o.output.empty()
                                ? (beside.parent_path() / (beside.stem().string() + "-stiffness.csv")).string()
                                : std::filesystem::absolute(o.output).string();
-  if (std::filesystem::path(path).extension() != ".csv") throw InputError(advice::table_needs_csv(path));
-  on_root(comm, [&] { check_output(path, c.inputs); });
+  if (std::filesystem::path(path).extension() != ".csv")
+    throw InputError(advice::table_needs_csv(path, "stiffnesses"));
+  on_root(comm, [&] { check_table(path, kHead, "stiffnesses", c.inputs); });
   if (!c.statics.enabled) throw InputError(advice::stiffness_needs_statics(c));
   std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   set_hydrostatics(c, volumes);

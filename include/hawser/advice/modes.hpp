@@ -1,4 +1,5 @@
-// Sentences of `hawser modes` and `hawser stiffness`: what they cannot compute, and what they found.
+// Sentences of `hawser modes`, `hawser stiffness` and `hawser check --radiation`: what they cannot compute,
+// and what they found.
 #pragma once
 
 #include <cstddef>
@@ -25,8 +26,7 @@ std::string lines_not_tied_to(const model::Case& c, const std::string& body,
                               const std::vector<std::string>& all);
 std::string body_rides_on_line(const model::Case& c, const std::string& body);
 
-// Of its table.
-std::string table_needs_csv(const std::string& path);
-std::string no_table_of_stiffnesses(const std::string& path);
+// Of `hawser check --radiation`: there is nothing for its table.
+std::string no_coefficients(const model::Case& c);
 
 }  // namespace hawser::advice

@@ -22,6 +22,10 @@ std::string name_too_long(const std::string& path, size_t characters, long allow
 std::string name_is_a_folder(const std::string& path, const std::string& name);
 std::string third_party_file(const std::string& path, const std::string& name);
 
+// Refusals of a table of `what` ("stiffnesses", "radiation").
+std::string table_needs_csv(const std::string& path, const std::string& what);
+std::string not_such_a_table(const std::string& path, const std::string& what);
+
 // Notes.
 std::string no_file_locks(const std::string& path);
 std::string name_not_utf8(const std::string& path);

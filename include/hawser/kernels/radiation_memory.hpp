@@ -12,6 +12,14 @@
 namespace hawser {
 
 // Several entries of a matrix K at once, all with the same frequencies.
+// By entry, kg and so on: A(at) - A(inf) of damping B by rows of frequencies `omega` [rad/s, ascending, above
+// 0] and columns of entries; B is straight between the rows, 0 at 0 and beyond the last row. at: above 0 and
+// below the last row, where the jump of B makes A infinite. Ogilvie's relation as an integral over
+// frequencies (Kotik and Mangulis 1962):
+//   A(omega) - A(inf) = (2/pi) PV int_0^inf B(u)/(u² - omega²) du
+Eigen::RowVectorXd added_mass_by_damping(const std::vector<double>& omega, const Eigen::MatrixXd& damping,
+                                         double at);
+
 class RadiationMemory {
  public:
   RadiationMemory() = default;
@@ -30,10 +38,7 @@ class RadiationMemory {
   // By entry: S(t) and, where `rate` is not null, S'(t), t >= 0, from a table, to about 1e-8 of
   // K(0)/omega_last².
   void integrals(double t, double* S, double* rate) const;
-  // By entry, kg and so on: A(omega) - A(inf) by all of the damping, without an end of the memory, at omega
-  // [rad/s] above 0 and below the last row, where damping that ends there would make it infinite. Ogilvie's
-  // relation as an integral over frequencies (Kotik and Mangulis 1962):
-  //   A(omega) - A(inf) = (2/pi) PV int_0^inf B(u)/(u² - omega²) du
+  // The function below for this damping.
   Eigen::RowVectorXd added_mass_by_damping(double omega) const;
   // By entry, kg and so on: A(inf) - A(omega) = int_0^length K(t) sin(omega t) dt/omega (Ogilvie 1964), as
   // the mean over these frequencies.

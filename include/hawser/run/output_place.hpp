@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hawser/io/run_lock.hpp"
@@ -16,6 +17,11 @@ namespace hawser::run {
 // those that are read.
 void check_not_read(const std::string& what, const std::string& path, const std::vector<std::string>& written,
                     const std::vector<std::string>& read);
+
+// Throws InputError if `path` is a file that the case reads, or one that does not begin with `head`, as
+// tables of `what` do: neither is replaced.
+void check_table(const std::string& path, std::string_view head, const std::string& what,
+                 const std::vector<std::string>& inputs);
 
 class OutputPlace {
  public:
