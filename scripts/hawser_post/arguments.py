@@ -81,6 +81,12 @@ def refuse_changes(path, changes):
         raise Refusal(f"{path}: --set changes a case file that is run first, and this is none")
 
 
+def unwind_at_interrupts():
+    """Ctrl-C raises KeyboardInterrupt from here on, instead of ending the process at once: for commands with temporary folders,
+    which are then removed."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 def run_case(command, path, changes, *more):
     """The exit code of a command of the program, with a case and these changes of it. Ctrl-C is the program's, which ends a
     run with what it has; where that leaves nothing it is answered here."""

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from . import export
-from .arguments import place_for, read_case
+from .arguments import place_for, read_case, unwind_at_interrupts
 from .charts import COLOURS, legend, sheet
 from .charts import colour as colour_of
 from .lay_rig import Rig
@@ -53,6 +53,7 @@ def lays(case, options, depths, radii):
     """(depth, radius, lay or None) of each depth and radius, and what to warn of."""
     found, warnings = [], []
     asked = Asked(options.clearance, options.utilisation)
+    unwind_at_interrupts()
     with tempfile.TemporaryDirectory() as folder:
         rig = Rig(case, options.changes, folder)
         for radius in radii or [None]:

@@ -55,15 +55,19 @@ int post(char** arguments) {
   sigprocmask(SIG_BLOCK, &interrupt, nullptr);
   // The package comes first, not the folder of the user, in which there may be modules of the same names.
   std::string python = "python3", no_bytecode = "-B", command = "-c", from = folder.string(), start = R"(
-import sys
+import os, sys
 sys.path[0] = sys.argv.pop(1)
+def stop(*_):
+    os.write(2, b'hawser: stopped by Ctrl-C\n')
+    os._exit(130)
 try:
     import runpy, signal
+    # No KeyboardInterrupt: where libraries catch it or Python ignores it, as in finalizers, a command would go on.
+    signal.signal(signal.SIGINT, stop)
     signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
     runpy.run_module('hawser_post', run_name='__main__', alter_sys=True)
 except KeyboardInterrupt:
-    print('hawser: stopped by Ctrl-C', file=sys.stderr)
-    sys.exit(130)
+    stop()
 )";
   std::vector<char*> words{python.data(), no_bytecode.data(), command.data(), start.data(), from.data()};
   for (; *arguments; ++arguments) words.push_back(*arguments);

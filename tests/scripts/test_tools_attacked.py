@@ -305,6 +305,23 @@ class Interrupted(Attack):
                     self.assertIn(process.returncode, (130, -signal.SIGINT, 0))
                     self.assertEqual(err, "hawser: stopped by Ctrl-C\n" if process.returncode == 130 else "")
 
+    def test_ctrl_c_within_a_finalizer(self):
+        """Python ignores what a finalizer raises, and the command still ends."""
+        write(self.folder, "sitecustomize.py", """
+import signal, sys
+class Interrupt:
+    def __del__(self):
+        signal.raise_signal(signal.SIGINT)
+class Finder:
+    def find_spec(self, name, *_):
+        if name == "hawser_post.results":
+            Interrupt()
+sys.meta_path.insert(0, Finder())
+""")
+        done = subprocess.run([HAWSER, "report", "run.h5"], cwd=self.folder, capture_output=True, text=True, timeout=120,
+                              env={**os.environ, "PYTHONPATH": str(self.folder)})
+        self.assertEqual((done.returncode, done.stderr), (130, "hawser: stopped by Ctrl-C\n"))
+
     def test_ctrl_c_while_a_case_runs(self):
         """The run ends with what it has, and its results are looked at."""
         write(self.folder, "long.yaml", CASE.replace("duration: 2, step: 0.05", "duration: 5000, step: 0.005")

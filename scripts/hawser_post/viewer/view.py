@@ -1,6 +1,7 @@
 """hawser view: the model of a case or of results in one's browser."""
 import webbrowser
 
+from ..arguments import unwind_at_interrupts
 from ..results import Refusal
 from . import libraries
 from .served import Shown
@@ -15,6 +16,7 @@ def show(path, changes=(), port=0, browser=True):
     """Serves until Ctrl-C."""
     if libraries.missing():
         raise Refusal(libraries.missing().rstrip("."))
+    unwind_at_interrupts()
     shown = Shown(path, changes)
     try:
         server = Server(shown, port)
