@@ -14,36 +14,32 @@ namespace hawser {
 class ConstantPull final : public ForceTerm {
  public:
   // The local node, the point p [m], which the node never reaches, and the tension T [N].
-  ConstantPull(const LocalMesh& mesh, int node, const Vec3& point, double tension)
-      : mesh_(mesh), node_(node), point_(point), tension_(tension) {}
-
+  ConstantPull(const LocalMesh& mesh, int node, const Vec3& p, double T)
+      : mesh_(mesh), n_(node), p_(p), T_(T) {}
   std::string_view name() const override { return "constant pull"; }
   void evaluate(const Kinematics& trial, Assembler& assembler) override {
-    if (!mesh_.owns(node_)) return;
-    const Vec3 way = point_ - trial.x[node_], d = way.normalized(), residual = -tension_ * d;
-    const Mat3 K = tension_ / way.norm() * (Mat3::Identity() - d * d.transpose());
-    assembler.add({&mesh_.block[node_], 1}, residual.data(), K.data(), nullptr, nullptr);
+    if (!mesh_.owns(n_)) return;
+    const Vec3 way = p_ - trial.x[n_], d = way.normalized(), f = -T_ * d;
+    const Mat3 K = T_ / way.norm() * (Mat3::Identity() - d * d.transpose());
+    assembler.add({&mesh_.block[n_], 1}, f.data(), K.data(), nullptr, nullptr);
   }
   Energy energy(const Kinematics& at) const override {
-    Energy e;
-    if (mesh_.owns(node_)) e.potential = tension_ * (point_ - at.x[node_]).norm();
-    return e;
+    return {.potential = mesh_.owns(n_) ? T_ * (p_ - at.x[n_]).norm() : 0};
   }
   void fields(FieldRegistry& registry) const override {
     registry.add({{.name = "pull", .unit = "N", .components = 3},
                   [this](const Kinematics& at, std::span<double> values) {
-                    std::fill(values.begin(), values.end(), 0.0);
-                    if (!mesh_.owns(node_)) return;
-                    const Vec3 d = (point_ - at.x[node_]).normalized();
-                    Eigen::Map<Vec3>(values.data() + 3 * node_) = tension_ * d;
+                    std::ranges::fill(values, 0.0);
+                    if (!mesh_.owns(n_)) return;
+                    Eigen::Map<Vec3>(values.data() + 3 * n_) = T_ * (p_ - at.x[n_]).normalized();
                   }});
   }
 
  private:
   const LocalMesh& mesh_;
-  int node_;
-  Vec3 point_;
-  double tension_;
+  int n_;
+  Vec3 p_;
+  double T_;
 };
 
 }  // namespace hawser

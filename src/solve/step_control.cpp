@@ -57,15 +57,13 @@ bool StepControl::accurate(double h, double error) const {
 }
 
 void StepControl::accepted(double h, int iterations, double error) {
-  const double limit = s_.fixed > 0 ? s_.fixed : s_.longest;
-  if (growth_wait_ > 0) {
-    --growth_wait_;
-    return;
-  }
-  double factor = iterations <= s_.easy_iterations ? kGrow : 1.0;
-  if (s_.fixed > 0) {
-    factor = 2;  // back to the user's step
-  } else {
+  const bool fixed = s_.fixed > 0, may_grow = growth_wait_ == 0;
+  const double limit = fixed ? s_.fixed : s_.longest;
+  if (!may_grow) --growth_wait_;
+  double factor = 1;
+  if (may_grow && fixed) factor = 2;  // back to the user's step
+  if (!fixed) {
+    if (may_grow && iterations <= s_.easy_iterations) factor = kGrow;
     if (iterations > s_.hard_iterations) factor = 0.7;
     // The local error is proportional to the cube of the step.
     if (s_.error_tolerance > 0 && error > 0)

@@ -393,6 +393,22 @@ TEST(StepControl, LongerStepsAfterAnImpactMakeNoEnergy) {
     }
 }
 
+// After a failure a step must wait before it grows. It shrinks meanwhile, as after any other step.
+TEST(StepControl, StepsShrinkWhileTheyMayNotGrow) {
+  StepSettings s;
+  s.first = s.longest = 0.1;
+  s.error_tolerance = 1e-3;
+  StepControl c(s);
+  ASSERT_TRUE(c.rejected(0.1, true, 0));
+  EXPECT_DOUBLE_EQ(c.proposal(), 0.05);
+  c.accepted(0.05, 1, 1e-9);
+  EXPECT_DOUBLE_EQ(c.proposal(), 0.05);
+  c.accepted(0.05, s.hard_iterations + 1, 1e-9);
+  EXPECT_DOUBLE_EQ(c.proposal(), 0.035);
+  c.accepted(0.035, 1, 8e-3);
+  EXPECT_DOUBLE_EQ(c.proposal(), 0.035 * 0.9 / 2);
+}
+
 TEST(StepControl, FixedStepsAreDividedAtImpactsByDefault) {
   StepSettings s;
   s.fixed = 0.1;
