@@ -1,5 +1,5 @@
 // The order of a whole run: reading, static equilibrium, time integration with outputs and checkpoints, stop
-// by a signal, final messages and exit code. Likewise for `hawser check`.
+// by a signal, final messages and exit code.
 #include "hawser/run/driver.hpp"
 
 #include <fmt/format.h>
@@ -9,44 +9,32 @@
 #include <csignal>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <utility>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 
-#include "hawser/advice/cost.hpp"
 #include "hawser/advice/run.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"
-#include "hawser/mesh/partition.hpp"
-#include "hawser/model/farm.hpp"
-#include "hawser/model/summary.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/recorder.hpp"
-#include "hawser/record/result_parts.hpp"
-#include "hawser/record/water_errors.hpp"
-#include "hawser/run/cost.hpp"
 #include "hawser/run/events.hpp"
 #include "hawser/run/feeder_nodes.hpp"
-#include "hawser/run/hull_check.hpp"
-#include "hawser/run/node_owners.hpp"
 #include "hawser/run/output_place.hpp"
 #include "hawser/run/progress.hpp"
 #include "hawser/run/restart.hpp"
 #include "hawser/run/run_parts.hpp"
-#include "hawser/run/start_contact.hpp"
 #include "hawser/run/volumes.hpp"
-#include "hawser/solve/start_shape.hpp"
 
 namespace hawser::run {
 namespace {
 
 constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
-constexpr double kTrial = 4;           // CPU s, of the trial run of `hawser check`
-constexpr double kLeast = 1;           // CPU s of it, that motion has where a search took the rest
 
 // Set by SIGINT, SIGTERM and SIGUSR1, which mpirun passes on to all ranks: the run ends at the next output,
 // with everything on disk. Who cannot wait sends the signal again.
@@ -76,31 +64,12 @@ void give_back_memory() {
 #endif
 }
 
-struct TrialOver {};  // a search of the trial run has spent what it may
-
-// Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
-// it. InputError if there is no statics. On one rank.
-bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
-                 const std::vector<std::shared_ptr<const Surface>>& surfaces) {
-  const std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
-  if (volumes.empty()) return true;
-  const LocalMesh local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
-  const StartShape shape = start_shape(c, local, bodies, surfaces);
-  const Kinematics at = shape.state.view(0);
-  const Feeders feeders(local, c);
-  const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes);
-  for (const auto& n : start.notes) fmt::print("note: {}\n", n);
-  for (const auto& w : start.warnings) fmt::print("warning: {}\n", w);
-  if (start.inside.empty()) return true;
-  std::fflush(stdout);
-  if (!c.statics.enabled)
-    throw InputError(c.path + ": " +
-                     still_inside(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes, start));
-  return false;
+void print_each(Progress& progress, std::string_view kind, const std::vector<std::string>& messages) {
+  for (const std::string& m : messages) progress.print(fmt::format("{}: {}", kind, m));
 }
 
 void print_remarks(record::Recorder& recorder, Progress& progress) {
-  for (const std::string& remark : recorder.remarks()) progress.print("warning: " + remark);
+  print_each(progress, "warning", recorder.remarks());
 }
 
 // An error of the solver ends a run with what was computed up to there.
@@ -194,6 +163,60 @@ void print_results(const model::Case& c, const record::Recorder& recorder, const
   for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
 }
 
+// The newest checkpoint of a restart, and notes on what differs from the run that wrote it.
+struct RestartFrom {
+  io::Checkpoint checkpoint;
+  std::vector<std::string> notes;
+};
+
+// Notes before the start, and warnings that a restart need not repeat.
+void print_notes(Simulation& sim, const std::vector<LoadedVolume>& volumes, const OutputPlace& place,
+                 const std::optional<RestartFrom>& restart, Progress& progress) {
+  const model::Case& c = sim.model();
+  progress.print(
+      advice::model_size(sim.mesh().nodes.size(), ranks_of(sim.system().comm()), sim.cut_elements()));
+  print_each(progress, "note", place.notes());
+  if (restart) print_each(progress, "note", restart->notes);
+  print_each(progress, "note", all_notes(c, volumes, sim.notes()));
+  if (restart) return;
+  print_each(progress, "warning", sim.warnings());
+  if (!c.statics.enabled) sim.check_inside();
+}
+
+// Sets the simulation to its checkpoint.
+void go_on(const io::Checkpoint& checkpoint, const std::string& path, Simulation& sim, Events& events,
+           FeederNodes& feeder_nodes, Progress& progress) {
+  for (const std::string& e : events.restore(checkpoint)) progress.print(e);
+  feeder_nodes.restore(checkpoint, path);
+  restore(checkpoint, sim);
+  for (const std::string& e : events.apply_due()) progress.print(e);
+}
+
+// From the static equilibrium, or the start shape where there is no statics, into motion, with a checkpoint
+// so that a run killed at once can go on, too.
+void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, Progress& progress) {
+  for (const std::string& e : events.begin()) progress.print(e);
+  sim.dynamics().start(sim.state());
+  // A start at rest is shown at rest: the velocities with which motions begin come after it.
+  const Kinematics moving = sim.dynamics().kinematics();
+  recorder.start(moving, sim.model().statics.enabled ? sim.state().view(0) : moving);
+  sim.state() = State();  // the motion has its own
+  recorder.checkpoint(make_checkpoint(sim, recorder, events));
+}
+
+// The end of what the terminal shows. stopped: by a signal.
+void print_end(Simulation& sim, const record::Recorder& recorder, const std::string& table, bool stopped,
+               double end) {
+  const model::Case& c = sim.model();
+  print_results(c, recorder, table);
+  const std::string& path = recorder.file().path();
+  if (stopped) fmt::print("\n{}\n", advice::stopped_by_signal(sim.dynamics().committed().s.time, end, path));
+  fmt::print("\nresults: {}\n", path);
+  fmt::print("view them: hawser view {}\n", path);
+  if (c.output.xdmf) fmt::print("in ParaView: paraview {}\n", recorder.file().xdmf_path());
+  std::fflush(stdout);
+}
+
 }  // namespace
 
 int run(MPI_Comm comm, const RunOptions& options) {
@@ -211,20 +234,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
-  io::Checkpoint checkpoint;
-  std::vector<std::string> restart_notes;
+  std::optional<RestartFrom> restart;
   if (restarted) {
-    checkpoint = read_restart(options.restart, sim);
-    restart_notes = compare_changes(comm, options.restart, c.changes);
+    restart.emplace(read_restart(options.restart, sim));
+    restart->notes = compare_changes(comm, options.restart, c.changes);
   }
-  progress.print(advice::model_size(sim.mesh().nodes.size(), size, sim.cut_elements()));
-  for (const auto& n : place.notes()) progress.print("note: " + n);
-  for (const auto& n : restart_notes) progress.print("note: " + n);
-  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
-  if (!restarted) {
-    for (const auto& w : sim.warnings()) progress.print("warning: " + w);
-    if (!c.statics.enabled) sim.check_inside();
-  }
+  print_notes(sim, volumes, place, restart, progress);
 
   Events events(comm, sim);
   // Made when the first thing is to be written: a case that cannot come to rest leaves no file.
@@ -233,12 +248,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
     if (!made)
       made.emplace(sim.subject(surfaces(volumes)), volume_meshes(c, volumes),
                    run_info(c, options.options_text, size, progress.messages()),
-                   restarted ? &checkpoint : nullptr, place.appends());
+                   restart ? &restart->checkpoint : nullptr, place.appends());
     return *made;
   };
-  if (restarted) {
-    progress.print(advice::goes_on(options.restart, checkpoint.time));
-    if (checkpoint.time >= end * (1 - 1e-12)) progress.print(advice::nothing_left());
+  if (restart) {
+    progress.print(advice::goes_on(options.restart, restart->checkpoint.time));
+    if (restart->checkpoint.time >= end * (1 - 1e-12)) progress.print(advice::nothing_left());
   } else if (c.statics.enabled) {
     try {
       const Stage stage("statics");
@@ -254,22 +269,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
 
   record::Recorder& recorder = recorder_of();
   FeederNodes feeder_nodes(sim);
-  if (restarted) {
-    for (const std::string& e : events.restore(checkpoint)) progress.print(e);
-    feeder_nodes.restore(checkpoint, options.restart);
-    restore(checkpoint, sim);
-    for (const std::string& e : events.apply_due()) progress.print(e);
+  if (restart) {
+    go_on(restart->checkpoint, options.restart, sim, events, feeder_nodes, progress);
     // A new file begins with the state the run goes on from.
     if (!place.appends()) recorder.output(sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
-    for (const std::string& e : events.begin()) progress.print(e);
-    sim.dynamics().start(sim.state());
-    // A start at rest is shown at rest: the velocities with which motions begin come after it.
-    const Kinematics moving = sim.dynamics().kinematics();
-    recorder.start(moving, c.statics.enabled ? sim.state().view(0) : moving);
-    sim.state() = State();  // the motion has its own
-    recorder.checkpoint(
-        make_checkpoint(sim, recorder, events));  // so that a run killed at once can go on too
+    start_motion(sim, events, recorder, progress);
   } else {
     recorder.start(sim.state().view(0), sim.state().view(0));
   }
@@ -277,22 +282,12 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (c.dynamics.enabled) print_remarks(recorder, progress);
   const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);
   progress.end();
-  for (const std::string& e : events.not_happened()) progress.print("note: " + e);
+  print_each(progress, "note", events.not_happened());
   if (c.dynamics.enabled)
-    for (const std::string& n :
-         sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)))
-      progress.print("note: " + n);
+    print_each(progress, "note",
+               sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)));
   const std::string table = recorder.finish(progress.messages());
-  if (speak) {
-    print_results(c, recorder, table);
-    if (stopped)
-      fmt::print("\n{}\n",
-                 advice::stopped_by_signal(sim.dynamics().committed().s.time, end, recorder.file().path()));
-    fmt::print("\nresults: {}\n", recorder.file().path());
-    fmt::print("view them: hawser view {}\n", recorder.file().path());
-    if (c.output.xdmf) fmt::print("in ParaView: paraview {}\n", recorder.file().xdmf_path());
-    std::fflush(stdout);
-  }
+  if (speak) print_end(sim, recorder, table, stopped, end);
   if (stopped) return kExitStopped;
   if (!c.dynamics.enabled || !recorder.audit().wrong()) return 0;
   // An exit code other than 0 never comes without its reason.
@@ -303,80 +298,6 @@ int run(MPI_Comm comm, const RunOptions& options) {
 int print_case(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes) {
   const std::string json = io::case_json(io::read_case(case_path, {}, comm, changes));
   if (rank_of(comm) == 0) fmt::print("{}\n", json);
-  return 0;
-}
-
-int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,
-               const std::vector<std::string>& changes, bool verbose) {
-  const int rank = rank_of(comm);
-  if (ranks == 0) MPI_Comm_size(comm, &ranks);
-  Progress progress(rank == 0);
-  model::Case c = io::read_case(case_path, read_progress(progress), comm, changes);
-  const std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
-  set_hydrostatics(c, volumes);
-  if (rank != 0) return 0;
-  progress.end();
-  const double begun = cpu_time();
-  bool met = true;
-  if (trial) try {
-      c = with_targets_met(MPI_COMM_SELF, c, volumes, progress, "", [begun] {
-        if (cpu_time() - begun > kTrial) throw TrialOver();
-      });
-    } catch (const TrialOver&) {
-      met = false;
-      progress.end();
-    }
-  const double searched = cpu_time() - begun;
-  fmt::print("{}", model::summary(c));
-  for (size_t i = 0; i < volumes.size(); ++i) {
-    const LoadedVolume& v = volumes[i];
-    if (c.volumes[i].roller || model::is_repeated(c, v.name)) continue;
-    fmt::print("volume {}: {}\n", v.name, v.report);
-    for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
-  }
-  fmt::print("{}", hulls_text(c, volumes));
-  if (!met) {
-    fmt::print("{}\n", advice::lengths_not_found_in_trial(kTrial));
-    return 0;
-  }
-  const double read = peak_memory();
-  const Mesh mesh = build_mesh(c);
-  const Bodies bodies(c.bodies);
-  const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
-  const std::vector<int> owner = node_owners(c, mesh, bodies, ranks);
-  const Balance shares = balance(mesh, owner, ranks);
-  std::vector<int> nodes(static_cast<size_t>(ranks), 0);
-  for (const int at : owner) ++nodes[at];
-  fmt::print("{}\n", advice::partition(nodes, shares.imbalance, shares.cut_lines, shares.cut_elements));
-  const double shared = peak_memory();
-  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
-  if (verbose)
-    for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
-  fmt::print("{}\n", advice::case_is_valid(starts_well));
-  std::fflush(stdout);
-  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(c, volumes), run_info(c, "", 1),
-                            nullptr, false, false);
-  TrialRun tried;
-  double checkpoint = planned_numbers(sim, recorder);
-  if (trial) {
-    record::WaterErrors water(c, sim.system());
-    bool rests = !c.statics.enabled;
-    tried = trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) {
-      if (!std::exchange(rests, true)) {
-        for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
-        for (const std::string& w : hulls_off_start(c, sim.bodies(), at)) fmt::print("warning: {}\n", w);
-      }
-      water.update_sampled(at);
-    });
-    for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
-    fmt::print("{}\n", cost_sentence(tried));
-    fmt::print("{}\n", memory_sentence({read, shared, peak_memory()}, shares.imbalance / ranks));
-    if (tried.moved)
-      checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
-  }
-  const io::ResultsSize size =
-      io::results_size(recorder.contents(), record::expected_rows(c, tried.steps, checkpoint));
-  fmt::print("{}\n", size_sentence(size, std::filesystem::path(c.output.file).parent_path().string()));
   return 0;
 }
 

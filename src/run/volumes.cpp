@@ -88,11 +88,13 @@ class Meshes {
     }
     if (surface->internal_facets() > 0)
       l.notes.push_back(v.mesh + ": " + advice::internal_facets(surface->internal_facets()));
-    l.report +=
-        " " + (v.smooth ? advice::curved_facets(surface->curved(), surface->bulge(), surface->sharp_edges())
-                        : advice::flat_facets());
-    if (drawn_coarser(c_, i, surface->mesh().vertices.size()))
-      l.report += " " + advice::drawn_coarser(kDrawnVertices, surface->mesh().vertices.size());
+    l.report += ' ';
+    l.report += v.smooth ? advice::curved_facets(surface->curved(), surface->bulge(), surface->sharp_edges())
+                         : advice::flat_facets();
+    if (drawn_coarser(c_, i, surface->mesh().vertices.size())) {
+      l.report += ' ';
+      l.report += advice::drawn_coarser(kDrawnVertices, surface->mesh().vertices.size());
+    }
     if (v.sign == SignTest::tetrahedra || v.sign == SignTest::ray || v.sign == SignTest::solid_angle)
       l.notes.push_back(advice::slow_inside_test(surface->mesh().triangles.size()));
     return surface;

@@ -3,11 +3,15 @@
 
 #include <mpi.h>
 
+#include <array>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/record/touchdown_place.hpp"
 #include "hawser/state/kinematics.hpp"
 
 namespace hawser::record {
@@ -55,6 +59,25 @@ class Touchdowns {
     Vec3 normal;
   };
   Above above(size_t node, const Kinematics& at) const;
+
+  // The first element from A in which contact changes, and minus the first from B, of each place in slot_; m
+  // that lies, where gaps are linear between nodes.
+  struct Changes {
+    static constexpr int kNone = std::numeric_limits<int>::max();
+    std::vector<int> element;  // two for each line
+    std::vector<double> laid;
+  };
+  // The gaps of the nodes around such an element: from kFirst nodes off its first one on.
+  struct Surrounding {
+    static constexpr int kNodes = 2 * NodesAtChange::kNodes, kFirst = 1 - NodesAtChange::kNodes;
+    std::array<Gap, kNodes> gap;
+  };
+  Changes changes(const std::vector<double>& gap) const;  // of local nodes; collective, as the next
+  std::vector<Surrounding> surroundings(const Changes& changes, const std::vector<double>& gap,
+                                        const Kinematics& at) const;
+  std::pair<TouchdownPoint, double> point(int element, const Surrounding& around) const;
+  template <class T>
+  void join(MPI_Op op, std::vector<T>& of, size_t numbers) const;
 
   MPI_Comm comm_;
   const model::Seabed& bed_;

@@ -1,0 +1,78 @@
+// Where the axis of a line leaves the bed between two nodes, from their gaps and those of the nodes beside
+// them (theory/seabed.md, "Touchdown points").
+#include "hawser/record/touchdown_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hawser::record {
+namespace {
+
+constexpr double kSame = 1e-9;  // of a length: two that differ by less are one
+constexpr int kMostTries = 60;
+
+// The zero of the cubic of two gaps with these slopes, m beyond the node that lies, by bisection: it changes
+// its sign once at least.
+double zero_of_cubic(double lying, double slope, double hanging, double next_slope, double length) {
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double t = 0.5 * (low + high), u = 1 - t;
+    const double g = u * u * ((1 + 2 * t) * lying + t * length * slope) +
+                     t * t * ((1 + 2 * u) * hanging - u * length * next_slope);
+    (lies(g) ? low : high) = t;
+  }
+  return 0.5 * (low + high) * length;
+}
+
+// Rise over run of the chord of two nodes, to the bed.
+double steepness(const Gap& a, const Gap& b) {
+  const double rise = b.value - a.value, length2 = (b.x - a.x).squaredNorm();
+  return rise / std::sqrt(std::max(length2 - rise * rise, 1e-12 * length2));
+}
+
+// m, how far ground that yields carries a line beyond s0, seen from a node `behind` s0 that lies `deep` [m]
+// in it: l of deep = bend l² (1 - exp(-(behind + l) / l)), which grows with l. Newton's iteration, which
+// stays between what is known to be too short and too long.
+double carried_beyond(double deep, double behind, double bend) {
+  double low = std::max(0.0, -behind), high = HUGE_VAL;
+  if (!(deep > 0)) return low;
+  double l = low + std::sqrt(deep / bend), step = HUGE_VAL;
+  for (int i = 0; i < kMostTries && std::abs(step) > kSame * l; ++i) {
+    const double e = std::exp(-(behind + l) / l), off = bend * l * l * (1 - e) - deep;
+    (off < 0 ? low : high) = l;
+    step = -off / (bend * (2 * l * (1 - e) - behind * e));
+    const double to = l + step;
+    l = to >= low && to <= high ? to : high < HUGE_VAL ? 0.5 * (low + high) : 2 * l;
+  }
+  return l;
+}
+
+}  // namespace
+
+double distance_to_touchdown(const NodesAtChange& n, bool beam) {
+  const double length = n.arc[2] - n.arc[1];
+  if (beam) return zero_of_cubic(n.gap[1].value, n.gap[1].slope, n.gap[2].value, n.gap[2].slope, length);
+  // The second chord that hangs is the first that nothing of the bed acts on.
+  for (const size_t k : {size_t{2}, size_t{1}}) {
+    if (k + 2 >= n.exists.size() || !n.exists[k + 2] || n.two_sided[k + 1] || lies(n.gap[k + 2].value))
+      continue;
+    const double m1 = 0.5 * (n.arc[k] + n.arc[k + 1]), m2 = 0.5 * (n.arc[k + 1] + n.arc[k + 2]);
+    const double t1 = steepness(n.gap[k], n.gap[k + 1]), t2 = steepness(n.gap[k + 1], n.gap[k + 2]);
+    const double bend = (t2 - t1) / (m2 - m1);
+    if (!(bend > 0)) continue;
+    const double s0 = m1 - t1 / bend;
+    // The last node that lies but one, unless it is an end, which is held.
+    const size_t from = n.exists[0] && n.inner[0] && lies(n.gap[0].value) ? 0 : 1;
+    const double s = s0 + carried_beyond(-n.gap[from].value, s0 - n.arc[from], bend) - n.arc[1];
+    return std::clamp(s, n.exists[0] ? 0.5 * (n.arc[0] - n.arc[1]) : 0.0, length);
+  }
+  return zero_of_line(n.gap[1].value, n.gap[2].value, length);
+}
+
+Vec3 position_at(const NodesAtChange& n, double s) {
+  const size_t k = s < 0 ? 0 : 1;  // between nodes k and k + 1
+  const double t = (n.arc[1] + s - n.arc[k]) / (n.arc[k + 1] - n.arc[k]);
+  return n.gap[k].x + t * (n.gap[k + 1].x - n.gap[k].x);
+}
+
+}  // namespace hawser::record

@@ -1,0 +1,155 @@
+// What `hawser check` prints: the case as it was understood, the start beside its volumes, the partition, and
+// what a trial run of its beginning shows.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <utility>
+
+#include "hawser/advice/cost.hpp"
+#include "hawser/advice/run.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/io/case_reader.hpp"
+#include "hawser/mesh/partition.hpp"
+#include "hawser/model/farm.hpp"
+#include "hawser/model/summary.hpp"
+#include "hawser/record/recorder.hpp"
+#include "hawser/record/result_parts.hpp"
+#include "hawser/record/water_errors.hpp"
+#include "hawser/run/cost.hpp"
+#include "hawser/run/driver.hpp"
+#include "hawser/run/events.hpp"
+#include "hawser/run/hull_check.hpp"
+#include "hawser/run/node_owners.hpp"
+#include "hawser/run/progress.hpp"
+#include "hawser/run/restart.hpp"
+#include "hawser/run/run_parts.hpp"
+#include "hawser/run/start_contact.hpp"
+#include "hawser/run/volumes.hpp"
+#include "hawser/solve/start_shape.hpp"
+
+namespace hawser::run {
+namespace {
+
+constexpr double kTrial = 4;  // CPU s, of the trial run
+constexpr double kLeast = 1;  // CPU s of it, that motion has where a search took the rest
+
+struct TrialOver {};  // a search of the trial run has spent what it may
+
+// Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
+// it. InputError if there is no statics. On one rank.
+bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
+                 const std::vector<std::shared_ptr<const Surface>>& surfaces) {
+  const std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
+  if (volumes.empty()) return true;
+  const LocalMesh local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
+  const StartShape shape = start_shape(c, local, bodies, surfaces);
+  const Kinematics at = shape.state.view(0);
+  const Feeders feeders(local, c);
+  const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes);
+  for (const auto& n : start.notes) fmt::print("note: {}\n", n);
+  for (const auto& w : start.warnings) fmt::print("warning: {}\n", w);
+  if (start.inside.empty()) return true;
+  std::fflush(stdout);
+  if (!c.statics.enabled)
+    throw InputError(c.path + ": " +
+                     still_inside(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes, start));
+  return false;
+}
+
+void print_volumes(const model::Case& c, const std::vector<LoadedVolume>& volumes) {
+  for (size_t i = 0; i < volumes.size(); ++i) {
+    const LoadedVolume& v = volumes[i];
+    if (c.volumes[i].roller || model::is_repeated(c, v.name)) continue;
+    fmt::print("volume {}: {}\n", v.name, v.report);
+    for (const auto& n : v.notes) fmt::print("  note: {}\n", n);
+  }
+  fmt::print("{}", hulls_text(c, volumes));
+}
+
+// Prints the shares of so many ranks; returns their imbalance.
+double print_partition(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
+  const std::vector<int> owner = node_owners(c, mesh, bodies, ranks);
+  const Balance shares = balance(mesh, owner, ranks);
+  std::vector<int> nodes(static_cast<size_t>(ranks), 0);
+  for (const int at : owner) ++nodes[at];
+  fmt::print("{}\n", advice::partition(nodes, shares.imbalance, shares.cut_lines, shares.cut_elements));
+  return shares.imbalance;
+}
+
+// Runs the beginning of the case for so many CPU s and prints what it shows.
+TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
+  record::WaterErrors water(c, sim.system());
+  bool rests = !c.statics.enabled;
+  TrialRun tried = trial_run(sim, c, budget, [&](const Kinematics& at) {
+    if (!std::exchange(rests, true)) {
+      for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
+      for (const std::string& w : hulls_off_start(c, sim.bodies(), at)) fmt::print("warning: {}\n", w);
+    }
+    water.update_sampled(at);
+  });
+  for (const std::string& w : water.warnings()) fmt::print("warning: {}\n", w);
+  fmt::print("{}\n", cost_sentence(tried));
+  return tried;
+}
+
+}  // namespace
+
+int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,
+               const std::vector<std::string>& changes, bool verbose) {
+  const int rank = rank_of(comm);
+  if (ranks == 0) MPI_Comm_size(comm, &ranks);
+  Progress progress(rank == 0);
+  model::Case c = io::read_case(case_path, read_progress(progress), comm, changes);
+  const std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
+  set_hydrostatics(c, volumes);
+  if (rank != 0) return 0;
+  progress.end();
+  const double begun = cpu_time();
+  bool met = true;
+  if (trial) try {
+      c = with_targets_met(MPI_COMM_SELF, c, volumes, progress, "", [begun] {
+        if (cpu_time() - begun > kTrial) throw TrialOver();
+      });
+    } catch (const TrialOver&) {
+      met = false;
+      progress.end();
+    }
+  const double searched = cpu_time() - begun;
+  fmt::print("{}", model::summary(c));
+  print_volumes(c, volumes);
+  if (!met) {
+    fmt::print("{}\n", advice::lengths_not_found_in_trial(kTrial));
+    return 0;
+  }
+  MemoryUse memory{.read = peak_memory()};
+  const Mesh mesh = build_mesh(c);
+  const Bodies bodies(c.bodies);
+  const bool starts_outside = check_start(c, mesh, bodies, surfaces(volumes));
+  const double imbalance = print_partition(c, mesh, bodies, ranks);
+  memory.shared = peak_memory();
+  Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
+  if (verbose)
+    for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
+  fmt::print("{}\n", advice::case_is_valid(starts_outside));
+  std::fflush(stdout);
+  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(c, volumes), run_info(c, "", 1),
+                            nullptr, false, false);
+  TrialRun tried;
+  double checkpoint = planned_numbers(sim, recorder);
+  if (trial) {
+    tried = print_trial(sim, c, std::max(kTrial - searched, kLeast));
+    memory.measured = peak_memory();
+    fmt::print("{}\n", memory_sentence(memory, imbalance / ranks));
+    if (tried.moved)
+      checkpoint = io::checkpoint_numbers(make_checkpoint(sim, recorder, Events(MPI_COMM_SELF, sim)));
+  }
+  const io::ResultsSize size =
+      io::results_size(recorder.contents(), record::expected_rows(c, tried.steps, checkpoint));
+  fmt::print("{}\n", size_sentence(size, std::filesystem::path(c.output.file).parent_path().string()));
+  return 0;
+}
+
+}  // namespace hawser::run
