@@ -79,7 +79,7 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
       const Feeders& feeders = *sim_.feeders();
       const Feeder& f = feeders.list()[h.feeder];
       if (!feeders.at_feed_point(f)) return -HUGE_VAL;
-      return feeders.outside(f) - f.length + feeders.feed_point(f, at, true).length - f.outside_at_start;
+      return feeders.outside(f) - f.length + feeders.feed_point(f, at).length - f.outside_at_start;
     }
     case Cause::Kind::near:
       return own ? actions_.away(h.what.action, at) : -HUGE_VAL;

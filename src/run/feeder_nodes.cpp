@@ -84,7 +84,7 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
   const Feeders& all = *sim_.feeders();
   const double share = all.element_length(f, f.feed_point) / f.length;  // from the free end
   const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
-  const FeedPoint feed_point = all.feed_point(f, k, true);
+  const FeedPoint feed_point = all.feed_point(f, k);
   const Feeders::Flow flow = all.flow(feed_point, k, e, f.at_b);
   const Vec3 a = k.a[i] + flow.acceleration;
   Dynamics::Moved m;

@@ -36,8 +36,8 @@ AxisContact::AxisContact(const AxisShape& shape, const RigidPose& pose, double r
       rolls_(std::move(rolls)),
       n_(static_cast<size_t>(shape.count())),
       R_(pose.rotation.toRotationMatrix()),
-      back_(pose.rotation.conjugate()),
-      spin_(hat(back_ * pose.angular_velocity)),
+      R_inverse_(pose.rotation.conjugate()),
+      spin_(hat(R_inverse_ * pose.angular_velocity)),
       g_(shape.count(), rolls_.has_value(), mode.tangent) {
   for (size_t i = 0; i < 2 && rolls_; ++i) about_[i] = shape_.axes(i) * rolls_->ends[i].by_turn;
 }
@@ -65,87 +65,73 @@ std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& 
   return ends;
 }
 
+// The law at a Gauss point. H: the shape functions there; force: on the line, space axes, N/m.
+struct AxisContact::Sample {
+  double xi = 0, weight = 0;
+  AxisShape::Weights H{};
+  ContactTrial trial;
+  ContactStart begin;
+  ContactRates rates;  // of `begin`, where ends of the panel move
+  PointContact contact;
+  Vec3 force = Vec3::Zero();
+
+  // m, by which the surface of the line moves for a unit of its roll; body frame.
+  Vec3 arm() const { return -trial.lever * begin.tangent.cross(trial.normal); }
+  double torque() const { return -arm().dot(contact.force); }  // N m/m
+};
+
+AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactPanel& s,
+                                        const ContactLaw& law, const Pair& pair, bool ends_move) const {
+  Sample p;
+  p.xi = q.xi;
+  p.weight = q.weight;
+  const Vec3 x = shape_.point(p.xi);
+  p.trial.point = pose_.to_body(x);
+  p.trial.gap = q.at.distance - radius_;
+  p.trial.normal = q.at.normal;
+  // -N H is the negative geometric stiffness of contact.
+  if (!mode_.convex) p.trial.curvature = q.at.curvature;
+  // Relative velocity in the body frame: u = R'(v - V) - omega x y.
+  if (mode_.moves) p.trial.velocity = R_inverse_ * (shape_.velocity(p.xi) - pose_.velocity_at(x));
+  if (law.friction.active()) p.begin = pair.start(s, p.xi, ends_move ? &p.rates : nullptr);
+  if (rolls_) {
+    p.trial.roll = rolls_->angle(p.xi);
+    p.trial.lever = radius_;
+  }
+  p.contact = volume_contact(law, p.begin, p.trial, mode_.tangent);
+  if (!(p.contact.normal.force > 0)) return p;
+  p.H = shape_.functions(p.xi);
+  p.force = -(R_ * p.contact.force);
+  return p;
+}
+
 // The tangent is exact, moving ends included.
 void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const Pair& pair,
                             std::vector<AxisContactPoint>* points) {
   const ContactPanel& s = found.panels[panel];
-  const bool moves = mode_.moves;
-  const double L = length_, span = s.to - s.from;
   const ContactLaw law = pair.law(s);
   const double contact_distance = radius_ + law.normal.smoothing;
   std::array<Moving, 2> ends;
   if (mode_.tangent && !mode_.convex) ends = moving_ends(s, pair);
-  const bool moving = ends[0].on || ends[1].on;
-  // Places lie by panel.
-  auto place = std::partition_point(found.quadrature.begin(), found.quadrature.end(),
-                                    [&](const QuadraturePoint& p) { return p.panel < panel; });
-  for (; place != found.quadrature.end() && place->panel == panel; ++place) {
-    const QuadraturePoint& there = *place;
-    if (!(there.at.distance <= contact_distance)) continue;
-    const double xi = there.xi, w = there.weight;
-    const Vec3 x = shape_.point(xi);
-    ContactTrial trial;
-    trial.point = pose_.to_body(x);
-    trial.gap = there.at.distance - radius_;
-    trial.normal = there.at.normal;
-    // -N H is the negative geometric stiffness of contact.
-    if (!mode_.convex) trial.curvature = there.at.curvature;
-    // Relative velocity in the body frame: u = R'(v - V) - omega x y.
-    if (moves) trial.velocity = back_ * (shape_.velocity(xi) - pose_.velocity_at(x));
-    ContactStart begin;
-    ContactRates rates;
-    if (law.friction.active()) begin = pair.start(s, xi, moving ? &rates : nullptr);
-    if (rolls_) {
-      trial.roll = rolls_->angle(xi);
-      trial.lever = radius_;
+  const bool ends_move = ends[0].on || ends[1].on;
+  // Points lie by panel.
+  auto q = std::partition_point(found.quadrature.begin(), found.quadrature.end(),
+                                [&](const QuadraturePoint& p) { return p.panel < panel; });
+  for (; q != found.quadrature.end() && q->panel == panel; ++q) {
+    if (!(q->at.distance <= contact_distance)) continue;
+    Sample p = sample(*q, s, law, pair, ends_move);
+    if (p.contact.normal.elastic > 0 && points) {
+      AxisContactPoint& point = points->emplace_back(p.contact, p.trial.normal);
+      point.xi = p.xi;
+      point.from = s.from;
+      point.to = s.to;
+      point.group = s.group;
+      point.weight = p.weight;
+      point.gap = p.trial.gap;
     }
-    const PointContact c = volume_contact(law, begin, trial, mode_.tangent);
-    if (c.normal.elastic > 0 && points) {
-      AxisContactPoint& p = points->emplace_back(c, trial.normal);
-      p.xi = xi;
-      p.from = s.from;
-      p.to = s.to;
-      p.group = s.group;
-      p.weight = w;
-      p.gap = trial.gap;
-    }
-    if (!(c.normal.force > 0)) continue;
-    const AxisShape::Weights H = shape_.functions(xi);
-    const Vec3 f = -(R_ * c.force);
-    for (size_t j = 0; j < n_; ++j) g_.F[j] += w * H[j] * f;
-    const Mat3 by_point = c.by_point - (moves ? 1.0 : 0.0) * c.by_velocity * spin_;
-    if (rolls_) add_rolling(trial, begin, c, xi, w, by_point);
-    if (!mode_.tangent) continue;
-    const Mat3 K = -w * R_ * by_point * R_.transpose();
-    const Mat3 C = moves ? Mat3(-w * R_ * c.by_velocity * R_.transpose()) : Mat3(Mat3::Zero());
-    for (size_t j = 0; j < n_; ++j)
-      for (size_t k = 0; k < n_; ++k) {
-        block_of(g_.K, j, k) += H[j] * H[k] * K;
-        if (moves) block_of(g_.C, j, k) += H[j] * H[k] * C;
-      }
-    if (!moving) continue;
-
-    rates.point = back_ * shape_.slope(xi);
-    if (moves)
-      rates.velocity = back_ * (shape_.velocity_slope(xi) - pose_.angular_velocity.cross(shape_.slope(xi)));
-    if (rolls_) rates.roll = rolls_->ends[1].angle - rolls_->ends[0].angle;
-    const Vec3 along = contact_force_along(law, begin, trial, rates), slope = -(R_ * along);
-    const Vec3 arm = -trial.lever * begin.tangent.cross(trial.normal),
-               arm_along = -trial.lever * (rates.start_tangent.cross(trial.normal) +
-                                           begin.tangent.cross(trial.curvature * rates.point));
-    const double torque = -arm.dot(c.force), torque_along = -(arm_along.dot(c.force) + arm.dot(along));
-    const AxisShape::Weights dH = shape_.derivatives(xi);
-    const std::array<double, 2> N{1 - xi, xi};
-    for (size_t i = 0; i < 2; ++i) {
-      if (!ends[i].on) continue;
-      const double interval = i ? there.part : -there.part,
-                   shift = span * there.part * (i ? there.along : 1 - there.along);
-      for (size_t j = 0; j < n_; ++j)
-        ends[i].force[j] += L * ((interval * H[j] + shift * dH[j]) * f + shift * H[j] * slope);
-      for (size_t j = 0; j < 2 && rolls_; ++j)
-        ends[i].torque[j] +=
-            L * ((interval * N[j] + (j ? shift : -shift)) * torque + shift * N[j] * torque_along);
-    }
+    if (!(p.contact.normal.force > 0)) continue;
+    add_sample(p);
+    if (ends_move) add_to_moving_ends(law, p, *q, s.to - s.from, ends);
   }
   for (const Moving& m : ends) {
     if (!m.on) continue;
@@ -157,22 +143,65 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const 
   }
 }
 
+// F_j += w H_j f,  K_jk += w H_j H_k ∂f/∂x,  C_jk += w H_j H_k ∂f/∂v
+void AxisContact::add_sample(const Sample& p) {
+  for (size_t j = 0; j < n_; ++j) g_.F[j] += p.weight * p.H[j] * p.force;
+  const Mat3 by_point = p.contact.by_point - (mode_.moves ? 1.0 : 0.0) * p.contact.by_velocity * spin_;
+  if (rolls_) add_rolling(p, by_point);
+  if (!mode_.tangent) return;
+  const Mat3 K = -p.weight * R_ * by_point * R_.transpose();
+  const Mat3 C =
+      mode_.moves ? Mat3(-p.weight * R_ * p.contact.by_velocity * R_.transpose()) : Mat3(Mat3::Zero());
+  for (size_t j = 0; j < n_; ++j)
+    for (size_t k = 0; k < n_; ++k) {
+      block_of(g_.K, j, k) += p.H[j] * p.H[k] * K;
+      if (mode_.moves) block_of(g_.C, j, k) += p.H[j] * p.H[k] * C;
+    }
+}
+
+// What the force and torque of a point change with the ends of its panel, which has the length `span` in xi:
+// its weight w = L span part changes, and its place xi = from + along span.
+void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const QuadraturePoint& q, double span,
+                                     std::array<Moving, 2>& ends) const {
+  const double L = length_;
+  p.rates.point = R_inverse_ * shape_.slope(p.xi);
+  if (mode_.moves)
+    p.rates.velocity =
+        R_inverse_ * (shape_.velocity_slope(p.xi) - pose_.angular_velocity.cross(shape_.slope(p.xi)));
+  if (rolls_) p.rates.roll = rolls_->ends[1].angle - rolls_->ends[0].angle;
+  const Vec3 along = contact_force_along(law, p.begin, p.trial, p.rates), slope = -(R_ * along);
+  const Vec3 arm_along = -p.trial.lever * (p.rates.start_tangent.cross(p.trial.normal) +
+                                           p.begin.tangent.cross(p.trial.curvature * p.rates.point));
+  const double torque = p.torque(), torque_along = -(arm_along.dot(p.contact.force) + p.arm().dot(along));
+  const AxisShape::Weights dH = shape_.derivatives(p.xi);
+  const std::array<double, 2> N{1 - p.xi, p.xi};
+  for (size_t i = 0; i < 2; ++i) {
+    if (!ends[i].on) continue;
+    const double interval = i ? q.part : -q.part, shift = span * q.part * (i ? q.along : 1 - q.along);
+    for (size_t j = 0; j < n_; ++j)
+      ends[i].force[j] += L * ((interval * p.H[j] + shift * dH[j]) * p.force + shift * p.H[j] * slope);
+    for (size_t j = 0; j < 2 && rolls_; ++j)
+      ends[i].torque[j] +=
+          L * ((interval * N[j] + (j ? shift : -shift)) * torque + shift * N[j] * torque_along);
+  }
+}
+
 // A roll by da moves the line's surface by arm da: its work is the torque's. The ends roll about `about_`.
-void AxisContact::add_rolling(const ContactTrial& trial, const ContactStart& begin, const PointContact& c,
-                              double xi, double w, const Mat3& by_point) {
-  const AxisShape::Weights H = shape_.functions(xi);
-  const std::array<double, 2> N{1 - xi, xi};
-  const Vec3 arm = -trial.lever * begin.tangent.cross(trial.normal);
-  const double torque = -arm.dot(c.force);
+void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
+  const double w = p.weight, torque = p.torque();
+  const AxisShape::Weights& H = p.H;
+  const std::array<double, 2> N{1 - p.xi, p.xi};
+  const Vec3 arm = p.arm();
   for (size_t i = 0; i < 2; ++i) {
     torque_[i] += w * N[i] * torque;
     g_.F[kTurns + i] += w * N[i] * torque * about_[i];
   }
   if (!mode_.tangent) return;
+  const PointContact& c = p.contact;
   const Vec3 by_x = -w * (R_ * (by_point.transpose() * arm +
-                                trial.lever * trial.curvature * begin.tangent.cross(c.force))),
-             by_v = mode_.moves ? Vec3(-w * (R_ * (c.by_velocity.transpose() * arm))) : Vec3(Vec3::Zero()),
-             by_roll = -w * (R_ * c.by_roll);
+                                p.trial.lever * p.trial.curvature * p.begin.tangent.cross(c.force)));
+  const Vec3 by_v = mode_.moves ? Vec3(-w * (R_ * (c.by_velocity.transpose() * arm))) : Vec3(Vec3::Zero());
+  const Vec3 by_roll = -w * (R_ * c.by_roll);
   for (size_t i = 0; i < 2; ++i) {
     for (size_t k = 0; k < n_; ++k) {
       block_of(g_.K, kTurns + i, k) += N[i] * H[k] * about_[i] * by_x.transpose();

@@ -118,10 +118,10 @@ void Feeders::update_feed_point(Feeder& f) {
 
 void Feeders::update(const Kinematics& at) {
   for (size_t k = 0; k < feeders_.size(); ++k) {
-    const FeedPoint m = feed_point(feeders_[k], at, true);
+    const FeedPoint m = feed_point(feeders_[k], at);
     FedLine& e = fed_[k];
     e.before = feeders_[k].length;
-    e.predicted = feed_point(feeders_[k], at, false).length;
+    e.predicted = predicted_feed_point(feeders_[k], at).length;
     e.length = m.length;
     e.length_by_chord = m.by_chord;
     e.length_by_force = m.length_by_force;
@@ -136,14 +136,19 @@ const LocalElement* Feeders::at_feed_point(const Feeder& f) const {
   return at != mesh_.elements.end() && at->global == wanted ? &*at : nullptr;
 }
 
-FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& at, bool now) const {
+FeedPoint Feeders::predicted_feed_point(const Feeder& f, const Kinematics& at) const {
   if (!f.feed.speed.empty()) {
     const model::Fed fed = model::fed_by(f.feed, at.time);
     return {f.offset + fed.length, fed.speed, fed.acceleration, 0, 0, fed.speed};
   }
   const double h = at.time - f.time;
   if (!(h > 0)) return {f.length, f.speed, 0, 0, 0, f.length_rate};
-  if (!now) return {f.length + h * f.speed, f.speed, 0, 0};
+  return {f.length + h * f.speed, f.speed, 0, 0};
+}
+
+FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& at) const {
+  const double h = at.time - f.time;
+  if (!f.feed.speed.empty() || !(h > 0)) return predicted_feed_point(f, at);
   const LocalElement* e = at_feed_point(f);
   if (!e) return {f.length, f.speed, 0, 0};
   const FedElement fed = feed_step(
@@ -252,7 +257,7 @@ void Feeders::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Feeder& f : feeders_) {
     const LocalElement* e = at_feed_point(f);
     if (!e) continue;
-    const FeedPoint m = feed_point(f, trial, false);
+    const FeedPoint m = predicted_feed_point(f, trial);
     Vec3 out[2];
     force(f, m, trial, *e, out);
     const int blocks[2] = {mesh_.block[f.at_b ? e->second : e->first],
@@ -287,9 +292,9 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& 
   for (const Feeder& feeder : feeders_) {
     if (element(feeder, feeder.feed_point) != e.global) continue;
     Vec3 out[2];
-    force(feeder, feed_point(feeder, at, false), at, e, out);
+    force(feeder, predicted_feed_point(feeder, at), at, e, out);
     // The feeder, not the line, provides the momentum of the material that it sets in motion.
-    const Flow o = flow(feed_point(feeder, at, false), at, e, feeder.at_b);
+    const Flow o = flow(predicted_feed_point(feeder, at), at, e, feeder.at_b);
     out[0] -= (feeder.mass_per_length * feeder.speed * feeder.speed / feeder.length) * o.chord;
     f.head<3>() += out[feeder.at_b ? 1 : 0];
     f.segment<3>(6) += out[feeder.at_b ? 0 : 1];
@@ -299,7 +304,7 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& 
 // Power for the material that comes out: the work of the feeder on it beyond holding the line, and its
 // kinetic energy.
 double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
-  const FeedPoint m = feed_point(f, at, true);
+  const FeedPoint m = feed_point(f, at);
   if (m.speed == 0) return 0;
   const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
   const Flow o = flow(m, at, e, f.at_b);
@@ -314,36 +319,44 @@ double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement&
          mass * m.speed * at.v[i].dot(v - at.v[i]);
 }
 
+// Whether the feeder rests at the end of a step in which the feed point came to m: it stops where the tension
+// meets the one asked for, and starts again beyond its band.
+bool Feeders::rests(const Feeder& f, const FeedPoint& m, const Kinematics& accepted,
+                    const LocalElement& e) const {
+  constexpr double kThere = 0.01;  // of the part of the band on this side
+  if (f.resting) return m.speed == 0;
+  const double off = pull(f, accepted, e, m.length).force - f.feed.tension;
+  const double band = off > 0 ? f.feed.most - f.feed.tension : f.feed.tension - f.feed.least;
+  return f.speed * m.speed < 0 || std::abs(off) < kThere * band;
+}
+
+// Work of a step of h seconds, in which the element at the feed point has got longer than `before`, J.
+double Feeders::work_of_step(size_t k, const Kinematics& accepted, const LocalElement& e, double h,
+                             double before) const {
+  const Feeder& f = feeders_[k];
+  double work = 0.5 * h * (power_[k] + power(f, accepted, e));
+  // For cables StructureTerm computes this work, from the mean force of the step.
+  if (f.beam) work -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, e, f.length).force);
+  if (before_.x.size() != accepted.x.size()) return work;
+  for (const Kinematics& at : {before_.view(0), accepted})
+    work -= 0.5 * (load_work(f, at, e, f.length) - load_work(f, at, e, before));
+  return work;
+}
+
 void Feeders::commit(const Kinematics& accepted) {
   for (size_t k = 0; k < feeders_.size(); ++k) {
     Feeder& f = feeders_[k];
-    const FeedPoint m = feed_point(f, accepted, true);
+    const FeedPoint m = feed_point(f, accepted);
     const double h = accepted.time - f.time, before = f.length;
     const LocalElement* e = at_feed_point(f);
-    if (f.feed.has_band() && h > 0 && e) {
-      const double off = pull(f, accepted, *e, m.length).force - f.feed.tension;
-      constexpr double kThere = 0.01;  // of the part of the band on this side
-      if (f.resting)
-        f.resting = m.speed == 0;
-      else
-        f.resting =
-            f.speed * m.speed < 0 ||
-            std::abs(off) < kThere * (off > 0 ? f.feed.most - f.feed.tension : f.feed.tension - f.feed.least);
-    }
+    if (f.feed.has_band() && h > 0 && e) f.resting = rests(f, m, accepted, *e);
     f.length = m.length;
     f.time = accepted.time;
     if (!f.feed.speed.empty() || (h > 0 && e)) {
       f.speed = f.resting ? 0 : m.speed;
       f.length_rate = m.length_rate;
     }
-    if (!e || !e->counted || !(h > 0)) continue;
-    const double now = power(f, accepted, *e);
-    work_ += 0.5 * h * (power_[k] + now);
-    // For cables StructureTerm computes this work, from the mean force of the step.
-    if (f.beam) work_ -= 0.5 * (f.length - before) * (pulls_[k] + pull(f, accepted, *e, f.length).force);
-    if (before_.x.size() != accepted.x.size()) continue;
-    for (const Kinematics& at : {before_.view(0), accepted})
-      work_ -= 0.5 * (load_work(f, at, *e, f.length) - load_work(f, at, *e, before));
+    if (e && e->counted && h > 0) work_ += work_of_step(k, accepted, *e, h, before);
   }
 }
 
@@ -362,7 +375,7 @@ Energy Feeders::energy(const Kinematics& at) const {
   for (const Feeder& f : feeders_) {
     const LocalElement* e = at_feed_point(f);
     if (!e || !e->counted) continue;
-    const FeedPoint m = feed_point(f, at, true);
+    const FeedPoint m = feed_point(f, at);
     const size_t i = f.at_b ? e->second : e->first, j = f.at_b ? e->first : e->second;
     const Vec3 v = flow(m, at, *e, f.at_b).velocity, &held = at.v[i], &w = at.v[j];
     const auto [own, shared] = mass_shares(f.beam);
@@ -375,7 +388,7 @@ Energy Feeders::energy(const Kinematics& at) const {
 Verdict Feeders::check_step(const Kinematics& trial) const {
   for (const Feeder& f : feeders_) {
     if (!f.feed.speed.empty() || at_feed_point(f)) {
-      const double length = feed_point(f, trial, true).length, whole = element_length(f, f.feed_point);
+      const double length = feed_point(f, trial).length, whole = element_length(f, f.feed_point);
       if (length < kShortest * whole ||
           length > whole + kLonger * element_length(f, std::max(f.feed_point - 1, 0)))
         return {Verdict::Kind::shorter, advice::FeedsTooFast{f.name}};

@@ -135,7 +135,7 @@ struct Roller {
     const Feeder& f = r.feeders->list().front();
     const LocalElement& e = *r.feeders->at_feed_point(f);
     AxisEnds ends = element_axis(at, r.mesh.elements[static_cast<size_t>(e.global)], e.first, e.second);
-    ends.length = r.feeders->feed_point(f, at, false).length;
+    ends.length = r.feeders->predicted_feed_point(f, at).length;
     return AxisShape(ends);
   }
   Roller(const Rig& r, const Kinematics& start) {

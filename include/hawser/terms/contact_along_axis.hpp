@@ -52,11 +52,16 @@ class AxisContact {
 
  private:
   struct Moving;
+  struct Sample;
   void add_panel(const ContactQuadrature& found, size_t panel, const Pair& pair,
                  std::vector<AxisContactPoint>* points);
   std::array<Moving, 2> moving_ends(const ContactPanel& s, const Pair& pair) const;
-  void add_rolling(const ContactTrial& trial, const ContactStart& begin, const PointContact& c, double xi,
-                   double weight, const Mat3& by_point);
+  Sample sample(const QuadraturePoint& q, const ContactPanel& s, const ContactLaw& law, const Pair& pair,
+                bool ends_move) const;
+  void add_sample(const Sample& p);
+  void add_rolling(const Sample& p, const Mat3& by_point);
+  void add_to_moving_ends(const ContactLaw& law, Sample& p, const QuadraturePoint& q, double span,
+                          std::array<Moving, 2>& ends) const;
 
   const AxisShape& shape_;
   const RigidPose& pose_;
@@ -65,7 +70,7 @@ class AxisContact {
   std::optional<Rolls> rolls_;
   size_t n_;
   Mat3 R_;  // of the pose
-  Quat back_;
+  Quat R_inverse_;
   Mat3 spin_;                       // of its angular velocity, body frame
   std::array<Vec3, 2> about_;       // the axes that the ends roll about, space axes
   std::array<double, 2> torque_{};  // N m, of the rolls

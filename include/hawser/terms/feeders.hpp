@@ -80,9 +80,10 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   // The local element at the feed point; null: it is not on this rank.
   const LocalElement* at_feed_point(const Feeder& f) const;
 
-  // State of the feed point. For masses and water the length is that at the speed of the start of the step;
-  // with `now` it is that of the trial.
-  FeedPoint feed_point(const Feeder& f, const Kinematics& at, bool now) const;
+  // State of the feed point at the end of the step of the trial.
+  FeedPoint feed_point(const Feeder& f, const Kinematics& at) const;
+  // The same by the speed of the start of the step: what masses and water use.
+  FeedPoint predicted_feed_point(const Feeder& f, const Kinematics& at) const;
   void update(const Kinematics& at) override;
   std::vector<std::array<int, 2>> inside() const override;
 
@@ -121,6 +122,9 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   double strain_rate(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   CableFeed feed_of_cable(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   double power(const Feeder& f, const Kinematics& at, const LocalElement& e) const;
+  bool rests(const Feeder& f, const FeedPoint& m, const Kinematics& accepted, const LocalElement& e) const;
+  double work_of_step(size_t feeder, const Kinematics& accepted, const LocalElement& e, double h,
+                      double before) const;
   double load_work(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   void force(const Feeder& f, const FeedPoint& m, const Kinematics& at, const LocalElement& e,
              Vec3* out) const;
