@@ -9,6 +9,7 @@
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/symmetric.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/positioning.hpp"
 
 namespace hawser::advice {
 
@@ -78,6 +79,22 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
                    36});
 }
 
+// Positioning whose loop is unstable.
+void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
+  constexpr const char* kNames[] = {"surge", "sway", "yaw"};
+  const Vec3 growth = model::loop_growth(b);
+  const std::string key = "bodies." + b.name + ".floating.positioning";
+  for (int k = 0; k < 3; ++k)
+    if (growth[k] > 0)
+      out.push_back(
+          {key,
+           fmt::format("the control loop is unstable in {}: without other forces the motion grows e times in "
+                       "{:.3g} s; reduce 'proportional' or 'integral', increase 'derivative', or take a "
+                       "shorter 'filter_period'",
+                       kNames[k], 1 / growth[k]),
+           37});
+}
+
 }  // namespace
 
 void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
@@ -87,6 +104,7 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
                    "acts on no body and never on lines: give a body coefficients, 'floating.wind'", 34});
   for (const Body& b : c.bodies) {
     if (b.mass) warn_of_hull(b, out);
+    if (b.mass && b.mass->positioning) warn_of_positioning(b, out);
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);
     warn_of_coefficients(c, b, out);
