@@ -2,6 +2,7 @@
 // limits, what statics finds, the tangent of a step, and a run that goes on from a checkpoint.
 #include <fmt/format.h>
 
+#include <Eigen/Eigenvalues>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "../regression/runs.hpp"
@@ -243,17 +244,28 @@ TEST(Positioning, StaticsHoldsThePlace) {
   }
 }
 
-// Modes are those about rest: of the proportional part, whatever the integral does.
+// Modes are those about rest: of the proportional part, whatever the integral does, which carries the load at
+// the origin. That is 10 m behind the mass centre, so that sway and yaw are coupled:
+//   K = P_y (1, -10; -10, 100) + (0, 0; 0, P_yaw)
 TEST(Positioning, ModesHaveTheProportionalPart) {
-  Simulation s(PETSC_COMM_WORLD,
-               vessel("",
-                      "stiffness: [0, 0, 1e6], turning_stiffness: [1e9, 1e9, 0], positioning: {proportional: "
-                      "[2e4, 1e5, 1e8], integral: [100, 100, 1e5]}",
-                      ""));
+  constexpr double kArm = 10, kSway = 1e5, kYaw = 1e8;  // N/m of surge as well
+  Simulation s(
+      PETSC_COMM_WORLD,
+      vessel("",
+             fmt::format(
+                 "centre_of_mass: [{0}, 0, 0], stiffness: [0, 0, 1e7], turning_stiffness: [1e9, 1e9, 0], "
+                 "loads: [{{force: [3e6, 0, 0]}}], positioning: {{proportional: [{1}, {1}, {2}], "
+                 "integral: [100, 100, 1e5]}}",
+                 kArm, kSway, kYaw),
+             "statics: {tolerance: 1e-12}\n"));
   s.solve_statics();
   s.system().find<Thrusters>()->integrate_at_rest(false);
   const std::vector<NaturalMode> modes = natural_modes(s.system(), s.state().view(0), 3);
-  const double squares[] = {2e4 / kMass, 1e5 / kMass, 1e8 / kInertia};
+  Eigen::Matrix2d K, M = Eigen::Vector2d(kMass, kInertia).asDiagonal();
+  K << kSway, -kArm * kSway, -kArm * kSway, kArm * kArm * kSway + kYaw;
+  const Eigen::Vector2d coupled =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(K, M).eigenvalues();
+  const double squares[] = {coupled[0], kSway / kMass, coupled[1]};
   ASSERT_EQ(modes.size(), 3u);
   for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(modes[i].squared, squares[i], 1e-6 * squares[i]) << i;
 }
