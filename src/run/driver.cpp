@@ -364,7 +364,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
     tried = trial_run(sim, c, std::max(kTrial - searched, kLeast), [&](const Kinematics& at) {
       if (!std::exchange(rests, true)) {
         for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
-        for (const std::string& w : hulls_off_start(c, sim.bodies(), at)) fmt::print("warning: {}\n", w);
+        for (const std::string& w : platforms_off_start(c, sim.bodies(), at)) fmt::print("warning: {}\n", w);
       }
       water.update_sampled(at);
     });
