@@ -117,7 +117,9 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   }
   h.data = known;
   if (h.body > h.data->bodies)
-    model::refuse(v["body"], "the files have {} bod{}", h.data->bodies, h.data->bodies == 1 ? "y" : "ies");
+    model::refuse(v["body"], "is {}, and {} has {}: it is the number of the body in the files", h.body,
+                  h.data->radiation_file,
+                  h.data->bodies == 1 ? "one body" : fmt::format("{} bodies", h.data->bodies));
   const auto body = static_cast<size_t>(h.body) - 1;
   const auto given = [&v](const char* key) { return v.has(key) && v[key].given; };
   if (!given("origin_in_file") && body < h.data->origin.size() && h.data->origin[body])

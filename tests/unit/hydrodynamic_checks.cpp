@@ -213,6 +213,14 @@ TEST_F(HydrodynamicChecks, FilesThatAreCutOff) {
   EXPECT_NE(reported().find("is the file cut off?"), std::string::npos) << reported();
 }
 
+TEST_F(HydrodynamicChecks, FirstRowWithAnError) {
+  write(".hst", "WAMIT Output 36\n3 3 ****\n4 4 -1264491\n");
+  expect("spar.hst:2: a row of this file has 3 numbers, but this one has 2 and something that is no number");
+  write(".hst", "3 bodies of a set\n3 3 314.159265\n4 4 -1264491.04\n5 5 -1264491.04\n");
+  EXPECT_EQ(reported(), "");
+  expect("body: is 2, and ", ", body: 2");
+}
+
 // A spar of 28274 m³ that displaces ten times its mass, or has its buoyancy too low; dampers that are none; a
 // fairlead in axes of space.
 TEST_F(HydrodynamicChecks, WhatCannotFloat) {
