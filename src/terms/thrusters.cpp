@@ -58,13 +58,13 @@ Vec3 Thrusters::offset(const Positioned& p, const Vec3& pose) {
 //   dF = J F + H L (-(P a + D b + I c) H^T d(x, y, heading) + a (P J H^T e + D J H^T e' + I J H^T s) d
 //   heading)
 // a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F with a as well.
-Thrusters::Push Thrusters::push(const model::DynamicPositioning& data, const Vec3& proportional,
-                                const Deviation& deviation) {
+Thrusters::Push Thrusters::push(const model::DynamicPositioning& data, const Deviation& deviation) {
   const Mat3 H = axes_of(deviation.heading), J = hat(Vec3::UnitZ());
   const Vec3 e = H.transpose() * deviation.offset, rate = H.transpose() * deviation.speed,
              sum = H.transpose() * deviation.sum;
   const auto by_gains = [&](const Vec3& P, const Vec3& D, const Vec3& I) -> Vec3 {
-    return P.cwiseProduct(proportional) + D.cwiseProduct(data.derivative) + I.cwiseProduct(data.integral);
+    return P.cwiseProduct(data.proportional) + D.cwiseProduct(data.derivative) +
+           I.cwiseProduct(data.integral);
   };
   Push out;
   out.asked = -by_gains(e, rate, sum);
@@ -92,16 +92,21 @@ Thrusters::Push Thrusters::push(const model::DynamicPositioning& data, const Vec
   return out;
 }
 
+// For motion about rest limits do not count: force that is at its limit there has its slope on one side only.
 Thrusters::Push Thrusters::push_at_rest(const Positioned& p, const Vec3& pose) const {
   Deviation deviation;
   deviation.heading = pose.z();
   deviation.offset = offset(p, pose);
-  Vec3 proportional = p.data.proportional;
-  if (statics_ && integrates_)
+  model::DynamicPositioning data = p.data;
+  if (!integrates_) {
+    deviation.sum = p.integral;
+    data.max_force.setConstant(HUGE_VAL);
+    data.max_moment = HUGE_VAL;
+  } else if (statics_) {
     for (int k = 0; k < 3; ++k)
-      if (p.data.integral[k] > 0) proportional[k] *= kHeld;
-  if (!integrates_) deviation.sum = p.integral;
-  return push(p.data, proportional, deviation);
+      if (data.integral[k] > 0) data.proportional[k] *= kHeld;
+  }
+  return push(data, deviation);
 }
 
 // The integral by the trapezoidal rule from the last accepted state on.
@@ -117,7 +122,7 @@ Thrusters::Push Thrusters::push_in_motion(const Positioned& p, const Vec3& pose,
   deviation.by_place = share.place;
   deviation.by_speed = share.speed;
   deviation.by_sum = 0.5 * h * share.place;
-  return push(p.data, p.data.proportional, deviation);
+  return push(p.data, deviation);
 }
 
 Thrusters::Push Thrusters::push(const Positioned& p, const Kinematics& at) const {

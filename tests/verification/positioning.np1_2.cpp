@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "../regression/runs.hpp"
@@ -244,30 +245,38 @@ TEST(Positioning, StaticsHoldsThePlace) {
   }
 }
 
-// Modes are those about rest: of the proportional part, whatever the integral does, which carries the load at
-// the origin. That is 10 m behind the mass centre, so that sway and yaw are coupled:
-//   K = P_y (1, -10; -10, 100) + (0, 0; 0, P_yaw)
+// Modes are those about rest: of the proportional part, whatever integral and limits do, between which
+// thrusters and a spring at the mass centre carry the load at the origin. That is 10 m behind the mass
+// centre, so that sway and yaw are coupled, and what the spring carries, F, turns the body:
+//   K = P_y (1, -10; -10, 100) + (0, 0; 0, P_yaw - 10 F)
 TEST(Positioning, ModesHaveTheProportionalPart) {
-  constexpr double kArm = 10, kSway = 1e5, kYaw = 1e8;  // N/m of surge as well
-  Simulation s(
-      PETSC_COMM_WORLD,
-      vessel("",
-             fmt::format(
-                 "centre_of_mass: [{0}, 0, 0], stiffness: [0, 0, 1e7], turning_stiffness: [1e9, 1e9, 0], "
-                 "loads: [{{force: [3e6, 0, 0]}}], positioning: {{proportional: [{1}, {1}, {2}], "
-                 "integral: [100, 100, 1e5]}}",
-                 kArm, kSway, kYaw),
-             "statics: {tolerance: 1e-12}\n"));
-  s.solve_statics();
-  s.system().find<Thrusters>()->integrate_at_rest(false);
-  const std::vector<NaturalMode> modes = natural_modes(s.system(), s.state().view(0), 3);
-  Eigen::Matrix2d K, M = Eigen::Vector2d(kMass, kInertia).asDiagonal();
-  K << kSway, -kArm * kSway, -kArm * kSway, kArm * kArm * kSway + kYaw;
-  const Eigen::Vector2d coupled =
-      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(K, M).eigenvalues();
-  const double squares[] = {coupled[0], kSway / kMass, coupled[1]};
-  ASSERT_EQ(modes.size(), 3u);
-  for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(modes[i].squared, squares[i], 1e-6 * squares[i]) << i;
+  constexpr double kArm = 10, kSway = 1e5, kYaw = 1e8, kLoad = 3.7e6;  // N/m of surge as well
+  for (const double spring : {0., 0.7e6, 0.9e6, 1.1e6}) {
+    const double carried = spring > 0 ? 0.4 * kLoad : 0, heading = spring > 0 ? 30 : 0;
+    const Vec3 load = kLoad * (exp_so3(heading * M_PI / 180 * Vec3::UnitZ()) * Vec3::UnitX());
+    Simulation s(
+        PETSC_COMM_WORLD,
+        vessel(
+            fmt::format("rotation_deg: [0, 0, {}], ", heading),
+            fmt::format("centre_of_mass: [{0}, 0, 0], stiffness: [{3}, {3}, 1e7], turning_stiffness: [1e9, "
+                        "1e9, 0], loads: [{{force: [{4:.17g}, {5:.17g}, 0]}}], positioning: {{proportional: "
+                        "[{1}, {1}, {2}], integral: [170, 170, 1e5]{6}}}",
+                        kArm, kSway, kYaw, spring, load.x(), load.y(),
+                        spring > 0 ? fmt::format(", max_force: {}", kLoad - carried) : ""),
+            "statics: {tolerance: 1e-12}\n"));
+    s.solve_statics();
+    s.system().find<Thrusters>()->integrate_at_rest(false);
+    const std::vector<NaturalMode> modes = natural_modes(s.system(), s.state().view(0), 3);
+    Eigen::Matrix2d K, M = Eigen::Vector2d(kMass, kInertia).asDiagonal();
+    K << kSway + spring, -kArm * kSway, -kArm * kSway, kArm * kArm * kSway + kYaw - kArm * carried;
+    const Eigen::Vector2d coupled =
+        Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(K, M).eigenvalues();
+    std::vector<double> squares = {coupled[0], (kSway + spring) / kMass, coupled[1]};
+    std::sort(squares.begin(), squares.end());
+    ASSERT_EQ(modes.size(), 3u);
+    for (size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(modes[i].squared, squares[i], 1e-6 * squares[i]) << i << " " << spring;
+  }
 }
 
 TEST(Positioning, TangentOfAStep) {

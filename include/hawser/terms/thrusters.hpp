@@ -66,8 +66,7 @@ class Thrusters final : public ForceTerm, public ActsOnBodies {
     Passed last;  // of the last accepted state; in statics, of the last iteration
   };
   static Vec3 offset(const Positioned& p, const Vec3& pose);
-  static Push push(const model::DynamicPositioning& data, const Vec3& proportional,
-                   const Deviation& deviation);
+  static Push push(const model::DynamicPositioning& data, const Deviation& deviation);
   Push push(const Positioned& p, const Kinematics& at) const;
   Push push_at_rest(const Positioned& p, const Vec3& pose) const;
   static Push push_in_motion(const Positioned& p, const Vec3& pose, double time);
