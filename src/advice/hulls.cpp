@@ -64,7 +64,7 @@ std::string hull_at_start(const HullAtStart& h) {
   return out + floats_elsewhere(h);
 }
 
-std::string hull_rests_elsewhere(const std::string& body, double rise) {
+std::string rests_elsewhere(const std::string& body, double rise) {
   if (!(std::abs(rise) > kOffWater)) return {};
   return fmt::format(
       "body {} comes to rest {:.3g} m {} than where it starts: its weight, its buoyancy and the pull of its "

@@ -9,6 +9,7 @@
 #include "hawser/math/angle_gap.hpp"
 #include "hawser/math/symmetric.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/model/positioning.hpp"
 
 namespace hawser::advice {
 
@@ -78,6 +79,94 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
                    36});
 }
 
+// Bodies that float elsewhere by more than their size, or not upright.
+void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  const BodyMass& m = *b.mass;
+  const double g = c.environment.gravity, density = c.environment.water.density, weight = m.mass * g;
+  if (m.hull || !(g > 0)) return;
+  const PlatformHydrostatics still = hydrostatics(m, density, g);
+  const double size = std::cbrt(still.buoyancy / (density * g)),
+               rise = (still.buoyancy - weight) / std::max(still.stiffness(0, 0), 1e-300);
+  if (still.stiffness(0, 0) > 0 && std::abs(rise) > size)
+    out.push_back(
+        {"bodies." + b.name + ".floating.mass",
+         fmt::format("its weight of {:.5g} kN and its buoyancy of {:.5g} kN mean that without lines it "
+                     "floats {:.3g} m {}, which is more than its size ({:.3g} m, the side of a cube of "
+                     "its volume): is 'mass' or 'displaced_volume' that of another body, or in other "
+                     "units?",
+                     weight / 1000, still.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower",
+                     size),
+         110});
+  const Vec3 added(0, m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
+                   m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
+  const Vec3 heights = (restoring(m, still, g) + added) / weight;
+  const bool roll = heights[1] < 0, pitch = heights[2] < 0;
+  if (roll || pitch)
+    out.push_back(
+        {"bodies." + b.name + ".floating.centre_of_mass",
+         fmt::format("without lines it capsizes: its metacentric height in {} is {:.3g} m; is the centre "
+                     "of mass in the body's frame, and has the stiffness of the files its weight "
+                     "('gravity_in_stiffness')?",
+                     roll && pitch ? "roll and pitch"
+                     : roll        ? "roll"
+                                   : "pitch",
+                     std::min(heights[1], heights[2])),
+         111});
+}
+
+// Of a matrix that is not that of dampers: it takes energy of each velocity alone and brings some in of
+// others.
+void warn_of_damping(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kRounded = 1e-6;
+  const Mat6& B = b.mass->hydrodynamics->damping;
+  const double size = std::cbrt(b.mass->mass / c.environment.water.density);
+  Vec6 scale;
+  scale << 1, 1, 1, 1 / size, 1 / size, 1 / size;
+  const Mat6 scaled = 0.5 * scale.asDiagonal() * (B + B.transpose()) * scale.asDiagonal();
+  if (eigenpairs(scaled).values[0] < -kRounded * scaled.cwiseAbs().maxCoeff())
+    out.push_back(
+        {"bodies." + b.name + ".floating.hydrodynamics.damping",
+         "brings energy in where some velocities are coupled: the entries beside the diagonal are too "
+         "large for those on it, or have the wrong sign",
+         112});
+}
+
+// Ends of lines that are far from the body that holds them.
+void warn_of_fairleads(const Case& c, const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kFar = 5;  // sides of a cube; the bow of a ship is at 3
+  const BodyMass& m = *b.mass;
+  if (!m.hydrodynamics && !m.hull) return;
+  const bool given = m.hydrodynamics && m.hydrodynamics->volume > 0;
+  const double size =
+      std::cbrt(given ? m.hydrodynamics->volume : m.mass / std::max(c.environment.water.density, 1e-300));
+  for (const EndAtBody& e : line_ends_at(c, b)) {
+    const double off = (e.end.at - m.centre).norm();
+    if (off > kFar * size)
+      out.push_back(
+          {"lines." + e.line.name + (&e.end == &e.line.end_a ? ".end_a.at" : ".end_b.at"),
+           fmt::format("is {:.4g} m from the centre of mass of body {}, of which the displaced volume "
+                       "is that of a cube of {:.3g} m: is it in metres, and in the body's frame?",
+                       off, b.name, size),
+           113});
+  }
+}
+
+// Positioning whose loop is unstable.
+void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
+  constexpr const char* kNames[] = {"surge", "sway", "yaw"};
+  const Vec3 growth = model::loop_growth(b);
+  const std::string key = "bodies." + b.name + ".floating.positioning";
+  for (int k = 0; k < 3; ++k)
+    if (growth[k] > 0)
+      out.push_back(
+          {key,
+           fmt::format("the control loop is unstable in {}: without other forces the motion grows e times in "
+                       "{:.3g} s; reduce 'proportional' or 'integral', increase 'derivative', or take a "
+                       "shorter 'filter_period'",
+                       kNames[k], 1 / growth[k]),
+           114});
+}
+
 }  // namespace
 
 void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
@@ -87,9 +176,13 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
                    "acts on no body and never on lines: give a body coefficients, 'floating.wind'", 34});
   for (const Body& b : c.bodies) {
     if (b.mass) warn_of_hull(b, out);
+    if (b.mass) warn_of_fairleads(c, b, out);
+    if (b.mass && b.mass->positioning) warn_of_positioning(b, out);
     if (!b.mass || !b.mass->hydrodynamics) continue;
     warn_of_inertia(b, out);
     warn_of_coefficients(c, b, out);
+    warn_of_floating(c, b, out);
+    warn_of_damping(c, b, out);
     warn_of_sea_of_platform(c, b, out);
     warn_of_directions(c, b, out);
   }

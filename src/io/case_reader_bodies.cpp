@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 
 #include "hawser/io/case_values.hpp"
 #include "hawser/io/hydrodynamic_files.hpp"
@@ -68,6 +69,27 @@ void compare_centre(const Vec3& weight, const model::BodyMass& m, const model::E
         key, centre.x(), centre.y(), centre.z(), m.centre.x(), m.centre.y(), m.centre.z()));
 }
 
+// Rows of a period and the diagonal or all of the matrix of surge, sway and yaw; kept by growing frequency.
+void read_drift_damping(const Value& v, const CaseSource& source, model::BodyHydrodynamics& h) {
+  const auto [at, rows] = read_input_rows(v, source);
+  std::map<double, Mat3> by_omega;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const std::vector<double>& r = rows[i];
+    if (r.size() != 4 && r.size() != 10)
+      model::refuse(at,
+                    "a row has 4 numbers (period, Bxx, Byy, Bzz) or 10 (period, matrix), but row {} has {}",
+                    i + 1, r.size());
+    if (!(r[0] > 0)) model::refuse(at, "a period is above 0 s, but row {} has {:g}", i + 1, r[0]);
+    Mat3 B = Mat3::Zero();
+    if (r.size() == 4)
+      B.diagonal() << r[1], r[2], r[3];
+    else
+      B = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(&r[1]);
+    if (!by_omega.emplace(2 * M_PI / r[0], B).second) model::refuse(at, "has the period {:g} s twice", r[0]);
+  }
+  h.drift_damping.assign(by_omega.begin(), by_omega.end());
+}
+
 // The files of a body's coefficients, read once.
 void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
@@ -95,7 +117,9 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
   }
   h.data = known;
   if (h.body > h.data->bodies)
-    model::refuse(v["body"], "the files have {} bod{}", h.data->bodies, h.data->bodies == 1 ? "y" : "ies");
+    model::refuse(v["body"], "is {}, and {} has {}: it is the number of the body in the files", h.body,
+                  h.data->radiation_file,
+                  h.data->bodies == 1 ? "one body" : fmt::format("{} bodies", h.data->bodies));
   const auto body = static_cast<size_t>(h.body) - 1;
   const auto given = [&v](const char* key) { return v.has(key) && v[key].given; };
   if (!given("origin_in_file") && body < h.data->origin.size() && h.data->origin[body])
@@ -146,6 +170,9 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
       for (size_t i = 0; i < members->items.size(); ++i)
         if (waves && !members->items[i]["Ca"].given) b.mass->members[i].added = 0;
     if (waves) read_hydrodynamics(*waves, source, b, c);
+    if (waves)
+      if (const Value* damping = waves->find("wave_drift_damping"))
+        read_drift_damping(*damping, source, *b.mass->hydrodynamics);
   }
   const Value* m = v.find("motion");
   if (!m) return;
@@ -158,14 +185,21 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
 
 void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   if (const Value* f = v.find("floating"))
-    if (const Value* waves = f->find("hydrodynamics"); waves && b.mass->hydrodynamics->excitation) {
+    if (const Value* waves = f->find("hydrodynamics")) {
       const model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
       const double heading = model::hydrodynamic_heading(b);
       const auto& sea = source.files->sea(c.environment).components();
       const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
       const Value& files = (*waves)[h.key()];
-      check_coverage(files, h.data->excitation, h.body, "wave forces", 0.05, sea, heading, key, c.notes);
-      check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
+      if (h.excitation) {
+        check_coverage(files, h.data->excitation, h.body, "wave forces", 0.05, sea, heading, key, c.notes);
+        check_coverage(files, h.data->drift, h.body, "drift forces", 0.5, sea, heading, key, c.notes);
+      }
+      if (model::wave_drift_damping(h, sea).diagonal().minCoeff() < 0)
+        c.notes.push_back(
+            key +
+            ".wave_drift_damping: is negative in this sea, so that it drives slow motion instead of "
+            "damping it: has it the other sign?");
     }
   const Value* m = v.find("motion");
   const Value* rao = m ? m->find("rao") : nullptr;

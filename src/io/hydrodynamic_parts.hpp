@@ -23,11 +23,13 @@ class WaveForceRows {
   WaveForceRows(int bodies, bool mirrored) : bodies_(bodies), mirrored_(mirrored) {}
   void add(double omega, double direction_deg, int mode, Complex value);
   bool none() const { return values_.empty(); }
-  // Of each body. A pair of frequency and direction without any row: refused.
+  // Of each body. Refused: a pair of frequency and direction without any row, or without one of a mode that
+  // counts.
   std::vector<WaveForceTable> tables(const std::string& path);
 
  private:
   void add_other_side(const std::string& path);
+  void complete_modes(const std::string& path);
 
   int bodies_;
   bool mirrored_;

@@ -55,6 +55,14 @@ bool numbers_of(std::string line, std::vector<double>& to) {
   }
 }
 
+size_t words_of(const std::string& line) {
+  constexpr const char* kBlank = " \t\r,";
+  size_t count = 0;
+  for (size_t at = line.find_first_not_of(kBlank); at != std::string::npos; ++count)
+    at = line.find_first_not_of(kBlank, line.find_first_of(kBlank, at));
+  return count;
+}
+
 }  // namespace
 
 NumberTable read_number_table(const std::string& path, const std::vector<size_t>& columns) {
@@ -70,15 +78,19 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
   for (int line = 1; from < text.size(); ++line) {
     const size_t end = std::min(text.find('\n', from), text.size());
     NumberRow row{line, {}};
-    const bool numbers = numbers_of(text.substr(from, end - from), row.values);
+    const std::string words = text.substr(from, end - from);
+    const bool numbers = numbers_of(words, row.values);
     from = end + 1;
     if (numbers && row.values.empty()) continue;
-    const bool fits = std::count(columns.begin(), columns.end(), row.values.size()) > 0;
-    if (numbers && fits) {
+    const auto fits = [&columns](size_t count) {
+      return std::count(columns.begin(), columns.end(), count) > 0;
+    };
+    if (numbers && fits(row.values.size())) {
       table.rows.push_back(std::move(row));
       continue;
     }
-    if (table.rows.empty()) continue;  // a title
+    const bool row_with_an_error = !row.values.empty() && fits(words_of(words));
+    if (table.rows.empty() && !row_with_an_error) continue;  // a title
     throw std::runtime_error(fmt::format("{}:{}: a row of this file has {} numbers, but this one has {}{}",
                                          table.path, line, fmt::join(columns, " or "), row.values.size(),
                                          numbers ? "" : " and something that is no number"));

@@ -16,9 +16,9 @@ struct NumberTable {
   std::vector<NumberRow> rows;
 };
 
-// `path` or `path`.gz. Lines before the first row of numbers are titles. std::runtime_error, a whole
-// sentence, where the file cannot be read, or a later line has something else than numbers or another count
-// of them than one of `columns`.
+// `path` or `path`.gz. Lines before the first row are titles; a row begins with a number and has as many
+// words as one of `columns`. std::runtime_error, a whole sentence, where the file cannot be read, or a later
+// line has something else than numbers or another count of them than one of `columns`.
 NumberTable read_number_table(const std::string& path, const std::vector<size_t>& columns);
 
 }  // namespace hawser::io

@@ -122,17 +122,32 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
   check_rows(data, given);
 }
 
+// A file with rows of zero lists all entries of each body, so that one that is missing was lost.
+void check_all_listed(const std::string& path, const Eigen::MatrixXi& given) {
+  for (Eigen::Index i = 0; i < given.rows(); ++i)
+    for (Eigen::Index j = i / 6 * 6; j < i / 6 * 6 + 6; ++j)
+      if (!given(i, j))
+        throw std::runtime_error(fmt::format("{}: has rows of zero and no row {} {} ({}): complete the file",
+                                             path, i + 1, j + 1,
+                                             modes_text(static_cast<int>(i), static_cast<int>(j))));
+}
+
 // C33 = rho g L², C34, C35: L³, the rest: L⁴ times Cbar.
 void read_hydrostatics(const std::string& stem, const HydrodynamicForm& form, std::vector<std::string>& read,
                        HydrodynamicData& data) {
   const NumberTable table = required(stem, ".hst", {3}, "hydrostatic stiffness", read);
   const int n = 6 * data.bodies;
   data.hydrostatic = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXi given = Eigen::MatrixXi::Zero(n, n);
+  bool has_zeros = false;
   for (const NumberRow& row : table.rows) {
     const int i = mode_of(table, row, 0, n), j = mode_of(table, row, 1, n);
+    given(i, j) = 1;
+    has_zeros = has_zeros || row.values[2] == 0;
     data.hydrostatic(i, j) =
         form.density * form.gravity * std::pow(form.length, 2 + rotates(i) + rotates(j)) * row.values[2];
   }
+  if (has_zeros) check_all_listed(table.path, given);
 }
 
 // Columns from `first` on: modulus, phase [deg], real and imaginary part of one number, to a few digits; the

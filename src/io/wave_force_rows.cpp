@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "hydrodynamic_parts.hpp"
 
@@ -20,13 +23,15 @@ void WaveForceRows::add(double omega, double direction_deg, int mode, Complex va
   if (direction > 360 - 1e-6) direction = 0;
   const long key = std::lround(1e6 * direction);
   directions_[key] = direction * kRadPerDegree;
+  constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
   auto& at = values_[{omega, key}];
-  at.resize(static_cast<size_t>(6 * bodies_));
+  at.resize(static_cast<size_t>(6 * bodies_), Complex(kAbsent));
   at[static_cast<size_t>(mode)] = value;
 }
 
 std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
   if (mirrored_) add_other_side(path);
+  complete_modes(path);
   std::vector<double> omega, directions;
   for (const auto& [at, value] : values_)
     if (omega.empty() || at.first > omega.back()) omega.push_back(at.first);
@@ -46,6 +51,33 @@ std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
     out.emplace_back(omega, directions, std::move(values));
   }
   return out;
+}
+
+// Rows that are missing are zero, by symmetry or in waves that are too short to push the body, so that one
+// that is missing is an error where that of the next longer waves counts.
+void WaveForceRows::complete_modes(const std::string& path) {
+  constexpr double kCounts = 0.01;
+  const auto modes = static_cast<size_t>(6 * bodies_);
+  std::array<double, 2> largest{};  // of forces and of moments
+  for (const auto& [at, value] : values_)
+    for (size_t mode = 0; mode < modes; ++mode)
+      if (const double size = std::abs(value[mode]); size > largest[rotates(static_cast<int>(mode))])
+        largest[rotates(static_cast<int>(mode))] = size;
+  std::map<long, const std::vector<Complex>*> longer;  // by direction; frequencies grow
+  for (auto& [at, value] : values_) {
+    const std::vector<Complex>* before = std::exchange(longer[at.second], &value);
+    for (size_t mode = 0; mode < modes; ++mode) {
+      if (!std::isnan(value[mode].real())) continue;
+      const int m = static_cast<int>(mode);
+      if (before && std::abs((*before)[mode]) > kCounts * largest[rotates(m)])
+        throw std::runtime_error(
+            fmt::format("{}: has no row {} ({}) at {:.6g} s for {:g} deg, though other periods have one: "
+                        "complete the file",
+                        path, mode + 1, modes_text(m, m), 2 * M_PI / at.first,
+                        directions_.at(at.second) / kRadPerDegree));
+      value[mode] = 0;
+    }
+  }
 }
 
 // X(-beta) is X(beta) with sway, roll and yaw reversed.

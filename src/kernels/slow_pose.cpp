@@ -29,4 +29,12 @@ SlowPose SlowPose::after(const Vec3& pose, double h, double period) const {
   return out;
 }
 
+// Of the same with s = pose/h and all else zero: a = 2 s/c, b = s.
+SlowPose::Share SlowPose::share(double h, double period) {
+  const double c = 2 * M_PI / period, ch = c * h, decay = std::exp(-ch);
+  const double rest = decay * (2 / c + h), rate = 1 + decay - c * rest;
+  const double drift = 1 - decay * (1 + ch + 0.5 * ch * ch);
+  return {(h - 2 / c + rest + 2 / c * drift) / h, (3 * rate - 2 * drift) / h};
+}
+
 }  // namespace hawser

@@ -148,8 +148,13 @@ void check_rides(const Case& c, const Issues& issue) {
 void check_mass_matrix(const MassMatrix& m, const std::string& key, const Issues& issue) {
   constexpr double kRounded = 1e-6;
   const Mat6& M = m.rows;
+  for (int i = 0; i < 6; ++i)
+    if (!(M(i, i) > 0)) {
+      issue(key, "row {} has {:g} on the diagonal: mass and moments of inertia are above 0", i + 1, M(i, i));
+      return;
+    }
   // Lengths of the body by its own numbers, so that kg and kg m² are compared.
-  const Vec6 size = M.diagonal().cwiseMax(1e-300).cwiseSqrt();
+  const Vec6 size = M.diagonal().cwiseSqrt();
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < i; ++j)
       if (std::abs(M(i, j) - M(j, i)) > kRounded * size[i] * size[j]) {

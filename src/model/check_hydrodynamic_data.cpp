@@ -14,6 +14,7 @@ namespace hawser::model {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
+constexpr const char* kModes[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 // In long waves the water carries a body as it moves itself: heave follows the crest and surge comes a
 // quarter of a period before it, and the heave force is that of the hydrostatic stiffness. Waves of this wave
@@ -100,7 +101,6 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
   const WaveForceTable& table = data.excitation[static_cast<size_t>(h.body) - 1];
   if (table.directions().size() < 3 || widest_gap(table.directions(), 2 * M_PI).width() > kGap) return;
   const double g = c.environment.gravity, density = c.environment.water.density;
-  constexpr const char* kNames[] = {"surge", "sway", "heave"};
   double worst = 1;
   const char* name = nullptr;
   for (Eigen::Index mode = 0; mode < 3; ++mode) {
@@ -126,7 +126,7 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
     std::nth_element(ratios.begin(), middle, ratios.end());
     if (std::abs(std::log(*middle)) > std::abs(std::log(worst))) {
       worst = *middle;
-      name = kNames[mode];
+      name = kModes[mode];
     }
   }
   if (worst > kFar || worst < 1 / kFar)
@@ -134,6 +134,28 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
           "by Haskind's relation the wave forces of {} mean {:.3g} times the radiation damping in {} of "
           "{}: is one of them in other units (over the density, of another length scale)?",
           data.excitation_file, worst, name, data.radiation_file);
+}
+
+// Beyond the last row of the file the damping is zero, which it is not where the file was cut.
+void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
+  constexpr double kLarge = 0.2, kFurther = 1.25;
+  const HydrodynamicData& data = *h.data;
+  const double beyond = data.excitation[static_cast<size_t>(h.body) - 1].highest(), end = data.omega.back();
+  if (beyond < kFurther * end) return;
+  const Eigen::Index row = first_row(h);
+  Vec6 most = Vec6::Zero();
+  for (const Eigen::MatrixXd& B : data.damping) most = most.cwiseMax(B.diagonal().segment<6>(row));
+  const Vec6 last = data.damping.back().diagonal().segment<6>(row).cwiseQuotient(most.cwiseMax(1e-300));
+  Eigen::Index mode = 0;
+  if (last.maxCoeff(&mode) > kLarge)
+    issue(
+        h.key(),
+        "the radiation damping of {} ends at {:.4g} s, where that of {} is still {:.0f} % of its largest, "
+        "and "
+        "is taken as zero in shorter waves, though the wave forces of {} go on to {:.4g} s: is the file cut "
+        "off?",
+        data.radiation_file, 2 * M_PI / end, kModes[mode], 100 * last[mode], data.excitation_file,
+        2 * M_PI / beyond);
 }
 
 // Added mass over that of the displaced water, and the waterplane over its size: bounds that hulls do not
@@ -176,6 +198,7 @@ void note_hydrodynamic_data(const Case& c, const Body& b, const Issues& note) {
   if (b.mass->hydrodynamics->excitation && !b.mass->hydrodynamics->data->excitation.empty()) {
     check_heave_phase(c, b, note);
     check_haskind(c, *b.mass->hydrodynamics, note);
+    check_end_of_damping(*b.mass->hydrodynamics, note);
   }
   check_size(c, b, note);
 }

@@ -78,9 +78,25 @@ void check_flow(const Case& c, const Body& b, const Issues& issue) {
     issue("current", "there is no water: give 'environment: {{water: ...}}'");
 }
 
+void check_positioning(const BodyMass& m, const Issues& issue) {
+  const DynamicPositioning& p = *m.positioning;
+  constexpr const char* kNames[] = {"surge", "sway", "yaw"};
+  for (int k = 0; k < 3; ++k)
+    if (p.integral[k] > 0 && !(p.proportional[k] > 0))
+      issue("integral",
+            "has {:g} for {}, where 'proportional' has 0: an integral part alone is unstable, so give a "
+            "proportional part",
+            p.integral[k], kNames[k]);
+  if (p.proportional.isZero() && p.derivative.isZero())
+    issue("", "needs 'proportional' or 'derivative' parts: without them the thrusters do nothing");
+}
+
 }  // namespace
 
 void check_platforms(const Case& c, const Issues& issue) {
+  for (const Body& b : c.bodies)
+    if (b.mass && b.mass->positioning)
+      check_positioning(*b.mass, issue.below("bodies." + b.name + ".floating.positioning"));
   for (const Body& b : c.bodies)
     if (b.mass) check_flow(c, b, issue.below("bodies." + b.name + ".floating"));
   for (const Body& b : c.bodies)

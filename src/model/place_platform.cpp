@@ -142,6 +142,11 @@ class Placing {
       if (h.place) h.place = point(*h.place);
       if (h.heading) *h.heading += place_.heading;
     }
+    if (b.mass->positioning) {
+      DynamicPositioning& p = *b.mass->positioning;
+      if (p.place) p.place = point(*p.place);
+      if (p.heading) *p.heading += place_.heading;
+    }
     if (b.mass->hull)
       for (std::string& volume : b.mass->hull->volumes) rename(volume);
     return b;

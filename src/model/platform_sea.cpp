@@ -25,6 +25,23 @@ bool covered(const std::vector<double>& directions, double direction) {
 
 }  // namespace
 
+Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveComponent>& sea) {
+  constexpr Eigen::Index kFreedoms[] = {0, 1, 5};
+  Mat6 out = Mat6::Zero();
+  if (h.drift_damping.empty()) return out;
+  std::vector<double> omega;
+  for (const auto& [at, B] : h.drift_damping) omega.push_back(at);
+  Mat3 sum = Mat3::Zero();
+  for (const WaveComponent& w : sea) {
+    const TablePlace place = frequency_place(omega, w.omega);
+    const Mat3 &low = h.drift_damping[place.low].second, &high = h.drift_damping[place.high].second;
+    sum += w.amplitude * w.amplitude * ((1 - place.share) * low + place.share * high);
+  }
+  for (Eigen::Index i = 0; i < 3; ++i)
+    for (Eigen::Index j = 0; j < 3; ++j) out(kFreedoms[i], kFreedoms[j]) = sum(i, j);
+  return out;
+}
+
 Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading) {
   Coverage out;
   double all = 0;

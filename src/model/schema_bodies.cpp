@@ -195,6 +195,15 @@ Key body_hydrodynamics() {
                   "added to it about the body's origin, from `place`: six rows of six, N/m, N, N m/rad"),
        six_by_six("damping", &H::damping,
                   "linear damping added about the body's origin: six rows of six, N s/m, N s, N m s"),
+       map("wave_drift_damping",
+           {text("file",
+                 "text file beside the case: columns period [s] and either Bxx, Byy, Bzz or the 9 numbers of "
+                 "a matrix by rows, of surge, sway and yaw; `#` starts a comment"),
+            list("rows", list("", number("", none), items(4, 10)),
+                 "the same, written here: `[[period, Bxx, Byy, Bzz], ...]`", items(1))},
+           "damping of its velocities by the waves of the case, over the square of their amplitude: N s/m³, "
+           "between surge or sway and yaw N s/m², of yaw N m s/m²; straight between the frequencies",
+           either({"file", "rows"})),
        list({"quadratic_damping", by<H>(by_freedom)},
             one_of("", {number("", none, at_least(0)), list("", number("", none), items(6, 6))}),
             "for each of the six velocities v of its origin the force is this times |v| v: N s²/m² and N m "
@@ -320,6 +329,47 @@ Key mass_matrix() {
       "`mass` is what weighs ([theory](../theory/body-contact.md#a-floating-body))");
 }
 
+Key body_positioning() {
+  using P = DynamicPositioning;
+  const auto gains = [](const char* name, Vec3 P::*to, std::string about) {
+    const auto fill = [to](P& p, const Value& v) {
+      for (int i = 0; i < 3; ++i) (p.*to)[i] = v.items[i].number;
+    };
+    return list({name, by<P>(fill)}, number("", none, at_least(0)), std::move(about), items(3, 3));
+  };
+  const auto max_force = [](P& p, const Value& v) {
+    if (v.items.empty())
+      p.max_force.setConstant(v.number);
+    else
+      p.max_force << v.items[0].number, v.items[1].number;
+  };
+  return map(
+      {"positioning", &BodyMass::positioning},
+      {vec3({"place", &P::place}, length, "set point of its origin; z is not held",
+            or_else_note("`position`")),
+       number({"heading_deg", &P::heading}, angle, "set point of its heading, of its x axis against +x",
+              or_else_note("that of `rotation_deg`")),
+       gains("proportional", &P::proportional,
+             "P in surge, sway and yaw, on the offset from the set point: N/m, N/m, N m/rad"),
+       gains("derivative", &P::derivative, "D, on its velocity: N s/m, N s/m, N m s/rad"),
+       gains(
+           "integral", &P::integral,
+           "I, on its integral over time: N/(m s), N/(m s), N m/(rad s); where I is above 0, statics has the "
+           "body at its set point with the force that holds it there, up to the limits"),
+       number({"filter_period", &P::filter}, time,
+              "of the low-pass filter of place and heading, which keeps thrusters from following waves",
+              above(0), or_else("60")),
+       one_of({"max_force", by<P>(max_force)},
+              {number("", force, above(0)), list("", number("", force, above(0)), items(2, 2))},
+              "limit of the thrusters' force, in any direction; or two numbers, of surge and of sway alone, "
+              "with an ellipse between them",
+              or_else_note("no limit")),
+       number({"max_moment", &P::max_moment}, moment, "limit of their moment of yaw", above(0),
+              or_else_note("no limit"))},
+      "thrusters hold its place and heading: a PID controller of its low-passed surge, sway and yaw "
+      "([theory](../theory/positioning.md))");
+}
+
 Key floating() {
   return map({"floating", &Body::mass},
              {number({"mass", &BodyMass::mass}, mass, "mass", above(0), required),
@@ -346,7 +396,13 @@ Key floating() {
                    "springs against turning from there, axes of the body", at_least(0), or_else(kZero)),
               vec3({"turning_damping", &BodyMass::turning_damping}, turning_damping, "dampers beside them",
                    at_least(0), or_else(kZero)),
-              body_in_water(), body_hydrodynamics(), body_hull(), body_members(), body_wind(), body_current(),
+              body_in_water(),
+              body_hydrodynamics(),
+              body_hull(),
+              body_members(),
+              body_wind(),
+              body_current(),
+              body_positioning(),
               body_loads()},
              "it moves by its own mass, held by springs, and touches other bodies; without it its motion is "
              "prescribed",

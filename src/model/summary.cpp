@@ -15,6 +15,7 @@
 #include "hawser/model/farm.hpp"
 #include "hawser/model/longest_step.hpp"
 #include "hawser/model/notes.hpp"
+#include "hawser/model/positioning.hpp"
 
 namespace hawser::model {
 namespace {
@@ -345,6 +346,7 @@ std::string summary(const Case& c) {
     s += fmt::format("  {}: at {}, {}\n", b.name, point(b.position), motion_text(c, b));
     if (b.mass && b.mass->hydrodynamics) s += platform_text(c, b);
     if (b.mass) s += flow_text(c, b);
+    if (b.mass && b.mass->positioning) s += positioning_text(b);
   }
   describe_links(c, s);
   describe_supports(c, s);

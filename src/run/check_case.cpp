@@ -71,7 +71,7 @@ void print_volumes(const model::Case& c, const std::vector<LoadedVolume>& volume
 
 // Prints the shares of so many ranks; returns their imbalance.
 double print_partition(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
-  const std::vector<int> owner = node_owners(c, mesh, bodies, ranks);
+  const std::vector<int> owner = node_owners(MPI_COMM_SELF, c, mesh, bodies, ranks);
   const Balance shares = balance(mesh, owner, ranks);
   std::vector<int> nodes(static_cast<size_t>(ranks), 0);
   for (const int at : owner) ++nodes[at];
@@ -86,7 +86,7 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
   TrialRun tried = trial_run(sim, c, budget, [&](const Kinematics& at) {
     if (!std::exchange(rests, true)) {
       for (const std::string& line : sim.on_bed()) fmt::print("{}\n", line);
-      for (const std::string& w : hulls_off_start(c, sim.bodies(), at)) fmt::print("warning: {}\n", w);
+      for (const std::string& w : platforms_off_start(c, sim.bodies(), at)) fmt::print("warning: {}\n", w);
     }
     water.update_sampled(at);
   });

@@ -12,6 +12,7 @@
 #include "hawser/terms/bodies_in_water.hpp"
 #include "hawser/terms/platform_water.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
+#include "hawser/terms/thrusters.hpp"
 
 namespace hawser::run {
 namespace {
@@ -76,9 +77,9 @@ HeldBodies::HeldBodies(Simulation& sim)
     p.position = Vec3(pose.data());
     p.rotation = Quat(Eigen::Vector4d(pose.data() + 3)).normalized();
   }
-  for (const ForceTerm* term :
-       std::initializer_list<const ForceTerm*>{system.find<RigidBodies>(), system.find<BodiesInWater>(),
-                                               system.find<BodiesInFlow>(), system.find<PlatformWater>()})
+  for (const ForceTerm* term : std::initializer_list<const ForceTerm*>{
+           system.find<RigidBodies>(), system.find<BodiesInWater>(), system.find<BodiesInFlow>(),
+           system.find<Thrusters>(), system.find<PlatformWater>()})
     system.remove(term);
   motion_ = [poses = poses_, before = BodyMotion(system.tied_nodes().motion()), &c](int body, double time) {
     return c.bodies[static_cast<size_t>(body)].mass ? (*poses)[static_cast<size_t>(body)]

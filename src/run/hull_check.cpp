@@ -105,15 +105,16 @@ std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& vo
   return out;
 }
 
-std::vector<std::string> hulls_off_start(const model::Case& c, const Bodies& bodies, const Kinematics& rest) {
+std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
+                                             const Kinematics& rest) {
   std::vector<std::string> out;
   for (size_t b = 0; b < c.bodies.size(); ++b) {
     const model::Body& body = c.bodies[b];
-    if (!body.mass || !body.mass->hull) continue;
+    if (!body.mass || !(body.mass->hull || body.mass->hydrodynamics)) continue;
     const int node = bodies.local_node(static_cast<int>(b));
     if (node < 0) continue;
     const double rise = floating_state(rest, node).x.z() - start_of(body).x.z();
-    if (std::string text = advice::hull_rests_elsewhere(body.name, rise); !text.empty())
+    if (std::string text = advice::rests_elsewhere(body.name, rise); !text.empty())
       out.push_back(std::move(text));
   }
   return out;

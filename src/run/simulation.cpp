@@ -39,6 +39,7 @@
 #include "hawser/terms/point_loads.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/seabed.hpp"
+#include "hawser/terms/thrusters.hpp"
 
 namespace hawser::run {
 namespace {
@@ -242,6 +243,8 @@ void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces
       add<BodiesInWater>(case_, local());
     if (any([](const model::BodyMass& m) { return m.hull.has_value(); })) add<Hulls>(case_, local(), facets);
     if (any([](const model::BodyMass& m) { return m.wind || m.current; })) add<BodiesInFlow>(case_, local());
+    if (any([](const model::BodyMass& m) { return m.positioning.has_value(); }))
+      add<Thrusters>(case_, local());
     if (any([](const model::BodyMass& m) { return m.hydrodynamics.has_value(); }))
       add<PlatformWater>(system_->comm(), case_, local());
   }

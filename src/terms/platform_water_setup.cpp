@@ -33,7 +33,7 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   // A hull has its own (terms/hulls.hpp).
   if (!m.hull) p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.hydrostatics.level = p.potential.place.z();
-  p.damping = h.damping;
+  p.damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
   p.quadratic = h.quadratic_damping;
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
     return tables.empty() ? WaveForceTable() : tables[static_cast<size_t>(h.body) - 1];

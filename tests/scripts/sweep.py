@@ -208,7 +208,10 @@ VARIANTS = (
      "lateral_area: 200, length: 40, at: [0, 0, 10], height: 10}, current: {file: flow.txt, angles: to, length: 40, draught: 3, at: [0, 0, -2]}, "
      "hydrodynamics: {wamit: barge, length_scale: 10, body: 1, origin_in_file: [0, 0, 0], displaced_volume: 500, gravity_in_stiffness: false, "
      "place: [200, 0, 0], heading_deg: 0, follow_period: 60, symmetry: none, excitation: true, second_order: newman, quadratic_damping: [1, 1, 1, 1, 1, [0, 0, 0, 0, 0, 1]], "
-     "stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], damping: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]]}}}"},
+     "stiffness: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], damping: [[1e3, 0, 0, 0, 0, 0], [0, 1e3, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1e3]], "
+     "wave_drift_damping: {rows: [[5, 10, 20, 1e3], [10, 5, 10, 500]]}}, "
+     "positioning: {place: [200, 0, 0], heading_deg: 0, proportional: [1e3, 1e3, 1e5], derivative: [1e4, 1e4, 1e6], integral: [10, 10, 1e3], "
+     "filter_period: 20, max_force: 1e5, max_moment: 1e6}}}"},
     {"bodies.barge": "{position: [200, 0, 0], floating: {mass: 4000, inertia: [2e3, 6e3, 7e3], hydrodynamics: {bemio: buoy.h5}}}",
      "bodies.float": "{position: [230, 0, 0], floating: {mass: 4000, mass_matrix: {about: [0, 0, 0], rows: [[4000, 0, 0, 0, 10, 0], "
      "[0, 4000, 0, -10, 0, 0], [0, 0, 4100, 0, 0, 0], [0, -10, 0, 2e3, 0, 0], [10, 0, 0, 0, 6e3, 0], [0, 0, 0, 0, 0, 7e3]]}, "

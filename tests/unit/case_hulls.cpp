@@ -90,7 +90,7 @@ struct Afloat {
     run::Simulation s(MPI_COMM_SELF, c, run::surfaces(volumes), run::skeletons(c, volumes),
                       run::volume_facets(volumes));
     s.solve_statics();
-    return run::hulls_off_start(c, s.bodies(), s.state().view(0));
+    return run::platforms_off_start(c, s.bodies(), s.state().view(0));
   }
   model::Case c;
   std::vector<run::LoadedVolume> volumes;

@@ -53,7 +53,7 @@ bodies:
   wagon: {position: [5, 0, -3], motion: {velocity: [0.1, 0.2, 0], rotation: {axis: [1, 1, 0], rate: 0.1}}}
   sled: {position: [0, 9, -3], motion: {table: {rows: [[0, 0, 0, 0], [50, 3, 1, 0], [100, 2, 5, 1]]}}}
   buoy: {position: [20, 0, -2], rotation_deg: [0, 0, 15], floating: {mass: 1000, inertia: [100, 200, 300], velocity: [1, 2, 0], stiffness: [100, 100, 50],
-         loads: [{force: [10, 0, 0]}, {force: [0, 7, 0], axes: body}]}}
+         positioning: {place: [21, 1, 0], heading_deg: 20, proportional: [10, 10, 100], derivative: [100, 100, 1000]}, loads: [{force: [10, 0, 0]}, {force: [0, 7, 0], axes: body}]}}
 volumes:
   pile: {shape: {cylinder: {from: [30, 40, -20], to: [30, 40, 5], radius: 1}}, normal_stiffness: {per_length: 1e5}}
   hull: {mesh: hull.obj, body: float, normal_stiffness: {per_area: 1e5}}
@@ -137,6 +137,8 @@ TEST_F(FarmFiles, PlacesAreTheFileMovedAndTurned) {
     EXPECT_LT((buoy.velocity - turn * Vec3(1, 2, 0)).norm(), 1e-14);
     EXPECT_EQ(buoy.loads[0].force, Vec3(10, 0, 0)) << "forces in axes of space stay as wind does";
     EXPECT_EQ(buoy.loads[1].force, Vec3(0, 7, 0));
+    EXPECT_LT((*buoy.positioning->place - moved(Vec3(21, 1, 0))).norm(), 1e-11);
+    EXPECT_NEAR(*buoy.positioning->heading, 20 * M_PI / 180 + heading, 1e-12);
     for (const model::Line& l : alone.lines) {
       const model::Line& m = farm.line(place + l.name);
       for (const bool b : {false, true}) {

@@ -49,12 +49,12 @@ class HydrodynamicChecks : public ::testing::Test {
     for (const Row& r : rows) text += fmt::format("{:.10g}\n", fmt::join(r, " "));
     write(ending, text);
   }
-  std::string reported(const std::string& keys = "") {
+  std::string reported(const std::string& keys = "", const std::string& rest = "") {
     const std::string text =
         "hawser: 1\nenvironment: {gravity: 9.80665, water: {density: 1025}}\nbodies:\n  spar: {floating: "
         "{mass: 2.8981e7, "
         "centre_of_mass: [0, 0, -50], inertia: [2e10, 2e10, 1e9], hydrodynamics: {wamit: " +
-        (folder_ / "spar").string() + keys + "}}}\nstatics: false\ndynamics: {duration: 20}\n";
+        (folder_ / "spar").string() + keys + "}}}\nstatics: false\ndynamics: {duration: 20}\n" + rest;
     try {
       const model::Case c = io::read_case_text(text, "spar.yaml", {}, MPI_COMM_SELF);
       std::string out;
@@ -66,8 +66,8 @@ class HydrodynamicChecks : public ::testing::Test {
     }
   }
   // What is reported, which has `part` in it and is one sentence.
-  void expect(const std::string& part, const std::string& keys = "") {
-    const std::string text = reported(keys);
+  void expect(const std::string& part, const std::string& keys = "", const std::string& rest = "") {
+    const std::string text = reported(keys, rest);
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 1) << text;
     for (const char* ending : {".1", ".3", ".hst"}) with(ending, [](auto&) {});
@@ -184,6 +184,74 @@ TEST_F(HydrodynamicChecks, ConjugatedHeave) {
   EXPECT_EQ(reported().find("its phases in"), std::string::npos) << reported();
   with(".3", force(-1));
   EXPECT_NE(reported().find("where the damping of"), std::string::npos) << reported();
+}
+
+TEST_F(HydrodynamicChecks, FilesThatAreCutOff) {
+  const auto listed = [](auto& rows) {  // all entries, most of them zero
+    const std::vector<Row> before = rows;
+    rows.clear();
+    for (const double i : {1, 2, 3, 4, 5, 6})
+      for (const double j : {1, 2, 3, 4, 5, 6}) {
+        rows.push_back({i, j, 0});
+        for (const Row& r : before)
+          if (r[0] == i && r[1] == j) rows.back() = r;
+      }
+  };
+  with(".hst", listed);
+  EXPECT_EQ(reported(), "");
+  with(".hst", [&](auto& rows) {
+    listed(rows);
+    rows.resize(20);
+  });
+  expect("spar.hst: has rows of zero and no row 4 3 (roll and heave): complete the file");
+  with(".3", [](auto& rows) {
+    const auto heave = [](const Row& r) { return r[0] < 12 && r[2] == 3; };
+    rows.erase(std::find_if(rows.begin(), rows.end(), heave));
+  });
+  expect("spar.3: has no row 3 (heave) at ");
+  with(".1", [](auto& rows) { std::erase_if(rows, [](const Row& r) { return r[0] > 0 && r[0] < 9; }); });
+  EXPECT_NE(reported().find("is the file cut off?"), std::string::npos) << reported();
+}
+
+TEST_F(HydrodynamicChecks, FirstRowWithAnError) {
+  write(".hst", "WAMIT Output 36\n3 3 ****\n4 4 -1264491\n");
+  expect("spar.hst:2: a row of this file has 3 numbers, but this one has 2 and something that is no number");
+  write(".hst", "3 bodies of a set\n3 3 314.159265\n4 4 -1264491.04\n5 5 -1264491.04\n");
+  EXPECT_EQ(reported(), "");
+  expect("body: is 2, and ", ", body: 2");
+}
+
+// A spar of 28274 m³ that displaces ten times its mass, or has its buoyancy too low; dampers that are none; a
+// fairlead in axes of space.
+TEST_F(HydrodynamicChecks, WhatCannotFloat) {
+  expect("mean that without lines it floats 810 m higher, which is more than its size (65.6 m",
+         ", displaced_volume: 282740");
+  with(".hst", [](auto& rows) {
+    for (Row& r : rows)
+      if (r[0] > 3) r[2] = -1.6e6;
+  });
+  expect("without lines it capsizes: its metacentric height in roll and pitch is -6.59 m");
+  const auto damping = [](double coupling) {
+    return fmt::format(
+        ", damping: [[1e4, 0, 0, 0, {0}, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], "
+        "[{0}, 0, "
+        "0, 0, 1e6, 0], [0, 0, 0, 0, 0, 0]]",
+        coupling);
+  };
+  EXPECT_EQ(reported(damping(0.9e5)), "");
+  expect("brings energy in where some velocities are coupled", damping(1.1e5));
+  const auto line = [](double x) {
+    return fmt::format(
+        "line_types: {{chain: {{library: chain-studless, diameter: 100 mm, grade: R4}}}}\nlines: {{mooring: "
+        "{{sections: [{{type: chain, length: 300, elements: 10}}], end_a: {{anchor: [{}, 0, -100]}}, end_b: "
+        "{{body: spar, at: [{}, 0, -20]}}}}}}\n",
+        x + 270, x);
+  };
+  EXPECT_EQ(reported("", line(6)).find("lines.mooring.end_b.at"), std::string::npos) << reported("", line(6));
+  EXPECT_NE(
+      reported("", line(400)).find("lines.mooring.end_b.at: is 401.1 m from the centre of mass of body spar"),
+      std::string::npos)
+      << reported("", line(400));
 }
 
 TEST_F(HydrodynamicChecks, StiffnessTimesTheDensity) {

@@ -39,11 +39,11 @@ std::optional<bool> keeps_any(const Value& root) {
 std::optional<bool> keeps_initial(const Value& root) {
   return keeps_any<Case, Environment, Water, Wind, FlowOnBody, Current, CurrentRow, Waves, Waves::Row, Seabed,
                    Friction, LineType, Body, Drift, BodyMass, BodyInWater, BodyHydrodynamics, BodyHull,
-                   MassMatrix, BodyMember, BodyLoad, HarmonicMotion, ConstantMotion, TableMotion, Ride,
-                   Volume, Line, Section, End, Joint, PointMass, BendStiffener, Buried, LengthTarget, Feed,
-                   Link, LinkLaw, Contact, BetweenLines, BetweenLines::Tuned, LinePairSettings, Statics,
-                   Dynamics, Output, ClashOutput, Clearance, HistoryPoint, BoxShape, Event, Action, Cause>(
-      root);
+                   MassMatrix, DynamicPositioning, BodyMember, BodyLoad, HarmonicMotion, ConstantMotion,
+                   TableMotion, Ride, Volume, Line, Section, End, Joint, PointMass, BendStiffener, Buried,
+                   LengthTarget, Feed, Link, LinkLaw, Contact, BetweenLines, BetweenLines::Tuned,
+                   LinePairSettings, Statics, Dynamics, Output, ClashOutput, Clearance, HistoryPoint,
+                   BoxShape, Event, Action, Cause>(root);
 }
 
 bool has_fields(const Key& k) {

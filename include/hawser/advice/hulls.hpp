@@ -28,8 +28,8 @@ struct HullAtStart {
 // a warning where a metacentric height is negative.
 std::string hull_at_start(const HullAtStart& hull);
 
-// Of a hull that statics moves up by so much [m]: weight, buoyancy and the pull of lines do not balance where
+// Of a body that statics moves up by so much [m]: weight, buoyancy and the pull of lines do not balance where
 // the case puts it. Empty: by 0.1 m at most.
-std::string hull_rests_elsewhere(const std::string& body, double rise);
+std::string rests_elsewhere(const std::string& body, double rise);
 
 }  // namespace hawser::advice

@@ -153,6 +153,7 @@ struct BodyMass {
   std::optional<BodyHull> hull;
   std::vector<BodyMember> members;
   std::optional<FlowOnBody> wind, current;
+  std::optional<DynamicPositioning> positioning;
   std::vector<BodyLoad> loads;
 
   Mat3 tensor() const;  // kg m², of inertia and products

@@ -1,6 +1,7 @@
 // A floating platform of the case: its hydrodynamic coefficients and constant forces on it.
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,10 +34,30 @@ struct BodyHydrodynamics {
   std::optional<double> heading;      // rad, there
   double follow = 100;                // s: waves and coefficients follow motion slower than this; 0: none
   Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // added, about its origin: N/m ... N m s
+  // Wave-drift damping by frequency, rad/s, growing: forces of surge and sway and moment of yaw over the
+  // velocities and the square of the wave's amplitude; N s/m³, N s/m², N m s/m².
+  std::vector<std::pair<double, Mat3>> drift_damping;
   Mat6 quadratic_damping = Mat6::Zero();  // times |v| v of the six velocities: N/(m/s)² ... N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;
   const char* key() const;  // that names the files
 };
+
+// Dynamic positioning (model/positioning.hpp): thrusters hold place and heading of a floating body by its
+// slow motion.
+struct DynamicPositioning {
+  std::optional<Vec3> place;      // m, of the body's origin; z is not held
+  std::optional<double> heading;  // rad
+  // Of surge, sway and yaw: N/m, N m/rad; N s/m, N m s/rad; N/(m s), N m/(rad s).
+  Vec3 proportional = Vec3::Zero(), derivative = Vec3::Zero(), integral = Vec3::Zero();
+  double filter = 60;  // s: motion faster than this is left alone
+  // N, of surge and sway alone; forces of both reach an ellipse of these half axes.
+  Eigen::Vector2d max_force = Eigen::Vector2d::Constant(HUGE_VAL);
+  double max_moment = HUGE_VAL;  // N m, of yaw
+};
+
+// Damping of the rates of a body's origin by wave drift in that sea, axes of its heading: the sum of the
+// squares of the amplitudes times `drift_damping`, straight between its frequencies. N s/m, N s, N m s.
+Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveComponent>& sea);
 
 // A force on a floating body, constant or with a part by time.
 struct BodyLoad {

@@ -20,8 +20,9 @@ void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes);
 // it, in lines (advice::hull_at_start). Empty: there are no hulls.
 std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 
-// Of the bodies of this rank with hulls that do not rest where the case puts them
-// (advice::hull_rests_elsewhere).
-std::vector<std::string> hulls_off_start(const model::Case& c, const Bodies& bodies, const Kinematics& rest);
+// Of the bodies of this rank with hulls or hydrodynamic coefficients that do not rest where the case puts
+// them (advice::rests_elsewhere).
+std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
+                                             const Kinematics& rest);
 
 }  // namespace hawser::run

@@ -1,0 +1,73 @@
+// The loop of dynamic positioning: its mass, its periods, and whether it is stable.
+#include "hawser/model/positioning.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "hawser/model/case.hpp"
+
+namespace hawser::model {
+namespace {
+
+// Largest real part of the roots sigma = s/c, c = 2 pi/filter period, of
+//   m s² + (D s + P + I/s) c² (3 s + c)/(s + c)³ = 0
+// times s (s + c)³: with d = D/(m c), p = P/(m c²), i = I/(m c³)
+//   sigma⁶ + 3 sigma⁵ + 3 sigma⁴ + (1 + 3 d) sigma³ + (d + 3 p) sigma² + (p + 3 i) sigma + i
+double largest_growth(double d, double p, double i) {
+  const double polynomial[6] = {i, p + 3 * i, d + 3 * p, 1 + 3 * d, 3, 3};
+  Eigen::Matrix<double, 6, 6> companion = Eigen::Matrix<double, 6, 6>::Zero();
+  companion.diagonal(-1).setOnes();
+  for (int k = 0; k < 6; ++k) companion(k, 5) = -polynomial[k];
+  return companion.eigenvalues().real().maxCoeff();
+}
+
+}  // namespace
+
+Vec3 positioned_mass(const Body& b) {
+  const BodyMass& m = *b.mass;
+  Vec3 mass(m.mass, m.mass, m.inertia.z() + m.mass * m.centre.head<2>().squaredNorm());
+  if (m.in_water) mass.head<2>() += m.in_water->added_mass.head<2>();
+  if (!m.hydrodynamics || !m.hydrodynamics->data || m.hydrodynamics->data->added_mass.empty()) return mass;
+  const Eigen::MatrixXd& A = m.hydrodynamics->data->added_mass.front();
+  const Eigen::Index first = 6 * (static_cast<Eigen::Index>(m.hydrodynamics->body) - 1);
+  mass += Vec3(A(first, first), A(first + 1, first + 1), A(first + 5, first + 5));
+  return mass;
+}
+
+Vec3 loop_growth(const Body& b) {
+  constexpr double kRounded = 1e-6;  // relative to c
+  const DynamicPositioning& p = *b.mass->positioning;
+  const double c = 2 * M_PI / p.filter;
+  const Vec3 mass = positioned_mass(b);
+  Vec3 out = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double m = mass[k] * c;
+    const double growth =
+        largest_growth(p.derivative[k] / m, p.proportional[k] / (m * c), p.integral[k] / (m * c * c));
+    if (p.proportional[k] > 0 && growth > kRounded) out[k] = c * growth;
+  }
+  return out;
+}
+
+std::string positioning_text(const Body& b) {
+  constexpr const char* kNames[] = {"surge", "sway", "yaw"};
+  const DynamicPositioning& p = *b.mass->positioning;
+  const Vec3 mass = positioned_mass(b);
+  std::string s = "    positioning:";
+  for (int k = 0; k < 3; ++k) {
+    if (!(p.proportional[k] > 0)) continue;
+    const double omega = std::sqrt(p.proportional[k] / mass[k]);
+    s += fmt::format(" {} with {:.4g} s and {:.2g} of critical damping,", kNames[k], 2 * M_PI / omega,
+                     p.derivative[k] / (2 * omega * mass[k]));
+  }
+  s += fmt::format(" by motion slower than {:g} s", p.filter);
+  if (std::isfinite(p.max_force.x())) s += fmt::format(", up to {:.4g} kN", p.max_force.x() / 1000);
+  if (p.max_force.x() != p.max_force.y())
+    s += fmt::format(" in surge and {:.4g} kN in sway", p.max_force.y() / 1000);
+  if (std::isfinite(p.max_moment)) s += fmt::format(", up to {:.4g} kN m", p.max_moment / 1000);
+  return s + "\n";
+}
+
+}  // namespace hawser::model

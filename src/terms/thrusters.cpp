@@ -1,0 +1,287 @@
+// The class Thrusters: what they give at rest and in motion, their limits, the integral, work and what
+// checkpoints keep.
+#include "hawser/terms/thrusters.hpp"
+
+#include <cmath>
+
+#include "hawser/kernels/frame_point.hpp"
+#include "hawser/kernels/platform_frame.hpp"
+#include "hawser/math/so3.hpp"
+#include "hawser/terms/rigid_bodies.hpp"
+
+namespace hawser {
+namespace {
+
+// In statics, freedoms with an integral are held by so many times their proportional part: the offset is then
+// a thousandth of what the proportional part alone leaves, and the integral begins with the difference.
+constexpr double kHeld = 1000;
+
+// About the vertical.
+Mat3 axes_of(double heading) { return exp_so3(heading * Vec3::UnitZ()).toRotationMatrix(); }
+
+Vec3 pose_of(const Vec3& arm, const RigidBodyState& s) {
+  const Vec3 origin = s.x + s.q * arm;
+  return {origin.x(), origin.y(), heading_of(s.q).angle};
+}
+
+}  // namespace
+
+Thrusters::Thrusters(const model::Case& c, const LocalMesh& mesh) : statics_(c.statics.enabled) {
+  for (const model::Body& b : c.bodies) has_.push_back(b.mass && b.mass->positioning);
+  for (int n = 0; n < mesh.owned; ++n) {
+    const int body = mesh.mesh->nodes[mesh.global[n]].body;
+    if (body < 0 || !has_[static_cast<size_t>(body)]) continue;
+    const model::Body& b = c.bodies[body];
+    Positioned p;
+    p.data = *b.mass->positioning;
+    const Vec3 place = p.data.place.value_or(b.position);
+    p.target << place.x(), place.y(), p.data.heading.value_or(heading_of(exp_so3(b.rotation)).angle);
+    p.arm = -b.mass->centre;
+    p.node = n;
+    p.block = mesh.block[n];
+    p.global = mesh.global[n];
+    p.body = body;
+    list_.push_back(std::move(p));
+  }
+}
+
+// Of yaw the shorter way round.
+Vec3 Thrusters::offset(const Positioned& p, const Vec3& pose) {
+  Vec3 e = pose - p.target;
+  e.z() = std::remainder(e.z(), 2 * M_PI);
+  return e;
+}
+
+// F = H limit(-(P H^T e + D H^T e' + I H^T s)), H of the slow heading. The limits keep the direction of the
+// force A in the plane: A/q where q = |(A_x/X, A_y/Y)| > 1, X and Y the largest of surge and sway alone,
+// whose derivative is (1 - A (A_x/X², A_y/Y²)/q²)/q. With d H/d heading = J H, J = hat(z):
+//   dF = J F + H L (-(P a + D b + I c) H^T d(x, y, heading) + a (P J H^T e + D J H^T e' + I J H^T s) d
+//   heading)
+// a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F with a as well.
+Thrusters::Push Thrusters::push(const model::DynamicPositioning& data, const Deviation& deviation) {
+  const Mat3 H = axes_of(deviation.heading), J = hat(Vec3::UnitZ());
+  const Vec3 e = H.transpose() * deviation.offset, rate = H.transpose() * deviation.speed,
+             sum = H.transpose() * deviation.sum;
+  const auto by_gains = [&](const Vec3& P, const Vec3& D, const Vec3& I) -> Vec3 {
+    return P.cwiseProduct(data.proportional) + D.cwiseProduct(data.derivative) +
+           I.cwiseProduct(data.integral);
+  };
+  Push out;
+  out.asked = -by_gains(e, rate, sum);
+  Vec3 given = out.asked;
+  Mat3 limit = Mat3::Identity();
+  const Eigen::Vector2d least = data.max_force.cwiseInverse(), plane = out.asked.head<2>();
+  const double size = plane.cwiseProduct(least).norm();
+  out.force_limited = size > 1;
+  out.moment_limited = std::abs(out.asked.z()) > data.max_moment;
+  if (out.force_limited) {
+    const Eigen::Vector2d along = plane / size, across = along.cwiseProduct(least.cwiseAbs2());
+    given.head<2>() = along;
+    limit.topLeftCorner<2, 2>() = (Eigen::Matrix2d::Identity() - along * across.transpose()) / size;
+  }
+  if (out.moment_limited) {
+    given.z() = std::copysign(data.max_moment, out.asked.z());
+    limit(2, 2) = 0;
+  }
+  out.force = H * given;
+  const Vec3 gain = by_gains(Vec3::Constant(deviation.by_place), Vec3::Constant(deviation.by_speed),
+                             Vec3::Constant(deviation.by_sum));
+  out.by_pose = -H * limit * gain.asDiagonal() * H.transpose();
+  out.by_pose.col(2) +=
+      deviation.by_place * (J * out.force + H * (limit * by_gains(J * e, J * rate, J * sum)));
+  return out;
+}
+
+// For motion about rest limits do not count: force that is at its limit there has its slope on one side only.
+Thrusters::Push Thrusters::push_at_rest(const Positioned& p, const Vec3& pose) const {
+  Deviation deviation;
+  deviation.heading = pose.z();
+  deviation.offset = offset(p, pose);
+  model::DynamicPositioning data = p.data;
+  if (!integrates_) {
+    deviation.sum = p.integral;
+    data.max_force.setConstant(HUGE_VAL);
+    data.max_moment = HUGE_VAL;
+  } else if (statics_) {
+    for (int k = 0; k < 3; ++k)
+      if (data.integral[k] > 0) data.proportional[k] *= kHeld;
+  }
+  return push(data, deviation);
+}
+
+// The integral by the trapezoidal rule from the last accepted state on.
+Thrusters::Push Thrusters::push_in_motion(const Positioned& p, const Vec3& pose, double time) {
+  const double h = time - p.time;
+  const SlowPose slow = h > 0 ? p.slow.after(pose, h, p.data.filter) : p.slow;
+  const SlowPose::Share share = h > 0 ? SlowPose::share(h, p.data.filter) : SlowPose::Share{};
+  Deviation deviation;
+  deviation.heading = slow.place.z();
+  deviation.offset = offset(p, slow.place);
+  deviation.speed = slow.speed();
+  deviation.sum = p.integral + 0.5 * h * (offset(p, p.slow.place) + deviation.offset);
+  deviation.by_place = share.place;
+  deviation.by_speed = share.speed;
+  deviation.by_sum = 0.5 * h * share.place;
+  return push(p.data, deviation);
+}
+
+Thrusters::Push Thrusters::push(const Positioned& p, const Kinematics& at) const {
+  const Vec3 pose = pose_of(p.arm, floating_state(at, p.node));
+  return at.step > 0 ? push_in_motion(p, pose, at.time) : push_at_rest(p, pose);
+}
+
+void Thrusters::begin(Positioned& p, const Vec3& pose, double time) {
+  p.slow = SlowPose::at(pose);
+  p.time = time;
+  p.begun = true;
+}
+
+std::vector<std::string> Thrusters::origins(int body) const {
+  if (!has_[static_cast<size_t>(body)]) return {};
+  return {"thrusters"};
+}
+
+std::vector<BodyForce> Thrusters::forces_on(int body, const Kinematics& at) const {
+  std::vector<BodyForce> out;
+  for (const Positioned& p : list_) {
+    if (p.body != body) continue;
+    const Vec3 f = push(p, at).force, force(f.x(), f.y(), 0);
+    out.push_back({force, (floating_state(at, p.node).q * p.arm).cross(force) + Vec3(0, 0, f.z())});
+  }
+  return out;
+}
+
+Thrusters::Passed Thrusters::passed(const Positioned& p, const Kinematics& at) const {
+  const RigidBodyState s = floating_state(at, p.node);
+  return {push(p, at).force, s.x + s.q * p.arm, s.q};
+}
+
+double Thrusters::work(const Passed& from, const Passed& to) {
+  Vec3 way = to.origin - from.origin;
+  way.z() = log_so3(to.turned * from.turned.conjugate()).z();
+  return 0.5 * (from.force + to.force).dot(way);
+}
+
+// Where no statics went before, the integral begins at zero.
+void Thrusters::prepare(const Kinematics& committed, double h) {
+  for (Positioned& p : list_) {
+    if (!(committed.step > 0) && h > 0 && !p.begun)
+      begin(p, pose_of(p.arm, floating_state(committed, p.node)), committed.time);
+    p.last = passed(p, committed);
+  }
+}
+
+// As the residual: minus the force at the origin and the moment about the vertical, on the body's unknowns:
+//   f = -P F,   P = (e_x, e_y, 0; y x R^T e_x, y x R^T e_y, R^T z)
+// whose pose changes with them by Q: the first two rows of P^T, and the derivative of the heading.
+void Thrusters::evaluate(const Kinematics& trial, Assembler& assembler) {
+  for (const Positioned& p : list_) {
+    const RigidBodyState s = floating_state(trial, p.node);
+    const FramePoint at{p.arm, s.q.toRotationMatrix(), Vec3::Zero()};
+    const Push now = push(p, trial);
+    const Vec3 pull(-now.force.x(), -now.force.y(), 0), up = at.R.transpose().col(2);
+    Eigen::Matrix<double, 6, 3> P = Eigen::Matrix<double, 6, 3>::Zero();
+    P.topLeftCorner<2, 2>().setIdentity();
+    P.col(0).tail<3>() = at.moment(Vec3::UnitX());
+    P.col(1).tail<3>() = at.moment(Vec3::UnitY());
+    P.col(2).tail<3>() = up;
+    Eigen::Matrix<double, 3, 6> Q = P.transpose();
+    Q.row(2).tail<3>() = heading_of(s.q).by_turn.transpose();
+    const Vec6 f = -P * now.force;
+    Eigen::Matrix<double, 6, 6, Eigen::RowMajor> K = -P * now.by_pose * Q;
+    K.bottomRightCorner<3, 3>() += at.moment_by_turn(pull) - now.force.z() * hat(up);
+    const int blocks[2] = {p.block, p.block + 1};
+    assembler.add(blocks, f.data(), K.data(), nullptr, nullptr);
+  }
+}
+
+// After statics the integral has what holds the body at rest. Where the thrusters give all they have, it does
+// not grow towards more.
+void Thrusters::commit(const Kinematics& accepted) {
+  for (Positioned& p : list_) {
+    const Vec3 pose = pose_of(p.arm, floating_state(accepted, p.node));
+    const Push now = push(p, accepted);
+    if (!(accepted.step > 0)) {
+      const Mat3 H = axes_of(pose.z());
+      Vec3 sum = Vec3::Zero();
+      const Vec3 e = H.transpose() * offset(p, pose), given = H.transpose() * now.force;
+      for (int k = 0; statics_ && k < 3; ++k)
+        if (p.data.integral[k] > 0) sum[k] = -(given[k] + p.data.proportional[k] * e[k]) / p.data.integral[k];
+      p.integral = H * sum;
+      begin(p, pose, accepted.time);
+      continue;
+    }
+    p.work += work(p.last, passed(p, accepted));
+    const double h = accepted.time - p.time;
+    const Vec3 before = offset(p, p.slow.place);
+    p.slow = p.slow.after(pose, h, p.data.filter);
+    p.time = accepted.time;
+    Vec3 more = 0.5 * h * (before + offset(p, p.slow.place));
+    const Vec3 asks = -p.data.integral.cwiseProduct(axes_of(p.slow.place.z()).transpose() * more);
+    if (now.force_limited && asks.head<2>().dot(now.asked.head<2>()) > 0) more.head<2>().setZero();
+    if (now.moment_limited && asks.z() * now.asked.z() > 0) more.z() = 0;
+    p.integral += more;
+  }
+}
+
+// In statics, the work on the way from the last iteration.
+Energy Thrusters::energy(const Kinematics& at) const {
+  Energy e;
+  for (const Positioned& p : list_) {
+    e.work += p.work;
+    if (!(at.step > 0)) e.potential -= work(p.last, passed(p, at));
+  }
+  return e;
+}
+
+namespace {
+
+struct KeptThrust {
+  SlowPose slow;
+  Vec3 integral = Vec3::Zero();
+  double time = 0, work = 0;
+  template <class Self, class Each>
+  static void quantities(Self& self, Each&& each) {
+    each("slow place and heading", "m, rad", self.slow.place);
+    each("their velocity", "m/s, rad/s", self.slow.drift);
+    each("filtered place and heading", "m, rad", self.slow.filtered);
+    each("their rate", "m/s, rad/s", self.slow.rate);
+    each("place and heading", "m, rad", self.slow.last);
+    each("integral of the offset", "m s, rad s", self.integral);
+    each("time", "s", self.time);
+    each("work", "J", self.work);
+  }
+};
+
+}  // namespace
+
+std::vector<CheckpointKind> Thrusters::checkpoint_kinds() const {
+  return {checkpoint_kind<KeptThrust>("dynamic positioning")};
+}
+
+std::vector<CheckpointRecord> Thrusters::records(NodeRange of) const {
+  std::vector<CheckpointRecord> out;
+  for (const Positioned& p : list_)
+    if (p.begun && of.has(p.global))
+      out.push_back(record_of(p.global, 0, KeptThrust{p.slow, p.integral, p.time, p.work}, 0));
+  return out;
+}
+
+void Thrusters::restore(const std::vector<CheckpointRecord>& records) {
+  for (Positioned& p : list_) {
+    p.begun = false;
+    p.work = 0;
+    p.integral.setZero();
+    for (const CheckpointRecord& r : records) {
+      if (r.node != p.global) continue;
+      const KeptThrust kept = entry<KeptThrust>(r);
+      p.slow = kept.slow;
+      p.integral = kept.integral;
+      p.time = kept.time;
+      p.work = kept.work;
+      p.begun = true;
+    }
+  }
+}
+
+}  // namespace hawser
