@@ -343,7 +343,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const Mesh mesh = build_mesh(c);
   const Bodies bodies(c.bodies);
   const bool starts_well = check_start(c, mesh, bodies, surfaces(volumes));
-  const std::vector<int> owner = node_owners(c, mesh, bodies, ranks);
+  const std::vector<int> owner = node_owners(MPI_COMM_SELF, c, mesh, bodies, ranks);
   const Balance shares = balance(mesh, owner, ranks);
   std::vector<int> nodes(static_cast<size_t>(ranks), 0);
   for (const int at : owner) ++nodes[at];
