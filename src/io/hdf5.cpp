@@ -79,6 +79,13 @@ Id open_read(const std::string& path) {
   return own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "cannot read " + path);
 }
 
+Id open_parts(const std::string& path) {
+  quiet();
+  const Id access = serial_access();
+  check(H5Pset_sieve_buf_size(access, 0), "HDF5 property list");
+  return own(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, "cannot read " + path);
+}
+
 Id create(const std::string& path) {
   quiet();
   const Id access = serial_access();
@@ -171,6 +178,21 @@ void int_attribute(hid_t object, const std::string& name, int value) {
   check(H5Awrite(at, H5T_NATIVE_INT, &value), "attribute " + name);
 }
 
+namespace {
+
+// Texts of `length` characters each, one after another, filled up with zeros.
+std::vector<std::string> unpacked(const std::string& all, size_t length) {
+  std::vector<std::string> texts;
+  for (size_t at = 0; at + length <= all.size(); at += length) {
+    std::string t = all.substr(at, length);
+    t.erase(t.find_last_not_of('\0') + 1);
+    texts.push_back(std::move(t));
+  }
+  return texts;
+}
+
+}  // namespace
+
 std::vector<std::string> read_texts(hid_t file, const std::string& name) {
   const Id set = open_dataset(file, name);
   const Id type = own(H5Dget_type(set), H5Tclose, "dataset " + name);
@@ -179,13 +201,7 @@ std::vector<std::string> read_texts(hid_t file, const std::string& name) {
   const size_t length = H5Tget_size(type);
   std::string all(n * length, '\0');
   if (n) check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()), "dataset " + name);
-  std::vector<std::string> texts;
-  for (size_t i = 0; i < n; ++i) {
-    std::string t = all.substr(i * length, length);
-    t.erase(t.find_last_not_of('\0') + 1);
-    texts.push_back(std::move(t));
-  }
-  return texts;
+  return unpacked(all, length);
 }
 
 std::string read_text(hid_t file, const std::string& name) { return read_texts(file, name).at(0); }
@@ -218,6 +234,29 @@ Array read_row(hid_t file, const std::string& name, hsize_t row) {
   const Id to = own(H5Screate_simple(1, &n, nullptr), H5Sclose, "dataset " + name);
   if (n) check(H5Dread(set, H5T_NATIVE_DOUBLE, to, from, H5P_DEFAULT, a.values.data()), "dataset " + name);
   return a;
+}
+
+void read_part(hid_t dataset, hid_t type, hsize_t first, hsize_t count, void* to) {
+  if (count == 0) return;
+  const Id from = own(H5Dget_space(dataset), H5Sclose, "part of a dataset");
+  const Id memory = own(H5Screate_simple(1, &count, nullptr), H5Sclose, "part of a dataset");
+  check(H5Sselect_hyperslab(from, H5S_SELECT_SET, &first, nullptr, &count, nullptr), "part of a dataset");
+  check(H5Dread(dataset, type, memory, from, H5P_DEFAULT, to), "part of a dataset");
+}
+
+std::vector<double> read_part(hid_t file, const std::string& name, hsize_t first, hsize_t count) {
+  std::vector<double> values(count);
+  read_part(open_dataset(file, name), H5T_NATIVE_DOUBLE, first, count, values.data());
+  return values;
+}
+
+std::vector<std::string> read_texts_part(hid_t file, const std::string& name, hsize_t first, hsize_t count) {
+  const Id set = open_dataset(file, name);
+  const Id type = own(H5Dget_type(set), H5Tclose, "dataset " + name);
+  const size_t length = H5Tget_size(type);
+  std::string all(count * length, '\0');
+  read_part(set, type, first, count, all.data());
+  return unpacked(all, length);
 }
 
 }  // namespace hawser::io::h5

@@ -341,34 +341,30 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   MPI_Bcast(&failed, 1, MPI_INT, 0, comm);
   if (failed) throw InputError(rank == 0 ? error : "cannot read " + path);
   const ResultRoom& had = progress.room;
-  long long n[7] = {outputs,
-                    steps,
-                    had.slot_doubles,
-                    had.slot_text,
-                    progress.sequence,
-                    0,
-                    static_cast<long long>(reported.open.size())};
+  long long n[6] = {outputs,       steps, had.slot_doubles,
+                    had.slot_text, 0,     static_cast<long long>(reported.open.size())};
   // A run that failed left with its last output also what ended later; older checkpoints do not know what
   // went to another file.
-  if (n[0] > 0 && !progress.clashes.empty()) n[5] = std::min(reported.ended, progress.clashes[n[0] - 1]);
-  MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);
+  if (n[0] > 0 && !progress.clashes.empty()) n[4] = std::min(reported.ended, progress.clashes[n[0] - 1]);
+  MPI_Bcast(n, 6, MPI_LONG_LONG, 0, comm);
   progress.output_times.resize(n[0]);
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
 
+  const long long sequence = checkpoint_sequence(comm, path);
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));
   auto& m = *impl;
   m.count = {n[0], n[1]};
   if (m.root())
     for (const double t : progress.output_times) m.xdmf->add(t);
-  m.sequence = n[4];
-  m.clashes = n[5];
+  m.sequence = sequence;
+  m.clashes = n[4];
   const ClashTables clashes{{}, reported.open};
   const ResultLast kept{clashes};
   m.build({std::max<long long>(m.contents.expected_outputs, n[0] + 1),
            std::max<long long>(m.contents.expected_steps, n[1] + 1),
            n[2],
            n[3],
-           {std::max<long long>(64, 2 * n[5]), std::max<long long>(64, 2 * n[6])}},
+           {std::max<long long>(64, 2 * n[4]), std::max<long long>(64, 2 * n[5])}},
           path, &kept);
   m.save_xdmf(true);
   return ResultsFile(std::move(impl));

@@ -60,7 +60,6 @@ ResultProgress read_progress(const std::string& path) {
   p.room.slot_doubles =
       static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/values"))[0]);
   p.room.slot_text = static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/index"))[0]);
-  p.sequence = checkpoint_sequence(path);
   return p;
 }
 

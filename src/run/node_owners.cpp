@@ -4,13 +4,55 @@
 
 #include <algorithm>
 
+#include "hawser/base/gather.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/solve/start_shape.hpp"
 #include "hawser/terms/line_candidates.hpp"
 
 namespace hawser::run {
 
-std::vector<std::pair<int, int>> coupled_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies) {
+namespace {
+
+// Whole lines in the order of the file, shared out by the number of their nodes; bodies are of the first
+// rank.
+std::vector<int> stretches_of_lines(const Mesh& mesh, int ranks) {
+  std::vector<int> owner(mesh.nodes.size(), 0);
+  const long long nodes = mesh.line_nodes();
+  for (const LineSpan& line : mesh.lines)
+    std::fill_n(owner.begin() + line.first_node, line.nodes,
+                static_cast<int>(line.first_node * static_cast<long long>(ranks) / nodes));
+  return owner;
+}
+
+// Pairs of elements of two lines that may touch in the start shape, sorted. Collective.
+std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case& c, const Mesh& mesh,
+                                               const Bodies& bodies) {
+  std::vector<double> radius;
+  for (const Element& e : mesh.elements)
+    radius.push_back(c.contact.takes_part(c.lines[e.line]) ? 0.5 * c.line_types[e.type].contact_diameter
+                                                           : 0.0);
+  const int ranks = ranks_of(comm);
+  const LocalMesh part = local_mesh(mesh, stretches_of_lines(mesh, ranks), rank_of(comm), ranks);
+  const StartShape shape = start_shape(c, part, bodies);
+  CandidateSettings settings;
+  settings.excluded = excluded_pairs(c);
+  LineCandidates candidates(comm, part, std::move(radius), std::move(settings));
+  candidates.update(shape.state.view(0), 0);
+  std::vector<int> mine;
+  for (const auto& [a, b] : candidates.elements())
+    if (mesh.elements[a].line != mesh.elements[b].line) mine.insert(mine.end(), {a, b});
+  const std::vector<int> all = gather_all(comm, mine);
+  std::vector<std::pair<int, int>> out;
+  for (size_t i = 0; i < all.size(); i += 2) out.emplace_back(all[i], all[i + 1]);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());  // of two ranks: both have found it
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> coupled_nodes(MPI_Comm comm, const model::Case& c, const Mesh& mesh,
+                                               const Bodies& bodies) {
   std::vector<std::pair<int, int>> out;
   for (const std::vector<int>& group : model::radiating_groups(c))
     for (size_t i = 1; i < group.size(); ++i)
@@ -22,17 +64,7 @@ std::vector<std::pair<int, int>> coupled_nodes(const model::Case& c, const Mesh&
   for (const model::Link& l : c.links)
     if (const int a = node_of(l.end_a), b = node_of(l.end_b); a >= 0 && b >= 0) out.emplace_back(a, b);
   if (!c.contact.between_lines.enabled) return out;
-  std::vector<double> radius;
-  for (const Element& e : mesh.elements)
-    radius.push_back(c.contact.takes_part(c.lines[e.line]) ? 0.5 * c.line_types[e.type].contact_diameter
-                                                           : 0.0);
-  const LocalMesh whole = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
-  const StartShape shape = start_shape(c, whole, bodies);
-  CandidateSettings settings;
-  settings.excluded = excluded_pairs(c);
-  LineCandidates candidates(MPI_COMM_SELF, whole, std::move(radius), std::move(settings));
-  candidates.update(shape.state.view(0), 0);
-  for (const auto& [a, b] : candidates.elements())
+  for (const auto& [a, b] : near_elements(comm, c, mesh, bodies))
     for (const int m : {mesh.elements[a].first, mesh.elements[a].second})
       for (const int n : {mesh.elements[b].first, mesh.elements[b].second}) out.emplace_back(m, n);
   return out;
@@ -49,9 +81,10 @@ std::vector<int> uncut_lines(const model::Case& c) {
   return whole;
 }
 
-std::vector<int> node_owners(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
+std::vector<int> node_owners(MPI_Comm comm, const model::Case& c, const Mesh& mesh, const Bodies& bodies,
+                             int ranks) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
-  return partition(mesh, ranks, coupled_nodes(c, mesh, bodies), uncut_lines(c));
+  return partition(mesh, ranks, coupled_nodes(comm, c, mesh, bodies), uncut_lines(c));
 }
 
 }  // namespace hawser::run

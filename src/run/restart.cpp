@@ -214,9 +214,9 @@ namespace {
 io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   const LocalMesh& m = simulation.local();
   const MPI_Comm comm = simulation.system().comm();
-  check_restart_file(comm, path, simulation.mesh());
-  io::Checkpoint c = io::read_checkpoint(comm, path, static_cast<int>(simulation.mesh().nodes.size()),
-                                         {m.global.begin(), m.global.begin() + m.owned});
+  const std::vector<int> owned(m.global.begin(), m.global.begin() + m.owned);
+  check_restart_file(comm, path, simulation.mesh(), owned);
+  io::Checkpoint c = io::read_checkpoint(comm, path, static_cast<int>(simulation.mesh().nodes.size()), owned);
   const auto refuse = [&](const std::string& why) {
     return InputError(advice::cannot_go_on(path, advice::other_case(why)));
   };

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -16,20 +17,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void compare_lines(const std::string& path, const Mesh& mesh) {
+// Compares the lines whose first node is one of `owned` (ascending), which this rank reads alone.
+void compare_lines(const std::string& path, const Mesh& mesh, std::span<const int> owned) {
   const auto other = [&](const std::string& what) { return InputError(advice::other_case(what)); };
-  const io::h5::Id file = io::h5::open_read(path);
-  const auto names = io::h5::read_texts(file, "lines/name");
-  const auto nodes = io::h5::read_array(file, "lines/nodes").values;
-  const auto arc = io::h5::read_array(file, "nodes/arc_length").values;
-  if (names.size() != mesh.lines.size())
-    throw other(advice::other_number_of_lines(names.size(), mesh.lines.size()));
-  for (size_t l = 0; l < names.size(); ++l) {
-    const LineSpan& line = mesh.lines[l];
-    if (names[l] != line.name) throw other(advice::other_line(l + 1, names[l], line.name));
-    if (nodes[l] != line.nodes) throw other(advice::other_number_of_nodes(line.name, nodes[l], line.nodes));
-    for (int n = line.first_node; n < line.first_node + line.nodes; ++n) {
-      const double here = mesh.nodes[n].arc, there = arc.at(static_cast<size_t>(n));
+  const io::h5::Id file = io::h5::open_parts(path);
+  const size_t lines = io::h5::shape_of(io::h5::open_dataset(file, "lines/name")).at(0);
+  if (lines != mesh.lines.size()) throw other(advice::other_number_of_lines(lines, mesh.lines.size()));
+  for (size_t l = 0, end = 0; l < lines; l = end) {
+    const auto mine = [&](size_t line) {
+      return line < lines && std::binary_search(owned.begin(), owned.end(), mesh.lines[line].first_node);
+    };
+    end = l + 1;
+    if (!mine(l)) continue;
+    while (mine(end)) ++end;
+    const auto names = io::h5::read_texts_part(file, "lines/name", l, end - l);
+    const auto nodes = io::h5::read_part(file, "lines/nodes", l, end - l);
+    for (size_t k = l; k < end; ++k) {
+      const LineSpan& line = mesh.lines[k];
+      if (names[k - l] != line.name) throw other(advice::other_line(k + 1, names[k - l], line.name));
+      if (nodes[k - l] != line.nodes)
+        throw other(advice::other_number_of_nodes(line.name, nodes[k - l], line.nodes));
+    }
+    const int first = mesh.lines[l].first_node;
+    const int last = mesh.lines[end - 1].first_node + mesh.lines[end - 1].nodes;
+    const auto arc = io::h5::read_part(file, "nodes/arc_length", static_cast<hsize_t>(first),
+                                       static_cast<hsize_t>(last - first));
+    for (int n = first; n < last; ++n) {
+      const LineSpan& line = mesh.lines[mesh.nodes[n].line];
+      const double here = mesh.nodes[n].arc, there = arc[static_cast<size_t>(n - first)];
       if (std::abs(here - there) > 1e-9 * line.length)
         throw other(advice::other_node(line.name, there, here));
     }
@@ -38,22 +53,25 @@ void compare_lines(const std::string& path, const Mesh& mesh) {
 
 }  // namespace
 
-void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh) {
-  on_root(comm, [&] {
+void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh,
+                        std::span<const int> owned) {
+  const auto check = [&] {
     std::error_code e;
-    const auto refuse = [&](const std::string& why) { return InputError(advice::cannot_go_on(path, why)); };
-    if (!fs::exists(path, e)) throw refuse(advice::no_file());
-    if (access(path.c_str(), R_OK) != 0) throw refuse(advice::not_readable());
+    if (!fs::exists(path, e)) return advice::no_file();
+    if (access(path.c_str(), R_OK) != 0) return advice::not_readable();
     io::h5::quiet();
-    if (H5Fis_hdf5(path.c_str()) <= 0) throw refuse(advice::not_hdf5());
+    if (H5Fis_hdf5(path.c_str()) <= 0) return advice::not_hdf5();
     try {
-      compare_lines(path, mesh);
+      compare_lines(path, mesh, owned);
     } catch (const InputError& wrong) {
-      throw refuse(wrong.what());
+      return std::string(wrong.what());
     } catch (const std::exception&) {
-      throw refuse(advice::not_results());
+      return advice::not_results();
     }
-  });
+    return std::string();
+  };
+  const std::string why = first_text(comm, check());
+  if (!why.empty()) throw InputError(advice::cannot_go_on(path, why));
 }
 
 }  // namespace hawser::run

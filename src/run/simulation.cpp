@@ -173,7 +173,7 @@ Simulation::Simulation(MPI_Comm comm, const model::Case& c,
 // The mesh over the ranks.
 void Simulation::distribute(MPI_Comm comm) {
   const int rank = rank_of(comm), size = ranks_of(comm);
-  const std::vector<int> owner = node_owners(case_, *mesh_, *bodies_, size);
+  const std::vector<int> owner = node_owners(comm, case_, *mesh_, *bodies_, size);
   cut_ = hawser::cut_elements(*mesh_, owner);
   if (size > 1 && std::count(owner.begin(), owner.end(), owner.front()) == std::ssize(owner))
     notes_.push_back(advice::one_rank_has_all());

@@ -31,7 +31,7 @@ statics: {{{{enabled: {{statics}}}}}}
 dynamics: {{{{duration: {{duration}}, step: {{step}}}}}}
 output: {{{{every: {{every}}}}}}
 """
-ALONE = {"Send", "Isend", "Startall"}  # functions of MPI that one rank calls without the others
+ALONE = {"Send", "Isend", "Startall", "pread"}  # functions that one rank calls without the others
 MOTION = "motion: {harmonic: {amplitude: [1, 0, 2], period: 10}, ramp: 10}"
 
 
@@ -58,9 +58,9 @@ def farm(lines, elements=10, duration=2.0, step=0.1, every=1.0, statics=True):
     )
 
 
-def run(hawser, ranks, case, environment=None):
+def run(hawser, ranks, case, environment=None, options=()):
     """CPU seconds of all ranks together. Ranks that share cores must not spin while they wait."""
-    words = [hawser, "run", str(case), "-q"]
+    words = [hawser, "run", str(case), "-q", *options]
     if ranks > 1:
         words = ["mpirun", "--oversubscribe", "-n", str(ranks), *words]
     settings = {"OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_hwloc_base_binding_policy": "none", **(environment or {})}
@@ -72,12 +72,17 @@ def run(hawser, ranks, case, environment=None):
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
+def counted_by_rank(hawser, counter, ranks, case, folder, options=()):
+    """What each rank of a run asks of MPI, and reads: [{function: (calls, bytes)}]."""
+    path = Path(folder) / "counts"
+    run(hawser, ranks, case, {"LD_PRELOAD": counter, "HAWSER_MPI_COUNTS": str(path)}, options)
+    files = [Path(f"{path}.{rank}").read_text("utf-8").splitlines() for rank in range(ranks)]
+    return [{name: (int(calls), float(size)) for name, calls, size in map(str.split, rows)} for rows in files]
+
+
 def counted(hawser, counter, ranks, case, folder):
     """What the first rank of a run asks of MPI: {function: (calls, bytes)}."""
-    path = Path(folder) / "counts"
-    run(hawser, ranks, case, {"LD_PRELOAD": counter, "HAWSER_MPI_COUNTS": str(path)})
-    rows = [row.split() for row in Path(f"{path}.0").read_text("utf-8").splitlines()]
-    return {name: (int(calls), float(size)) for name, calls, size in rows}
+    return counted_by_rank(hawser, counter, ranks, case, folder)[0]
 
 
 def collectives(counts):

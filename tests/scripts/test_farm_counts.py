@@ -1,4 +1,4 @@
-"""What a run asks of MPI does not grow with the lines of a farm, nor with the ranks."""
+"""What a run asks of MPI does not grow with the lines of a farm, nor with the ranks; a restart reads own shares."""
 import os
 import re
 import sys
@@ -18,6 +18,7 @@ STEPS = 5  # more in the second run of each farm and number of ranks, and in the
 MOST_OF_STEP, MOST_BYTES = 10, 1000  # collective calls in a step, and what they carry
 MOST_OF_OUTPUT = 60  # collective calls
 MOST_OF_RUN = 900  # collective calls of the start, statics and one of everything
+REST_OF_FILE = 100000  # bytes that a rank may read of a results file beside its share: names, headers, an output's counter
 ELEMENT = 208  # bytes of an element that ranks exchange
 
 
@@ -36,6 +37,29 @@ class Counts(unittest.TestCase):
                         counts = farm.counted(HAWSER, COUNTER, ranks, case, folder)
                         cls.index.setdefault(lines, []).append(cls.size(Path(folder) / "case.h5", "/checkpoint/0/index"))
                         cls.found.setdefault((lines, ranks), []).append(counts)
+
+    def test_a_restart(self):
+        """A rank reads what is its own, and as much again for the checksum; it gets nothing of it from others."""
+        with tempfile.TemporaryDirectory() as folder:
+            case, rest = Path(folder) / "case.yaml", Path(folder) / "rest.h5"
+            case.write_text(farm.farm(MANY, 3, 0.1, 0.1, 0.1), "utf-8")
+            farm.run(HAWSER, 1, case)
+            results = Path(folder) / "case.h5"
+            whole = 8 * max(self.checkpoint_numbers(results, slot) for slot in (0, 1))
+            for ranks in RANKS:
+                # From its end, where nothing is left to compute.
+                counts = farm.counted_by_rank(HAWSER, COUNTER, ranks, case, folder, ["--restart", str(results), "-o", str(rest)])
+                for rank, each in enumerate(counts):
+                    with self.subTest("ranks, rank", at=(ranks, rank)):
+                        copied = rest.stat().st_size if rank == 0 else 0  # of the new file, when it is cut to its rows
+                        self.assertLess(each["pread"][1] - copied, 2.02 * whole / ranks + REST_OF_FILE)
+                        self.assertLess(each["Bcast"][1], REST_OF_FILE)
+
+    @staticmethod
+    def checkpoint_numbers(results, slot):
+        """How long the array of a checkpoint is."""
+        listed = run("h5ls", "-d", f"{results}/checkpoint/{slot}/header").stdout
+        return int(listed.split("Data:")[1].replace(",", " ").split()[1])
 
     @staticmethod
     def size(results, name):

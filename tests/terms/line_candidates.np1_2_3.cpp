@@ -215,7 +215,8 @@ TEST(LineCandidates, BundlesStayOnOneRank) {
   }
   const run::Simulation one(PETSC_COMM_SELF, c);
   const Mesh& mesh = one.mesh();
-  const auto coupled = run::coupled_nodes(c, mesh, one.bodies());
+  const auto coupled = run::coupled_nodes(PETSC_COMM_SELF, c, mesh, one.bodies());
+  EXPECT_EQ(run::coupled_nodes(PETSC_COMM_WORLD, c, mesh, one.bodies()), coupled);
   EXPECT_GT(coupled.size(), 320u);
   const std::vector<int> owner = partition(mesh, 2, coupled);
   EXPECT_EQ(cut_elements(mesh, owner), 0);

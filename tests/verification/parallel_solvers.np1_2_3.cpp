@@ -163,7 +163,7 @@ TEST_F(ParallelSolvers, ALineThatMayTouchItselfIsNotCut) {
   }
   const auto shared_out = [&c](int ranks) {
     const Simulation one(PETSC_COMM_SELF, c);
-    return run::node_owners(c, one.mesh(), one.bodies(), ranks);
+    return run::node_owners(PETSC_COMM_SELF, c, one.mesh(), one.bodies(), ranks);
   };
   const auto whole = [](const std::vector<int>& owner) {
     return std::count(owner.begin(), owner.begin() + 101, owner[0]) == 101;

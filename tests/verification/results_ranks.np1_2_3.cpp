@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <numeric>
 
 #include "hawser/base/error.hpp"
 #include "hawser/io/hdf5.hpp"
@@ -322,29 +323,119 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
   EXPECT_THROW(ResultsFile::create(MPI_COMM_WORLD, path + "/run.h5", contents(), owned), WriteError);
 }
 
-// On one rank: node 1 has the first records of "friction drum", of one value each.
-TEST(ResultsRanks, CorruptedCountersOfACheckpointAreReported) {
+// A checkpoint of three nodes as one array, on one rank.
+struct Array {
+  std::string index;
+  std::vector<double> values;
+};
+Array array_of(const Checkpoint& c) {
   const std::vector<int> owned{0, 1, 2};
-  const CheckpointRoom room = checkpoint_room(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned);
-  std::vector<double> whole(static_cast<size_t>(room.size), -1);
-  put_checkpoint(MPI_COMM_SELF, checkpoint(owned, 7), 3, owned,
+  const CheckpointRoom room = checkpoint_room(MPI_COMM_SELF, c, 3, owned);
+  Array whole{room.index, std::vector<double>(static_cast<size_t>(room.size), -1)};
+  put_checkpoint(MPI_COMM_SELF, c, 3, owned,
                  [&](const std::vector<RowRun>& runs, const std::vector<double>& values) {
                    auto from = values.begin();
                    for (const RowRun& r : runs) {
-                     std::copy_n(from, r.count, whole.begin() + r.first);
+                     std::copy_n(from, r.count, whole.values.begin() + r.first);
                      from += r.count;
                    }
                  });
-  const size_t records =
-      3 + 3 * 3 + 3;  // after the time, two scalars and two fields: length; node, kind, key, length
-  ASSERT_EQ(whole[records + 1], 1);
-  ASSERT_EQ(whole[records + 4], 1);
-  for (const size_t at : {records, records + 1, records + 2, records + 4})
+  return whole;
+}
+Checkpoint unpack(const Array& whole, const std::vector<int>& owned, std::vector<int>* asked = nullptr) {
+  return unpack_checkpoint(whole.index, std::ssize(whole.values), 3, owned, [&](const RowRun& run) {
+    for (long long at = run.first; asked && at < run.first + run.count; ++at) ++asked->at(at);
+    const auto first = whole.values.begin() + run.first;
+    return std::vector<double>(first, first + run.count);
+  });
+}
+
+// Node 1 has the first records of "friction drum", of one value each. After the time, two scalars and two
+// fields: length; node, kind, key, length.
+constexpr size_t kRecords = 3 + 3 * 3 + 3;
+
+TEST(ResultsRanks, CorruptedCountersOfACheckpointAreReported) {
+  const Array whole = array_of(checkpoint({0, 1, 2}, 7));
+  ASSERT_EQ(whole.values[kRecords + 1], 1);
+  ASSERT_EQ(whole.values[kRecords + 4], 1);
+  const size_t begins = kRecords + 1 + static_cast<size_t>(whole.values[kRecords]);
+  for (const size_t at : {kRecords, kRecords + 1, kRecords + 2, kRecords + 4, begins})
     for (const double wrong : {-1.0, std::nan(""), 1e300}) {
-      auto values = whole;
-      values[at] = wrong;
-      EXPECT_THROW(unpack_checkpoint(room.index, values, 3, owned), InputError) << at << ": " << wrong;
+      Array other = whole;
+      other.values[at] = wrong;
+      EXPECT_THROW(unpack(other, {0, 1, 2}), InputError) << at << ": " << wrong;
     }
+}
+
+// Of what belongs to nodes, a rank asks for that of its own alone, and all together for everything.
+TEST(ResultsRanks, NodesOfOthersAreNotRead) {
+  const Array whole = array_of(checkpoint({0, 1, 2}, 7));
+  std::vector<int> asked(whole.values.size(), 0);
+  for (int node = 0; node < 3; ++node) {
+    std::vector<int> here(whole.values.size(), 0);
+    expect_same(unpack(whole, {node}, &here), checkpoint({node}, 7));
+    for (size_t at = 3; at < kRecords; ++at)
+      EXPECT_EQ(here[at], (at < 12 ? (at - 3) / 3 : at - 12) == static_cast<size_t>(node))
+          << node << " " << at;
+    for (size_t at = 0; at < here.size(); ++at) asked[at] += here[at];
+  }
+  for (size_t at = 0; at < asked.size(); ++at) EXPECT_GT(asked[at], 0) << at;
+  const long long read = std::accumulate(asked.begin(), asked.end(), 0LL);
+  // The time, the scalars, two lengths of records: by each of three; where the second and the third node's
+  // begin: by two.
+  EXPECT_EQ(read, std::ssize(asked) + 2 * (3 + 2) + 2);
+}
+
+// Changes a number of the array in a slot of the file at `path`.
+void damage(const std::string& path, const std::string& slot, hsize_t at) {
+  const h5::Id access = h5::serial_access();
+  const h5::Id file = h5::own(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, path);
+  const h5::Id set = h5::open_dataset(file, slot + "/values");
+  const h5::Id from = h5::own(H5Dget_space(set), H5Sclose, path);
+  const hsize_t one = 1;
+  const h5::Id memory = h5::own(H5Screate_simple(1, &one, nullptr), H5Sclose, path);
+  H5Sselect_hyperslab(from, H5S_SELECT_SET, &at, nullptr, &one, nullptr);
+  const double wrong = 1.25;
+  h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, from, H5P_DEFAULT, &wrong), path);
+}
+
+// Wherever the newer checkpoint is damaged, in the part of whichever rank, all ranks take the older one.
+TEST(ResultsRanks, DamagedCheckpointIsPassedOver) {
+  const std::string path = temporary("damaged.h5");
+  const auto owned = owned_nodes(MPI_COMM_WORLD, 41);
+  for (const double place : {0.0, 0.5, 1.0}) {
+    {
+      auto file = ResultsFile::create(MPI_COMM_WORLD, path, contents(), owned);
+      file.write_checkpoint(checkpoint(owned, 4));
+      file.write_checkpoint(checkpoint(owned, 5));
+    }
+    EXPECT_EQ(checkpoint_sequence(MPI_COMM_WORLD, path), 2);
+    const auto change = [&](const std::string& slot) {
+      MPI_Barrier(MPI_COMM_WORLD);
+      if (rank_of(MPI_COMM_WORLD) == 0) {
+        std::uint64_t header[4] = {};
+        h5::read_part(h5::open_dataset(h5::open_read(path), slot + "/header"), H5T_NATIVE_UINT64, 0, 4,
+                      header);
+        damage(path, slot, static_cast<hsize_t>(place * static_cast<double>(header[1] - 1)));
+      }
+      MPI_Barrier(MPI_COMM_WORLD);
+    };
+    change("checkpoint/0");
+    EXPECT_EQ(checkpoint_sequence(MPI_COMM_WORLD, path), 1) << place;
+    expect_same(read_checkpoint(MPI_COMM_WORLD, path, 41, owned), checkpoint(owned, 4));
+    change("checkpoint/1");
+    EXPECT_THROW(read_checkpoint(MPI_COMM_WORLD, path, 41, owned), InputError) << place;
+  }
+}
+
+TEST(ResultsRanks, WhatOneRankCannotReadIsReportedByAll) {
+  const std::string path = temporary("unreadable.h5");
+  write_run(MPI_COMM_WORLD, path, false);
+  const bool last = rank_of(MPI_COMM_WORLD) == size_of(MPI_COMM_WORLD) - 1;
+  const auto owned = owned_nodes(MPI_COMM_WORLD, 41);
+  EXPECT_THROW(read_checkpoint(MPI_COMM_WORLD, last ? path + ".none" : path, 41, owned), InputError);
+  // And what it alone finds wrong: it asks for nodes that there are not.
+  EXPECT_THROW(read_checkpoint(MPI_COMM_WORLD, path, 41, last ? std::vector<int>{1000} : owned), InputError);
 }
 
 TEST(ResultsRanks, ErrorOfOneRankReachesAll) {

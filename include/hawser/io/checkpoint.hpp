@@ -40,15 +40,19 @@ struct Checkpoint {
 
 // The newest complete checkpoint in the results file `path`, cut to the nodes this rank owns
 // (`owned`: ascending node numbers in file order; together the ranks own 0 .. nodes_total-1 once).
-// Doubles come back bit for bit; records come sorted by node, kind and key. Collective.
-// Throws InputError (on all ranks) when there is none or it belongs to a mesh of another size.
+// Doubles come back bit for bit; records come sorted by node, kind and key. Each rank reads its own part of
+// the file, and a share as large as that of any other rank for the checksum. Collective.
+// Throws InputError (on all ranks) when there is none, a rank cannot read the file, or the checkpoint belongs
+// to a mesh of another size.
 Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
                            const std::vector<int>& owned);
 
-// The number of that checkpoint; 0: there is none. Serial.
-long long checkpoint_sequence(const std::string& path);
+// The number of that checkpoint; 0: there is none. Collective; throws InputError as above.
+long long checkpoint_sequence(MPI_Comm comm, const std::string& path);
 
 // --- What results.cpp stores: the checkpoint as one array of doubles with a text that says what is where.
+
+constexpr int kCheckpointRecordHead = 4;  // numbers of a record before its values
 
 struct CheckpointRoom {
   std::string index;   // same on all ranks
@@ -65,9 +69,11 @@ CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& checkpoint, int 
 using PutNumbers = std::function<void(const std::vector<RowRun>& runs, const std::vector<double>& values)>;
 unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint checkpoint, int nodes_total,
                                   const std::vector<int>& owned, const PutNumbers& put);
-// Inverse, from the whole array.
-Checkpoint unpack_checkpoint(const std::string& index, const std::vector<double>& values, int nodes_total,
-                             const std::vector<int>& owned);
+// Inverse: asks for those numbers of the array, `size` long, that belong to the nodes `owned` or to all
+// ranks. Serial. Throws InputError where they are no checkpoint of `nodes_total` nodes.
+using GetNumbers = std::function<std::vector<double>(const RowRun& run)>;
+Checkpoint unpack_checkpoint(const std::string& index, long long size, int nodes_total,
+                             const std::vector<int>& owned, const GetNumbers& get);
 
 // Checksum that does not depend on who summed what: sum over i of mix(first + i, bits of values[i]).
 unsigned long long checkpoint_sum(long long first, const double* values, long long count);

@@ -45,6 +45,7 @@ void quiet();
 // Serial access. Readers never lock, so a file can be looked at while a run writes it.
 Id serial_access();
 Id open_read(const std::string& path);
+Id open_parts(const std::string& path);  // to read, of long datasets, nothing but what is asked for
 Id create(const std::string& path);
 Id group(hid_t file, const std::string& name);
 
@@ -75,5 +76,10 @@ struct Array {
 Array read_array(hid_t file, const std::string& name);
 // Its row at the first index; `shape` is that of a row.
 Array read_row(hid_t file, const std::string& name, hsize_t row);
+// `count` elements of a data set of one dimension, from element `first` on. `to`: room for as many of `type`.
+void read_part(hid_t dataset, hid_t type, hsize_t first, hsize_t count, void* to);
+// The same of named data sets, of numbers and of texts.
+std::vector<double> read_part(hid_t file, const std::string& name, hsize_t first, hsize_t count);
+std::vector<std::string> read_texts_part(hid_t file, const std::string& name, hsize_t first, hsize_t count);
 
 }  // namespace hawser::io::h5

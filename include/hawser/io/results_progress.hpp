@@ -13,7 +13,6 @@ struct ResultProgress {
   ResultCount count;
   std::vector<double> output_times, step_times;  // s, of the rows that count
   ResultRoom room;                               // of the checkpoint slots; outputs and steps are left 0
-  long long sequence = 0;                        // of the newest checkpoint; 0: none
   std::vector<long long> clashes;                // that had ended, at each output
 };
 ResultProgress read_progress(const std::string& path);

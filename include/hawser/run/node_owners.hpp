@@ -1,6 +1,8 @@
 // Which rank owns each node of a case.
 #pragma once
 
+#include <mpi.h>
+
 #include <utility>
 #include <vector>
 
@@ -12,16 +14,21 @@
 namespace hawser::run {
 
 // Pairs of Mesh::nodes with forces between them, beside those of elements and ties: bodies that radiate on
-// each other, ends of links, nodes of elements that may touch in the start shape. Local: every rank makes the
-// whole shape, the same on each.
-std::vector<std::pair<int, int>> coupled_nodes(const model::Case& c, const Mesh& mesh, const Bodies& bodies);
+// each other, ends of links, nodes of elements of two lines that may touch in the start shape (a line that
+// may touch itself is not cut). Each rank of `comm` searches for its share of the lines. The same on all
+// ranks. Collective.
+std::vector<std::pair<int, int>> coupled_nodes(MPI_Comm comm, const model::Case& c, const Mesh& mesh,
+                                               const Bodies& bodies);
 
 // Lines that may touch themselves, in order. Cut in two, such a line, once it is wound on itself, would share
 // about every node that lies on another turn, and the tangent would cost several times what it costs on one
 // rank.
 std::vector<int> uncut_lines(const model::Case& c);
 
-// Owner of every node, by partition(): coupled_nodes() rather land on one rank, uncut_lines() are not cut.
-std::vector<int> node_owners(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks);
+// Owner of every node among so many ranks, by partition(): coupled_nodes() rather land on one rank,
+// uncut_lines() are not cut. The same on all ranks of `comm`, of which there may be another number.
+// Collective.
+std::vector<int> node_owners(MPI_Comm comm, const model::Case& c, const Mesh& mesh, const Bodies& bodies,
+                             int ranks);
 
 }  // namespace hawser::run

@@ -1,8 +1,11 @@
 // Counts what a program asks of MPI, for programs that load it before MPI (LD_PRELOAD): the calls and bytes
 // of each function on communicators of several ranks. Rank r writes them to $HAWSER_MPI_COUNTS.r when MPI
 // ends, a line a function: name, calls, bytes. Bytes are those that this rank hands in, or gets where it
-// hands in nothing.
+// hands in nothing. What a rank reads from files on its own by pread(), as HDF5 does without MPI, is counted
+// likewise.
+#include <dlfcn.h>
 #include <mpi.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -100,6 +103,14 @@ ON_FILE(File_write_at, size_of(n, t),
         (MPI_File f, MPI_Offset at, const void* a, int n, MPI_Datatype t, MPI_Status* s), (f, at, a, n, t, s))
 ON_FILE(File_read_at, size_of(n, t),
         (MPI_File f, MPI_Offset at, void* a, int n, MPI_Datatype t, MPI_Status* s), (f, at, a, n, t, s))
+
+ssize_t pread(int file, void* to, size_t n, off_t at) {
+  using Read = ssize_t (*)(int, void*, size_t, off_t);
+  static const auto system = reinterpret_cast<Read>(dlsym(RTLD_NEXT, "pread"));
+  const ssize_t got = system(file, to, n, at);
+  if (got > 0) add("pread", static_cast<double>(got));
+  return got;
+}
 
 int MPI_Finalize() {
   int rank = 0;

@@ -1,0 +1,243 @@
+// Reading a checkpoint back: the newer valid one of its two slots, of which each rank takes what belongs to
+// its own nodes.
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <sstream>
+
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
+#include "hawser/io/checkpoint.hpp"
+#include "hawser/io/hdf5.hpp"
+
+namespace hawser::io {
+
+namespace {
+
+// Runs `work` on each rank; when it fails anywhere, all ranks throw what the first of those ranks says.
+// Collective.
+template <class Work>
+void on_each(MPI_Comm comm, const Work& work) {
+  std::string error;
+  try {
+    work();
+  } catch (const std::exception& e) {
+    error = e.what();
+  }
+  error = first_text(comm, std::move(error));
+  if (!error.empty()) throw InputError(error);
+}
+
+struct Slot {
+  std::string index;
+  long long sequence = 0;  // 0: there is none
+  long long size = 0;      // of the array
+  std::uint64_t sum = 0;   // its checksum and the index's
+};
+
+std::string place_of(long long sequence) { return sequence % 2 ? "checkpoint/1/" : "checkpoint/0/"; }
+
+// What the slot says of itself.
+Slot read_slot(hid_t file, const std::string& place) {
+  Slot slot;
+  if (!h5::exists(file, place + "header")) return slot;
+  std::array<std::uint64_t, 4> header{};
+  h5::read_part(h5::open_dataset(file, place + "header"), H5T_NATIVE_UINT64, 0, header.size(), header.data());
+  const h5::Id index = h5::open_dataset(file, place + "index");
+  const hsize_t size = header[1], length = header[2];
+  if (size > h5::shape_of(h5::open_dataset(file, place + "values")).at(0) ||
+      length > h5::shape_of(index).at(0))
+    return slot;
+  slot = {std::string(length, '\0'), static_cast<long long>(header[0]), static_cast<long long>(size),
+          header[3]};
+  h5::read_part(index, H5T_NATIVE_CHAR, 0, length, slot.index.data());
+  // The slot that a number belongs to is the number's.
+  if (slot.sequence < 0 || place_of(slot.sequence) != place) slot.sequence = 0;
+  return slot;
+}
+
+void broadcast(MPI_Comm comm, Slot& slot) {
+  long long numbers[] = {slot.sequence, slot.size, static_cast<long long>(slot.sum), std::ssize(slot.index)};
+  MPI_Bcast(numbers, 4, MPI_LONG_LONG, 0, comm);
+  slot.sequence = numbers[0];
+  slot.size = numbers[1];
+  slot.sum = static_cast<std::uint64_t>(numbers[2]);
+  slot.index.resize(static_cast<size_t>(numbers[3]));
+  MPI_Bcast(slot.index.data(), static_cast<int>(slot.index.size()), MPI_CHAR, 0, comm);
+}
+
+// Whether the checksum is right: that of a slot which was being written when the run died is not. Each rank
+// sums as many numbers of the array. Collective.
+bool complete(MPI_Comm comm, hid_t file, const Slot& slot) {
+  constexpr long long kPiece = 1 << 17;  // numbers in memory at a time
+  const long long ranks = ranks_of(comm), rank = rank_of(comm);
+  const long long share = (slot.size + ranks - 1) / ranks;
+  const long long end = std::min(slot.size, (rank + 1) * share);
+  std::uint64_t sum = 0;
+  on_each(comm, [&] {
+    for (long long at = rank * share; at < end; at += kPiece) {
+      const long long count = std::min(kPiece, end - at);
+      const std::vector<double> values = h5::read_part(file, place_of(slot.sequence) + "values",
+                                                       static_cast<hsize_t>(at), static_cast<hsize_t>(count));
+      sum += checkpoint_sum(at, values.data(), count);
+    }
+  });
+  MPI_Allreduce(MPI_IN_PLACE, &sum, 1, MPI_UINT64_T, MPI_SUM, comm);
+  return slot.sum == checkpoint_sum(slot.index, slot.sequence, slot.size) + sum;
+}
+
+// The newest complete checkpoint of the file that all ranks have open. Collective.
+std::optional<Slot> newest(MPI_Comm comm, hid_t file) {
+  std::array<Slot, 2> slots;
+  on_each(comm, [&] {
+    if (rank_of(comm) == 0) slots = {read_slot(file, place_of(0)), read_slot(file, place_of(1))};
+  });
+  if (slots[0].sequence < slots[1].sequence) std::swap(slots[0], slots[1]);
+  for (Slot& slot : slots) {
+    broadcast(comm, slot);
+    if (slot.sequence > 0 && complete(comm, file, slot)) return std::move(slot);
+  }
+  return std::nullopt;
+}
+
+// What the index says of the array.
+struct Contents {
+  std::vector<std::string> scalars, fields, terms;  // names, in the order of the array
+  Checkpoint checkpoint;                            // without values
+};
+
+InputError wrong_mesh() { return InputError("the checkpoint belongs to another mesh"); }
+InputError damaged(double number) { return InputError("the checkpoint is damaged: it counts {:g}", number); }
+
+Contents contents_of(const std::string& index, int nodes_total) {
+  Contents c;
+  TermCheckpoint* kept = nullptr;  // the last one named
+  std::istringstream lines(index);
+  for (std::string kind, name; lines >> kind;) {
+    int components = 0;
+    if (kind == "mesh") {
+      if (!(lines >> components) || components != nodes_total) throw wrong_mesh();
+      continue;
+    }
+    if (kind == "nodes" || kind == "quantity") lines >> components;
+    lines.get();
+    std::getline(lines, name);
+    if (kind == "scalar") {
+      c.scalars.push_back(name);
+    } else if (kind == "nodes") {
+      c.fields.push_back(name);
+      c.checkpoint.nodes[name].components = components;
+    } else if (kind == "records" || kind == "history") {
+      throw InputError("an earlier version of hawser wrote it");
+    } else if (kind == "term") {
+      c.terms.push_back(name);
+      kept = &c.checkpoint.records[name];
+    } else if (kind == "kind" && kept) {
+      kept->kinds.push_back({name, {}});
+    } else if (kind == "quantity" && kept && !kept->kinds.empty()) {
+      const size_t tab = std::min(name.find('\t'), name.size());
+      kept->kinds.back().quantities.push_back(
+          {name.substr(0, tab), components, name.substr(std::min(tab + 1, name.size()))});
+    }
+  }
+  return c;
+}
+
+// A number of the array as a count from 0 to `most`.
+long long count_of(double number, long long most) {
+  if (!(number >= 0 && number <= static_cast<double>(most))) throw damaged(number);
+  return static_cast<long long>(number);
+}
+
+// Adds the records in `values`, which are those of the nodes `of`.
+void add_records(const std::vector<double>& values, NodeRange of, std::vector<CheckpointRecord>& list) {
+  constexpr long long kMostKinds = 100;  // of records of a term
+  size_t at = 0;
+  const auto next = [&] { return at < values.size() ? values[at++] : throw damaged(0); };
+  while (at < values.size()) {
+    CheckpointRecord r;
+    const double node = next();
+    r.node = static_cast<int>(count_of(node, of.end - 1));
+    if (!of.has(r.node)) throw damaged(node);
+    r.kind = static_cast<int>(count_of(next(), kMostKinds));
+    r.key = static_cast<int>(next());
+    r.values.resize(static_cast<size_t>(count_of(next(), std::ssize(values))));
+    for (double& v : r.values) v = next();
+    list.push_back(std::move(r));
+  }
+}
+
+}  // namespace
+
+Checkpoint unpack_checkpoint(const std::string& index, long long size, int nodes_total,
+                             const std::vector<int>& owned, const GetNumbers& get) {
+  auto [scalars, fields, terms, c] = contents_of(index, nodes_total);
+  const auto part = [&](long long first, long long count) {
+    if (first + count > size) throw wrong_mesh();
+    return get({first, count});
+  };
+  const std::vector<RowRun> runs = runs_of(owned);
+  long long at = 0;
+  const std::vector<double> numbers = part(at, 1 + std::ssize(scalars));
+  at += std::ssize(numbers);
+  c.time = numbers[0];
+  for (size_t i = 0; i < scalars.size(); ++i) c.scalars[scalars[i]] = numbers[i + 1];
+
+  for (const std::string& name : fields) {
+    CheckpointField& field = c.nodes[name];
+    const long long components = field.components;
+    for (const RowRun& run : runs) {
+      const std::vector<double> rows = part(at + run.first * components, run.count * components);
+      field.values.insert(field.values.end(), rows.begin(), rows.end());
+    }
+    at += nodes_total * components;
+  }
+
+  for (const std::string& name : terms) {
+    const long long length = count_of(part(at++, 1)[0], size);
+    const long long records = at, begins = at + length;  // where the records are, and where each node's begin
+    at = begins + (length > 0 ? nodes_total : 0);
+    for (const RowRun& run : runs) {
+      if (length == 0) break;
+      const bool last = run.first + run.count == nodes_total;  // whose records go to the end
+      const std::vector<double> of = part(begins + run.first, run.count + (last ? 0 : 1));
+      const long long end = last ? length : count_of(of.back(), length), first = count_of(of[0], end);
+      const NodeRange nodes{static_cast<int>(run.first), static_cast<int>(run.first + run.count)};
+      add_records(part(records + first, end - first), nodes, c.records[name].records);
+    }
+  }
+  if (at != size) throw wrong_mesh();
+  return std::move(c);
+}
+
+long long checkpoint_sequence(MPI_Comm comm, const std::string& path) {
+  h5::Id file;
+  on_each(comm, [&] { file = h5::open_parts(path); });
+  const std::optional<Slot> slot = newest(comm, file);
+  return slot ? slot->sequence : 0;
+}
+
+Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
+                           const std::vector<int>& owned) {
+  h5::Id file;
+  on_each(comm, [&] { file = h5::open_parts(path); });
+  const std::optional<Slot> slot = newest(comm, file);
+  if (!slot) throw InputError(path + " holds no complete checkpoint to restart from");
+  Checkpoint checkpoint;
+  try {
+    on_each(comm, [&] {
+      const h5::Id values = h5::open_dataset(file, place_of(slot->sequence) + "values");
+      checkpoint = unpack_checkpoint(slot->index, slot->size, nodes_total, owned, [&](const RowRun& run) {
+        std::vector<double> part(static_cast<size_t>(run.count));
+        h5::read_part(values, H5T_NATIVE_DOUBLE, static_cast<hsize_t>(run.first),
+                      static_cast<hsize_t>(run.count), part.data());
+        return part;
+      });
+    });
+  } catch (const InputError& e) {
+    throw InputError("cannot go on from " + path + ": " + e.what());
+  }
+  return checkpoint;
+}
+
+}  // namespace hawser::io
