@@ -145,7 +145,7 @@ void PlatformWaves::add_full() {
   }
 }
 
-PlatformWaves::Forces PlatformWaves::at(double time, double x, double y, double sharpen) const {
+PlatformWaves::Forces PlatformWaves::at(double time, double x, double y) const {
   Forces out;
   std::vector<Complex> turn(components_.size());
   for (size_t i = 0; i < components_.size(); ++i) {
@@ -153,7 +153,7 @@ PlatformWaves::Forces PlatformWaves::at(double time, double x, double y, double 
     const double phase = w.omega * time - w.number * (w.x * x + w.y * y) - w.phase;
     turn[i] = {std::cos(phase), std::sin(phase)};
     const ComplexVec6& X = first_[i];
-    out.first += (1 + sharpen * w.omega * w.omega) * (turn[i].real() * X.real() - turn[i].imag() * X.imag());
+    out.first += turn[i].real() * X.real() - turn[i].imag() * X.imag();
   }
   for (const Mode& m : modes_) {
     Complex sum = 0;

@@ -78,7 +78,6 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   now.damping = Eigen::MatrixXd::Zero(n, n);
   g.known = true;
   const double step = g.past.empty() ? 0 : time - g.past.back().time;
-  const double sharpen = g.modes.size() > 0 ? period_error(step) : 0;
   now.period_mass = period_mass(g, step);
   const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
@@ -108,7 +107,7 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
     const Vec3 place =
         p.follow > 0 ? Vec3(p.slow.place + (time - g.slow_time) * p.slow.drift) : p.potential.place;
     const Vec3 origin = place + p.axes * p.file_origin;
-    const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y(), sharpen);
+    const PlatformWaves::Forces f = p.waves.at(time, origin.x(), origin.y());
     const auto first = 6 * static_cast<Eigen::Index>(i);
     now.first.segment<6>(first) = ramp * f.first;
     now.second.segment<6>(first) = ramp * ramp * f.slow + p.waves.mean_drift();

@@ -17,7 +17,7 @@ PlatformWater::PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMes
   // The scheme's acceleration of x = exp(i omega t) is -omega² (1 + c omega² h²) x to the fourth order, with
   //   c = 1/6 + 3 delta²,   delta = (1 - rho)/(2 (1 + rho)).
   const double rho = c.dynamics.rho_infinity, delta = 0.5 * (1 - rho) / (1 + rho);
-  period_share_ = 1.0 / 6 + 3 * delta * delta;
+  period_error_ = 1.0 / 6 + 3 * delta * delta;
   for (const std::vector<int>& bodies : model::radiating_groups(c)) add_group(c, bodies);
   update_ghosts();
 }
@@ -94,7 +94,7 @@ void PlatformWater::find_modes(Group& g) {
 // the form 1/(1 + c h² omega²), which is a mass in steps of any length.
 Eigen::MatrixXd PlatformWater::period_mass(const Group& g, double h) const {
   if (g.modes.size() == 0) return Eigen::MatrixXd::Zero(g.added_mass.rows(), g.added_mass.cols());
-  const Eigen::ArrayXd error = period_error(h) * g.squares;
+  const Eigen::ArrayXd error = period_error_ * h * h * g.squares;
   return -g.modes * (error / (1 + error)).matrix().asDiagonal() * g.modes.transpose();
 }
 

@@ -70,25 +70,6 @@ TEST(PlatformWaves, FirstOrderLeadsTheCrest) {
   EXPECT_EQ(waves.at(t, x, y).slow.norm(), 0);
 }
 
-// F - s F'' of first order, F'' by differences of the fourth order; forces of second order stay.
-TEST(PlatformWaves, SharpenedForceHasItsSecondDerivative) {
-  std::vector<ComplexVec6> values;
-  for (int i = 0; i < 8; ++i) {
-    values.emplace_back();
-    for (int k = 0; k < 6; ++k) values.back()[k] = Complex(1 + i * k, 2 - i + k);
-  }
-  std::vector<double> omega;
-  for (int i = 0; i < 8; ++i) omega.push_back(0.35 + 0.15 * i);
-  const PlatformWaves waves(sea(), 0, {omega, {0}, values}, mean(), {}, SecondOrder::newman);
-  constexpr double t = 3.7, x = 5, y = -8, s = 0.3, e = 0.02;
-  const auto F = [&](double at) { return waves.at(at, x, y).first; };
-  const Vec6 second = (16 * (F(t + e) + F(t - e)) - F(t + 2 * e) - F(t - 2 * e) - 30 * F(t)) / (12 * e * e);
-  const PlatformWaves::Forces found = waves.at(t, x, y, s);
-  EXPECT_LT((F(t) - s * second - found.first).norm(), 1e-7 * found.first.norm());
-  EXPECT_GT((F(t) - found.first).norm(), 1e-2 * found.first.norm());
-  EXPECT_EQ((found.slow - waves.at(t, x, y).slow).norm(), 0);
-}
-
 TEST(PlatformWaves, FullDriftIsTheDoubleSum) {
   const auto components = sea();
   const DifferenceForceTable table = difference();

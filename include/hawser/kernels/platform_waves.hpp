@@ -76,9 +76,8 @@ class PlatformWaves {
   struct Forces {
     Vec6 first = Vec6::Zero(), slow = Vec6::Zero();  // of second order without its mean
   };
-  // Time [s], and where the body's origin is [m] for the phases of the waves. Of first order F - sharpen F''
-  // [s²], that is with X (1 + sharpen omega²).
-  Forces at(double time, double x, double y, double sharpen = 0) const;
+  // Time [s], and where the body's origin is [m] for the phases of the waves.
+  Forces at(double time, double x, double y) const;
 
  private:
   // Of one freedom: sum over modes of weight |sum_i amplitude_i exp(i phase_i)|².

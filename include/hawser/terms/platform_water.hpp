@@ -124,8 +124,6 @@ class PlatformWater final : public ForceTerm,
   void add_group(const model::Case& c, const std::vector<int>& bodies);
   Platform platform(const model::Case& c, int body) const;
   static void find_modes(Group& g);
-  // s², what the scheme makes of a period in steps of h [s]: omega² (1 + period_error omega²).
-  double period_error(double h) const { return period_share_ * h * h; }
   // kg and so on: what is added to the mass of a group so that its free oscillations have their periods in
   // steps of h.
   Eigen::MatrixXd period_mass(const Group& g, double h) const;
@@ -140,7 +138,7 @@ class PlatformWater final : public ForceTerm,
   const LocalMesh& mesh_;
   Sea sea_;
   std::vector<Group> groups_;
-  double period_share_ = 0;  // of h²
+  double period_error_ = 0;  // omega² (1 + period_error omega² h²) is what the scheme makes of a frequency
   bool coupled_ = false;
 };
 
