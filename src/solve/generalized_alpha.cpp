@@ -7,12 +7,6 @@
 
 namespace hawser {
 
-AlphaCoefficients::AlphaCoefficients(double rho)
-    : am((2 * rho - 1) / (rho + 1)),
-      af(rho / (rho + 1)),
-      gamma(0.5 + af - am),
-      beta(0.25 * (gamma + 0.5) * (gamma + 0.5)) {}
-
 double alpha_stored(const AlphaCoefficients& c) { return (0.5 - c.af) * (0.5 - c.af); }
 
 bool has_directors(const LocalMesh& mesh) {
@@ -97,39 +91,22 @@ void alpha_predict(const LocalMesh& mesh, const TiedNodes& tied, double h, const
   tied.increments(from.s, from.s.time + h, u.data());
 }
 
-namespace {
-// Q1 = s S - q Q0 and F1 = a Q1 + b Q0 - c F0. The first solves (1 - gamma) Q0 + gamma Q1 = S; the second is
-// the scheme's relation between algorithmic and true accelerations.
-struct MeanWeights {
-  double s, q, a, b, c;
-};
-MeanWeights mean_weights(const AlphaCoefficients& k) {
-  return {1 / k.gamma, (1 - k.gamma) / k.gamma, (1 - k.am) / (1 - k.af), k.am / (1 - k.af),
-          k.af / (1 - k.af)};
-}
-}  // namespace
-
 StepMean alpha_mean(const AlphaCoefficients& c) {
-  const MeanWeights w = mean_weights(c);
   // In each step the scheme multiplies the strain of an element that is far too stiff for the step by `root`.
   // It is the spectral radius; the filter cannot make it less than 1/3.
   const double rho = c.af / (1 - c.af), root = std::max(rho, 1.0 / 3);
-  return {w.a * w.s, 0.5 * root * (1 - root) / ((1 + root) * (1 + root))};
+  return {MeanWeights(c).weight(), 0.5 * root * (1 - root) / ((1 + root) * (1 + root))};
 }
 
 void alpha_mean_carried(const AlphaCoefficients& c, const MeanForces& from, std::vector<double>& carried) {
-  const MeanWeights w = mean_weights(c);
+  const MeanWeights w(c);
   carried.resize(from.q.size());
-  for (size_t i = 0; i < carried.size(); ++i) carried[i] = (w.b - w.a * w.q) * from.q[i] - w.c * from.f[i];
+  for (size_t i = 0; i < carried.size(); ++i) carried[i] = w.carried(from.q[i], from.f[i]);
 }
 
 void alpha_mean_advance(const AlphaCoefficients& c, const std::vector<double>& S, MeanForces& forces) {
-  const MeanWeights w = mean_weights(c);
-  for (size_t i = 0; i < forces.q.size(); ++i) {
-    const double q = w.s * S[i] - w.q * forces.q[i];
-    forces.f[i] = w.a * q + w.b * forces.q[i] - w.c * forces.f[i];
-    forces.q[i] = q;
-  }
+  const MeanWeights w(c);
+  for (size_t i = 0; i < forces.q.size(); ++i) w.advance(S[i], forces.q[i], forces.f[i]);
 }
 
 Weights alpha_weights(const AlphaCoefficients& c, double h) {

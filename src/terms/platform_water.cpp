@@ -77,6 +77,8 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   now.first = now.second = Eigen::VectorXd::Zero(n);
   now.damping = Eigen::MatrixXd::Zero(n, n);
   g.known = true;
+  const double step = g.past.empty() ? 0 : time - g.past.back().time;
+  now.period_mass = period_mass(g, step);
   const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
     Eigen::ArrayXd S(entries), dS(entries);
@@ -91,12 +93,11 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
       force += (after - before).colwise() * S;
     }
     const Eigen::VectorXd& first = g.past.front().rate;
-    const double h = time - g.past.back().time;
     for (Eigen::Index e = 0; e < entries; ++e) {
       const auto [i, j] = g.entries[static_cast<size_t>(e)];
       now.past[i] += force(e, 0) + dS[e] * first[j];
       if (i != j) now.past[j] += force(e, 1) + dS[e] * first[i];
-      if (h > 0) now.damping(i, j) = now.damping(j, i) = S[e] / h;  // the last S is that of this step
+      if (step > 0) now.damping(i, j) = now.damping(j, i) = S[e] / step;  // the last S is that of this step
     }
   }
   const double ramp = sea_.wave_ramp > 0 ? quintic_ramp(time, sea_.wave_ramp).value : 1;
@@ -178,8 +179,10 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       rate.segment<6>(6 * i) = motion[i].rate;
       acceleration.segment<6>(6 * i) = motion[i].acceleration;
     }
+    Eigen::MatrixXd mass = g.added_mass;
     if (trial.step > 0) {
       const AtTime& now = at_time(g, trial.time);
+      mass += now.period_mass;
       damping(g, now, rate, F, assembler.needs_tangent() ? &by_rate : nullptr);
       F -= now.first + now.second;
     } else {
@@ -187,7 +190,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
         if (const Platform& p = g.platforms[i]; !(p.follow > 0)) F.segment<6>(6 * i) -= p.waves.mean_drift();
       if (g.harmonic_damping.size() > 0) by_rate = g.harmonic_damping;
     }
-    F += g.added_mass * acceleration;
+    F += mass * acceleration;
     for (size_t i = 0; i < n; ++i) {
       const Platform& p = g.platforms[i];
       const int blocks[2] = {p.block, p.block + 1};
@@ -207,7 +210,7 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       }
       if (!assembler.needs_tangent()) continue;
       for (size_t j = 0; j < n; ++j) {
-        const Mat6 A = motion[i].G.transpose() * g.added_mass.block<6, 6>(6 * i, 6 * j);
+        const Mat6 A = motion[i].G.transpose() * mass.block<6, 6>(6 * i, 6 * j);
         const Mat6 D = motion[i].G.transpose() * by_rate.block<6, 6>(6 * i, 6 * j);
         const Mat6 K = A * motion[j].acceleration_by_place + D * motion[j].rate_by_place;
         const Mat6 C = A * motion[j].acceleration_by_rate + D * motion[j].G;
@@ -274,7 +277,7 @@ Energy PlatformWater::energy(const Kinematics& at) const {
   for (const Group& g : groups_) {
     if (!g.here) continue;
     const Eigen::VectorXd rate = rates(g, at);
-    const Eigen::VectorXd momentum = g.added_mass * rate;
+    const Eigen::VectorXd momentum = (g.added_mass + period_mass(g, at.step)) * rate;
     for (size_t i = 0; i < g.platforms.size(); ++i) {
       const Platform& p = g.platforms[i];
       if (!p.owned) continue;

@@ -1,6 +1,9 @@
 // What the class PlatformWater is made of: groups of bodies by their files, stiffness and buoyancy of each.
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <utility>
 
+#include "hawser/kernels/coupled_mass.hpp"
 #include "hawser/kernels/table_places.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
@@ -11,6 +14,10 @@
 namespace hawser {
 PlatformWater::PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh)
     : comm_(comm), mesh_(mesh), sea_(sea_of(c)) {
+  // The scheme's acceleration of x = exp(i omega t) is -omega² (1 + c omega² h²) x to the fourth order, with
+  //   c = 1/6 + 3 delta²,   delta = (1 - rho)/(2 (1 + rho)).
+  const double rho = c.dynamics.rho_infinity, delta = 0.5 * (1 - rho) / (1 + rho);
+  period_error_ = 1.0 / 6 + 3 * delta * delta;
   for (const std::vector<int>& bodies : model::radiating_groups(c)) add_group(c, bodies);
   update_ghosts();
 }
@@ -33,6 +40,15 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   // A hull has its own (terms/hulls.hpp).
   if (!m.hull) p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.hydrostatics.level = p.potential.place.z();
+  p.mass = mass_about(rigid_mass(m.mass, m.tensor()) + m.coupled, m.centre);
+  p.known_stiffness = !m.hull;
+  RigidBodyState rest;
+  rest.q = Quat(p.axes);
+  rest.x = p.potential.place - rest.q * p.arm;
+  const Mat6 back = platform_motion(p.axes, p.arm, rest).G.inverse();
+  const Mat6 K = hydrostatic_pull(p.hydrostatics, p.arm, rest).K + platform_pull(p.potential, p.arm, rest).K;
+  const Mat6 C = back.transpose() * K * back;
+  p.stiffness = 0.5 * (C + C.transpose());
   p.damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
   p.quadratic = h.quadratic_damping;
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
@@ -53,7 +69,33 @@ void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodi
   g.entries = std::move(waves.entries);
   g.memory = std::move(waves.memory);
   g.added_mass = g.data->infinite(g.rows, g.rows);
+  find_modes(g);
   groups_.push_back(std::move(g));
+}
+
+// C v = omega² M v. What is unstable has no period.
+void PlatformWater::find_modes(Group& g) {
+  const auto known = [](const Platform& p) { return p.known_stiffness; };
+  if (!std::all_of(g.platforms.begin(), g.platforms.end(), known)) return;
+  Eigen::MatrixXd M = 0.5 * (g.added_mass + g.added_mass.transpose());
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(M.rows(), M.cols());
+  for (size_t i = 0; i < g.platforms.size(); ++i) {
+    M.block<6, 6>(6 * i, 6 * i) += g.platforms[i].mass;
+    C.block<6, 6>(6 * i, 6 * i) = g.platforms[i].stiffness;
+  }
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> found(C, M);
+  if (found.info() != Eigen::Success) return;
+  g.modes = M * found.eigenvectors();
+  g.squares = found.eigenvalues().array().max(0);
+}
+
+// The scheme takes M a + C x = 0 for M (1 + c h² omega²) on -omega² x: with M - c h² C in the place of M the
+// frequency is that of M and C to the fourth order. Of a mode with v . M v = 1 that is 1 - c h² omega², in
+// the form 1/(1 + c h² omega²), which is a mass in steps of any length.
+Eigen::MatrixXd PlatformWater::period_mass(const Group& g, double h) const {
+  if (g.modes.size() == 0) return Eigen::MatrixXd::Zero(g.added_mass.rows(), g.added_mass.cols());
+  const Eigen::ArrayXd error = period_error_ * h * h * g.squares;
+  return -g.modes * (error / (1 + error)).matrix().asDiagonal() * g.modes.transpose();
 }
 
 void PlatformWater::oscillate(double omega) {

@@ -58,7 +58,7 @@ constexpr double kDrift = 0.01;
 }  // namespace
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
-    : bodies_(std::move(bodies)) {
+    : bodies_(std::move(bodies)), scheme_(AlphaCoefficients(c.dynamics.rho_infinity)) {
   for (int n = 0; n < mesh.owned; ++n) {
     const int global = mesh.global[n];
     const int body = mesh.mesh->nodes[global].body;
@@ -114,17 +114,28 @@ void RigidBodies::powers(const Floating& f, const Kinematics& at, double& dampin
   for (const Load& l : f.loads) work += load_power(l.at(at.time), s);
 }
 
+// Where the motion begins, or begins anew, the momenta change as the accelerations say.
 void RigidBodies::prepare(const Kinematics& committed, double) {
   for (Floating& f : list_) {
     powers(f, committed, f.damping_power, f.work_power);
     f.start = floating_state(committed, f.node);
+    if (!(committed.step > 0)) f.momenta.q = f.momenta.f = momentum_rate(f.data, f.start);
   }
+}
+
+RigidBodyResidual RigidBodies::own(const Floating& f, const RigidBodyState& s, const Kinematics& trial,
+                                   bool step) const {
+  if (!step) return rigid_body(data(f), s, rest(f, trial.time));
+  RigidBodyResidual r = rigid_body(without_momentum(f.data), s, rest(f, trial.time));
+  add_momentum(momentum_matrix(f.data), scheme_, trial.step, f.start, f.momenta, s, r);
+  return r;
 }
 
 void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Floating& f : list_) {
     const RigidBodyState s = floating_state(trial, f.node);
-    RigidBodyResidual r = rigid_body(data(f), s, rest(f, trial.time));
+    // Of a start the scheme has no mean over a step (StepMean).
+    RigidBodyResidual r = own(f, s, trial, trial.step > 0 && trial.mean.weight > 1);
     if (!hold_ || f.rest.found(friction_))
       for (const Load& l : f.loads) add_load(l.at(trial.time), s, r);
     const int blocks[2] = {f.block, f.block + 1};
@@ -145,10 +156,10 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const 
   for (const Floating& f : list_) {
     if (f.body != body) continue;
     const RigidBodyState s = floating_state(at, f.node);
-    RigidBodyResidual r = rigid_body(f.data, s, rest(f, at.time));
+    RigidBodyResidual r = rigid_body(at.step > 0 ? without_momentum(f.data) : f.data, s, rest(f, at.time));
     for (const Load& l : f.loads) add_load(l.at(at.time), s, r);
-    const Vec6 own = r.f();
-    return {own.head<3>(), s.q * own.tail<3>()};
+    const Vec6 own = r.f(), momenta = at.step > 0 ? f.momenta.f : Vec6(Vec6::Zero());
+    return {own.head<3>() + momenta.head<3>(), s.q * own.tail<3>() + momenta.tail<3>()};
   }
   return {Vec3::Zero(), Vec3::Zero()};
 }
@@ -158,6 +169,8 @@ void RigidBodies::commit(const Kinematics& accepted) {
   for (Floating& f : list_) {
     double damping = 0, work = 0;
     powers(f, accepted, damping, work);
+    advance_momentum(momentum_matrix(f.data), scheme_, accepted.step, f.start,
+                     floating_state(accepted, f.node), f.momenta);
     f.damping += 0.5 * accepted.step * (damping + f.damping_power);
     f.work += 0.5 * accepted.step * (work + f.work_power);
   }
@@ -228,6 +241,7 @@ void RigidBodies::restore(const std::vector<CheckpointRecord>& records) {
         const Floating kept = entry<Floating>(r);
         f.damping = kept.damping;
         f.work = kept.work;
+        f.momenta = kept.momenta;
       }
 }
 

@@ -5,17 +5,12 @@
 
 #include <vector>
 
+#include "hawser/math/alpha_coefficients.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/assembler.hpp"
 #include "hawser/system/tied_nodes.hpp"
 
 namespace hawser {
-
-// Chung & Hulbert (1993): second order, unconditionally stable, spectral radius rho at infinite frequency.
-struct AlphaCoefficients {
-  double am, af, gamma, beta;
-  explicit AlphaCoefficients(double rho_infinity);
-};
 
 // A committed state with the algorithmic accelerations that the scheme carries from step to step.
 struct AlphaState {

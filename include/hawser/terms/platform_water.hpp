@@ -68,6 +68,9 @@ class PlatformWater final : public ForceTerm,
     PlatformPotential potential;  // of the stiffness that is added
     Mat6 damping = Mat6::Zero();
     Mat6 quadratic = Mat6::Zero();
+    Mat6 mass = Mat6::Zero();       // of the body alone about its origin, body axes
+    Mat6 stiffness = Mat6::Zero();  // of both potentials at rest, by displacements along H and turns
+    bool known_stiffness = true;    // a hull has another one
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
@@ -94,6 +97,7 @@ class PlatformWater final : public ForceTerm,
     double time = 0;
     Eigen::VectorXd past, first, second;  // of waves of first and of second order
     Eigen::MatrixXd damping;
+    Eigen::MatrixXd period_mass;
   };
   struct Group {
     std::vector<Platform> platforms;
@@ -101,6 +105,10 @@ class PlatformWater final : public ForceTerm,
     RadiationMemory memory;
     Eigen::MatrixXd added_mass;        // as `oscillate` has chosen it
     Eigen::MatrixXd harmonic_damping;  // of that frequency; empty: time integration
+    // Modes on the stiffness of the potentials alone, 6 N by number of modes: M v with v . M v = 1, and
+    // omega² [1/s²]. Empty where not all stiffness is known.
+    Eigen::MatrixXd modes;
+    Eigen::ArrayXd squares;
     std::shared_ptr<const model::HydrodynamicData> data;
     std::vector<int> rows;  // of the data's matrices
     std::vector<Past> past;
@@ -115,6 +123,10 @@ class PlatformWater final : public ForceTerm,
   };
   void add_group(const model::Case& c, const std::vector<int>& bodies);
   Platform platform(const model::Case& c, int body) const;
+  static void find_modes(Group& g);
+  // kg and so on: what is added to the mass of a group so that its free oscillations have their periods in
+  // steps of h.
+  Eigen::MatrixXd period_mass(const Group& g, double h) const;
   Eigen::VectorXd rates(const Group& g, const Kinematics& at) const;
   const AtTime& at_time(const Group& g, double time) const;
   // The force of damping and memory on a group, and its derivative by the rates.
@@ -126,6 +138,7 @@ class PlatformWater final : public ForceTerm,
   const LocalMesh& mesh_;
   Sea sea_;
   std::vector<Group> groups_;
+  double period_error_ = 0;  // omega² (1 + period_error omega² h²) is what the scheme makes of a frequency
   bool coupled_ = false;
 };
 

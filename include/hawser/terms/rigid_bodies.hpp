@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "hawser/kernels/rigid_body.hpp"
+#include "hawser/kernels/body_momentum.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/bodies.hpp"
@@ -60,6 +60,7 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
     int block = 0, global = 0;  // local block of the position; mesh node
     StaticRest rest;
     RigidBodyState start;                      // at the last prepare()
+    MomentumForces momenta;                    // of the last accepted state
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
 
@@ -67,14 +68,19 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
     static void quantities(Self& self, Each&& each) {
       each("damping", "J", self.damping);
       each("work", "J", self.work);
+      each("algorithmic rates of the momenta", "N, N m", self.momenta.q);
+      each("rates of the momenta", "N, N m", self.momenta.f);
     }
   };
   RigidPose rest(const Floating& f, double time) const;
+  // Without `step` inertia by accelerations, else by what the momenta change over it.
+  RigidBodyResidual own(const Floating& f, const RigidBodyState& s, const Kinematics& trial, bool step) const;
   void powers(const Floating& f, const Kinematics& at, double& damping, double& work) const;
 
   std::shared_ptr<const Bodies> bodies_;
   RigidBodyData data(const Floating& f) const;
 
+  MeanWeights scheme_;
   std::vector<Floating> list_;
   bool hold_ = false, friction_ = false;
 };

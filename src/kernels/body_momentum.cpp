@@ -1,0 +1,95 @@
+// Momenta of a rigid body over a step: forces, exact matrices, what is carried to the next step.
+#include "hawser/kernels/body_momentum.hpp"
+
+#include "hawser/kernels/coupled_mass.hpp"
+#include "hawser/math/so3.hpp"
+
+namespace hawser {
+namespace {
+
+bool is_coupled(const RigidBodyData& body) { return !body.coupled.isZero(0); }
+
+Vec6 rates_in_body(const RigidBodyState& s) {
+  Vec6 rates;
+  rates << s.q.conjugate() * s.v, s.w;
+  return rates;
+}
+
+// The same force and moment about a point that is d away.
+Wrench about(const Wrench& of, const Vec3& d) {
+  Wrench out = of;
+  out.tail<3>() -= d.cross(of.head<3>());
+  return out;
+}
+
+}  // namespace
+
+Mat6 momentum_matrix(const RigidBodyData& body) {
+  return rigid_mass(is_coupled(body) ? body.mass : 0, body.inertia) + body.coupled;
+}
+
+RigidBodyData without_momentum(const RigidBodyData& body) {
+  RigidBodyData out = body;
+  if (is_coupled(body)) out.mass = 0;
+  out.inertia.setZero();
+  out.coupled.setZero();
+  return out;
+}
+
+Wrench body_momentum(const Mat6& N, const RigidBodyState& s) {
+  const Vec6 own = N * rates_in_body(s);
+  Wrench out;
+  out << s.q * own.head<3>(), s.q * own.tail<3>();
+  return out;
+}
+
+Wrench momentum_rate(const RigidBodyData& body, const RigidBodyState& s) {
+  RigidBodyData inertia;
+  inertia.mass = is_coupled(body) ? body.mass : 0;
+  inertia.inertia = body.inertia;
+  inertia.coupled = body.coupled;
+  const Vec6 f = rigid_body(inertia, s, {}).f();
+  Wrench out;
+  out << f.head<3>(), s.q * f.tail<3>();
+  return out;
+}
+
+// With k the weight of the mean over h, d the way of the centre of mass, and what is carried (F, M) about its
+// start:
+//   f = k (P - P0) + F,   t = R^T [k (L - L0 + d x P0) + M - d x F] = k R^T L + R^T y
+//   y = -k L0 + M + d x g,   g = k P0 - F
+// since the change of angular momentum about the start is L + d x P - L0, and the moment about the end is
+// less by d x f.
+void add_momentum(const Mat6& N, const MeanWeights& scheme, double h, const RigidBodyState& start,
+                  const MomentumForces& from, const RigidBodyState& s, RigidBodyResidual& to) {
+  const double k = scheme.weight() / h;
+  const Wrench before = body_momentum(N, start), carried = scheme.carried(from.q, from.f);
+  const Mat3 R = s.q.toRotationMatrix(), Rt = R.transpose();
+  const Vec6 rates = rates_in_body(s), own = N * rates;
+  const Vec3 p = own.head<3>(), g = k * before.head<3>() - carried.head<3>();
+  const Vec3 y = Rt * (carried.tail<3>() - k * before.tail<3>() + Vec3(s.x - start.x).cross(g));
+  to.inertia.head<3>() += k * (R * p) - g;
+  to.inertia.tail<3>() += k * own.tail<3>() + y;
+
+  // dU = U^ phi + R^T dv, d(R p) = R (dp - p^ phi), d(R^T y) = y^ phi - R^T g^ dx in axes of the body.
+  const Mat3 U = hat(Vec3(rates.head<3>()));
+  const Mat3 A = N.topLeftCorner<3, 3>(), B = N.topRightCorner<3, 3>(), D = N.bottomRightCorner<3, 3>();
+  to.K.topRightCorner<3, 3>() += k * R * (A * U - hat(p));
+  to.K.bottomLeftCorner<3, 3>() -= Rt * hat(g);
+  to.K.bottomRightCorner<3, 3>() += k * B.transpose() * U + hat(y);
+  to.C.topLeftCorner<3, 3>() += k * R * A * Rt;
+  to.C.topRightCorner<3, 3>() += k * R * B;
+  to.C.bottomLeftCorner<3, 3>() += k * B.transpose() * Rt;
+  to.C.bottomRightCorner<3, 3>() += k * D;
+}
+
+void advance_momentum(const Mat6& N, const MeanWeights& scheme, double h, const RigidBodyState& start,
+                      const RigidBodyState& s, MomentumForces& forces) {
+  const Vec3 d = s.x - start.x;
+  const Wrench end = about(body_momentum(N, s), -d);
+  scheme.advance(Wrench((end - body_momentum(N, start)) / h), forces.q, forces.f);
+  forces.q = about(forces.q, d);
+  forces.f = about(forces.f, d);
+}
+
+}  // namespace hawser
