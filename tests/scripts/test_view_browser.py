@@ -11,6 +11,7 @@ import unittest
 from pathlib import Path
 
 import h5py
+import matplotlib.pyplot as plt
 import numpy as np
 
 import browser
@@ -147,6 +148,83 @@ class Drawn(unittest.TestCase):
         low, high = (f(results.file["fields/effective_tension"][:]) for f in (np.min, np.max))
         shares = list((tension - low) / (high - low))
         np.testing.assert_allclose(value(f"window.pixels({nodes})"), value(f"window.legend({shares})"), atol=6)
+        self.no_complaints()
+
+    def test_before_the_first_picture_its_ground_and_what_is_waited_for_are_shown(self):
+        server = Server(served.Shown(model(self.folder.name, name="waits.h5")))
+        self.addCleanup(server.server_close)
+        self.addCleanup(server.shutdown)
+        go, block = threading.Event(), server.shown.block
+        server.shown.block = lambda name: (go.wait(60) if name.startswith("position/") else True) and block(name)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.browser.open(server.address)
+        value = self.browser.value
+        value("window.drawnWords = []; const fill = CanvasRenderingContext2D.prototype.fillText;"
+              "CanvasRenderingContext2D.prototype.fillText = function (w, ...a) { drawnWords.push(w); return fill.call(this, w, ...a); };0")
+        self.browser.wait("drawnWords.includes('Reading the first picture ...')")
+        clip = value("(() => {const b = document.querySelector('.picture').getBoundingClientRect(); return {x: b.left, y: b.top, width: b.width, height: b.height}})()")
+        shot = Path(self.folder.name) / "waits.png"
+        self.browser.picture(shot, clip)
+        pixels = np.rint(255 * plt.imread(shot)[5:-5, 5:-5, :3]).reshape(-1, 3)
+        self.assertGreater(np.mean(np.all(pixels == [0xf7, 0xf9, 0xfb], axis=1)), 0.95)
+        self.assertLess(pixels.min(), 60)  # the words
+        go.set()
+        self.browser.wait("window.hawserView && hawserView.scene.drawn > 0")
+        self.no_complaints_of(server)
+
+    def test_sea_and_bed_have_one_border(self):
+        self.show(model(self.folder.name))
+        sides = ("(() => {const box = (g) => {g.computeBoundingBox(); const b = g.boundingBox; return [b.min.x, b.min.y, b.max.x, b.max.y]};"
+                 "const {sea} = hawserView.scene; return [box(sea.bed.geometry), box(sea.surface.geometry)]})()")
+        bed, sea = self.browser.value(sides)
+        np.testing.assert_allclose(sea, bed, rtol=1e-6)
+        self.assertGreater(bed[2] - bed[0], 60)
+
+    def test_colours_of_the_extremes_of_the_run(self):
+        path = model(self.folder.name, name="peak.h5")
+        with h5py.File(path, "r+") as file:
+            table = file["statistics/effective_tension"]
+            table[35:46, 2] = 9e5  # a peak between two outputs
+        results = self.show(path)
+        value, wait = self.browser.value, self.browser.wait
+        value(PIXELS)
+        value("window.words = () => hawserView.scene.legendWords();0")
+        self.assertEqual(value("window.words()[1]"), "over every step")
+        self.assertEqual(value("window.words()[0]").split(" to ")[1], "900")
+        self.assertIn("to 900 kN", value("hawserView.controls.status.textContent"))
+        value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = hawserView.scene.shown.sea = hawserView.scene.shown.touchdowns = false;"
+              "hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
+        before = value("window.pixels([40])[0]")
+        value("(() => {const s = hawserView.controls.values; s.value = 'largest of the run'; s.dispatchEvent(new Event('change'))})()")
+        wait("hawserView.scene.ofRun")
+        np.testing.assert_allclose(value("window.pixels([40])[0]"), value("hawserView.scene.colours.at(1)"), atol=6)
+        self.assertGreater(np.abs(np.subtract(value("window.pixels([40])[0]"), before)).max(), 60)
+        self.assertIn("(largest of the run)", value("hawserView.controls.status.textContent"))
+        value("hawserView.player.show(3)")
+        np.testing.assert_allclose(value("hawserView.scene.lines.values[2 * hawserView.scene.lines.placeOf[40]]"), 9e5)
+        value("hawserView.values('')")
+        np.testing.assert_allclose(value("hawserView.scene.lines.values[2 * hawserView.scene.lines.placeOf[40]]"),
+                                   results.file["fields/effective_tension"][3, 40], rtol=1e-4)
+        self.no_complaints()
+
+    def test_the_second_of_two_models_is_visible_on_the_first(self):
+        path = model(self.folder.name)
+        page = Page("two")
+        page.model(Results(path), Results(path))
+        file = Path(self.folder.name) / "two.html"
+        page.write(file)
+        self.browser.open(file)
+        self.browser.wait("window.hawserView || window.hawserFailed", 120)
+        value = self.browser.value
+        value(PIXELS)
+        value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = hawserView.scene.shown.sea = false;"
+              "for (const l of [hawserView.scene.lines, ...hawserView.scene.others]) l.uniforms.enlarged.value = 3; hawserView.look('y')")
+        nodes = list(range(2, 60))
+        drawn = np.array(value(f"window.pixels({nodes})"))
+        orange = np.abs(drawn - [0xb3, 0x47, 0x0f]).max(axis=1) < 12
+        a = np.abs(drawn - np.array(value(f"nodes = {nodes}, (nodes.map((n) => hawserView.scene.colours.of(hawserView.scene.lines.values[2 * hawserView.scene.lines.placeOf[n]])))"))).max(axis=1) < 12
+        self.assertTrue(np.all(orange | a), drawn)
+        self.assertTrue(0.3 < orange.mean() < 0.9, orange)
         self.no_complaints()
 
     def test_controls_have_names_and_can_be_used_by_keys(self):

@@ -244,7 +244,7 @@ class Cases(unittest.TestCase):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=env,
                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as process:  # ignored in the background
             self.addCleanup(process.kill)
-            process.stdout.readline()
+            self.assertEqual([process.stdout.readline().split(":")[0] for _ in range(2)], ["view", "shown"])
             address = urlsplit(process.stdout.readline().strip())
             self.assertEqual(address.hostname, "127.0.0.1")
             connection = http.client.HTTPConnection(address.hostname, address.port, timeout=20)

@@ -15,13 +15,14 @@ def show(path, changes=(), port=0, browser=True):
     """Serves until Ctrl-C."""
     if libraries.missing():
         raise Refusal(libraries.missing().rstrip("."))
+    print(f"view: reading {path} ...", flush=True)
     shown = Shown(path, changes)
     try:
         server = Server(shown, port)
     except OSError as error:
         raise Refusal(f"port {port} of this machine cannot be used ({error.strerror})") from error
     what = {"run": f"{shown.path}", "start": f"the start shape of {shown.case}"}[shown.kind]
-    print(f"view: {what}\n{server.address}\nCtrl-C ends it", flush=True)
+    print(f"shown: {what}\n{server.address}\nCtrl-C ends it", flush=True)
     if browser:
         webbrowser.open(server.address)
     try:

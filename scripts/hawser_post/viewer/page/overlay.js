@@ -113,8 +113,8 @@ hawser.Overlay = class {
     }
   }
 
-  // The bar of colours with its numbers; null: no colours.
-  legend(colours, field) {
+  // The bar of colours with its numbers, and words below it; null: no colours.
+  legend(colours, field, words) {
     if (!field) return;
     const {pen} = this;
     const [x, top, wide, high] = [14, 34, 16, Math.min(220, this.height - 110)];
@@ -135,6 +135,7 @@ hawser.Overlay = class {
       pen.stroke();
       this.text(hawser.number(tick), x + wide + 7, y + 4);
     }
+    words.forEach((line, k) => this.text(line, x, top + high + 18 + 15 * k, {size: 11}));
   }
 
   // The colours from the largest value to the least, a row each.

@@ -19,6 +19,7 @@ hawser.Scene = class {
     if (!context) throw new Error("this browser has no WebGL, which the picture in three dimensions needs");
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, context});
     this.renderer.setClearColor(SKY);
+    this.renderer.clear();  // a canvas of WebGL is black before
     this.space = new THREE.Scene();
     const sky = new THREE.HemisphereLight(0xffffff, 0x9aa4ad, 0.85);
     sky.position.set(0, 0, 1);
@@ -38,6 +39,7 @@ hawser.Scene = class {
     this.drawn = 0;
     this.output = 0;
     this.share = 0;
+    this.reading = "Reading the lines ...";  // what is waited for before the first picture
     new ResizeObserver(() => this.resize()).observe(box);
   }
 
@@ -61,9 +63,16 @@ hawser.Scene = class {
     this.bodies = new hawser.Bodies(model);
     this.sea = new hawser.Sea(model);
     this.marks = new hawser.Marks(model);
+    this.wait("Reading the sea and the bed ...");
     await this.sea.load();
     space.add(this.lines.mesh, this.bodies.root, this.sea.root, this.marks.root);
     this.paintWith(this.colours.chosen.name);
+  }
+
+  // Says what is waited for, until there is a picture.
+  wait(words) {
+    this.reading = words;
+    this.redraw();
   }
 
   // Lines of another model in a colour of their own.
@@ -98,7 +107,8 @@ hawser.Scene = class {
     const pair = (what) => [model.at(what, output), model.at(what, next) || model.at(what, output)];
     const [a, b] = pair("position");
     if (a) this.lines.move(a, b, share);
-    if (this.field) {
+    if (this.field && this.ofRun) this.lines.paint(this.ofRun.values, this.ofRun.values, 0);
+    else if (this.field) {
       const values = model.scalars(this.field, output);
       if (values) this.lines.paint(values, share > 0 ? model.scalars(this.field, next) || values : values, share);
     }
@@ -122,7 +132,7 @@ hawser.Scene = class {
     this.refine();
     this.overlay.resize(width, height, Math.min(2, window.devicePixelRatio || 1));
     this.camera.resize();
-    this.redraw();
+    this.draw();  // at once: a canvas of another size is black
   }
 
   // Pixels of the picture: fewer while it plays where the processor draws them.
@@ -142,12 +152,19 @@ hawser.Scene = class {
   }
 
   draw() {
-    if (this.time === undefined || !this.overlay.width) return;
+    if (!this.overlay.width) return;
+    if (this.time === undefined) {
+      this.renderer.clear();
+      this.overlay.clear();
+      this.overlay.text(this.reading, this.overlay.width / 2, this.overlay.height / 2, {align: "center", size: 14});
+      return;
+    }
     const {camera} = this.camera;
     for (const lines of [this.lines, ...(this.others || [])]) {
       lines.uniforms.pixel.value = this.camera.pixel();
       lines.uniforms.perspective.value = camera.isPerspectiveCamera ? 1 : 0;
       lines.uniforms.selected.value = this.selected;
+      lines.uniforms.dash.value = 2 ** Math.ceil(Math.log2(DASH * this.camera.pixelAtTarget()));
       lines.join(this.camera, this.renderer.getPixelRatio());
     }
     Object.assign(this.lines.uniforms.low, {value: this.colours.low});
@@ -199,7 +216,7 @@ hawser.Scene = class {
     if (this.shown.parts) overlay.springs(this.springs());
     if (this.shown.names) overlay.names(this.names());
     if (this.shown.notes) overlay.badges(this.badges());
-    overlay.legend(this.colours, this.field);
+    overlay.legend(this.colours, this.field, this.legendWords());
     overlay.scale(this.camera.pixelAtTarget());
     overlay.axes(this.camera.camera);
     const when = this.model.header.modes ? `mode ${this.output}` : `t = ${this.time.toFixed(2)} s`;
@@ -210,6 +227,15 @@ hawser.Scene = class {
       overlay.text(`longest arrow${kind === "forces" ? "" : " of the bed"}: ${hawser.number(largest / 1e3)} kN`, overlay.width - 14, below, {align: "right"});
       below += 16;
     }
+  }
+
+  // Which values of the run the colours are of, where not of the time shown, and the range of the field.
+  legendWords() {
+    const {field} = this;
+    if (!field) return [];
+    const whole = field.statistics ? "over every step" : "over the outputs";
+    const [low, high] = [field.low, field.high].map((value) => hawser.number(value / field.factor, (field.high - field.low) / field.factor));
+    return [...(this.ofRun ? [`colours: ${this.ofRun.label}`] : []), `${low} to ${high}`, whole];
   }
 
   names() {
