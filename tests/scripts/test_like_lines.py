@@ -69,6 +69,17 @@ class LikeLines(unittest.TestCase):
         for one, other in zip(lies, table):
             self.assertAlmostEqual(one, other, delta=0.051)  # four digits are printed
 
+    def test_chains_have_no_row_of_curvature(self):
+        text = legs([400], [-3]).replace("lines:", "  hose: {outer_diameter: 0.5, mass_per_length: 250, EA: 1e8, EI: 2e5, GJ: 1e5}\nlines:")
+        text = text.replace("line_types: {chain: ", "line_types:\n  chain: ").replace("R4}}", "R4}") + LEG.format(name="hose", length=120, elements=60, x=90, y=20, top=-3).replace("chain", "hose")
+        write(self.folder, "hose.yaml", text)
+        self.hawser("run", "hose.yaml", "-q")
+        self.hawser("export", "hose.h5")
+        with (self.folder / "hose/extremes.csv").open(encoding="utf-8") as file:
+            rows = [(row["quantity"], row["line"]) for row in csv.DictReader(file)]
+        self.assertEqual([line for quantity, line in rows if quantity in ("max curvature", "max bending moment")], ["hose", "hose"])
+        self.assertIn(("max effective tension", "m1"), rows)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,6 +1,7 @@
 // The picture: everything that is drawn, at a time between two outputs.
 
 const SKY = 0xf7f9fb;
+const NAMED_AT = [0.5, 0.35, 0.65, 0.2, 0.8];  // shares of a line, in this order
 const COARSE = 0.75;  // of the pixels along a side
 
 hawser.Scene = class {
@@ -214,8 +215,9 @@ hawser.Scene = class {
     const {overlay} = this;
     overlay.clear();
     if (this.shown.parts) overlay.springs(this.springs());
-    if (this.shown.names) overlay.names(this.names());
-    if (this.shown.notes) overlay.badges(this.badges());
+    const badges = this.shown.notes ? this.badges() : [];
+    if (this.shown.names) this.written = overlay.names(this.names(), badges.map(({x, y}) => ({x: x - 9, y: y - 9, w: 18, h: 18})));
+    overlay.badges(badges);
     overlay.legend(this.colours, this.field, this.legendWords());
     overlay.scale(this.camera.pixelAtTarget());
     overlay.axes(this.camera.camera);
@@ -235,24 +237,24 @@ hawser.Scene = class {
     if (!field) return [];
     const whole = field.statistics ? "over every step" : "over the outputs";
     const [low, high] = [field.low, field.high].map((value) => hawser.number(value / field.factor, (field.high - field.low) / field.factor));
-    return [...(this.ofRun ? [`colours: ${this.ofRun.label}`] : []), `${low} to ${high}`, whole];
+    const unit = field.unit && field.unit !== "1" ? ` ${field.unit}` : "";
+    return [...(this.ofRun ? [`colours: ${this.ofRun.label}`] : []), `${low} to ${high}${unit}`, whole];
   }
 
   names() {
     const [found, at] = [[], new THREE.Vector3()];
-    const add = (words, place) => {
-      const pixel = this.pixelOf(place);
-      if (pixel) found.push({words, ...pixel});
-    };
-    this.model.header.bodies.forEach((name, k) => add(name, this.bodies.groups[k].getWorldPosition(at)));
-    this.model.header.lines.slice(0, MOST_NAMES).forEach((line) => add(line.name, this.lines.position(line.first + (line.nodes >> 1), at)));
+    const add = (words, ...places) => found.push({words, places: places.filter((pixel) => pixel)});
+    this.model.header.bodies.forEach((name, k) => add(name, this.pixelOf(this.bodies.groups[k].getWorldPosition(at))));
+    for (const {name, first, nodes} of this.model.header.lines.slice(0, MOST_NAMES)) {
+      add(name, ...NAMED_AT.map((share) => this.pixelOf(this.lines.position(first + Math.floor(share * (nodes - 1)), at))));
+    }
     if (this.shown.parts) {
-      for (const {name, a, b} of this.springs()) found.push({words: name, x: (a.x + b.x) / 2 + 6, y: (a.y + b.y) / 2});
-      for (const {name, node} of this.marks.balls) if (name) add(name, this.lines.position(node, at));
+      for (const {name, a, b} of this.springs()) add(name, {x: (a.x + b.x) / 2 + 6, y: (a.y + b.y) / 2});
+      for (const {name, node} of this.marks.balls) if (name) add(name, this.pixelOf(this.lines.position(node, at)));
     }
     if (!this.shown.volumes) return found;
     for (const volume of this.bodies.volumes.slice(0, MOST_NAMES)) {
-      if (volume.name !== this.model.header.bodies[volume.body]) add(volume.name, this.bodies.middle(volume, at));
+      if (volume.name !== this.model.header.bodies[volume.body]) add(volume.name, this.pixelOf(this.bodies.middle(volume, at)));
     }
     return found;
   }

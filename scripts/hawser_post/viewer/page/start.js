@@ -36,6 +36,8 @@ hawser.View = class {
     this.limit(true);
     const {header} = this.model;
     this.scene.wait("Reading the first picture ...");
+    this.scene.resize();
+    this.scene.camera.fit();  // the controls have left the picture its size
     await this.player.show(header.served && !header.ended ? this.model.outputs - 1 : 0);  // of a run in progress the newest
     // Volumes may be many: the first picture does not wait for them.
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
