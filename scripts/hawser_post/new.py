@@ -120,4 +120,5 @@ def make(options):
         sys.exit(code)
     print(f"run it: hawser run {path}\nlook at it: hawser view {path}")
     if ask("Show its start shape in the browser now (yes or no)", "yes" if sys.stdin.isatty() else "no", yes):
+        print("view: reading the model ...", flush=True)
         view.show(str(path))

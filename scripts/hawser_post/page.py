@@ -83,6 +83,8 @@ def shortened(svg):
     svg = re.sub(rb"(?<=DejaVu Sans')[^;\"]*(?=, sans-serif)", b"", svg)
     svg = re.sub(rb'(?<= [xy]=")(-?\d+\.\d\d)\d+', rb"\1", svg)
     svg = re.sub(rb' transform="rotate\(-0 [^"]*"| clip-path="[^"]*"(?=[^>]*#b0b0b0)', b"", svg)
+    svg = re.sub(rb'^.*?(?=<svg)', b"", svg, count=1, flags=re.DOTALL)  # what only files need
+    svg = re.sub(rb' id="[a-zA-Z.0-9]*_\d+"', b"", svg)  # of groups, to which nothing refers
     return re.sub(rb"\n *", b"\n", svg)
 
 

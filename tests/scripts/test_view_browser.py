@@ -9,6 +9,8 @@ import threading
 import unittest
 from pathlib import Path
 
+import h5py
+import matplotlib.pyplot as plt
 import numpy as np
 
 from drawn import CASE, PIXELS, Drawing, model
@@ -145,7 +147,13 @@ class Used(Drawing):
         meshless = results_file(Path(self.folder.name) / "plain.h5", [0.0], {"line": np.linspace(0, 10, 3)}, case=plain)
         many = results_file(Path(self.folder.name) / "many.h5", [0.0, 1.0], {f"line {k}": np.linspace(0, 9, 50 if FULL else 5) + k for k in range(2000)},
                             case=plain)
-        cases = [("nan", model(self.folder.name, name="nan.h5", hole=True)), ("one", model(self.folder.name, 1, name="one.h5")),
+        mesh = results_file(Path(self.folder.name) / "mesh.h5", [0.0, 1.0], {"line": np.linspace(0, 10, 3)}, case=plain + "statics: false\n")
+        with h5py.File(mesh, "r+") as file:
+            x, y = np.meshgrid(np.linspace(-20, 20, 256), np.linspace(-20, 20, 256))
+            k = (np.arange(255)[:, None] * 256 + np.arange(255)).ravel()
+            file["volumes/hill/vertices"] = np.stack([x, y, -3 + np.sin(x / 3)], axis=-1).reshape(-1, 3)
+            file["volumes/hill/triangles"] = np.concatenate([np.stack([k, k + 1, k + 256], 1), np.stack([k + 1, k + 257, k + 256], 1)])
+        cases = [("mesh", mesh), ("nan", model(self.folder.name, name="nan.h5", hole=True)), ("one", model(self.folder.name, 1, name="one.h5")),
                  ("plain", meshless), ("many", many), ("late", model(self.folder.name, name="late.h5", start=7.0))]
         for name, path in cases:
             with self.subTest(name=name):
@@ -153,7 +161,19 @@ class Used(Drawing):
                 self.browser.wait("hawserView.scene.drawn > 0")
                 self.assertEqual(self.browser.value("hawserView.model.header.lines.length"), len(results.lines))
                 self.no_complaints()
-        self.show(cases[0][1], "nan")
+        self.show(mesh, "mesh")
+        self.assertEqual(self.browser.value("hawserView.scene.bodies.volumes[0].mesh.geometry.getAttribute('position').count"), 65536)
+        self.browser.value("hawserView.look('plan')")
+        clip = self.browser.value("(() => {const b = document.querySelector('.picture').getBoundingClientRect(); "
+                                  "return {x: b.left + 0.6 * b.width, y: b.top + 0.3 * b.height, width: 150, height: 150}})()")
+        tones = {}
+        for shown in ("true", "false"):  # slopes of the hill have tones of their own
+            self.browser.value(f"hawserView.scene.shown.volumes = {shown}; hawserView.scene.draw()")
+            shot = Path(self.folder.name) / f"mesh-{shown}.png"
+            self.browser.picture(shot, clip)
+            tones[shown] = len(np.unique(np.rint(255 * plt.imread(shot)[:, :, :3]).reshape(-1, 3), axis=0))
+        self.assertTrue(tones["true"] > 8 and tones["false"] < 5, tones)
+        self.show(cases[1][1], "nan")
         self.browser.value(PIXELS)
         self.browser.value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = hawserView.scene.shown.sea = false;"
                            "hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")

@@ -15,7 +15,6 @@ def show(path, changes=(), port=0, browser=True):
     """Serves until Ctrl-C."""
     if libraries.missing():
         raise Refusal(libraries.missing().rstrip("."))
-    print(f"view: reading {path} ...", flush=True)
     shown = Shown(path, changes)
     try:
         server = Server(shown, port)
