@@ -92,6 +92,33 @@ class Used(Drawing):
         np.testing.assert_allclose(value("[hawserView.curves.range.graph.getValue(30, 0), hawserView.curves.range.graph.getValue(30, 1)]"), [30, 25], atol=1e-3)
         self.no_complaints()
 
+    def test_graphs_zoom_read_off_and_keep_curves(self):
+        self.show(model(self.folder.name))
+        value, wait = self.browser.value, self.browser.wait
+        wait("hawserView.curves.range.graph && hawserView.curves.ends.graph")
+        graph = "hawserView.curves.ends.graph"
+        value("hawserView.curves.ends.element.scrollIntoView()")
+        left, top, width, high = value(f"(() => {{const a = {graph}.getArea(), b = hawserView.curves.ends.plot.getBoundingClientRect(); "
+                                       "return [b.left + a.x, b.top + a.y, a.w, a.h]})()")
+        for kind, share in (("mousePressed", 0.25), ("mouseMoved", 0.5), ("mouseReleased", 0.5)):
+            self.browser.send("Input.dispatchMouseEvent", type=kind, x=left + share * width, y=top + 0.5 * high, button="left", clickCount=1)
+        low, high = value(f"{graph}.xAxisRange()")
+        np.testing.assert_allclose([low, high], [0.25 * 5.5, 0.5 * 5.5], atol=0.15)
+        value("hawserView.curves.ends.whole.click()")
+        self.assertLess(value(f"{graph}.xAxisRange()[0]"), 0.1)
+        value("hawserView.curves.ends.plot.focus()")
+        for _ in range(3):
+            self.browser.key("ArrowRight")
+        self.assertIn("end A: 11", value("hawserView.curves.ends.legend.textContent").replace("\xa0", " "))
+        value("hawserView.curves.keep.click()")
+        value("hawserView.player.show(6)")
+        wait("hawserView.curves.range.names.length === 6")
+        self.assertEqual(value("hawserView.curves.range.names.slice(1, 3)"), ["t = 3.00 s", "t = 0.00 s"])
+        np.testing.assert_allclose(value("[1, 2].map((k) => hawserView.curves.range.graph.getValue(0, k))"), [13, 10], atol=1e-3)
+        value("hawserView.curves.drop.click()")
+        self.assertEqual(value("hawserView.curves.range.names.slice(1, 3)"), ["t = 3.00 s", "least of the run"])
+        self.no_complaints()
+
     def test_the_wheel_zooms_to_what_is_under_the_pointer(self):
         self.show(model(self.folder.name))
         value = self.browser.value

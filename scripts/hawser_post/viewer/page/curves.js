@@ -58,7 +58,7 @@ hawser.Curves = class {
     now.forEach((curve) => {
       curve.label = this.models.length > 1 ? curve.label : words;
     });
-    this.words = words;
+    [this.outputs, this.words] = [outputs, words];
     this.now = now;
     const curves = [...now, ...this.kept];
     if (this.envelope && this.models.length === 1) {
@@ -81,8 +81,7 @@ hawser.Curves = class {
 
   dropCurves() {
     this.kept = [];
-    this.range.graph && this.now && this.range.show({title: `${this.line.name}, ${this.words}`, x: this.main.header.arcLength,
-                                                     y: this.unit(this.field), curves: this.now});
+    if (this.outputs) this.at(this.outputs, this.words);
   }
 
   async showEnds() {
