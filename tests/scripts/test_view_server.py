@@ -229,7 +229,7 @@ class Cases(unittest.TestCase):
         self.assertEqual(shown.status()["kind"], "start")
 
     def test_notes_of_the_check_stand_at_their_place(self):
-        write(self.folder, "case.yaml", CASE + "    masses: [{at: 200, mass: 1}, {at: 400, mass: 5e6}]\n")
+        write(self.folder, "case.yaml", CASE + "    masses: [{at: 20, mass: 100}, {at: 400, mass: 5e6}]\n")
         shown = served.Shown(self.folder / "case.yaml")
         self.addCleanup(shown.close)
         notes = shown.header()["notes"]
