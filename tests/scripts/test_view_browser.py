@@ -245,6 +245,26 @@ class Used(Drawing):
         server.server_close()
         wait("document.querySelector('.hawser-view .bar [role=status]').textContent === 'the server has ended'")
 
+    def test_histories_have_their_labels_and_units_and_fit_beside_the_picture(self):
+        t = np.linspace(0, 20, 400)
+        name = "hose at its upper end, which has a long name for a history"
+        series = (t, {name: (["effective_tension", "bending_moment_3"], ["N", "N m"], 1e4 * np.stack([np.sin(t), np.cos(t)], axis=1))})
+        path = results_file(Path(self.folder.name) / "names.h5", np.linspace(0, 20, 5), series=series, case="hawser: 1\n")
+        server = Server(served.Shown(path))
+        self.addCleanup(server.server_close)
+        self.addCleanup(server.shutdown)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.browser.open(server.address)
+        self.browser.wait("window.hawserView")
+        value = self.browser.value
+        options = value("[...document.querySelectorAll('.graphs select option')].map((o) => o.textContent)")
+        self.assertEqual(options, ["none", f"{name}: effective tension [kN]", f"{name}: bending moment 3 [kN m]"])
+        value("(() => {const s = document.querySelector('.graphs select'); s.value = '0 1'; s.dispatchEvent(new Event('change'))})()")
+        self.browser.wait("hawserView.curves.stored.graph")
+        np.testing.assert_allclose(value("[0, 1].map((c) => hawserView.curves.stored.graph.getValue(0, c))"), [0, 10], atol=1e-4)
+        self.assertEqual(value("document.querySelector('.side').scrollWidth - document.querySelector('.side').clientWidth"), 0)
+        self.no_complaints_of(server)
+
     def test_figures_of_a_report_can_be_read_off_and_print_as_pictures(self):
         t = np.linspace(0, 20, 400)
         series = (t, {"fairlead": (["effective_tension"], ["N"], 1e4 * np.sin(t)[:, None])})

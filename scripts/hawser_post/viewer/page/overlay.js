@@ -61,7 +61,7 @@ hawser.Overlay = class {
     const [boxes, written] = [[...taken], []];
     for (const {words, places} of names) {
       if (written.length >= MOST_NAMES) break;
-      const [w, h] = [6.4 * words.length, 14];
+      const [w, h] = [7 * words.length + 6, 14];
       const free = ({x, y}) => boxes.every((b) => x + 6 > b.x + b.w || x + 6 + w < b.x || y - 6 > b.y + b.h || y - 6 + h < b.y);
       const place = places.find(free);
       if (!place) continue;
