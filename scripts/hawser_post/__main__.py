@@ -5,6 +5,9 @@ import traceback
 import warnings
 from pathlib import Path
 
+if __name__ == "__main__" and sys.argv[1:2] == ["view"] and sys.argv[2:] and not {"-h", "--help"} & set(sys.argv):
+    print("view: reading the model ...", flush=True)  # before the modules below, which a busy machine reads for seconds
+
 try:
     from . import export, extremes_report, fatigue, fatigue_report, lay, pipe_report, plot, report, responses_report, scene
     from .arguments import Parser, add_set, place_for, port_from, time_from

@@ -34,7 +34,7 @@ def page_of(a, b, path):
             if words.startswith("warning"):
                 page.text(f"{letter}: {words}", "note")
     page.section("Models")
-    page.text("A is coloured by a field, B is orange; of B that output is shown which is nearest in time. The notes beside the model are those of A.")
+    page.text("A is coloured by a field; dashes in orange with white edges are B, which is drawn over A. Of B that output is shown which is nearest in time. The notes beside the model are those of A.")
     page.model(a, b)
     page.section("Differences")
     differences(page, a, b)

@@ -89,7 +89,7 @@ def dialogue():
     elif kind in ("chain", "studlink"):
         a.grade = ask(f"Grade ({', '.join(new_case.GRADES)})", "R3", one_of(new_case.GRADES))
     a.top = ask("Upper end below the surface, m", f"{min(10.0, depth / 10):g}", number(0, 0.95 * depth))
-    a.distance = ask("Anchor from there, horizontally, m", f"{new_case.usual_distance(kind, depth, a.top):g}", number(0.1 * (depth - a.top), 1e5))
+    a.distance = ask("Anchor from there, horizontally, m", f"{new_case.usual_distance(kind, depth, a.top, diameter):g}", number(0.1 * (depth - a.top), 1e5))
     straight = (a.distance**2 + new_case.rise(depth, a.top) ** 2) ** 0.5
     a.length = ask("Length of the line, m", f"{new_case.usual_length(kind, depth, a.top, a.distance):g}",
                    number(0.97 * straight, a.distance + new_case.rise(depth, a.top)))
@@ -120,4 +120,5 @@ def make(options):
         sys.exit(code)
     print(f"run it: hawser run {path}\nlook at it: hawser view {path}")
     if ask("Show its start shape in the browser now (yes or no)", "yes" if sys.stdin.isatty() else "no", yes):
+        print("view: reading the model ...", flush=True)
         view.show(str(path))

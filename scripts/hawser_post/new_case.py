@@ -4,10 +4,14 @@ from dataclasses import dataclass
 
 KINDS = {  # what a line can be made of: the words of the list, and its library type or "" for a pipe
     "chain": ("studless chain", "chain-studless"), "studlink": ("studlink chain", "chain-studlink"),
-    "wire": ("wire rope with a wire core", "wire-six-strand"), "polyester": ("polyester rope", "polyester"),
-    "pipe": ("steel pipe", "")}
-USUAL_DIAMETER = {"chain": 0.084, "studlink": 0.084, "wire": 0.09, "polyester": 0.16, "pipe": 0.273}  # m
+    "wire": ("wire rope with a wire core", "wire-six-strand"), "fibre-core": ("wire rope with a fibre core", "wire-six-strand-fibre-core"),
+    "polyester": ("polyester rope", "polyester"), "plaited": ("plaited polyester rope", "polyester-plaited"),
+    "nylon": ("nylon rope", "nylon"), "pipe": ("steel pipe", "")}
+TAUT = ("polyester", "plaited", "nylon")
+USUAL_DIAMETER = {"chain": 0.084, "studlink": 0.084, "wire": 0.09, "fibre-core": 0.09, "polyester": 0.16, "plaited": 0.16, "nylon": 0.16,
+                  "pipe": 0.273}  # m
 GRADES = ("R3", "R3S", "R4", "R4S", "R5")
+DEEP = 300.0  # m, of water in which chains and wires carry so much of themselves that they hang steeper
 WALL = 0.02  # of the usual pipe, m
 
 
@@ -32,15 +36,27 @@ def rise(depth, top):
     return depth - top
 
 
-def usual_distance(kind, depth, top):
-    """m, of the anchor from the upper end."""
-    return float(f"{rise(depth, top) * {'pipe': 1.6, 'polyester': 1.5}.get(kind, 5.0):.2g}")
+def usual_distance(kind, depth, top, diameter):
+    """m, of the anchor from the upper end; of a pipe so far that it can bend on its way."""
+    deep = rise(depth, top) > DEEP
+    found = rise(depth, top) * (1.6 if kind == "pipe" else 1.5 if kind in TAUT else 2.0 if deep else 5.0)
+    return float(f"{max(found, 400 * diameter if kind == 'pipe' else 0.0):.2g}")
 
 
 def usual_length(kind, depth, top, distance):
     """m, of a line that lies on the bed at its anchor; of a rope that is taut."""
     straight = math.hypot(rise(depth, top), distance)
-    return float(f"{straight * {'pipe': 1.13, 'polyester': 0.995}.get(kind, 1.025):.4g}")
+    steep = distance < 2.5 * rise(depth, top)
+    slack = 0.995 if kind in TAUT else 1.025 if not steep else 1.13 if kind == "pipe" else 1.1
+    return float(f"{straight * slack:.4g}")
+
+
+def element_length(a):
+    """m: a share of the line, of a pipe a few diameters, over which it bends at most, and in waves a twelfth of their length."""
+    limits = [a.length / 160, 15 * a.diameter] if a.kind == "pipe" else [a.length / 100]
+    if a.height:
+        limits.append(1.56 * a.period**2 / 12)  # g T² / 2 pi is the length in deep water
+    return max(0.5, float(f"{min(limits):.2g}"))
 
 
 def line_type(a):
@@ -53,8 +69,7 @@ def line_type(a):
 
 def text(a):
     """The case file, each part with what it is."""
-    beam = a.kind == "pipe"
-    element = max(0.5, float(f"{a.length / (160 if beam else 100):.2g}"))
+    element = element_length(a)
     upper = f"{{body: vessel, at: [0, 0, {-a.top:g}]}}" if a.moves else f"{{anchor: [0, 0, {-a.top:g}]}}"
     parts = [f"# Written by hawser new. Units are SI where none is written, angles in degrees; z is up, from still water.\nhawser: 1\ntitle: {quoted(a.title)}"]
     waves = f"\n  waves: {{regular: {{height: {a.height:g}, period: {a.period:g}, direction_deg: {a.direction:g}}}}}   # running towards" if a.height else ""
@@ -71,7 +86,7 @@ def text(a):
                  f"    end_a: {upper}\n    end_b: {{anchor: [{a.distance:g}, 0, {-a.depth:g}]}}")
     if a.moves or a.height:
         period = a.period or 10.0
-        parts.append(f"# Statics comes first. `step: auto` would choose the steps.\ndynamics: {{duration: {6 * period:g}, step: {period / 100:g}}}")
+        parts.append(f"# Statics comes first. The steps are automatic; `step: 0.05` would fix them.\ndynamics: {{duration: {6 * period:g}}}   # s")
         parts.append(f"output:\n  every: {period / 20:g}   # s, what pictures and range graphs are made of\n"
                      "  histories: [{line: line, at: end_a, name: upper end}]")
     return "\n\n".join(parts) + "\n"

@@ -48,13 +48,43 @@ def number(value):
     return f"{value:.4g}"
 
 
+def from_place_to_place(path):
+    """A path of an SVG: its straight strokes by differences of places in tenths of a point, whose errors do not add up. Others stay."""
+    if not re.fullmatch(rb"[-\d.\sMLz]*", path):
+        return path.replace(b"\n", b"")
+    out, at, start, command, numbers = [b""], [0, 0], [0, 0], b"", []
+    for part in re.findall(rb"[MLz]|[-\d.]+", path):
+        if part in (b"M", b"L", b"z"):
+            if part != b"L" or command != b"L":
+                out.append(part.lower())
+            command, at = part, list(start) if part == b"z" else at
+            continue
+        numbers.append(round(10 * float(part)))
+        if len(numbers) == 2:
+            for k in range(2):
+                out.append(tenths(numbers[k] - at[k], out[-1]))
+            start = numbers if command == b"M" else start
+            at, numbers = numbers, []
+    return b"".join(out)
+
+
+def tenths(count, before):
+    """So many tenths as a number that can follow what stands before it."""
+    text = re.sub(r"^(-?)0(?=\.)", r"\1", f"{count / 10:g}").encode()
+    apart = not before.isalpha() and not text.startswith(b"-") and not (text.startswith(b".") and b"." in before)
+    return b" " + text if apart else text
+
+
 def shortened(svg):
-    """A drawing whose strokes have places of a hundredth of a point, and no description: smaller, and the same to see."""
+    """A drawing whose strokes have places to a tenth of a point, each from the one before it, and no description: smaller, and the
+    same to see."""
     svg = re.sub(rb"<metadata>.*?</metadata>", b"", svg, flags=re.DOTALL)
-    svg = re.sub(rb'(?<= d=")[^"]*', lambda d: re.sub(rb"(\.\d\d)\d+", rb"\1", d[0]).replace(b"\n", b""), svg)
+    svg = re.sub(rb'(?<= d=")[^"]*', lambda d: from_place_to_place(d[0]), svg)
     svg = re.sub(rb"(?<=DejaVu Sans')[^;\"]*(?=, sans-serif)", b"", svg)
     svg = re.sub(rb'(?<= [xy]=")(-?\d+\.\d\d)\d+', rb"\1", svg)
     svg = re.sub(rb' transform="rotate\(-0 [^"]*"| clip-path="[^"]*"(?=[^>]*#b0b0b0)', b"", svg)
+    svg = re.sub(rb'^.*?(?=<svg)', b"", svg, count=1, flags=re.DOTALL)  # what only files need
+    svg = re.sub(rb' id="[a-zA-Z.0-9]*_\d+"', b"", svg)  # of groups, to which nothing refers
     return re.sub(rb"\n *", b"\n", svg)
 
 

@@ -48,9 +48,15 @@ def at_ends(results, output=0):
                 # Angles of the direction out of the support into the line.
                 outwards = along if k == 0 else -along
                 row += [np.hypot(*force[:2]), force[2], np.degrees(np.arccos(np.clip(outwards @ VERTICAL, -1, 1))),
-                        np.degrees(np.arctan2(outwards[1], outwards[0]))]
+                        azimuth(outwards)]
             rows.append(row + [""] * (len(head) - len(row)))
     return head, rows
+
+
+def azimuth(direction):
+    """deg, of the horizontal part of a unit vector, in (-180, 180]; what is rounding beside 1 counts as 0."""
+    x, y, _ = np.round(direction, 12) + 0.0  # no -0, which would turn 180 into -180
+    return float(np.degrees(np.arctan2(y, x)))
 
 
 def laid(results, line, output):

@@ -5,10 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "hawser/advice/steps.hpp"
 #include "hawser/model/body_pairs.hpp"
+#include "hawser/model/notes.hpp"
 
 namespace hawser::advice {
 
@@ -29,12 +31,22 @@ std::string no_waterplane(const std::string& body) {
       body);
 }
 
-std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double sticking) {
+std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<OnBed>& values) {
+  const auto range = [&](double OnBed::*member, double unit) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const OnBed& v : values) {
+      low = std::min(low, v.*member / unit);
+      high = std::max(high, v.*member / unit);
+    }
+    const std::string from = fmt::format("{:.4g}", low), to = fmt::format("{:.4g}", high);
+    return from == to ? from : from + " to " + to;
+  };
   std::string friction = "without friction in statics";
-  if (laid)
-    friction = fmt::format("where friction takes {:.4g} kN of tension and holds {:.4g} m with force to spare",
-                           1e-3 * taken, sticking);
-  return fmt::format("lines.{}: {:.4g} m on the seabed, {}", line, lies, friction);
+  if (values.front().laid)
+    friction = fmt::format("where friction takes {} kN of tension and holds {} m with force to spare",
+                           range(&OnBed::taken, 1e3), range(&OnBed::sticking, 1));
+  return fmt::format("{}{}: {} m on the seabed, {}", lines.size() > 1 ? "lines " : "lines.",
+                     model::names_text(lines), range(&OnBed::lies, 1), friction);
 }
 
 std::string held_without_weight(const std::string& body) {

@@ -26,12 +26,12 @@ Split split(std::string_view note) {
   return {"", note};
 }
 
+}  // namespace
+
 std::string names_text(const std::vector<std::string>& names) {
   if (names.size() <= kNamed) return enumerate(names, "and");
   return fmt::format("{} ... {} ({} in all)", names.front(), names.back(), names.size());
 }
-
-}  // namespace
 
 std::vector<std::string> grouped_notes(const std::vector<std::string>& notes) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // a note, the names it is about

@@ -1,5 +1,5 @@
-// The phrases of the summary that `hawser check` prints: lines with ends, start and loads, motions, volumes
-// with stiffness and friction, the sea, and the time steps.
+// The phrases of the summary that `hawser check` prints: motions, volumes with stiffness and friction, the
+// sea, and the time steps. Lines are in line_summary.cpp.
 #include "hawser/model/summary.hpp"
 
 #include <fmt/format.h>
@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <tuple>
-#include <utility>
 
 #include "hawser/model/check.hpp"
 #include "hawser/model/farm.hpp"
@@ -21,34 +19,6 @@ namespace hawser::model {
 namespace {
 
 std::string point(const Vec3& x) { return fmt::format("({:g}, {:g}, {:g})", x.x(), x.y(), x.z()); }
-
-std::string end_text(const End& e) {
-  if (e.kind == EndKind::free) return "free";
-  if (e.kind == EndKind::joint) return "joined at " + e.body;
-  const std::string where =
-      e.kind == EndKind::anchor ? "anchored at " + point(e.at) : "tied to " + e.body + " at " + point(e.at);
-  return where + (e.clamped                    ? ", clamped"
-                  : e.rotational_stiffness > 0 ? fmt::format(", {:g} N m/rad", e.rotational_stiffness)
-                                               : "");
-}
-
-std::string start_text(Start s) {
-  switch (s) {
-    case Start::automatic:
-      return "auto";
-    case Start::catenary:
-      return "catenary";
-    case Start::hanging:
-      return "hanging";
-    case Start::straight:
-      return "straight";
-    case Start::points:
-      return "along given points";
-    case Start::other_run:
-      return "as another run left it";
-  }
-  return {};
-}
 
 std::string motion_text(const Case& c, const Body& b) {
   if (b.on) return fmt::format("rides on line {} at {:g} m", b.on->line, b.on->at);
@@ -154,55 +124,6 @@ std::string step_text(const Case& c) {
   return fmt::format("automatic steps of at most {:.3g} s ({})", longest.length, longest.reason);
 }
 
-std::string warmth_text(const Case& c, const Line& l) {
-  double least = l.temperature_change.front().second, most = least;
-  for (const auto& [at, change] : l.temperature_change) {
-    least = std::min(least, change);
-    most = std::max(most, change);
-  }
-  const bool colder = least < 0 && most <= 0;
-  if (colder) std::tie(least, most) = std::pair(0 - most, 0 - least);
-  const double expansion = expansion_of(c, l);
-  return fmt::format("{} by {} K, {:.6g} m {} without tension", colder ? "colder" : "warmer",
-                     least == most ? fmt::format("{:g}", most) : fmt::format("{:g} to {:g}", least, most),
-                     std::abs(expansion), expansion < 0 ? "shorter" : "longer");
-}
-
-std::string target_text(const LengthTarget& t) {
-  using Kind = LengthTarget::Kind;
-  const std::string end = t.at_a ? "end A" : "end B";
-  const std::string what = t.kind == Kind::tension
-                               ? fmt::format("a tension of {:g} kN at {}", t.value / 1000, end)
-                           : t.kind == Kind::declination
-                               ? fmt::format("a declination of {:g} deg at {}", t.value * 180 / M_PI, end)
-                           : t.kind == Kind::touchdown
-                               ? fmt::format("a touchdown point at {:g} m, the first from {}", t.value, end)
-                               : fmt::format("a laid length of {:g} m", t.value);
-  return fmt::format("{}, by the length of section {}, between {:g} and {:g} m", what, t.section + 1, t.least,
-                     t.most);
-}
-
-void describe_line(const Case& c, const Line& l, std::string& s) {
-  const LineSize z = size_of(c, l);
-  s += fmt::format("  {}: {:g} m, {} elements, {} nodes, {} unknowns, {:.4g} kg, weight {:.4g} kN\n", l.name,
-                   z.length, z.elements, z.nodes, z.unknowns, z.mass, z.mass * c.environment.gravity / 1000);
-  for (const Section& sec : l.sections) {
-    const LineType& t = c.line_type(sec.type);
-    s += fmt::format("    {:g} m of {} ({}, diameter {:g} m, {:g} kg/m), {} elements{}\n", sec.length, t.name,
-                     t.kind == LineKind::beam ? "beam" : "cable", t.outer_diameter, t.mass_per_length,
-                     sec.elements, sec.grading == 1 ? "" : fmt::format(", last / first {:g}", sec.grading));
-    if (t.breaking_load > 0) s += fmt::format("      breaks at {:.4g} kN\n", t.breaking_load / 1000);
-  }
-  s += fmt::format("    end A {}; end B {}; start {}\n", end_text(l.end_a), end_text(l.end_b),
-                   start_text(l.start));
-  if (l.target) s += "    target: " + target_text(*l.target) + "\n";
-  if (!l.bend_stiffeners.empty()) s += fmt::format("    {} bend stiffeners\n", l.bend_stiffeners.size());
-  if (!l.temperature_change.empty()) s += "    " + warmth_text(c, l) + "\n";
-  if (!l.masses.empty() || !l.loads.empty() || !l.point_loads.empty())
-    s += fmt::format("    {} point masses, {} distributed loads, {} point loads\n", l.masses.size(),
-                     l.loads.size(), l.point_loads.size());
-}
-
 void describe_sea(const Case& c, std::string& s) {
   const Water& w = c.environment.water;
   if (w.present) {
@@ -303,28 +224,6 @@ void describe_links(const Case& c, std::string& s) {
 
 }  // namespace
 
-LineSize size_of(const Case& c, const Line& line) {
-  LineSize z;
-  z.length = length_of(line);
-  z.nodes = 1;
-  bool beam_before = false;
-  for (std::size_t i = 0; i < line.sections.size(); ++i) {
-    const Section& s = line.sections[i];
-    const LineType& t = c.line_type(s.type);
-    const bool beam = t.kind == LineKind::beam;
-    // The node between two sections has rotations if one of them is a beam.
-    if (i == 0) z.unknowns += beam ? 6 : 3;
-    if (i > 0 && beam && !beam_before) z.unknowns += 3;
-    z.unknowns += (beam ? 6LL : 3LL) * s.elements;
-    z.elements += s.elements;
-    z.nodes += s.elements;
-    z.mass += t.mass_per_length * s.length;
-    beam_before = beam;
-  }
-  for (const PointMass& m : line.masses) z.mass += m.mass;
-  return z;
-}
-
 std::string summary(const Case& c) {
   std::string s;
   long long nodes = 0, elements = 0, unknowns = 0;
@@ -337,8 +236,7 @@ std::string summary(const Case& c) {
   s += fmt::format("lines: {} ({} elements, {} nodes, {} unknowns)\n", c.lines.size(), elements, nodes,
                    unknowns);
   s += farm_text(c);
-  for (const Line& l : c.lines)
-    if (!is_repeated(c, l.name)) describe_line(c, l, s);
+  s += lines_text(c);
   if (!c.line_types.empty()) s += line_type_table(c);
   s += fmt::format("bodies: {}\n", c.bodies.size());
   for (const Body& b : c.bodies) {

@@ -45,7 +45,12 @@ LineExtremes::LineExtremes(const Subject& subject, const Utilisation& utilisatio
       local_(subject.local()),
       feeders_(subject.term<Feeders>()),
       utilisation_(utilisation) {
-  for (const model::Line& line : case_.lines) names_.push_back(line.name);
+  for (const model::Line& line : case_.lines) {
+    names_.push_back(line.name);
+    has_beams_.push_back(std::any_of(
+        line.sections.begin(), line.sections.end(),
+        [&](const model::Section& s) { return case_.line_type(s.type).kind == model::LineKind::beam; }));
+  }
 }
 
 void LineExtremes::declare(Declarations& to) {
@@ -78,6 +83,7 @@ void LineExtremes::step(const Snapshot& s) {
       for (size_t n = 0; n < static_cast<size_t>(local_.owned); ++n) {
         const Node& node = local_.node(n);
         if (node.body >= 0) break;  // bodies come after the lines
+        if (fields_[f].of_beams && !has_beams_[node.line]) continue;
         if (!utilisation_.known(static_cast<int>(f), n) || (feeders_ && is_inside(node, n))) continue;
         const double v = s.values[f][n];
         if (std::isnan(v)) continue;  // no pipe

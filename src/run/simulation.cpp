@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -19,8 +20,10 @@
 #include "hawser/model/body_pairs.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/longest_step.hpp"
+#include "hawser/model/summary.hpp"
 #include "hawser/model/switched.hpp"
 #include "hawser/record/support_rollers.hpp"
+#include "hawser/record/touchdown.hpp"
 #include "hawser/run/line_pairs.hpp"
 #include "hawser/run/node_owners.hpp"
 #include "hawser/solve/start_shape.hpp"
@@ -383,20 +386,32 @@ std::vector<std::string> Simulation::on_bed() const {
   std::vector<std::string> out;
   if (!seabed()) return out;
   constexpr size_t kShown = 20;
-  std::vector<SeabedTerm::OnBed> lines = seabed()->on_bed(state_.view(0));
   std::vector<double> sums;
-  for (const SeabedTerm::OnBed& l : lines) sums.insert(sums.end(), {l.lies, l.laid, l.sticking, l.taken});
+  for (const SeabedTerm::OnBed& l : seabed()->on_bed(state_.view(0)))
+    sums.insert(sums.end(), {l.laid, l.sticking, l.taken});
   all_reduce(system_->comm(), MPI_SUM, sums);
+  // Between touchdown points, as in the results.
+  const std::vector<record::Touchdown> down =
+      record::Touchdowns(system_->comm(), case_, local()).of_all_lines(state_.view(0));
+  // Lines that differ only by their places are reported together.
+  std::map<std::pair<bool, std::string>, std::pair<std::vector<std::string>, std::vector<advice::OnBed>>>
+      like;
+  std::vector<decltype(like)::const_iterator> in_order;
+  for (size_t l = 0; l < down.size(); ++l) {
+    if (!(down[l].laid > 0)) continue;
+    const bool friction = sums[3 * l] > 0;
+    const auto [at, is_new] = like.try_emplace({friction, model::description_of(case_, case_.lines[l])});
+    if (is_new) in_order.push_back(at);
+    at->second.first.push_back(mesh_->lines[l].name);
+    at->second.second.push_back({down[l].laid, friction, std::abs(sums[3 * l + 2]), sums[3 * l + 1]});
+  }
   size_t more = 0;
-  for (size_t l = 0; l < lines.size(); ++l) {
-    const double lies = sums[4 * l], laid = sums[4 * l + 1], sticking = sums[4 * l + 2];
-    const double taken = std::abs(sums[4 * l + 3]);
-    if (!(lies > 0)) continue;
-    if (out.size() == kShown) {
-      ++more;
-      continue;
-    }
-    out.push_back(advice::lies_on_bed(mesh_->lines[l].name, lies, laid > 0, taken, sticking));
+  for (const auto& group : in_order) {
+    const auto& [names, values] = group->second;
+    if (out.size() == kShown)
+      more += names.size();
+    else
+      out.push_back(advice::lie_on_bed(names, values));
   }
   if (more > 0) out.push_back(advice::more_lines_on_bed(more));
   return out;

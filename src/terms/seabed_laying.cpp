@@ -63,7 +63,6 @@ std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {
     const LandedPoint& h = landed(p);
     if (!p.counted || !h.active) continue;
     OnBed& line = out[mesh_.node(p.node).line];
-    line.lies += law(p).length;
     const FrictionLaw& f = law(p).law.friction;
     if (!f.active() || !(laid() && laid_[place(p)].known())) continue;
     line.laid += law(p).length;

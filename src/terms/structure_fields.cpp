@@ -78,6 +78,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                  .statistics = true,
                  .at_stations = true,
                  .extreme = "bending moment",
+                 .of_beams = true,
                  .report = Report::graph,
                  .order = 5},
                 at_nodes([](const BeamStress& s, const BeamEnds&,
@@ -88,6 +89,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
   for (const int axis : {1, 2})
     registry.add({{.name = axis == 1 ? "bending_moment_2" : "bending_moment_3",
                    .unit = "N m",
+                   .label = axis == 1 ? "bending moment about axis 2" : "bending moment about axis 3",
                    .history = History::yes,
                    .statistics = true},
                   at_nodes(
@@ -121,6 +123,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                  .statistics = true,
                  .at_stations = true,
                  .extreme = "curvature",
+                 .of_beams = true,
                  .report = Report::graph,
                  .order = 4},
                 at_nodes([](const BeamStress& s, const BeamEnds&,

@@ -2,6 +2,7 @@
 import contextlib
 import io
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -96,16 +97,21 @@ class New(unittest.TestCase):
             code = post.main(["new", *([str(file)] if file else [])]) or 0
         return code, out.getvalue()
 
-    def test_usual_answers_of_every_kind_make_a_case_that_is_accepted(self):
-        for kind in new_case.KINDS:
-            with self.subTest(kind=kind):
-                file = self.folder / f"{kind}.yaml"
-                code, output = self.talk("", kind, *[""] * 12, file=file)
-                self.assertEqual(code, 0, output)
-                self.assertIn(f"case: {file}", output)
-                checked = run(HAWSER, "check", file, "--quick")
-                self.assertEqual(checked.returncode, 0, checked.stderr)
-                self.assertNotIn("warning", checked.stdout)
+    def test_usual_answers_of_every_kind_make_a_case_that_runs_without_notes(self):
+        for depth in (30, 100, 1500):
+            for kind in new_case.KINDS:
+                with self.subTest(kind=kind, depth=depth):
+                    file = self.folder / f"{kind}-{depth}.yaml"
+                    code, output = self.talk(depth, kind, *[""] * 12, file=file)
+                    self.assertEqual(code, 0, output)
+                    self.assertIn(f"case: {file}", output)
+                    ran = run(HAWSER, "run", file, cwd=self.folder)
+                    self.assertEqual(ran.returncode, 0, ran.stderr)
+                    self.assertIsNone(re.search("warning|note", ran.stdout + ran.stderr), ran.stdout)
+
+    def test_the_kinds_are_those_of_the_library(self):
+        library = run(HAWSER, "library").stdout
+        self.assertEqual({kind for _, kind in new_case.KINDS.values()} - {""}, set(re.findall(r"(?m)^\| `([\w-]+)` \|", library)) - {"library"})
 
     def test_still_water_a_fixed_end_and_a_title_with_quotes(self):
         file = self.folder / "still"

@@ -3,6 +3,7 @@ import contextlib
 import csv
 import io
 import os
+import re
 import shutil
 import sys
 import tempfile
@@ -16,8 +17,9 @@ from support import ROOT, run, write
 sys.path.insert(0, str(ROOT / "scripts"))
 import numpy as np  # noqa: E402
 
-from hawser_post import __main__ as post  # noqa: E402
+from hawser_post import __main__ as post, tables  # noqa: E402
 from hawser_post.fatigue import CURVES, damage, rainflow, wall_stress  # noqa: E402
+from hawser_post.page import from_place_to_place  # noqa: E402
 from hawser_post.results import Results  # noqa: E402
 from hawser_post.sea import Sea  # noqa: E402
 from hawser_post.stress import Wall  # noqa: E402
@@ -288,6 +290,33 @@ class Numbers(unittest.TestCase):
         # Of sixteen places one is within 11.25 degrees of the plane of bending.
         self.assertLessEqual(stress.max() - stress.mean(), bending)
         self.assertGreater(stress.max() - stress.mean(), bending * np.cos(np.pi / 16))
+
+
+class Small(unittest.TestCase):
+    def test_paths_of_drawings_keep_their_places(self):
+        random = np.random.default_rng(5)
+        x = np.stack([np.linspace(40, 500, 900), 100 + 60 * random.normal(size=900)], axis=1)
+        x[::7, 1] = x[1::7, 1][: len(x[::7])]  # strokes without rise
+        text = " ".join(f"{'M' if k in (0, 500) else 'L'} {a:.6f} {b:.6f} " for k, (a, b) in enumerate(x)) + "z "
+        short = from_place_to_place(text.encode())
+        self.assertLess(len(short), 0.45 * len(text))
+        at, start, found, command = np.zeros(2), np.zeros(2), [], ""
+        for command, numbers in re.findall(r"([mlz])([^mlz]*)", short.decode()):
+            steps = np.array(re.findall(r"-?(?:\d+\.?\d*|\.\d+)", numbers), float).reshape(-1, 2)
+            for k, step in enumerate(steps):
+                at = at + step
+                start = at if command == "m" and k == 0 else start
+                found.append(at)
+        self.assertLessEqual(np.abs(found - x).max(), 0.0501)
+        self.assertEqual(command, "z")
+        np.testing.assert_allclose(start, x[500], atol=0.051)
+        self.assertEqual(from_place_to_place(b"M 0 0 C 1 2 3 4 5 6"), b"M 0 0 C 1 2 3 4 5 6")
+        self.assertEqual(from_place_to_place(b"M 1 1 L 2 1 L 2 2 z M 1 1 L 0.5 1"), b"m1 1l1 0 0 1zm0 0l-.5 0")
+
+    def test_azimuths_are_not_of_rounding(self):
+        for direction, exact in (((1, 1e-40, 0), 0), ((-1, -1e-40, 0), 180), ((-1, 0, 0), 180), ((1e-17, 1e-18, 1), 0), ((0, -0.5, 0.1), -90),
+                                 ((0.6, 0.6, 0), 45)):
+            self.assertAlmostEqual(tables.azimuth(np.array(direction, float)), exact, places=9)
 
 
 if __name__ == "__main__":

@@ -1,154 +1,31 @@
-"""What a headless Chromium draws of results: places, colours and orientations are those of the file; controls have names and can be
-used by keys; unusual results are shown."""
+"""A browser with a model: controls have names and can be used by keys, by clicks and by the wheel; unusual results are shown; a run is
+followed; figures of a report are graphs."""
 import contextlib
 import io
 import os
 import subprocess
 import sys
-import tempfile
 import threading
 import unittest
 from pathlib import Path
 
 import h5py
+import matplotlib.pyplot as plt
 import numpy as np
 
-import browser
-from support import ROOT
+from drawn import CASE, PIXELS, Drawing, model
 from synthetic import results_file
 
-sys.path.insert(0, str(ROOT / "scripts"))
-from hawser_post import __main__ as post  # noqa: E402
-from hawser_post.page import Page  # noqa: E402
-from hawser_post.results import Results  # noqa: E402
-from hawser_post.viewer import libraries, served  # noqa: E402
-from hawser_post.viewer.server import Server  # noqa: E402
+from hawser_post import __main__ as post
+from hawser_post.page import Page
+from hawser_post.results import Results
+from hawser_post.viewer import served
+from hawser_post.viewer.server import Server
 
 FULL = bool(os.environ.get("HAWSER_FULL"))
-CASE = """\
-hawser: 1
-title: A hose on a drum
-environment: {water: {depth: 30}, seabed: {depth: 30}}
-line_types: {hose: {outer_diameter: 0.4}}
-lines: {hose: {sections: [{type: hose, length: 60}]}, rope: {sections: [{type: hose, length: 60}]}}
-"""
-PARTS = CASE.replace("lines: {hose: {sections", "lines: {hose: {masses: [{at: 30, mass: 100, volume: 8}, {at: end_b, mass: 100}], end_b: {joint: yoke}, sections") + """\
-joints: {yoke: {start: [400060, 0, -17]}}
-links: {tugger: {end_a: {anchor: [400000, 0, 0]}, end_b: {body: drum, at: [2, 1, 1]}}, tie: {end_a: {line: rope, at: 30}, end_b: {line: hose, at: end_a}}}
-"""
-PIXELS = """
-window.pixels = (nodes) => {
-  const view = window.hawserView, {scene} = view, gl = scene.renderer.getContext();
-  scene.draw();
-  const ratio = scene.renderer.getPixelRatio();
-  return nodes.map((node) => {
-    const at = scene.pixelOf(scene.lines.position(node, new THREE.Vector3()));
-    const bytes = new Uint8Array(4);
-    gl.readPixels(Math.round(at.x * ratio - 0.5), scene.canvas.height - 1 - Math.round(at.y * ratio - 0.5), 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, bytes);
-    return Array.from(bytes.slice(0, 3));
-  });
-};
-window.legend = (shares) => {  // colours of the bar at shares of its height
-  const {overlay} = window.hawserView.scene;
-  const high = Math.min(220, overlay.height - 110);
-  const data = overlay.canvas.getContext("2d").getImageData(20, 34, 1, high).data;
-  return shares.map((share) => Array.from(data.slice(4 * Math.round((1 - share) * (high - 1))).slice(0, 3)));
-};0
-"""
 
 
-def quaternion(axis, angle):
-    axis = np.asarray(axis) / np.linalg.norm(axis)
-    return np.concatenate([[np.cos(angle / 2)], np.sin(angle / 2) * axis])
-
-
-def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, lines=("hose", "rope"), start=0.0):
-    """Two lines that swing beside a turning drum, with a field, contact forces and a history."""
-    t = start + np.arange(outputs) * 0.5
-    s = np.linspace(0, 60, nodes)
-    x = np.zeros((outputs, nodes * len(lines), 3))
-    for k in range(len(lines)):
-        part = slice(k * nodes, (k + 1) * nodes)
-        x[:, part, 0] = s + 400000.0
-        x[:, part, 1] = 8.0 * k
-        x[:, part, 2] = -5 - 0.2 * s + np.sin(t[:, None] + 0.1 * s)
-    tension = 1e4 + 500 * np.tile(s, len(lines)) + 1e3 * t[:, None]
-    if hole:
-        tension[:, 20:40] = np.nan
-        x[:, 50] = x[:, 49]
-    force = np.zeros_like(x)
-    force[:, 10:14] = [0, 1e3, 2e3]
-    fields = {"position": ("m", x), "effective_tension": ("N", tension), "contact_force": ("N", force)}
-    statistics = {"effective_tension": ("N", np.tile(np.mean(tension, axis=0)[:, None], 6))} if outputs > 1 else None
-    path = results_file(Path(folder) / name, t, {line: s for line in lines}, fields, case=case, statistics=statistics)
-    with h5py.File(path, "r+") as file:
-        file["bodies/name"] = [b"drum"]
-        file["bodies/position"] = np.tile([400030.0, 4, -12], (outputs, 1, 1)) + t[:, None, None] * 0.1
-        file["bodies/rotation"] = np.array([[quaternion([1, 2, 3], 0.3 + 0.21 * k)] for k in range(outputs)])
-        corners = np.array([[x, y, z] for x in (-2, 2) for y in (-1, 1) for z in (-1, 1)], float)
-        file["volumes/drum/vertices"] = corners
-        file["volumes/drum/triangles"] = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6]]
-        file["volumes/drum"].attrs.update({"name": b"drum", "body": 0})
-        file["messages"] = [b"warning: line rope turns sharply at arc length 30 m", b"note: the drum turns"]
-    return path
-
-
-@unittest.skipIf(libraries.missing(), libraries.missing())
-@unittest.skipUnless(browser.CHROMIUM, browser.ABSENT)
-class Drawn(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(cls.folder.cleanup)
-        cls.browser = browser.Browser()
-        cls.addClassCleanup(cls.browser.close)
-
-    def show(self, path, name="page"):
-        """Opens a page with the model alone."""
-        page = Page(name)
-        results = Results(path)
-        page.model(results)
-        file = Path(self.folder.name) / f"{name}.html"
-        page.write(file)
-        self.browser.open(file)
-        self.browser.wait("window.hawserView || window.hawserFailed", 120)
-        self.assertIsNone(self.browser.value("window.hawserFailed"))
-        return results
-
-    def no_complaints(self):
-        self.assertEqual(self.browser.complaints, [])
-        self.assertEqual([url for url in self.browser.requests if not url.startswith(("file:", "data:", "blob:"))], [])
-
-    def test_places_orientations_and_colours_are_those_of_the_file(self):
-        results = self.show(model(self.folder.name))
-        value = self.browser.value
-        for output in (0, 5, 11):
-            value(f"hawserView.player.show({output})")
-            drawn = np.array(value("""(() => {const {scene, model} = hawserView, at = new THREE.Vector3(), c = model.header.centre;
-                return Array.from({length: model.header.nodes}, (_, i) => scene.lines.position(i, at).toArray().map((v, k) => v + c[k]))})()"""))
-            self.assertLessEqual(np.abs(drawn - results.file["fields/position"][output]).max(), 1e-3)
-            pose = value("(() => {const g = hawserView.scene.bodies.groups[0]; return [g.quaternion.w, g.quaternion.x, g.quaternion.y, "
-                         "g.quaternion.z, ...g.position.toArray().map((v, k) => v + hawserView.model.header.centre[k])]})()")
-            np.testing.assert_allclose(pose[:4], results.file["bodies/rotation"][output, 0], atol=1e-12)
-            np.testing.assert_allclose(pose[4:], results.file["bodies/position"][output, 0], atol=1e-6)
-            # A corner of the drum where the matrices of the picture put it.
-            corner = value("hawserView.scene.bodies.volumes[0].mesh.localToWorld(new THREE.Vector3(2, 1, 1)).toArray()"
-                           ".map((v, k) => v + hawserView.model.header.centre[k])")
-            exact = results.rotation(0, output) @ [2, 1, 1] + results.file["bodies/position"][output, 0]
-            np.testing.assert_allclose(corner, exact, atol=1e-4)
-        value(PIXELS)
-        tones = value("[-1, 0, 1, 5].map((body) => hawserView.scene.bodies.paint(body, true).uniforms.colour.value.getHex())")
-        self.assertEqual((len(set(tones)), tones[2]), (3, tones[3]))  # bodies that stand beside each other differ
-        self.assertEqual(value("hawserView.scene.bodies.volumes[0].mesh.material.uniforms.colour.value.getHex()"), tones[1])
-        value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = false; hawserView.scene.lines.uniforms.enlarged.value = 3;0")
-        value("hawserView.look('y')")
-        nodes = list(range(3, 59, 6))
-        tension = results.file["fields/effective_tension"][11][nodes]
-        low, high = (f(results.file["fields/effective_tension"][:]) for f in (np.min, np.max))
-        shares = list((tension - low) / (high - low))
-        np.testing.assert_allclose(value(f"window.pixels({nodes})"), value(f"window.legend({shares})"), atol=6)
-        self.no_complaints()
-
+class Used(Drawing):
     def test_controls_have_names_and_can_be_used_by_keys(self):
         self.show(model(self.folder.name))
         tree = self.browser.send("Accessibility.getFullAXTree")["nodes"]
@@ -215,6 +92,33 @@ class Drawn(unittest.TestCase):
         np.testing.assert_allclose(value("[hawserView.curves.range.graph.getValue(30, 0), hawserView.curves.range.graph.getValue(30, 1)]"), [30, 25], atol=1e-3)
         self.no_complaints()
 
+    def test_graphs_zoom_read_off_and_keep_curves(self):
+        self.show(model(self.folder.name))
+        value, wait = self.browser.value, self.browser.wait
+        wait("hawserView.curves.range.graph && hawserView.curves.ends.graph")
+        graph = "hawserView.curves.ends.graph"
+        value("hawserView.curves.ends.element.scrollIntoView()")
+        left, top, width, high = value(f"(() => {{const a = {graph}.getArea(), b = hawserView.curves.ends.plot.getBoundingClientRect(); "
+                                       "return [b.left + a.x, b.top + a.y, a.w, a.h]})()")
+        for kind, share in (("mousePressed", 0.25), ("mouseMoved", 0.5), ("mouseReleased", 0.5)):
+            self.browser.send("Input.dispatchMouseEvent", type=kind, x=left + share * width, y=top + 0.5 * high, button="left", clickCount=1)
+        low, high = value(f"{graph}.xAxisRange()")
+        np.testing.assert_allclose([low, high], [0.25 * 5.5, 0.5 * 5.5], atol=0.15)
+        value("hawserView.curves.ends.whole.click()")
+        self.assertLess(value(f"{graph}.xAxisRange()[0]"), 0.1)
+        value("hawserView.curves.ends.plot.focus()")
+        for _ in range(3):
+            self.browser.key("ArrowRight")
+        self.assertIn("end A: 11", value("hawserView.curves.ends.legend.textContent").replace("\xa0", " "))
+        value("hawserView.curves.keep.click()")
+        value("hawserView.player.show(6)")
+        wait("hawserView.curves.range.names.length === 6")
+        self.assertEqual(value("hawserView.curves.range.names.slice(1, 3)"), ["t = 3.00 s", "t = 0.00 s"])
+        np.testing.assert_allclose(value("[1, 2].map((k) => hawserView.curves.range.graph.getValue(0, k))"), [13, 10], atol=1e-3)
+        value("hawserView.curves.drop.click()")
+        self.assertEqual(value("hawserView.curves.range.names.slice(1, 3)"), ["t = 3.00 s", "least of the run"])
+        self.no_complaints()
+
     def test_the_wheel_zooms_to_what_is_under_the_pointer(self):
         self.show(model(self.folder.name))
         value = self.browser.value
@@ -252,15 +156,6 @@ class Drawn(unittest.TestCase):
         self.assertLess(value("hawserView.scene.camera.now.controls.target.distanceTo(hawserView.scene.lines.position(121, new THREE.Vector3()))"), 0.1)
         self.no_complaints()
 
-    def test_the_bar_of_lengths_is_round_and_fits(self):
-        self.show(model(self.folder.name))
-        for pixel in (0.0313, 0.0499, 0.05, 1.0, 6.6, 1e-5):
-            drawn = self.browser.value(f"""(() => {{ const words = [], o = hawserView.scene.overlay, text = o.text;
-                o.text = (w) => words.push(w); o.scale({pixel}); o.text = text; return words[0]; }})()""")
-            length = float(drawn.removesuffix(" m"))
-            self.assertTrue(50 * pixel < length <= 150 * pixel * (1 + 1e-12), drawn)
-            self.assertIn(f"{length:.0e}"[0], "125")
-
     def test_cuts_stills_and_notes(self):
         self.show(model(self.folder.name))
         value = self.browser.value
@@ -279,7 +174,13 @@ class Drawn(unittest.TestCase):
         meshless = results_file(Path(self.folder.name) / "plain.h5", [0.0], {"line": np.linspace(0, 10, 3)}, case=plain)
         many = results_file(Path(self.folder.name) / "many.h5", [0.0, 1.0], {f"line {k}": np.linspace(0, 9, 50 if FULL else 5) + k for k in range(2000)},
                             case=plain)
-        cases = [("nan", model(self.folder.name, name="nan.h5", hole=True)), ("one", model(self.folder.name, 1, name="one.h5")),
+        mesh = results_file(Path(self.folder.name) / "mesh.h5", [0.0, 1.0], {"line": np.linspace(0, 10, 3)}, case=plain + "statics: false\n")
+        with h5py.File(mesh, "r+") as file:
+            x, y = np.meshgrid(np.linspace(-20, 20, 256), np.linspace(-20, 20, 256))
+            k = (np.arange(255)[:, None] * 256 + np.arange(255)).ravel()
+            file["volumes/hill/vertices"] = np.stack([x, y, -3 + np.sin(x / 3)], axis=-1).reshape(-1, 3)
+            file["volumes/hill/triangles"] = np.concatenate([np.stack([k, k + 1, k + 256], 1), np.stack([k + 1, k + 257, k + 256], 1)])
+        cases = [("mesh", mesh), ("nan", model(self.folder.name, name="nan.h5", hole=True)), ("one", model(self.folder.name, 1, name="one.h5")),
                  ("plain", meshless), ("many", many), ("late", model(self.folder.name, name="late.h5", start=7.0))]
         for name, path in cases:
             with self.subTest(name=name):
@@ -287,67 +188,23 @@ class Drawn(unittest.TestCase):
                 self.browser.wait("hawserView.scene.drawn > 0")
                 self.assertEqual(self.browser.value("hawserView.model.header.lines.length"), len(results.lines))
                 self.no_complaints()
-        self.show(cases[0][1], "nan")
+        self.show(mesh, "mesh")
+        self.assertEqual(self.browser.value("hawserView.scene.bodies.volumes[0].mesh.geometry.getAttribute('position').count"), 65536)
+        self.browser.value("hawserView.look('plan')")
+        clip = self.browser.value("(() => {const b = document.querySelector('.picture').getBoundingClientRect(); "
+                                  "return {x: b.left + 0.6 * b.width, y: b.top + 0.3 * b.height, width: 150, height: 150}})()")
+        tones = {}
+        for shown in ("true", "false"):  # slopes of the hill have tones of their own
+            self.browser.value(f"hawserView.scene.shown.volumes = {shown}; hawserView.scene.draw()")
+            shot = Path(self.folder.name) / f"mesh-{shown}.png"
+            self.browser.picture(shot, clip)
+            tones[shown] = len(np.unique(np.rint(255 * plt.imread(shot)[:, :, :3]).reshape(-1, 3), axis=0))
+        self.assertTrue(tones["true"] > 8 and tones["false"] < 5, tones)
+        self.show(cases[1][1], "nan")
         self.browser.value(PIXELS)
         self.browser.value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = hawserView.scene.shown.sea = false;"
                            "hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
         np.testing.assert_allclose(self.browser.value("window.pixels([30])[0]"), [150, 150, 150], atol=6)
-
-    def test_links_masses_joints_and_forces_of_the_bed_are_drawn_at_their_places(self):
-        path = model(self.folder.name, name="parts.h5", case=PARTS)
-        with h5py.File(path, "r+") as file:
-            force = np.zeros_like(file["fields/position"][:])
-            force[:, 20:24] = [0, 0, 700.0]
-            file["fields/seabed_force"] = force
-            file["fields/seabed_force"].attrs["unit"] = b"N"
-        results = self.show(path)
-        value = self.browser.value
-        value("hawserView.player.show(5)")
-        value("hawserView.scene.draw()")  # what has been asked for is drawn with the next frame only
-        centre = np.array(value("hawserView.model.header.centre"))
-        x = results.file["fields/position"][5]
-        drum = results.rotation(0, 5) @ [2, 1, 1] + results.file["bodies/position"][5, 0]
-        ends = np.array(value("hawserView.scene.springs().map(({a, b}) => [[a.x, a.y], [b.x, b.y]])"))
-        for link, places in enumerate(([[400000, 0, 0], drum], [x[61 + 30], x[0]])):
-            for end, place in zip(ends[link], places):
-                pixel = value(f"(() => {{const p = hawserView.scene.pixelOf(new THREE.Vector3(...{list(place - centre)})); return [p.x, p.y]}})()")
-                np.testing.assert_allclose(end, pixel, atol=0.1)
-        balls = value("hawserView.scene.marks.balls.map((b) => [b.kind, b.name, b.mesh.visible, ...b.mesh.position.toArray(), b.mesh.scale.x])")
-        self.assertEqual([ball[:3] for ball in balls], [["buoy", "", True], ["weight", "", True], ["joint", "yoke", True]])
-        np.testing.assert_allclose([ball[3:6] for ball in balls], [x[30] - centre, x[60] - centre, x[60] - centre], atol=1e-3)
-        self.assertAlmostEqual(balls[0][6], (6 / np.pi) ** (1 / 3), delta=1e-6)
-        # Forces of the bed are shown when they are asked for.
-        arrows = "hawserView.scene.marks.arrows.map((a) => [a.kind, a.largest, a.meshes[0].visible, a.meshes[0].count])"
-        self.assertEqual(value(arrows)[1][:3], ["bedForces", 700, False])
-        value("[...document.querySelectorAll('.hawser-view label')].find((l) => l.textContent.includes('Bed forces')).querySelector('input').click()")
-        self.browser.wait("hawserView.scene.marks.arrows[1].meshes[0].visible && hawserView.scene.marks.arrows[1].meshes[0].count")
-        self.assertEqual(value(arrows)[1], ["bedForces", 700, True, 4])
-        value("hawserView.scene.shown.parts = false; hawserView.scene.draw()")
-        self.assertFalse(any(value("hawserView.scene.marks.balls.map((b) => b.mesh.visible)")))
-        self.no_complaints()
-
-    def test_elements_of_less_than_a_pixel_are_joined_and_drawn_singly_from_near(self):
-        results = self.show(model(self.folder.name, 2, 3002, "fine.h5"))
-        value = self.browser.value
-        value(PIXELS)
-        value("hawserView.scene.shown.forces = hawserView.scene.shown.volumes = false; hawserView.scene.lines.uniforms.enlarged.value = 3; hawserView.look('y')")
-        nodes = list(range(100, 3000, 400))
-        tension = results.file["fields/effective_tension"][0][nodes]
-        low, high = (f(results.file["fields/effective_tension"][:]) for f in (np.min, np.max))
-        np.testing.assert_allclose(value(f"window.pixels({nodes})"), value(f"window.legend({list((tension - low) / (high - low))})"), atol=6)
-        stretches = "hawserView.scene.lines.mesh.geometry.drawRange.count / 6"
-        self.assertLess(value(stretches), 2 * 3001 / 3)
-        last = value("(() => {const {lines} = hawserView.scene, {count} = lines.mesh.geometry.drawRange; "
-                     "return [lines.faces.array[count - 1], 2 * (lines.placeOf[6003] - 1)]})()")
-        self.assertEqual(last[0], last[1])  # the end of the line
-        value("hawserView.scene.camera.zoom(200); hawserView.scene.draw()")
-        self.assertEqual(value(stretches), 2 * 3001)
-        edges = "hawserView.scene.draw(), hawserView.scene.bodies.volumes[0].mesh.children[0].visible"
-        value("hawserView.scene.shown.volumes = true;0")
-        self.assertTrue(value(edges))
-        value("hawserView.scene.camera.zoom(0.001)")
-        self.assertFalse(value(edges))
-        self.no_complaints()
 
     def test_without_webgl_there_is_a_sentence(self):
         page = Page("none")
@@ -388,9 +245,25 @@ class Drawn(unittest.TestCase):
         server.server_close()
         wait("document.querySelector('.hawser-view .bar [role=status]').textContent === 'the server has ended'")
 
-    def no_complaints_of(self, server):
-        self.assertEqual(self.browser.complaints, [])
-        self.assertEqual([url for url in self.browser.requests if not url.startswith((server.address, "data:", "blob:"))], [])
+    def test_histories_have_their_labels_and_units_and_fit_beside_the_picture(self):
+        t = np.linspace(0, 20, 400)
+        name = "hose at its upper end, which has a long name for a history"
+        series = (t, {name: (["effective_tension", "bending_moment_3"], ["N", "N m"], 1e4 * np.stack([np.sin(t), np.cos(t)], axis=1))})
+        path = results_file(Path(self.folder.name) / "names.h5", np.linspace(0, 20, 5), series=series, case="hawser: 1\n")
+        server = Server(served.Shown(path))
+        self.addCleanup(server.server_close)
+        self.addCleanup(server.shutdown)
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        self.browser.open(server.address)
+        self.browser.wait("window.hawserView")
+        value = self.browser.value
+        options = value("[...document.querySelectorAll('.graphs select option')].map((o) => o.textContent)")
+        self.assertEqual(options, ["none", f"{name}: effective tension [kN]", f"{name}: bending moment 3 [kN m]"])
+        value("(() => {const s = document.querySelector('.graphs select'); s.value = '0 1'; s.dispatchEvent(new Event('change'))})()")
+        self.browser.wait("hawserView.curves.stored.graph")
+        np.testing.assert_allclose(value("[0, 1].map((c) => hawserView.curves.stored.graph.getValue(0, c))"), [0, 10], atol=1e-4)
+        self.assertEqual(value("document.querySelector('.side').scrollWidth - document.querySelector('.side').clientWidth"), 0)
+        self.no_complaints_of(server)
 
     def test_figures_of_a_report_can_be_read_off_and_print_as_pictures(self):
         t = np.linspace(0, 20, 400)

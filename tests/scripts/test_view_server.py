@@ -3,6 +3,7 @@ written; before a run it shows the start shape."""
 import http.client
 import json
 import os
+import re
 import shutil
 import signal
 import socket
@@ -228,9 +229,13 @@ class Cases(unittest.TestCase):
         self.assertEqual(shown.status()["kind"], "start")
 
     def test_notes_of_the_check_stand_at_their_place(self):
-        write(self.folder, "case.yaml", CASE + "    masses: [{at: 100, mass: 5e6}]\n")
-        notes = start_shape.notes_of(self.folder / "case.yaml")
-        self.assertTrue(all(text.startswith(("note: ", "warning: ")) for text in notes), notes)
+        write(self.folder, "case.yaml", CASE + "    masses: [{at: 20, mass: 100}, {at: 400, mass: 5e6}]\n")
+        shown = served.Shown(self.folder / "case.yaml")
+        self.addCleanup(shown.close)
+        notes = shown.header()["notes"]
+        self.assertEqual([(note["kind"], re.search(r"masses\S*:", note["text"])[0]) for note in notes],
+                         [("note", "masses[1]:"), ("note", "masses:")])
+        self.assertEqual([note["node"] for note in notes], [32, 32])  # at 400 of 500 m in 40 elements
 
     def test_a_case_that_is_refused_reports_why(self):
         write(self.folder, "case.yaml", CASE.replace("elements: 40", "elements: -4"))
@@ -244,7 +249,7 @@ class Cases(unittest.TestCase):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=env,
                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as process:  # ignored in the background
             self.addCleanup(process.kill)
-            process.stdout.readline()
+            self.assertEqual([process.stdout.readline().split(":")[0] for _ in range(2)], ["view", "shown"])
             address = urlsplit(process.stdout.readline().strip())
             self.assertEqual(address.hostname, "127.0.0.1")
             connection = http.client.HTTPConnection(address.hostname, address.port, timeout=20)

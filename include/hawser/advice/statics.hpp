@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "hawser/advice/step_findings.hpp"
 #include "hawser/model/case.hpp"
@@ -14,7 +15,13 @@ std::string slack_at_rest(const std::string& line, double length, bool fell);
 std::string no_waterplane(const std::string& body);
 // What of a line lies on the seabed [m]; laid: with friction in statics, which takes N of tension and holds m
 // with force to spare.
-std::string lies_on_bed(const std::string& line, double lies, bool laid, double taken, double sticking);
+struct OnBed {
+  double lies = 0;
+  bool laid = false;
+  double taken = 0, sticking = 0;
+};
+// Of one line, or of several with one description, with the ranges of their values.
+std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<OnBed>& values);
 std::string more_lines_on_bed(size_t lines);
 // Of a body with weight that only friction on others would keep in place.
 std::string held_without_weight(const std::string& body);

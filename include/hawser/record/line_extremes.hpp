@@ -56,6 +56,7 @@ class LineExtremes : public Recording {
   const Utilisation& utilisation_;
   std::vector<Field> fields_;
   std::vector<std::string> names_;  // of lines
+  std::vector<bool> has_beams_;     // of lines
   std::vector<Quantity> quantities_;
 };
 

@@ -30,6 +30,7 @@ struct Field {
   // row.
   std::string extreme = {};
   bool smallest = false;  // it also has a row "min EXTREME"
+  bool of_beams = false;  // 0 along cables, whose lines have no row
   Report report = Report::no;
   int order =
       100;  // of rows in tables and reports, smallest first; of equal ones in the order of declaration

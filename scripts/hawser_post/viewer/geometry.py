@@ -7,6 +7,7 @@ from ..results import dictionary
 from ..sections import at_nodes, sections_of
 
 BED_PLACES = 81  # along a side of a bed that is no plane
+BEYOND = 0.15  # of the model's size: how far sea and bed go beyond it
 USUAL_RADIUS = 0.1  # m, of a line whose type is not known
 
 
@@ -53,12 +54,17 @@ def extent(results, rows, most=40):
     return low, high
 
 
+def border(low, high):
+    """The least and the largest x and y of sea and bed."""
+    beyond = BEYOND * max(*(high - low), 1e-3)
+    return low[:2] - beyond, high[:2] + beyond
+
+
 def bed(sea, low, high):
     """Places x and y, and heights over them; None where there is no bed that is known."""
     if not sea.bed:
         return None
-    beyond = 0.3 * max(*(high - low), 1e-3)
     count = 2 if sea.measured is None else BED_PLACES
-    x, y = (np.linspace(low[k] - beyond, high[k] + beyond, count) for k in (0, 1))
+    x, y = np.linspace(*border(low, high), count).T
     z = sea.seabed(*np.meshgrid(x, y))
     return (x, y, z) if np.isfinite(z).any() else None

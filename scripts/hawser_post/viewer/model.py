@@ -1,4 +1,5 @@
 """What is shown of a results file in three dimensions: a header (JSON) that names it, and blocks of numbers."""
+import itertools
 from functools import cached_property
 
 import numpy as np
@@ -69,10 +70,16 @@ class Model:
         return np.linalg.norm(found.reshape(len(rows), 3, -1), axis=1) if self.vector(name) else found
 
     def range_of(self, name):
-        """The least and the largest value over all outputs that are shown; None where there is no number."""
-        low, high, part = np.inf, -np.inf, 64
-        for k in range(0, len(self.rows), part):
-            x = self.sizes(name, self.rows[k : k + part])
+        """The least and the largest value over all outputs that are shown and every step of which there are statistics; None where there is no number."""
+        return self.range_over(name, (self.rows[k : k + 64] for k in range(0, len(self.rows), 64)))
+
+    def range_over(self, name, parts):
+        """The same over parts of the rows of the file, and over every step where the file has statistics."""
+        low, high = np.inf, -np.inf
+        tables = (self.sizes(name, rows) for rows in parts)
+        if self.with_statistics(name):
+            tables = itertools.chain(tables, [self.file[f"statistics/{name}"][:][:, [0, 2]]])
+        for x in tables:
             low, high = (float(f(x, where=np.isfinite(x), initial=i)) for f, i in ((np.min, low), (np.max, high)))
         return (low, high) if low <= high else None
 
@@ -113,6 +120,7 @@ class Model:
             "fields": list(self.field_headers()), "bodies": results.bodies, "volumes": list(self.volume_headers()),
             "touchdowns": [line.number for line in results.lines] if self.touchdowns() is not None else [],
             "low": list(self.extent[0] - self.centre), "high": list(self.extent[1] - self.centre), "centre": list(self.centre),
+            "border": [list(place - self.centre[:2]) for place in geometry.border(*self.extent)],
             "sea": None if self.sea.level is None else
             {"level": self.sea.level - self.centre[2], "ramp": self.sea.ramp, "waves": not self.sea.still},
             "links": parts.links(results, self.centre), "points": parts.points(results),
@@ -127,7 +135,7 @@ class Model:
     def columns(self, key):
         columns, units = self.results.series_columns(key)
         shown = [charts.shown(unit) for unit in units]
-        return {"columns": columns, "units": [u for u, _ in shown], "factors": [f for _, f in shown]}
+        return {"columns": columns, "labels": [self.results.label(name) for name in columns], "units": [u for u, _ in shown], "factors": [f for _, f in shown]}
 
     def unknown_bed(self):
         return "seabed" in dictionary(self.results.keys.get("environment")) and self.bed is None

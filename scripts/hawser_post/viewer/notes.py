@@ -4,6 +4,7 @@ import re
 import numpy as np
 
 from ..layout import text_of
+from ..results import dictionary
 
 LONGEST = 400  # letters
 
@@ -20,7 +21,7 @@ def named(names, text):
 
 def place(results, text, volumes):
     """{'node'}, {'volume'} or {'body'}; nothing where the text names no part of the model."""
-    arc = re.search(r"arc length (-?[\d.]+(?:e[-+]?\d+)?) ?m", text)
+    arc = re.search(r"(?:arc length|at) (-?[\d.]+(?:e[-+]?\d+)?) ?m\b(?!/)", text)
     name = named([line.name for line in results.lines], text)
     if name is None and arc and len(results.lines) == 1:
         name = results.lines[0].name
@@ -28,6 +29,10 @@ def place(results, text, volumes):
         line = results.line(name)
         end = re.search(r"\bend[_ ]([abAB])\b", text)
         at = float(arc[1]) if arc else (0.0 if end and end[1] in "aA" else line.length if end else line.length / 2)
+        mass = re.search(r"masses\[(\d+)\]", text)
+        masses = dictionary(dictionary(results.keys.get("lines")).get(name)).get("masses") or ()
+        if mass and int(mass[1]) < len(masses):
+            at = {"end_a": 0.0, "end_b": line.length}.get(masses[int(mass[1])].get("at"), masses[int(mass[1])].get("at"))
         return {"node": node_at(results, line, at)}
     volume = named(volumes, text)
     if volume is not None:

@@ -28,16 +28,9 @@ class ServedModel(Model):
         super().__init__(results, per_block=int(np.clip(BLOCK_VALUES // (3 * nodes), 1, MOST_OUTPUTS)), fields=fields)
 
     def range_of(self, name):
-        low, high = np.inf, -np.inf
         every_step = self.with_statistics(name) and not self.results.statistics_from  # but perhaps not the start
-        for k in np.unique(np.linspace(0, len(self.rows) - 1, 2 if every_step else SAMPLE).astype(int)):
-            x = self.sizes(name, [self.rows[k]])
-            low, high = (float(f(x, where=np.isfinite(x), initial=i)) for f, i in ((np.min, low), (np.max, high)))
-        if self.with_statistics(name):
-            x = self.file[f"statistics/{name}"][:]
-            low = float(np.min(x[:, 0], where=np.isfinite(x[:, 0]), initial=low))
-            high = float(np.max(x[:, 2], where=np.isfinite(x[:, 2]), initial=high))
-        return (low, high) if low <= high else None
+        places = np.unique(np.linspace(0, len(self.rows) - 1, 2 if every_step else SAMPLE).astype(int))
+        return self.range_over(name, ([self.rows[k]] for k in places))
 
     def block(self, name):
         what, _, rest = name.partition("/")

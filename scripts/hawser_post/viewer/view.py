@@ -23,7 +23,7 @@ def show(path, changes=(), port=0, browser=True):
     except OSError as error:
         raise Refusal(f"port {port} of this machine cannot be used ({error.strerror})") from error
     what = {"run": f"{shown.path}", "start": f"the start shape of {shown.case}"}[shown.kind]
-    print(f"view: {what}\n{server.address}\nCtrl-C ends it", flush=True)
+    print(f"shown: {what}\n{server.address}\nCtrl-C ends it", flush=True)
     if browser:
         webbrowser.open(server.address)
     try:

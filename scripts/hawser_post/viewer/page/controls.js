@@ -1,6 +1,7 @@
 // Buttons, lists and sliders, each with a name, and the sentence that says what is shown.
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
+const OF_RUN = ["least of the run", "mean of the run", "largest of the run"];
 const SIZES = [1, 2, 5, 10, 20, 50];
 const SHOWN = {names: "Names", volumes: "Volumes", sea: "Sea", bed: "Bed", parts: "Links, masses, joints", touchdowns: "Touchdown points", forces: "Contact forces", bedForces: "Bed forces", notes: "Notes"};
 
@@ -64,6 +65,9 @@ hawser.Controls = class {
     const fields = [["", "nothing"], ...model.header.fields.map((field) => [field.name, field.unit ? `${field.label} [${field.unit}]` : field.label])];
     const field = hawser.choice("Colour by", fields, view.field ? view.field.name : "", (name) => view.paint(name));
     const map = hawser.choice("Colours", model.header.maps.map((m) => [m.name, m.label]), scene.colours.chosen.name, (name) => scene.paintWith(name));
+    const values = hawser.choice("Values", [["", "at the time shown"], ...OF_RUN.map((label) => [label, label])], "", (label) => view.values(label));
+    this.values = values.select;
+    values.element.hidden = !view.field || !view.field.statistics;
     this.low = hawser.make("input", {type: "number", step: "any", onchange: () => view.limit()});
     this.high = hawser.make("input", {type: "number", step: "any", onchange: () => view.limit()});
     const whole = hawser.make("button", {type: "button", onclick: () => view.limit(true)}, "Whole range of colours");
@@ -72,7 +76,7 @@ hawser.Controls = class {
     this.lineList = line.select;
     this.fieldList = field.select;
     this.mapList = map.select;
-    const colours = [field.element, map.element, hawser.labelled("from", this.low), hawser.labelled("to", this.high), whole];
+    const colours = [field.element, values.element, map.element, hawser.labelled("from", this.low), hawser.labelled("to", this.high), whole];
     return hawser.make("div", {class: "bar"}, ...(coloured ? colours : []), line.element);
   }
 
@@ -84,7 +88,7 @@ hawser.Controls = class {
     const look = hawser.choice("View", looks, "space", (name) => view.look(name));
     this.lookList = look.select;
     const size = hawser.choice("Diameter", SIZES.map((s) => [s, s === 1 ? "true" : `${s} times`]), 1, (value) => {
-      scene.lines.uniforms.enlarged.value = Number(value);
+      for (const lines of [scene.lines, ...(scene.others || [])]) lines.uniforms.enlarged.value = Number(value);
       scene.redraw();
     });
     this.cutAt = hawser.make("input", {type: "range", min: 0, max: 1, step: 0.005, value: 0.5, "aria-label": "Place of the cut", disabled: true,

@@ -58,12 +58,12 @@ hawser.Curves = class {
     now.forEach((curve) => {
       curve.label = this.models.length > 1 ? curve.label : words;
     });
-    this.words = words;
+    [this.outputs, this.words] = [outputs, words];
     this.now = now;
     const curves = [...now, ...this.kept];
     if (this.envelope && this.models.length === 1) {
       const n = this.main.header.nodes;
-      ["least of the run", "mean", "largest of the run"].forEach((label, row) => {
+      OF_RUN.forEach((label, row) => {
         const y = this.envelope.values.subarray(row * n + this.line.first, row * n + this.line.first + this.line.nodes);
         curves.push({label, colour: ["#5b6770", "#7a5a2e", "#8a3324"][row], dashed: row !== 1, x: now[0] ? now[0].x : [],
                      y: Float32Array.from(y, (v) => v / this.field.factor), wide: 1});
@@ -81,24 +81,28 @@ hawser.Curves = class {
 
   dropCurves() {
     this.kept = [];
-    this.range.graph && this.now && this.range.show({title: `${this.line.name}, ${this.words}`, x: this.main.header.arcLength,
-                                                     y: this.unit(this.field), curves: this.now});
+    if (this.outputs) this.at(this.outputs, this.words);
   }
 
   async showEnds() {
     const curves = [];
     const wanted = this.line;
-    for (const {model, label} of this.models) {
+    for (const [k, {model, label}] of this.models.entries()) {
       const found = this.same(model);
       if (!found || model.outputs < 2) continue;
       const ends = await model.ends(found.field, found.line);
       ["end A", "end B"].forEach((name, row) => {
-        curves.push({label: this.models.length > 1 ? `${name} in run ${label}` : name, x: model.header.times,
+        curves.push({label: this.models.length > 1 ? `${name} in run ${label}` : name, colour: CURVE_COLOURS[row], dashed: k > 0, x: model.header.times,
                      y: Float32Array.from(ends[row], (v) => v / found.field.factor)});
       });
     }
     if (wanted !== this.line) return;
     this.ends.show({title: `Ends of ${this.line.name}`, x: this.main.header.modes ? "mode" : "time [s]", y: this.unit(this.field), curves});
+  }
+
+  // What column c of a history is called, with its unit.
+  words({labels, units}, c) {
+    return units[c] && units[c] !== "1" ? `${labels[c]} [${units[c]}]` : labels[c];
   }
 
   // A list of the histories that the results hold.
@@ -109,7 +113,7 @@ hawser.Curves = class {
     const select = hawser.make("select", {onchange: () => this.showStored(select.value)}, hawser.make("option", {value: ""}, "none"));
     histories.forEach((history, h) => {
       const group = hawser.make("optgroup", {label: history.name});
-      history.columns.forEach((column, c) => group.append(hawser.make("option", {value: `${h} ${c}`}, `${history.name}: ${column.replace(/_/g, " ")}`)));
+      history.columns.forEach((_, c) => group.append(hawser.make("option", {value: `${h} ${c}`}, `${history.name}: ${this.words(history, c)}`)));
       select.append(group);
     });
     return [hawser.make("div", {class: "bar"}, hawser.make("label", {}, "History ", select))];
@@ -129,10 +133,9 @@ hawser.Curves = class {
       if (column < 0) continue;
       const block = await model.block(`series/${history.key}`);
       const row = (k) => block.values.subarray(k * block.columns, (k + 1) * block.columns);
-      curves.push({label: this.models.length > 1 ? label : wanted.columns[c].replace(/_/g, " "), colour, x: row(0), y: Float32Array.from(row(column + 1), (v) => v / history.factors[column])});
+      curves.push({label: this.models.length > 1 ? label : wanted.labels[c], colour, x: row(0), y: Float32Array.from(row(column + 1), (v) => v / history.factors[column])});
     }
-    const unit = wanted.units[c] && wanted.units[c] !== "1" ? ` [${wanted.units[c]}]` : "";
-    this.stored.show({title: wanted.name, x: "time [s]", y: wanted.columns[c].replace(/_/g, " ") + unit, curves});
+    this.stored.show({title: wanted.name, x: "time [s]", y: this.words(wanted, c), curves});
   }
 };
 

@@ -20,11 +20,12 @@ hawser.follow = function (view, root) {
     model.header.times = header.times;
     model.header.ended = header.ended;
     model.forget(old - 1);
-    for (const name of [...model.loaded.keys()]) if (name.startsWith("ends/") || name.startsWith("series/")) model.loaded.delete(name);
+    for (const name of [...model.loaded.keys()]) if (/^(ends|series|statistics)\//.test(name)) model.loaded.delete(name);
     controls.slider.max = header.times.length - 1;
     controls.time.hidden = header.times.length < 2;
     if (view.player.output >= model.outputs) await view.player.show(model.outputs - 1);  // of a run that was taken back
     if (view.whole) view.limit(true);
+    if (view.scene.ofRun) await view.values(view.scene.ofRun.label);
     if (!view.player.playing) view.pace();
     if (box.checked && atEnd && !view.player.playing) {
       await view.player.show(header.times.length - 1);

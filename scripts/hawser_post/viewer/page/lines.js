@@ -3,13 +3,15 @@
 
 const LEAST_WIDTH = 2.2;       // pixels
 const SELECTED_WIDTH = 6;
+const OVER_WIDTH = 5;          // of lines of another model, which are dashes with a white edge over those of the first
+const DASH = 18;               // pixels, at least, of a dash with its gap
 const SHORT = 3;               // pixels of the picture: elements are joined up to this length
 
 const LINE_VERTEX = `
 attribute vec3 before, after;
-attribute float side, radius, scalar, number;
-uniform float pixel, perspective, enlarged, leastWidth, selectedWidth, selected;
-varying float value, across;
+attribute float side, radius, scalar, number, arc;
+uniform float pixel, perspective, enlarged, leastWidth, selectedWidth, selected, over;
+varying float value, across, along;
 #include <clipping_planes_pars_vertex>
 void main() {
   vec3 at = position + modelMatrix[3].xyz;
@@ -17,9 +19,14 @@ void main() {
   vec3 outward = side * normalize(cross(after - before, toEye) + vec3(1e-12));
   float depth = perspective > 0.5 ? max(-(viewMatrix * vec4(at, 1.0)).z, 0.0) : 1.0;
   float width = abs(number - selected) < 0.5 ? selectedWidth : leastWidth;
-  vec4 mvPosition = viewMatrix * vec4(at + max(radius * enlarged, 0.5 * width * pixel * depth) * outward, 1.0);
+  float half_width = max(radius * enlarged, 0.5 * width * pixel * depth);
+  vec4 mvPosition = viewMatrix * vec4(at + half_width * outward, 1.0);
+  // Nearer to who looks by a width, at the same place of the picture.
+  if (perspective > 0.5) mvPosition.xyz *= 1.0 - over * min(2.0 * half_width / max(depth, 1e-6), 0.5);
+  else mvPosition.z += over * 2.0 * half_width;
   gl_Position = projectionMatrix * mvPosition;
   across = side;
+  along = arc;
   value = scalar;
   #include <clipping_planes_vertex>
 }`;
@@ -28,15 +35,17 @@ void main() {
 const LINE_FRAGMENT = `
 uniform sampler2D colours;
 uniform vec3 single, noNumber;
-uniform float low, high, coloured, steps;
-varying float value, across;
+uniform float low, high, coloured, steps, over, dash;
+varying float value, across, along;
 #include <clipping_planes_pars_fragment>
 void main() {
   #include <clipping_planes_fragment>
+  if (over > 0.5 && fract(along / dash) > 0.6) discard;
   float share = high > low ? clamp((value - low) / (high - low), 0.0, 1.0) : 0.5;
   vec3 colour = texture2D(colours, vec2((share * (steps - 1.0) + 0.5) / steps, 0.5)).rgb;
   if (value > 1e37) colour = noNumber;
   if (coloured < 0.5) colour = single;
+  if (over > 0.5 && abs(across) > 0.6) colour = vec3(1.8);  // white where the side is shaded
   float faces = sqrt(max(0.0, 1.0 - across * across));
   gl_FragColor = vec4(colour * (0.55 + 0.45 * smoothstep(0.0, 0.75, faces)), 1.0);
 }`;
@@ -48,7 +57,7 @@ hawser.Lines = class {
     return new hawser.Lines(model, (await model.block("radius")).values, (await model.block("arc")).values, single);
   }
 
-  // `arcs`: m, of the nodes from end A of their line; `single`: a colour of all of them instead of colours of values.
+  // `arcs`: m, of the nodes from end A of their line; `single`: a colour of all of them instead of colours of values, for dashes over another model.
   constructor(model, radii, arcs, single) {
     this.model = model;
     const {lines} = model.header;
@@ -59,6 +68,7 @@ hawser.Lines = class {
     this.radii = new Float32Array(2 * this.places);
     this.placeOf = new Int32Array(model.header.nodes);
     const numbers = new Float32Array(2 * this.places);
+    const along = new Float32Array(2 * this.places);
     const sides = Float32Array.from({length: 2 * this.places}, (_, k) => (k % 2 ? 1 : -1));
     this.longest = new Float32Array(lines.length);  // element of each line, m
     this.strides = new Int32Array(lines.length).fill(1);
@@ -66,18 +76,21 @@ hawser.Lines = class {
     lines.forEach((line, number) => {
       for (let i = 0; i < line.nodes; i++) {
         if (i > 0) this.longest[number] = Math.max(this.longest[number], arcs[line.first + i] - arcs[line.first + i - 1]);
+        const k = 2 * (place + 1 + i);
         this.placeOf[line.first + i] = place + 1 + i;
-        this.radii.fill(radii[line.first + i], 2 * (place + 1 + i), 2 * (place + 1 + i) + 2);
+        this.radii.fill(radii[line.first + i], k, k + 2);
+        along.fill(arcs[line.first + i], k, k + 2);
       }
       numbers.fill(number, 2 * place, 2 * (place + line.nodes + 2));
       place += line.nodes + 2;
     });
-    this.mesh = new THREE.Mesh(this.geometry(numbers, sides), this.material(single));
+    this.mesh = new THREE.Mesh(this.geometry({number: numbers, side: sides, arc: along}), this.material(single));
     this.mesh.frustumCulled = false;
     this.mesh.visible = lines.length > 0;
   }
 
-  geometry(numbers, sides) {
+  // `fixed`: attributes that stay, by name.
+  geometry(fixed) {
     const geometry = new THREE.BufferGeometry();
     const last = 2 * this.places - 4;  // vertices whose neighbours are there
     const buffer = (values, size) => {
@@ -95,7 +108,7 @@ hawser.Lines = class {
     this.valueBuffer = buffer(this.values, 1);
     ["before", "position", "after"].forEach((name, k) => geometry.setAttribute(name, of(this.positionBuffer, k)));
     geometry.setAttribute("scalar", of(this.valueBuffer, 1));
-    for (const [name, values] of [["radius", this.radii], ["number", numbers], ["side", sides]]) {
+    for (const [name, values] of Object.entries({radius: this.radii, ...fixed})) {
       geometry.setAttribute(name, of(buffer(values, 1), 1));
     }
     this.faces = new THREE.BufferAttribute(new Uint32Array(6 * this.places), 1);
@@ -139,7 +152,8 @@ hawser.Lines = class {
 
   material(single) {
     this.uniforms = {
-      pixel: {value: 1}, perspective: {value: 1}, enlarged: {value: 1}, leastWidth: {value: LEAST_WIDTH},
+      pixel: {value: 1}, perspective: {value: 1}, enlarged: {value: 1},
+      leastWidth: {value: single ? OVER_WIDTH : LEAST_WIDTH}, over: {value: single ? 1 : 0}, dash: {value: 1},
       selectedWidth: {value: SELECTED_WIDTH}, selected: {value: -1}, colours: {value: null}, steps: {value: 256},
       low: {value: 0}, high: {value: 1}, coloured: {value: single ? 0 : 1}, single: {value: new THREE.Color(single || "#444444")},
       noNumber: {value: new THREE.Color(...hawser.NO_NUMBER.map((c) => c / 255))},

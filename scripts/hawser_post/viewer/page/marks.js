@@ -5,7 +5,21 @@ const SMALLEST_ARROW = 0.02;  // of the largest force of the run: smaller ones a
 const LONGEST_ARROW = 80;      // pixels at the middle of the picture
 const ARROW_COLOURS = {forces: 0xa31515, bedForces: 0x6b4410};
 const POINT_COLOURS = {buoy: 0xe8912d, weight: 0x3a3f46, joint: 0x3a3f46};
+const TOUCHDOWN = 11;          // pixels across
 const LEAST_POINT = {buoy: 5, weight: 5, joint: 3.5};  // radius, pixels
+
+// A white disc with a dark rim: it differs from every colour of lines by its light.
+hawser.disc = function () {
+  const picture = document.createElement("canvas");
+  picture.width = picture.height = 64;
+  const pen = picture.getContext("2d");
+  pen.beginPath();
+  pen.arc(32, 32, 25, 0, 2 * Math.PI);
+  [pen.fillStyle, pen.strokeStyle, pen.lineWidth] = ["white", "#16202b", 12];
+  pen.fill();
+  pen.stroke();
+  return new THREE.CanvasTexture(picture);
+};
 
 hawser.Marks = class {
   constructor(model) {
@@ -20,7 +34,8 @@ hawser.Marks = class {
     const geometry = new THREE.BufferGeometry();
     this.points = new Float32Array(3 * Math.max(1, count));
     geometry.setAttribute("position", new THREE.BufferAttribute(this.points, 3));
-    this.touchdowns = new THREE.Points(geometry, new THREE.PointsMaterial({color: 0xb3261e, size: 9, sizeAttenuation: false, depthTest: false}));
+    const paint = {map: hawser.disc(), size: TOUCHDOWN, sizeAttenuation: false, depthTest: false, alphaTest: 0.5};
+    this.touchdowns = new THREE.Points(geometry, new THREE.PointsMaterial(paint));
     this.touchdowns.frustumCulled = false;
     this.touchdowns.visible = count > 0;
     this.root.add(this.touchdowns);

@@ -55,17 +55,21 @@ hawser.Overlay = class {
     return picture;
   }
 
-  // Names at their places, [{words, x, y}]; one that would stand on another is excluded.
-  names(names) {
-    const taken = [];
-    for (const {words, x, y} of names) {
-      if (taken.length >= MOST_NAMES) break;
-      const [w, h] = [6.4 * words.length, 14];
-      const free = (b) => x + 6 > b.x + b.w || x + 6 + w < b.x || y - 6 > b.y + b.h || y - 6 + h < b.y;
-      if (!taken.every(free)) continue;
-      taken.push({x: x + 6, y: y - 6, w, h});
-      this.text(words, x + 6, y + 4);
+  // Names, [{words, places: [{x, y}]}], each at the first of its places where it stands on no other, nor on what is `taken` (boxes); one
+  // that has no such place is excluded. Returns the words that are there.
+  names(names, taken) {
+    const [boxes, written] = [[...taken], []];
+    for (const {words, places} of names) {
+      if (written.length >= MOST_NAMES) break;
+      const [w, h] = [7 * words.length + 6, 14];
+      const free = ({x, y}) => boxes.every((b) => x + 6 > b.x + b.w || x + 6 + w < b.x || y - 6 > b.y + b.h || y - 6 + h < b.y);
+      const place = places.find(free);
+      if (!place) continue;
+      boxes.push({x: place.x + 6, y: place.y - 6, w, h});
+      this.text(words, place.x + 6, place.y + 4);
+      written.push(words);
     }
+    return written;
   }
 
   // Links, [{a, b}] on the screen, as springs.
@@ -113,8 +117,8 @@ hawser.Overlay = class {
     }
   }
 
-  // The bar of colours with its numbers; null: no colours.
-  legend(colours, field) {
+  // The bar of colours with its numbers, and words below it; null: no colours.
+  legend(colours, field, words) {
     if (!field) return;
     const {pen} = this;
     const [x, top, wide, high] = [14, 34, 16, Math.min(220, this.height - 110)];
@@ -135,6 +139,7 @@ hawser.Overlay = class {
       pen.stroke();
       this.text(hawser.number(tick), x + wide + 7, y + 4);
     }
+    words.forEach((line, k) => this.text(line, x, top + high + 18 + 15 * k, {size: 11}));
   }
 
   // The colours from the largest value to the least, a row each.

@@ -1,6 +1,7 @@
 // The picture: everything that is drawn, at a time between two outputs.
 
 const SKY = 0xf7f9fb;
+const NAMED_AT = [0.5, 0.35, 0.65, 0.2, 0.8];  // shares of a line, in this order
 const COARSE = 0.75;  // of the pixels along a side
 
 hawser.Scene = class {
@@ -19,6 +20,7 @@ hawser.Scene = class {
     if (!context) throw new Error("this browser has no WebGL, which the picture in three dimensions needs");
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, context});
     this.renderer.setClearColor(SKY);
+    this.renderer.clear();  // a canvas of WebGL is black before
     this.space = new THREE.Scene();
     const sky = new THREE.HemisphereLight(0xffffff, 0x9aa4ad, 0.85);
     sky.position.set(0, 0, 1);
@@ -38,6 +40,7 @@ hawser.Scene = class {
     this.drawn = 0;
     this.output = 0;
     this.share = 0;
+    this.reading = "Reading the lines ...";  // what is waited for before the first picture
     new ResizeObserver(() => this.resize()).observe(box);
   }
 
@@ -61,9 +64,16 @@ hawser.Scene = class {
     this.bodies = new hawser.Bodies(model);
     this.sea = new hawser.Sea(model);
     this.marks = new hawser.Marks(model);
+    this.wait("Reading the sea and the bed ...");
     await this.sea.load();
     space.add(this.lines.mesh, this.bodies.root, this.sea.root, this.marks.root);
     this.paintWith(this.colours.chosen.name);
+  }
+
+  // Says what is waited for, until there is a picture.
+  wait(words) {
+    this.reading = words;
+    this.redraw();
   }
 
   // Lines of another model in a colour of their own.
@@ -98,7 +108,8 @@ hawser.Scene = class {
     const pair = (what) => [model.at(what, output), model.at(what, next) || model.at(what, output)];
     const [a, b] = pair("position");
     if (a) this.lines.move(a, b, share);
-    if (this.field) {
+    if (this.field && this.ofRun) this.lines.paint(this.ofRun.values, this.ofRun.values, 0);
+    else if (this.field) {
       const values = model.scalars(this.field, output);
       if (values) this.lines.paint(values, share > 0 ? model.scalars(this.field, next) || values : values, share);
     }
@@ -122,7 +133,7 @@ hawser.Scene = class {
     this.refine();
     this.overlay.resize(width, height, Math.min(2, window.devicePixelRatio || 1));
     this.camera.resize();
-    this.redraw();
+    this.draw();  // at once: a canvas of another size is black
   }
 
   // Pixels of the picture: fewer while it plays where the processor draws them.
@@ -142,12 +153,19 @@ hawser.Scene = class {
   }
 
   draw() {
-    if (this.time === undefined || !this.overlay.width) return;
+    if (!this.overlay.width) return;
+    if (this.time === undefined) {
+      this.renderer.clear();
+      this.overlay.clear();
+      this.overlay.text(this.reading, this.overlay.width / 2, this.overlay.height / 2, {align: "center", size: 14});
+      return;
+    }
     const {camera} = this.camera;
     for (const lines of [this.lines, ...(this.others || [])]) {
       lines.uniforms.pixel.value = this.camera.pixel();
       lines.uniforms.perspective.value = camera.isPerspectiveCamera ? 1 : 0;
       lines.uniforms.selected.value = this.selected;
+      lines.uniforms.dash.value = 2 ** Math.ceil(Math.log2(DASH * this.camera.pixelAtTarget()));
       lines.join(this.camera, this.renderer.getPixelRatio());
     }
     Object.assign(this.lines.uniforms.low, {value: this.colours.low});
@@ -197,9 +215,10 @@ hawser.Scene = class {
     const {overlay} = this;
     overlay.clear();
     if (this.shown.parts) overlay.springs(this.springs());
-    if (this.shown.names) overlay.names(this.names());
-    if (this.shown.notes) overlay.badges(this.badges());
-    overlay.legend(this.colours, this.field);
+    const badges = this.shown.notes ? this.badges() : [];
+    if (this.shown.names) this.written = overlay.names(this.names(), badges.map(({x, y}) => ({x: x - 9, y: y - 9, w: 18, h: 18})));
+    overlay.badges(badges);
+    overlay.legend(this.colours, this.field, this.legendWords());
     overlay.scale(this.camera.pixelAtTarget());
     overlay.axes(this.camera.camera);
     const when = this.model.header.modes ? `mode ${this.output}` : `t = ${this.time.toFixed(2)} s`;
@@ -212,21 +231,30 @@ hawser.Scene = class {
     }
   }
 
+  // Which values of the run the colours are of, where not of the time shown, and the range of the field.
+  legendWords() {
+    const {field} = this;
+    if (!field) return [];
+    const whole = field.statistics ? "over every step" : "over the outputs";
+    const [low, high] = [field.low, field.high].map((value) => hawser.number(value / field.factor, (field.high - field.low) / field.factor));
+    const unit = field.unit && field.unit !== "1" ? ` ${field.unit}` : "";
+    return [...(this.ofRun ? [`colours: ${this.ofRun.label}`] : []), `${low} to ${high}${unit}`, whole];
+  }
+
   names() {
     const [found, at] = [[], new THREE.Vector3()];
-    const add = (words, place) => {
-      const pixel = this.pixelOf(place);
-      if (pixel) found.push({words, ...pixel});
-    };
-    this.model.header.bodies.forEach((name, k) => add(name, this.bodies.groups[k].getWorldPosition(at)));
-    this.model.header.lines.slice(0, MOST_NAMES).forEach((line) => add(line.name, this.lines.position(line.first + (line.nodes >> 1), at)));
+    const add = (words, ...places) => found.push({words, places: places.filter((pixel) => pixel)});
+    this.model.header.bodies.forEach((name, k) => add(name, this.pixelOf(this.bodies.groups[k].getWorldPosition(at))));
+    for (const {name, first, nodes} of this.model.header.lines.slice(0, MOST_NAMES)) {
+      add(name, ...NAMED_AT.map((share) => this.pixelOf(this.lines.position(first + Math.floor(share * (nodes - 1)), at))));
+    }
     if (this.shown.parts) {
-      for (const {name, a, b} of this.springs()) found.push({words: name, x: (a.x + b.x) / 2 + 6, y: (a.y + b.y) / 2});
-      for (const {name, node} of this.marks.balls) if (name) add(name, this.lines.position(node, at));
+      for (const {name, a, b} of this.springs()) add(name, {x: (a.x + b.x) / 2 + 6, y: (a.y + b.y) / 2});
+      for (const {name, node} of this.marks.balls) if (name) add(name, this.pixelOf(this.lines.position(node, at)));
     }
     if (!this.shown.volumes) return found;
     for (const volume of this.bodies.volumes.slice(0, MOST_NAMES)) {
-      if (volume.name !== this.model.header.bodies[volume.body]) add(volume.name, this.bodies.middle(volume, at));
+      if (volume.name !== this.model.header.bodies[volume.body]) add(volume.name, this.pixelOf(this.bodies.middle(volume, at)));
     }
     return found;
   }

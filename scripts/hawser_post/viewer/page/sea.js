@@ -72,16 +72,15 @@ hawser.Sea = class {
   }
 
   addSurface(sea, waves) {
-    const {low, high} = this.model.header;
-    const beyond = 0.15 * Math.max(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+    const [low, high] = this.model.header.border;
     const most = hawser.Scene.slow() ? SEA_PLACES.slow : SEA_PLACES.fast;
-    const cell = (Math.max(high[0] - low[0], high[1] - low[1]) + 2 * beyond) / (most - 1);
+    const cell = Math.max(high[0] - low[0], high[1] - low[1]) / (most - 1);
     const long = [];  // waves that are drawn
     for (let k = 0; k + 5 < waves.length; k += 6) if (waves[k + 2] * cell <= Math.PI) long.push(waves.subarray(k, k + 6));
     const count = long.length ? most : 2;
     const places = (a, b) => Float32Array.from({length: count}, (_, k) => a + (b - a) * k / (count - 1));
-    const x = places(low[0] - beyond, high[0] + beyond);
-    const y = places(low[1] - beyond, high[1] + beyond);
+    const x = places(low[0], high[0]);
+    const y = places(low[1], high[1]);
     this.geometry = this.grid(x, y);
     this.geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(3 * count * count).fill(0.6), 3));
     const colour = long.length ? {vertexColors: THREE.VertexColors} : {color: 0x3f8fc4};

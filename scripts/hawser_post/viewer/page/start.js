@@ -35,6 +35,9 @@ hawser.View = class {
     }
     this.limit(true);
     const {header} = this.model;
+    this.scene.wait("Reading the first picture ...");
+    this.scene.resize();
+    this.scene.camera.fit();  // the controls have left the picture its size
     await this.player.show(header.served && !header.ended ? this.model.outputs - 1 : 0);  // of a run in progress the newest
     // Volumes may be many: the first picture does not wait for them.
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
@@ -108,7 +111,7 @@ hawser.View = class {
       const unit = field.unit && field.unit !== "1" ? ` ${field.unit}` : "";
       const [low, high] = [scene.colours.low / field.factor, scene.colours.high / field.factor];
       const range = `${hawser.number(low, 100 * (high - low))} to ${hawser.number(high, 100 * (high - low))}${unit}`;
-      parts.push(`lines coloured by ${field.label}, ${range}; grey where there is no number`);
+      parts.push(`lines coloured by ${field.label}${scene.ofRun ? ` (${scene.ofRun.label})` : ""}, ${range}; grey where there is no number`);
     }
     if (line) parts.push(`chosen: ${line.name}`);
     if (scene.cuts.kind !== "none") parts.push(scene.cuts.describe(model.header.centre));
@@ -131,8 +134,20 @@ hawser.View = class {
     this.controls.fieldList.value = this.field ? name : "";
     this.scene.field = this.field;
     this.limit(true);
-    await this.player.show(this.player.output);
+    await this.values(this.scene.ofRun ? this.scene.ofRun.label : "");
     await this.choose(this.chosen);
+  }
+
+  // Colours are those of the time shown (""), or of the least, mean or largest value of the run at each node.
+  async values(label) {
+    const {scene, field, controls} = this;
+    const row = field && field.statistics ? OF_RUN.indexOf(label) : -1;
+    controls.values.parentNode.hidden = !field || !field.statistics;
+    controls.values.value = row < 0 ? "" : label;
+    const n = this.model.header.nodes;
+    const block = row < 0 ? null : await this.model.block(`statistics/${field.name}`);
+    scene.ofRun = block && {label, values: block.values.subarray(row * n, (row + 1) * n)};
+    await this.player.show(this.player.output);
   }
 
   // The limits of the colours: the whole range, or what is typed.
