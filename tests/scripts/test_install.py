@@ -65,6 +65,7 @@ class Install(unittest.TestCase):
         with subprocess.Popen([self.prefix / "bin/hawser", "view", case, "--no-browser"], env={**env, "PYTHONUNBUFFERED": "1"},
                               cwd=self.folder.name, stdout=subprocess.PIPE, text=True) as process:
             self.addCleanup(process.kill)
+            self.assertIn("reading the model", process.stdout.readline())
             self.assertIn("the start shape of", process.stdout.readline())
             address = process.stdout.readline().strip()
             with urllib.request.urlopen(address + "header", timeout=60) as answer:
