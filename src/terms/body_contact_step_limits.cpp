@@ -19,6 +19,9 @@ constexpr double kShortest = 200;      // no more steps a period are asked for
 constexpr double kEnergyError = 3e-4;  // of the energy of the motion against each other, in a step
 constexpr int kLevels = 3;             // of an edge: in each eighth the gap has one minimum
 constexpr int kHalvings = 12;
+// Of a frequency: where the stiffness does not change on the way, the one at the end of the longest step
+// differs from that of its start by rounding only.
+constexpr double kRounding = 1e-9;
 
 }  // namespace
 
@@ -80,7 +83,7 @@ double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) 
     Both there = at;
     there.move(h);
     const double w = frequency(pair, contact(pair, there, kStiffness));
-    return h * w <= 2 * M_PI / kStepsAPeriod;
+    return h * w <= 2 * M_PI / kStepsAPeriod * (1 + kRounding);
   };
   if (resolves_contact(most)) return most;
   double accepted = 1e-4 * most, rejected = most;
