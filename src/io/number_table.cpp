@@ -55,12 +55,20 @@ bool numbers_of(std::string line, std::vector<double>& to) {
   }
 }
 
-size_t words_of(const std::string& line) {
+// Words of a line, and how many of them begin as numbers do.
+struct Words {
+  size_t all = 0, numbers = 0;
+};
+Words words_of(const std::string& line) {
   constexpr const char* kBlank = " \t\r,";
-  size_t count = 0;
-  for (size_t at = line.find_first_not_of(kBlank); at != std::string::npos; ++count)
+  Words words;
+  for (size_t at = line.find_first_not_of(kBlank); at != std::string::npos; ++words.all) {
+    char* end = nullptr;
+    std::strtod(line.c_str() + at, &end);
+    words.numbers += end != line.c_str() + at;
     at = line.find_first_not_of(kBlank, line.find_first_of(kBlank, at));
-  return count;
+  }
+  return words;
 }
 
 }  // namespace
@@ -89,8 +97,9 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
       table.rows.push_back(std::move(row));
       continue;
     }
-    const bool row_with_an_error = !row.values.empty() && fits(words_of(words));
-    if (table.rows.empty() && !row_with_an_error) continue;  // a title
+    // Before the first row: most words of a row with an error are numbers, few of a title.
+    const Words found = words_of(words);
+    if (table.rows.empty() && !(fits(found.all) && 2 * found.numbers > found.all)) continue;
     throw std::runtime_error(fmt::format("{}:{}: a row of this file has {} numbers, but this one has {}{}",
                                          table.path, line, fmt::join(columns, " or "), row.values.size(),
                                          numbers ? "" : " and something that is no number"));

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "hawser/kernels/coupled_mass.hpp"
 #include "hawser/model/case.hpp"
 
 namespace hawser::model {
@@ -27,7 +28,8 @@ double largest_growth(double d, double p, double i) {
 
 Vec3 positioned_mass(const Body& b) {
   const BodyMass& m = *b.mass;
-  Vec3 mass(m.mass, m.mass, m.inertia.z() + m.mass * m.centre.head<2>().squaredNorm());
+  const Mat6 own = mass_about(rigid_mass(m.mass, m.tensor()) + m.coupled, m.centre);
+  Vec3 mass(own(0, 0), own(1, 1), own(5, 5));
   if (m.in_water) mass.head<2>() += m.in_water->added_mass.head<2>();
   if (!m.hydrodynamics || !m.hydrodynamics->data || m.hydrodynamics->data->added_mass.empty()) return mass;
   const Eigen::MatrixXd& A = m.hydrodynamics->data->added_mass.front();
@@ -46,7 +48,8 @@ Vec3 loop_growth(const Body& b) {
     const double m = mass[k] * c;
     const double growth =
         largest_growth(p.derivative[k] / m, p.proportional[k] / (m * c), p.integral[k] / (m * c * c));
-    if (p.proportional[k] > 0 && growth > kRounded) out[k] = c * growth;
+    const bool controlled = p.proportional[k] > 0 || p.derivative[k] > 0;
+    if (controlled && growth > kRounded) out[k] = c * growth;
   }
   return out;
 }

@@ -29,8 +29,8 @@ std::vector<std::string> PlatformWater::origins(int body) const {
   return {};
 }
 
-// Radiation: added mass and memory, or the damping of the files in a harmonic motion; added: the matrices of
-// stiffness and damping that the case adds.
+// Radiation: added mass, with what a step takes out of it, and memory, or the damping of the files in a
+// harmonic motion; added: the matrices of stiffness and damping that the case adds.
 std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) const {
   for (const Group& g : groups_) {
     if (!g.here) continue;
@@ -60,8 +60,8 @@ std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) 
       damping(g, now, rate, force, nullptr);
       const Vec6 own = rate.segment<6>(first);
       const Vec6 dampers = p.damping * own + p.quadratic * own.cwiseAbs().cwiseProduct(own);
-      const Vec6 radiation =
-          force.segment<6>(first) - dampers + (g.added_mass * acceleration).segment<6>(first);
+      const Eigen::MatrixXd mass = g.added_mass + period_mass(g, at.step);
+      const Vec6 radiation = force.segment<6>(first) - dampers + (mass * acceleration).segment<6>(first);
       return {of_unknowns(still), by_rate(radiation), of_unknowns(pull + m.G.transpose() * dampers),
               by_rate(-now.first.segment<6>(first)), by_rate(-now.second.segment<6>(first))};
     }

@@ -151,9 +151,9 @@ std::vector<BodyForce> Thrusters::forces_on(int body, const Kinematics& at) cons
   return out;
 }
 
-Thrusters::Passed Thrusters::passed(const Positioned& p, const Kinematics& at) const {
+Thrusters::Passed Thrusters::passed(const Positioned& p, const Kinematics& at, const Push& push) {
   const RigidBodyState s = floating_state(at, p.node);
-  return {push(p, at).force, s.x + s.q * p.arm, s.q};
+  return {push.force, s.x + s.q * p.arm, s.q};
 }
 
 double Thrusters::work(const Passed& from, const Passed& to) {
@@ -162,12 +162,13 @@ double Thrusters::work(const Passed& from, const Passed& to) {
   return 0.5 * (from.force + to.force).dot(way);
 }
 
-// Where no statics went before, the integral begins at zero.
+// Where no statics went before, the integral begins at zero. In motion (h > 0) the force at the start of the
+// step is that of the controller, also after an event, where the committed state has no step.
 void Thrusters::prepare(const Kinematics& committed, double h) {
   for (Positioned& p : list_) {
-    if (!(committed.step > 0) && h > 0 && !p.begun)
-      begin(p, pose_of(p.arm, floating_state(committed, p.node)), committed.time);
-    p.last = passed(p, committed);
+    const Vec3 pose = pose_of(p.arm, floating_state(committed, p.node));
+    if (h > 0 && !p.begun) begin(p, pose, committed.time);
+    p.last = passed(p, committed, h > 0 ? push_in_motion(p, pose, committed.time) : push(p, committed));
   }
 }
 
@@ -211,7 +212,7 @@ void Thrusters::commit(const Kinematics& accepted) {
       begin(p, pose, accepted.time);
       continue;
     }
-    p.work += work(p.last, passed(p, accepted));
+    p.work += work(p.last, passed(p, accepted, now));
     const double h = accepted.time - p.time;
     const Vec3 before = offset(p, p.slow.place);
     p.slow = p.slow.after(pose, h, p.data.filter);
@@ -229,7 +230,7 @@ Energy Thrusters::energy(const Kinematics& at) const {
   Energy e;
   for (const Positioned& p : list_) {
     e.work += p.work;
-    if (!(at.step > 0)) e.potential -= work(p.last, passed(p, at));
+    if (!(at.step > 0)) e.potential -= work(p.last, passed(p, at, push(p, at)));
   }
   return e;
 }

@@ -125,6 +125,29 @@ TEST(CasePositioning, GrowthOfTheLoop) {
   EXPECT_LT(unstable, 9);
 }
 
+// Of D alone: s⁴ + 3 s³ + 3 s² + (1 + 3 d) s + d with d = D/(m c), by Routh unstable where
+// (8 - 3 d) (1 + 3 d) < 9 d, which is above d = 1.8.
+TEST(CasePositioning, DampingAloneMayBeUnstable) {
+  constexpr double c = 2 * M_PI / 60;
+  for (const double d : {0.5, 1.5, 2.2, 9.}) {
+    const model::Case found =
+        read(floating(fmt::format("derivative: [{}, 0, 0], filter_period: 60", d * kMass * c)));
+    EXPECT_EQ(model::loop_growth(found.bodies[0]).x() > 0, (8 - 3 * d) * (1 + 3 * d) < 9 * d) << d;
+  }
+}
+
+TEST(CasePositioning, MassOfAFullMatrix) {
+  model::Case c = read(floating("proportional: [1e5, 1e5, 1e7]"));
+  model::BodyMass& m = *c.bodies[0].mass;
+  const Vec3 before = model::positioned_mass(c.bodies[0]);
+  m.centre.setZero();
+  m.coupled = Vec6(2e6, 3e6, 0, 0, 0, 4e8).asDiagonal();
+  const Vec3 found = model::positioned_mass(c.bodies[0]);
+  EXPECT_NEAR(found.x(), before.x() + 2e6, 1);
+  EXPECT_NEAR(found.y(), before.y() + 3e6, 1);
+  EXPECT_NEAR(found.z(), m.inertia.z() + 4e8, 1e2);
+}
+
 std::string in_sea(const std::string& damping, const std::string& waves) {
   const std::string stem = testing::TempDir() + "/drift_barge";
   std::ofstream(stem + ".1") << "0 3 3 1\n6 3 3 1 0.1\n5 3 3 1 0.1\n";

@@ -216,8 +216,10 @@ TEST_F(HydrodynamicChecks, FilesThatAreCutOff) {
 TEST_F(HydrodynamicChecks, FirstRowWithAnError) {
   write(".hst", "WAMIT Output 36\n3 3 ****\n4 4 -1264491\n");
   expect("spar.hst:2: a row of this file has 3 numbers, but this one has 2 and something that is no number");
-  write(".hst", "3 bodies of a set\n3 3 314.159265\n4 4 -1264491.04\n5 5 -1264491.04\n");
-  EXPECT_EQ(reported(), "");
+  for (const char* title : {"3 bodies of a set", "1 body alone"}) {
+    write(".hst", std::string(title) + "\n3 3 314.159265\n4 4 -1264491.04\n5 5 -1264491.04\n");
+    EXPECT_EQ(reported(), "") << title;
+  }
   expect("body: is 2, and ", ", body: 2");
 }
 

@@ -70,7 +70,7 @@ class Thrusters final : public ForceTerm, public ActsOnBodies {
   Push push(const Positioned& p, const Kinematics& at) const;
   Push push_at_rest(const Positioned& p, const Vec3& pose) const;
   static Push push_in_motion(const Positioned& p, const Vec3& pose, double time);
-  Passed passed(const Positioned& p, const Kinematics& at) const;
+  static Passed passed(const Positioned& p, const Kinematics& at, const Push& push);
   static double work(const Passed& from, const Passed& to);  // J, of the mean force over the way
   static void begin(Positioned& p, const Vec3& pose, double time);
 
