@@ -7,6 +7,7 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/math/angle_gap.hpp"
+#include "hawser/math/freedoms.hpp"
 #include "hawser/math/symmetric.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/model/positioning.hpp"
@@ -85,8 +86,8 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
   const double g = c.environment.gravity, density = c.environment.water.density, weight = m.mass * g;
   if (m.hull || !(g > 0)) return;
   const PlatformHydrostatics still = hydrostatics(m, density, g);
-  const double size = std::cbrt(still.buoyancy / (density * g)),
-               rise = (still.buoyancy - weight) / std::max(still.stiffness(0, 0), 1e-300);
+  const double size = std::cbrt(still.buoyancy / (density * g));
+  const double rise = (still.buoyancy - weight) / std::max(still.stiffness(0, 0), 1e-300);
   if (still.stiffness(0, 0) > 0 && std::abs(rise) > size)
     out.push_back(
         {"bodies." + b.name + ".floating.mass",
@@ -153,7 +154,6 @@ void warn_of_fairleads(const Case& c, const Body& b, std::vector<InputWarning>& 
 
 // Positioning whose loop is unstable.
 void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
-  constexpr const char* kNames[] = {"surge", "sway", "yaw"};
   const Vec3 growth = model::loop_growth(b);
   const std::string key = "bodies." + b.name + ".floating.positioning";
   for (int k = 0; k < 3; ++k)
@@ -163,7 +163,7 @@ void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
            fmt::format("the control loop is unstable in {}: without other forces the motion grows e times in "
                        "{:.3g} s; reduce 'proportional' or 'integral', increase 'derivative', or take a "
                        "shorter 'filter_period'",
-                       kNames[k], 1 / growth[k]),
+                       kFreedomNames[kHorizontalFreedoms[k]], 1 / growth[k]),
            114});
 }
 

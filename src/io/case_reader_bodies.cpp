@@ -116,6 +116,7 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
       c.notes.push_back("bodies." + b.name + ".floating.hydrodynamics: " + n);
   }
   h.data = known;
+  if (const Value* damping = v.find("wave_drift_damping")) read_drift_damping(*damping, source, h);
   if (h.body > h.data->bodies)
     model::refuse(v["body"], "is {}, and {} has {}: it is the number of the body in the files", h.body,
                   h.data->radiation_file,
@@ -170,9 +171,6 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
       for (size_t i = 0; i < members->items.size(); ++i)
         if (waves && !members->items[i]["Ca"].given) b.mass->members[i].added = 0;
     if (waves) read_hydrodynamics(*waves, source, b, c);
-    if (waves)
-      if (const Value* damping = waves->find("wave_drift_damping"))
-        read_drift_damping(*damping, source, *b.mass->hydrodynamics);
   }
   const Value* m = v.find("motion");
   if (!m) return;

@@ -9,6 +9,7 @@
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/io/case_values.hpp"
 #include "hawser/kernels/rao.hpp"
+#include "hawser/math/freedoms.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/wave_components.hpp"
@@ -155,7 +156,6 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
   if (found.empty()) return;
   const auto& [t, energy] = *std::max_element(
       found.begin(), found.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
   const double unit = t.freedom < 3 ? 1 : kDegree;
   const char* name = t.freedom < 3 ? "m/m" : "deg/m";
   notes.push_back(
@@ -164,7 +164,7 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
                   "{:.3g} % of the sea's energy is, and the straight line between these rows makes the "
                   "amplitude fall from {:.3g} to "
                   "{:.3g} {} there{}; if the vessel's does not, give rows between them",
-                  key, t.direction / kDegree, kNames[t.freedom], t.angle / kDegree, 2 * M_PI / t.to,
+                  key, t.direction / kDegree, kFreedomNames[t.freedom], t.angle / kDegree, 2 * M_PI / t.to,
                   2 * M_PI / t.from, 100 * energy / all, t.ends / unit, t.least / unit, name,
                   found.size() > 1 ? fmt::format(" (and so in {} other place{} of the table)",
                                                  found.size() - 1, found.size() > 2 ? "s" : "")

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "hawser/kernels/radiation_memory.hpp"
+#include "hawser/math/freedoms.hpp"
 #include "hydrodynamic_parts.hpp"
 
 namespace hawser::io {
@@ -167,10 +168,9 @@ void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>&
 }  // namespace
 
 std::string modes_text(int i, int j) {
-  constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
   const auto name = [&](int mode) {
-    return mode < 6 ? std::string(kNames[mode])
-                    : fmt::format("{} of body {}", kNames[mode % 6], mode / 6 + 1);
+    return mode < 6 ? std::string(kFreedomNames[mode])
+                    : fmt::format("{} of body {}", kFreedomNames[mode % 6], mode / 6 + 1);
   };
   return i == j ? name(i) : name(i) + " and " + name(j);
 }

@@ -7,6 +7,7 @@
 
 #include "hawser/kernels/waves.hpp"
 #include "hawser/math/angle_gap.hpp"
+#include "hawser/math/freedoms.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/check.hpp"
 
@@ -14,7 +15,6 @@ namespace hawser::model {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-constexpr const char* kModes[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
 
 // In long waves the water carries a body as it moves itself: heave follows the crest and surge comes a
 // quarter of a period before it, and the heave force is that of the hydrostatic stiffness. Waves of this wave
@@ -126,7 +126,7 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
     std::nth_element(ratios.begin(), middle, ratios.end());
     if (std::abs(std::log(*middle)) > std::abs(std::log(worst))) {
       worst = *middle;
-      name = kModes[mode];
+      name = kFreedomNames[mode];
     }
   }
   if (worst > kFar || worst < 1 / kFar)
@@ -154,7 +154,7 @@ void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
         "and "
         "is taken as zero in shorter waves, though the wave forces of {} go on to {:.4g} s: is the file cut "
         "off?",
-        data.radiation_file, 2 * M_PI / end, kModes[mode], 100 * last[mode], data.excitation_file,
+        data.radiation_file, 2 * M_PI / end, kFreedomNames[mode], 100 * last[mode], data.excitation_file,
         2 * M_PI / beyond);
 }
 

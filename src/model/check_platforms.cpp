@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/math/freedoms.hpp"
 #include "hawser/model/case.hpp"
 #include "hawser/model/check.hpp"
 
@@ -80,13 +81,12 @@ void check_flow(const Case& c, const Body& b, const Issues& issue) {
 
 void check_positioning(const BodyMass& m, const Issues& issue) {
   const DynamicPositioning& p = *m.positioning;
-  constexpr const char* kNames[] = {"surge", "sway", "yaw"};
   for (int k = 0; k < 3; ++k)
     if (p.integral[k] > 0 && !(p.proportional[k] > 0))
       issue("integral",
             "has {:g} for {}, where 'proportional' has 0: an integral part alone is unstable, so give a "
             "proportional part",
-            p.integral[k], kNames[k]);
+            p.integral[k], kFreedomNames[kHorizontalFreedoms[k]]);
   if (p.proportional.isZero() && p.derivative.isZero())
     issue("", "needs 'proportional' or 'derivative' parts: without them the thrusters do nothing");
 }

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/math/freedoms.hpp"
+
 namespace hawser::model {
 
 std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row) {
-  constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
   const std::string& body = c.bodies[static_cast<size_t>(bodies[static_cast<size_t>(row / 6)])].name;
-  return (bodies.size() > 1 ? body + " " : "") + kNames[row % 6];
+  return (bodies.size() > 1 ? body + " " : "") + kFreedomNames[row % 6];
 }
 
 // Not of the last row, where damping that ends has no finite added mass.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "hawser/kernels/table_places.hpp"
+#include "hawser/math/freedoms.hpp"
 #include "hawser/model/platform.hpp"
 
 namespace hawser::model {
@@ -26,7 +27,6 @@ bool covered(const std::vector<double>& directions, double direction) {
 }  // namespace
 
 Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveComponent>& sea) {
-  constexpr Eigen::Index kFreedoms[] = {0, 1, 5};
   Mat6 out = Mat6::Zero();
   if (h.drift_damping.empty()) return out;
   std::vector<double> omega;
@@ -37,8 +37,8 @@ Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveCompon
     const Mat3 &low = h.drift_damping[place.low].second, &high = h.drift_damping[place.high].second;
     sum += w.amplitude * w.amplitude * ((1 - place.share) * low + place.share * high);
   }
-  for (Eigen::Index i = 0; i < 3; ++i)
-    for (Eigen::Index j = 0; j < 3; ++j) out(kFreedoms[i], kFreedoms[j]) = sum(i, j);
+  for (size_t i = 0; i < 3; ++i)
+    for (size_t j = 0; j < 3; ++j) out(kHorizontalFreedoms[i], kHorizontalFreedoms[j]) = sum(i, j);
   return out;
 }
 

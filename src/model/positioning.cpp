@@ -6,8 +6,8 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "hawser/kernels/coupled_mass.hpp"
-#include "hawser/model/case.hpp"
+#include "hawser/math/freedoms.hpp"
+#include "hawser/model/mass_matrix.hpp"
 
 namespace hawser::model {
 namespace {
@@ -28,13 +28,14 @@ double largest_growth(double d, double p, double i) {
 
 Vec3 positioned_mass(const Body& b) {
   const BodyMass& m = *b.mass;
-  const Mat6 own = mass_about(rigid_mass(m.mass, m.tensor()) + m.coupled, m.centre);
-  Vec3 mass(own(0, 0), own(1, 1), own(5, 5));
+  const Mat6 own = whole_mass(m, Vec3::Zero());
+  Vec3 mass;
+  for (size_t k = 0; k < 3; ++k) mass[k] = own(kHorizontalFreedoms[k], kHorizontalFreedoms[k]);
   if (m.in_water) mass.head<2>() += m.in_water->added_mass.head<2>();
   if (!m.hydrodynamics || !m.hydrodynamics->data || m.hydrodynamics->data->added_mass.empty()) return mass;
   const Eigen::MatrixXd& A = m.hydrodynamics->data->added_mass.front();
   const Eigen::Index first = 6 * (static_cast<Eigen::Index>(m.hydrodynamics->body) - 1);
-  mass += Vec3(A(first, first), A(first + 1, first + 1), A(first + 5, first + 5));
+  for (size_t k = 0; k < 3; ++k) mass[k] += A(first + kHorizontalFreedoms[k], first + kHorizontalFreedoms[k]);
   return mass;
 }
 
@@ -55,14 +56,14 @@ Vec3 loop_growth(const Body& b) {
 }
 
 std::string positioning_text(const Body& b) {
-  constexpr const char* kNames[] = {"surge", "sway", "yaw"};
   const DynamicPositioning& p = *b.mass->positioning;
   const Vec3 mass = positioned_mass(b);
   std::string s = "    positioning:";
   for (int k = 0; k < 3; ++k) {
     if (!(p.proportional[k] > 0)) continue;
     const double omega = std::sqrt(p.proportional[k] / mass[k]);
-    s += fmt::format(" {} with {:.4g} s and {:.2g} of critical damping,", kNames[k], 2 * M_PI / omega,
+    s += fmt::format(" {} with {:.4g} s and {:.2g} of critical damping,",
+                     kFreedomNames[kHorizontalFreedoms[k]], 2 * M_PI / omega,
                      p.derivative[k] / (2 * omega * mass[k]));
   }
   s += fmt::format(" by motion slower than {:g} s", p.filter);

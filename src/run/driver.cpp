@@ -9,7 +9,6 @@
 #include <csignal>
 #include <filesystem>
 #include <optional>
-#include <string_view>
 #include <utility>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -64,12 +63,8 @@ void give_back_memory() {
 #endif
 }
 
-void print_each(Progress& progress, std::string_view kind, const std::vector<std::string>& messages) {
-  for (const std::string& m : messages) progress.print(fmt::format("{}: {}", kind, m));
-}
-
 void print_remarks(record::Recorder& recorder, Progress& progress) {
-  print_each(progress, "warning", recorder.remarks());
+  progress.print_warnings(recorder.remarks());
 }
 
 // An error of the solver ends a run with what was computed up to there.
@@ -175,11 +170,11 @@ void print_notes(Simulation& sim, const std::vector<LoadedVolume>& volumes, cons
   const model::Case& c = sim.model();
   progress.print(
       advice::model_size(sim.mesh().nodes.size(), ranks_of(sim.system().comm()), sim.cut_elements()));
-  print_each(progress, "note", place.notes());
-  if (restart) print_each(progress, "note", restart->notes);
-  print_each(progress, "note", all_notes(c, volumes, sim.notes()));
+  progress.print_notes(place.notes());
+  if (restart) progress.print_notes(restart->notes);
+  progress.print_notes(all_notes(c, volumes, sim.notes()));
   if (restart) return;
-  print_each(progress, "warning", sim.warnings());
+  progress.print_warnings(sim.warnings());
   if (!c.statics.enabled) sim.check_inside();
 }
 
@@ -282,10 +277,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (c.dynamics.enabled) print_remarks(recorder, progress);
   const bool stopped = c.dynamics.enabled && integrate(sim, end, recorder, events, feeder_nodes, progress);
   progress.end();
-  print_each(progress, "note", events.not_happened());
+  progress.print_notes(events.not_happened());
   if (c.dynamics.enabled)
-    print_each(progress, "note",
-               sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)));
+    progress.print_notes(
+        sim.raised_stiffness(fmt::format("by t = {:.6g} s", sim.dynamics().committed().s.time)));
   const std::string table = recorder.finish(progress.messages());
   if (speak) print_end(sim, recorder, table, stopped, end);
   if (stopped) return kExitStopped;

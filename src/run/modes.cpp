@@ -12,6 +12,7 @@
 #include "hawser/advice/modes.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/math/freedoms.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/record/result_parts.hpp"
@@ -86,7 +87,6 @@ Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& v
 // same on all ranks.
 // turns: the origin stays, and rotations alone are named.
 std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, int body, bool turns) {
-  constexpr const char* kNames[] = {"surge", "sway", "heave", "roll", "pitch", "yaw"};
   const model::BodyMass& m = *sim.model().bodies[body].mass;
   std::vector<double> energy(6, 0.0);
   if (const int n = sim.bodies().local_node(body); n >= 0 && sim.local().owns(n)) {
@@ -104,7 +104,7 @@ std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, in
   std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return energy[a] > energy[b]; });
   std::vector<std::string> named;
   for (const size_t k : order)
-    if (energy[k] >= kNamed * sum && sum > 0) named.push_back(kNames[k]);
+    if (energy[k] >= kNamed * sum && sum > 0) named.push_back(kFreedomNames[k]);
   return fmt::format("{}", fmt::join(named, ", "));
 }
 
@@ -227,9 +227,9 @@ int modes(MPI_Comm comm, const ModesOptions& options) {
   c = with_targets_met(comm, std::move(c), volumes, progress);
   if (!options.added_mass) without_added_mass(c);
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
-  for (const auto& n : place.notes()) progress.print("note: " + n);
-  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
-  for (const auto& w : sim.warnings()) progress.print("warning: " + w);
+  progress.print_notes(place.notes());
+  progress.print_notes(all_notes(c, volumes, sim.notes()));
+  progress.print_warnings(sim.warnings());
   Events events(comm, sim);
   const StaticsReport statics = solve_statics(sim, events, progress);
   if (auto* thrusters = sim.system().find<Thrusters>()) thrusters->integrate_at_rest(false);

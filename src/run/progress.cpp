@@ -118,6 +118,14 @@ void Progress::print(const std::string& text) {
   std::fflush(stdout);
 }
 
+void Progress::print_notes(const std::vector<std::string>& notes) {
+  for (const std::string& n : notes) print(fmt::format("note: {}", n));
+}
+
+void Progress::print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& w : warnings) print(fmt::format("warning: {}", w));
+}
+
 void Progress::end() {
   if (!open_) return;
   std::fputs(passing_ ? "\r\033[K" : "\n", stdout);

@@ -62,10 +62,10 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
                     },
                     [&](const std::string& trial) { progress.busy(trial, 0); });
   } catch (const SolveError&) {
-    for (const std::string& n : model::grouped_notes(c.notes)) progress.print("note: " + n);  // may tell why
+    progress.print_notes(model::grouped_notes(c.notes));  // may tell why
     throw;
   }
-  for (const std::string& f : met.found) progress.print("note: " + f);
+  progress.print_notes(met.found);
   met.model.output.file = c.output.file;  // which the command line may have said
   return std::move(met.model);
 }
@@ -85,12 +85,12 @@ StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
         progress.print("note: " + advice::long_relaxation(kManySteps));
       },
       falls);
-  for (size_t i = before; i < sim.notes().size(); ++i) progress.print("note: " + sim.notes()[i]);
+  progress.print_notes({sim.notes().begin() + static_cast<std::ptrdiff_t>(before), sim.notes().end()});
   progress.print(advice::statics_done(s.iterations, s.relaxation_steps,
                                       !sim.static_friction() && c.contact.has_friction(c.volumes)));
   for (const std::string& line : sim.on_bed()) progress.print(line);
   if (s.escapes > 0) progress.print("note: " + advice::unstable_equilibria_left(s.escapes));
-  for (const std::string& w : sim.tilting_warnings()) progress.print("warning: " + w);
+  progress.print_warnings(sim.tilting_warnings());
   if (s.negative_eigenvalues > 0)
     progress.print("warning: " + advice::unstable_at_rest(s.negative_eigenvalues));
   return s;

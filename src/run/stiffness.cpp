@@ -163,8 +163,8 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
   const bool floats = c.bodies[static_cast<size_t>(body)].mass.has_value();
   c = with_mass(std::move(c), body);
   Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
-  for (const auto& n : all_notes(c, volumes, sim.notes())) progress.print("note: " + n);
-  for (const auto& w : sim.warnings()) progress.print("warning: " + w);
+  progress.print_notes(all_notes(c, volumes, sim.notes()));
+  progress.print_warnings(sim.warnings());
   Events events(comm, sim);
   if (!floats) hold_body(sim, body);
   solve_statics(sim, events, progress);

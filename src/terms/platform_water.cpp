@@ -78,7 +78,6 @@ const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time)
   now.damping = Eigen::MatrixXd::Zero(n, n);
   g.known = true;
   const double step = g.past.empty() ? 0 : time - g.past.back().time;
-  now.period_mass = period_mass(g, step);
   const auto entries = static_cast<Eigen::Index>(g.entries.size());
   if (!g.past.empty() && entries > 0) {
     Eigen::ArrayXd S(entries), dS(entries);
@@ -179,10 +178,9 @@ void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
       rate.segment<6>(6 * i) = motion[i].rate;
       acceleration.segment<6>(6 * i) = motion[i].acceleration;
     }
-    Eigen::MatrixXd mass = g.added_mass;
+    const Eigen::MatrixXd mass = g.added_mass + period_mass(g, trial.step);
     if (trial.step > 0) {
       const AtTime& now = at_time(g, trial.time);
-      mass += now.period_mass;
       damping(g, now, rate, F, assembler.needs_tangent() ? &by_rate : nullptr);
       F -= now.first + now.second;
     } else {

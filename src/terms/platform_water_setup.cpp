@@ -1,13 +1,12 @@
 // What the class PlatformWater is made of: groups of bodies by their files, stiffness and buoyancy of each.
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <utility>
 
-#include "hawser/kernels/coupled_mass.hpp"
 #include "hawser/kernels/table_places.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/case.hpp"
+#include "hawser/model/mass_matrix.hpp"
 #include "hawser/model/platform_memory.hpp"
 #include "hawser/terms/platform_water.hpp"
 
@@ -40,15 +39,6 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   // A hull has its own (terms/hulls.hpp).
   if (!m.hull) p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.hydrostatics.level = p.potential.place.z();
-  p.mass = mass_about(rigid_mass(m.mass, m.tensor()) + m.coupled, m.centre);
-  p.known_stiffness = !m.hull;
-  RigidBodyState rest;
-  rest.q = Quat(p.axes);
-  rest.x = p.potential.place - rest.q * p.arm;
-  const Mat6 back = platform_motion(p.axes, p.arm, rest).G.inverse();
-  const Mat6 K = hydrostatic_pull(p.hydrostatics, p.arm, rest).K + platform_pull(p.potential, p.arm, rest).K;
-  const Mat6 C = back.transpose() * K * back;
-  p.stiffness = 0.5 * (C + C.transpose());
   p.damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
   p.quadratic = h.quadratic_damping;
   const auto of_body = [&h](const std::vector<WaveForceTable>& tables) {
@@ -69,19 +59,28 @@ void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodi
   g.entries = std::move(waves.entries);
   g.memory = std::move(waves.memory);
   g.added_mass = g.data->infinite(g.rows, g.rows);
-  find_modes(g);
+  find_modes(c, g);
   groups_.push_back(std::move(g));
 }
 
-// C v = omega² M v. What is unstable has no period.
-void PlatformWater::find_modes(Group& g) {
-  const auto known = [](const Platform& p) { return p.known_stiffness; };
-  if (!std::all_of(g.platforms.begin(), g.platforms.end(), known)) return;
+// C v = omega² M v, C of both potentials at rest, by displacements along H and turns. What is unstable has no
+// period.
+void PlatformWater::find_modes(const model::Case& c, Group& g) {
   Eigen::MatrixXd M = 0.5 * (g.added_mass + g.added_mass.transpose());
   Eigen::MatrixXd C = Eigen::MatrixXd::Zero(M.rows(), M.cols());
   for (size_t i = 0; i < g.platforms.size(); ++i) {
-    M.block<6, 6>(6 * i, 6 * i) += g.platforms[i].mass;
-    C.block<6, 6>(6 * i, 6 * i) = g.platforms[i].stiffness;
+    const Platform& p = g.platforms[i];
+    const model::BodyMass& m = *c.bodies[p.body].mass;
+    if (m.hull) return;
+    RigidBodyState rest;
+    rest.q = Quat(p.axes);
+    rest.x = p.potential.place - rest.q * p.arm;
+    const Mat6 back = platform_motion(p.axes, p.arm, rest).G.inverse();
+    const Mat6 K =
+        hydrostatic_pull(p.hydrostatics, p.arm, rest).K + platform_pull(p.potential, p.arm, rest).K;
+    const Mat6 by_rates = back.transpose() * K * back;
+    M.block<6, 6>(6 * i, 6 * i) += model::whole_mass(m, Vec3::Zero());
+    C.block<6, 6>(6 * i, 6 * i) = 0.5 * (by_rates + by_rates.transpose());
   }
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> found(C, M);
   if (found.info() != Eigen::Success) return;

@@ -11,7 +11,6 @@
 
 namespace hawser {
 
-// Several entries of a matrix K at once, all with the same frequencies.
 // By entry, kg and so on: A(at) - A(inf) of damping B by rows of frequencies `omega` [rad/s, ascending, above
 // 0] and columns of entries; B is straight between the rows, 0 at 0 and beyond the last row. at: above 0 and
 // below the last row, where the jump of B makes A infinite. Ogilvie's relation as an integral over
@@ -20,6 +19,7 @@ namespace hawser {
 Eigen::RowVectorXd added_mass_by_damping(const std::vector<double>& omega, const Eigen::MatrixXd& damping,
                                          double at);
 
+// Several entries of a matrix K at once, all with the same frequencies.
 class RadiationMemory {
  public:
   RadiationMemory() = default;
@@ -38,7 +38,7 @@ class RadiationMemory {
   // By entry: S(t) and, where `rate` is not null, S'(t), t >= 0, from a table, to about 1e-8 of
   // K(0)/omega_last².
   void integrals(double t, double* S, double* rate) const;
-  // The function below for this damping.
+  // The function above for this damping.
   Eigen::RowVectorXd added_mass_by_damping(double omega) const;
   // By entry, kg and so on: A(inf) - A(omega) = int_0^length K(t) sin(omega t) dt/omega (Ogilvie 1964), as
   // the mean over these frequencies.

@@ -24,6 +24,9 @@ class Progress {
   void step(double time, double step, int iterations);
   // A line of its own, not lost in the rewritten one.
   void print(const std::string& text);
+  // Lines "note: ..." and "warning: ...".
+  void print_notes(const std::vector<std::string>& notes);
+  void print_warnings(const std::vector<std::string>& warnings);
   // What has been said of notes and warnings.
   const std::vector<std::string>& messages() const { return messages_; }
   void end();

@@ -68,9 +68,6 @@ class PlatformWater final : public ForceTerm,
     PlatformPotential potential;  // of the stiffness that is added
     Mat6 damping = Mat6::Zero();
     Mat6 quadratic = Mat6::Zero();
-    Mat6 mass = Mat6::Zero();       // of the body alone about its origin, body axes
-    Mat6 stiffness = Mat6::Zero();  // of both potentials at rest, by displacements along H and turns
-    bool known_stiffness = true;    // a hull has another one
     PlatformWaves waves;
     Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
@@ -97,7 +94,6 @@ class PlatformWater final : public ForceTerm,
     double time = 0;
     Eigen::VectorXd past, first, second;  // of waves of first and of second order
     Eigen::MatrixXd damping;
-    Eigen::MatrixXd period_mass;
   };
   struct Group {
     std::vector<Platform> platforms;
@@ -106,7 +102,7 @@ class PlatformWater final : public ForceTerm,
     Eigen::MatrixXd added_mass;        // as `oscillate` has chosen it
     Eigen::MatrixXd harmonic_damping;  // of that frequency; empty: time integration
     // Modes on the stiffness of the potentials alone, 6 N by number of modes: M v with v . M v = 1, and
-    // omega² [1/s²]. Empty where not all stiffness is known.
+    // omega² [1/s²]. Empty where a body has a hull, whose stiffness is another one.
     Eigen::MatrixXd modes;
     Eigen::ArrayXd squares;
     std::shared_ptr<const model::HydrodynamicData> data;
@@ -123,7 +119,7 @@ class PlatformWater final : public ForceTerm,
   };
   void add_group(const model::Case& c, const std::vector<int>& bodies);
   Platform platform(const model::Case& c, int body) const;
-  static void find_modes(Group& g);
+  static void find_modes(const model::Case& c, Group& g);
   // kg and so on: what is added to the mass of a group so that its free oscillations have their periods in
   // steps of h.
   Eigen::MatrixXd period_mass(const Group& g, double h) const;

@@ -1,0 +1,12 @@
+// The freedoms of a rigid body, in the order of its six velocities.
+#pragma once
+
+#include <array>
+
+namespace hawser {
+
+inline constexpr std::array<const char*, 6> kFreedomNames{"surge", "sway", "heave", "roll", "pitch", "yaw"};
+// Of them, surge, sway and yaw.
+inline constexpr std::array<int, 3> kHorizontalFreedoms{0, 1, 5};
+
+}  // namespace hawser
