@@ -15,8 +15,6 @@ using namespace model;
 
 namespace {
 
-constexpr int kBodyKinds = 70;  // the first of this file's kinds
-
 class BodyProportions {
  public:
   BodyProportions(const Case& c, const Body& b, std::vector<InputWarning>& out)
@@ -29,8 +27,8 @@ class BodyProportions {
 
  private:
   template <class... Args>
-  void warn(int kind, const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
-    out_.push_back({key_ + "." + key, fmt::format(text, std::forward<Args>(args)...), kBodyKinds + kind});
+  void warn(const std::string& key, fmt::format_string<Args...> sentence, Args&&... args) {
+    add_warning(out_, key_ + "." + key, Effect::all, sentence, std::forward<Args>(args)...);
   }
 
   void floating(const BodyMass& m) {
@@ -45,7 +43,7 @@ class BodyProportions {
     constexpr double kLeast = 5, kMost = 12000, kLight = 30;
     const double density = m.mass / w.volume, size = std::cbrt(w.volume);
     if (density < kLight || density > kMost)
-      warn(0, "floating.mass", "{:.4g} kg in a volume of {:.4g} m³ are {:.3g} kg/m³, {}{}", m.mass, w.volume,
+      warn("floating.mass", "{:.4g} kg in a volume of {:.4g} m³ are {:.3g} kg/m³, {}{}", m.mass, w.volume,
            density,
            density < kLeast   ? "lighter than an air bag"
            : density < kLight ? "as light as an air bag: it floats on the water"
@@ -53,15 +51,15 @@ class BodyProportions {
            unit_hint(c_, {"bodies", b_.name, "floating", "mass"},
                      [&](double x) { return x > kLight * w.volume && x < kMost * w.volume; }));
     if (const double ratio = w.height / size; ratio < 0.02 || ratio > 50)
-      warn(1, "floating.in_water.height",
-           "{:.4g} m is {:.2g} times the side of a cube of its volume, {:.3g} m", w.height, ratio, size);
+      warn("floating.in_water.height", "{:.4g} m is {:.2g} times the side of a cube of its volume, {:.3g} m",
+           w.height, ratio, size);
     const double drag = w.drag_area.maxCoeff() / (size * size);
     if (drag > 0 && (drag < 0.01 || drag > 200))
-      warn(2, "floating.in_water.drag_area", "{:.3g} m² is {:.2g} times volume^(2/3), {:.3g} m²",
+      warn("floating.in_water.drag_area", "{:.3g} m² is {:.2g} times volume^(2/3), {:.3g} m²",
            w.drag_area.maxCoeff(), drag, size * size);
     const double added = w.added_mass.maxCoeff() / (c_.environment.water.density * w.volume);
     if (added > 30)
-      warn(3, "floating.in_water.added_mass", "{:.3g} kg is {:.3g} times the water that it displaces",
+      warn("floating.in_water.added_mass", "{:.3g} kg is {:.3g} times the water that it displaces",
            w.added_mass.maxCoeff(), added);
   }
 
@@ -74,7 +72,7 @@ class BodyProportions {
                  large = std::sqrt(m.inertia.maxCoeff() / m.mass);
     if (m.matrix || (small >= least && large <= most)) return;
     const double off = small < least ? small : large;
-    warn(4, "floating.inertia",
+    warn("floating.inertia",
          "a radius of gyration of {:.2g} m is {} for a body of {:.4g} kg (a steel ball has {:.2g} m): are "
          "mass and "
          "inertia in kg and kg m²?",
@@ -88,12 +86,12 @@ class BodyProportions {
       if (!(m.stiffness[i] > 0)) continue;
       const double period = 2 * M_PI * std::sqrt(m.mass / m.stiffness[i]);
       if (period < kShortest || period > kLongest)
-        return warn(5, "floating.stiffness",
+        return warn("floating.stiffness",
                     "{:.3g} N/m with {:.4g} kg is a period of {:.2g} s: is it in other units?",
                     m.stiffness[i], m.mass, period);
       const double damping = m.damping[i] / (2 * std::sqrt(m.stiffness[i] * m.mass));
       if (damping > 20)
-        return warn(6, "floating.damping", "{:.3g} N s/m is {:.3g} times the critical damping of its spring",
+        return warn("floating.damping", "{:.3g} N s/m is {:.3g} times the critical damping of its spring",
                     m.damping[i], damping);
     }
   }
@@ -106,12 +104,12 @@ class BodyProportions {
     const double z = b_.position.z() - w.surface;
     const bool held = m.stiffness.z() > 0;
     if (!m.weight && !held && z > kAbove && c_.environment.gravity > 0)
-      warn(7, "floating.weight",
+      warn("floating.weight",
            "hangs or stands {:.3g} m above the water and weighs nothing: 'weight: true' gives it its weight",
            z);
     if (m.weight && z < -kAbove)
-      warn(8, "floating",
-           "is {:.3g} m deep and has no buoyancy, added mass or drag: 'in_water' gives it those", -z);
+      warn("floating", "is {:.3g} m deep and has no buoyancy, added mass or drag: 'in_water' gives it those",
+           -z);
   }
 
   // What stands on a deck lifts off where it falls faster than g, and nothing is steered at more.
@@ -120,7 +118,7 @@ class BodyProportions {
     if (const auto* h = std::get_if<HarmonicMotion>(&b_.motion)) {
       const double omega = 2 * M_PI / h->period, a = h->amplitude.norm() * omega * omega;
       if (a > kMostG * g)
-        warn(9, "motion.harmonic",
+        warn("motion.harmonic",
              "{:.3g} m every {:.3g} s is an acceleration of {:.2g} g: is the amplitude in m, and the period "
              "in s?",
              h->amplitude.norm(), h->period, a / g);
@@ -136,9 +134,8 @@ class BodyProportions {
     const HarmonicMotion& h = b_.drift->harmonic;
     const double omega = 2 * M_PI / h.period, a = h.amplitude.norm() * omega * omega;
     if (a > kMostG * g)
-      warn(9, "motion.drift.harmonic",
-           "{:.3g} m every {:.3g} s is an acceleration of {:.2g} g, of a slow drift", h.amplitude.norm(),
-           h.period, a / g);
+      warn("motion.drift.harmonic", "{:.3g} m every {:.3g} s is an acceleration of {:.2g} g, of a slow drift",
+           h.amplitude.norm(), h.period, a / g);
     if (!b_.drift->table.offset.empty()) table(b_.drift->table, "motion.drift.table", g);
   }
   void table(const TableMotion& t, const std::string& key, double g) {
@@ -151,7 +148,7 @@ class BodyProportions {
       }
     }
     if (fastest > kMostSpeed)
-      return warn(10, key, "moves at {:.3g} m/s at {:.4g} s: are its columns s and m?", fastest, at);
+      return warn(key, "moves at {:.3g} m/s at {:.4g} s: are its columns s and m?", fastest, at);
     double most = 0;
     for (std::size_t i = 1; i + 1 < t.time.size(); ++i) {
       const double before = t.time[i] - t.time[i - 1], after = t.time[i + 1] - t.time[i];
@@ -162,7 +159,7 @@ class BodyProportions {
       }
     }
     if (t.between != BetweenRows::linear && most > kMostG * g)
-      warn(10, key, "has an acceleration of {:.2g} g at {:.4g} s: are its columns s and m?", most / g, at);
+      warn(key, "has an acceleration of {:.2g} g at {:.4g} s: are its columns s and m?", most / g, at);
   }
 
   static constexpr double kMostG = 2, kMostSpeed = 30;  // g; m/s, 60 knots

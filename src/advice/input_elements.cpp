@@ -48,11 +48,10 @@ void warn_of_place(const Line& line, const Arcs& arcs, double at, const std::str
                    std::vector<InputWarning>& out) {
   const Place p = place_of(arcs, at);
   if (std::abs(p.node - at) > kApart * (p.to - p.from))
-    out.push_back({key,
-                   fmt::format("what is to be at {:.6g} m of line {} is fixed to the nearest node, at {:.6g} "
-                               "m; shorter elements, or a section that ends at {:.6g} m, put a node there",
-                               at, line.name, p.node, at),
-                   22, Effect::resolution});
+    add_warning(out, key, Effect::resolution,
+                "what is to be at {:.6g} m of line {} is fixed to the nearest node, at {:.6g} "
+                "m; shorter elements, or a section that ends at {:.6g} m, put a node there",
+                at, line.name, p.node, at);
 }
 
 // N, of a chain of this weight [N/m] between an end on a level bed and one above it; 0: not of that form.
@@ -90,14 +89,11 @@ void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const Po
                sinks = (weight + 3 * line_weight * element) / (per_length * bearing),
                own = std::cbrt(6 / M_PI * (m.volume > 0 ? m.volume : m.mass / kSteel));
   if (sinks > own)
-    out.push_back(
-        {"lines." + line.name + ".masses",
-         fmt::format(
-             "where it lies on the bed, {:.4g} kg at {:.6g} m of line {} sinks in by about {:.2g} m: it "
-             "rests there on an element of '{}', {:g} m thick; a short section of a type with the "
-             "'contact_diameter' of what lies there bears it",
-             m.mass, m.at, line.name, sinks, t.name, t.contact_diameter),
-         24, Effect::part});
+    add_warning(out, "lines." + line.name + ".masses", Effect::part,
+                "where it lies on the bed, {:.4g} kg at {:.6g} m of line {} sinks in by about {:.2g} m: it "
+                "rests there on an element of '{}', {:g} m thick; a short section of a type with the "
+                "'contact_diameter' of what lies there bears it",
+                m.mass, m.at, line.name, sinks, t.name, t.contact_diameter);
 }
 
 void warn_of_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::vector<InputWarning>& out) {
@@ -109,11 +105,10 @@ void warn_of_stiffener(const Line& line, const Arcs& arcs, std::size_t i, std::v
   for (std::size_t n = 1; n < arcs.size(); ++n)
     elements += std::max(std::min(arcs[n], to) - std::max(arcs[n - 1], from), 0.0) / (arcs[n] - arcs[n - 1]);
   if (elements < kFewest - kRound)
-    out.push_back({fmt::format("lines.{}.bend_stiffeners[{}]", line.name, i),
-                   fmt::format("its {:.3g} m are {:.2g} elements, each of which has one bending stiffness: "
-                               "curvature and moment along it show with {:g} or more",
-                               to - from, elements, 2 * kFewest),
-                   23, Effect::resolution});
+    add_warning(out, fmt::format("lines.{}.bend_stiffeners[{}]", line.name, i), Effect::resolution,
+                "its {:.3g} m are {:.2g} elements, each of which has one bending stiffness: "
+                "curvature and moment along it show with {:g} or more",
+                to - from, elements, 2 * kFewest);
 }
 
 }  // namespace

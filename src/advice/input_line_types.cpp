@@ -50,11 +50,9 @@ void warn_of_contents(const LineType& t, std::vector<InputWarning>& out) {
   std::string hint = "is it meant?";
   if (in_range(density * 1000, kLeastContents, kMostContents))
     hint = fmt::format("is it in t/m³ or g/cm³? ('{:g} kg/m3')", density * 1000);
-  out.push_back(
-      {fmt::format("line_types.{}.contents.density", t.name),
-       fmt::format("{:g} kg/m³ is {} than what pipes carry ({:g} to {:g}); {}", density,
-                   density < kLeastContents ? "lighter" : "heavier", kLeastContents, kMostContents, hint),
-       12});
+  add_warning(out, fmt::format("line_types.{}.contents.density", t.name), Effect::all,
+              "{:g} kg/m³ is {} than what pipes carry ({:g} to {:g}); {}", density,
+              density < kLeastContents ? "lighter" : "heavier", kLeastContents, kMostContents, hint);
 }
 
 // A coating that is thicker than half of the pipe in it, by the keys of the file: the type has but the sums.
@@ -67,12 +65,10 @@ bool warn_of_coatings(const Case& c, const LineType& t, std::vector<InputWarning
   const double D = (*pipe)["outer_diameter"].number;
   for (std::size_t i = 0; i < coatings->items.size(); ++i)
     if (const double thickness = coatings->items[i]["thickness"].number; thickness > D / 2)
-      out.push_back(
-          {fmt::format("line_types.{}.pipe.coatings[{}].thickness", t.name, i),
-           fmt::format(
-               "a coating of {:.4g} m is thicker than half of the pipe of {:.4g} m; is it in mm? ('{:g} mm')",
-               thickness, D, thickness),
-           13});
+      add_warning(
+          out, fmt::format("line_types.{}.pipe.coatings[{}].thickness", t.name, i), Effect::all,
+          "a coating of {:.4g} m is thicker than half of the pipe of {:.4g} m; is it in mm? ('{:g} mm')",
+          thickness, D, thickness);
   return out.size() > before;
 }
 
@@ -81,11 +77,10 @@ void warn_of_slenderness(const LineType& t, std::vector<InputWarning>& out) {
   if (!t.steel) return;
   const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
   const auto warn = [&](const std::string& what, const char* field) {
-    out.push_back({fmt::format("line_types.{}.pipe.wall_thickness", t.name),
-                   fmt::format("D/t is {:.3g}, and {}: {} is no check of this pipe; give it another wall, or "
-                               "judge it by other means",
-                               slender, what, field),
-                   14});
+    add_warning(out, fmt::format("line_types.{}.pipe.wall_thickness", t.name), Effect::all,
+                "D/t is {:.3g}, and {}: {} is no check of this pipe; give it another wall, or "
+                "judge it by other means",
+                slender, what, field);
   };
   if (slender > kMostSlender || slender < kLeastSlender)
     warn(fmt::format("DNV-ST-F101's formulas for combined loads are for {:g} to {:g}", kLeastSlender,
@@ -107,36 +102,29 @@ void warn_of_line_types(const Case& c, std::vector<InputWarning>& out) {
     const std::string key = "line_types." + t.name;
     const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);
     if (density > (water ? kHeavy : kHeavyInAir) || density < kLight)
-      out.push_back(
-          {key,
-           fmt::format(
-               "{:.4g} kg/m in a diameter of {:.4g} m are {}, {}{}", t.mass_per_length, d,
-               std::isfinite(density) ? fmt::format("{:.3g} t/m³", density / 1000) : "beyond all numbers",
-               density < kLight ? "less than any line (0.1) but an inflated one" : "more than steel (7.85)",
-               density_hint(c, t, density, water)),
-           1});
+      add_warning(
+          out, key, Effect::all, "{:.4g} kg/m in a diameter of {:.4g} m are {}, {}{}", t.mass_per_length, d,
+          std::isfinite(density) ? fmt::format("{:.3g} t/m³", density / 1000) : "beyond all numbers",
+          density < kLight ? "less than any line (0.1) but an inflated one" : "more than steel (7.85)",
+          density_hint(c, t, density, water));
     else if (t.outer_diameter > kThick)
-      out.push_back({key,
-                     fmt::format("an outer diameter of {:.4g} m is more than that of any pipe, hose or rope; "
-                                 "is it in mm? ('{:.4g} mm')",
-                                 t.outer_diameter, t.outer_diameter),
-                     0});
+      add_warning(out, key, Effect::all,
+                  "an outer diameter of {:.4g} m is more than that of any pipe, hose or rope; "
+                  "is it in mm? ('{:.4g} mm')",
+                  t.outer_diameter, t.outer_diameter);
     const double D = t.outer_diameter, modulus = t.EA / (M_PI / 4 * D * D);
     if (modulus > kStiff)
-      out.push_back({key,
-                     fmt::format("an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} GPa; "
-                                 "that of a solid steel bar is 206, of wire rope and chain 20 to 130",
-                                 t.EA, D, modulus / 1e9),
-                     2});
+      add_warning(out, key, Effect::all,
+                  "an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} GPa; "
+                  "that of a solid steel bar is 206, of wire rope and chain 20 to 130",
+                  t.EA, D, modulus / 1e9);
     if (modulus < kSoft)
-      out.push_back(
-          {key,
-           fmt::format("an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} MPa, less than "
-                       "that of rubber (1 to 10){}",
-                       t.EA, D, modulus / 1e6,
-                       unit_hint(c, {"line_types", t.name, "EA"},
-                                 [&](double x) { return in_range(x / (M_PI / 4 * D * D), 1e8, kStiff); })),
-           2});
+      add_warning(out, key, Effect::all,
+                  "an EA of {:.4g} N over a diameter of {:.4g} m is a modulus of {:.3g} MPa, less than "
+                  "that of rubber (1 to 10){}",
+                  t.EA, D, modulus / 1e6, unit_hint(c, {"line_types", t.name, "EA"}, [&](double x) {
+                    return in_range(x / (M_PI / 4 * D * D), 1e8, kStiff);
+                  }));
   }
 }
 

@@ -23,13 +23,10 @@ void warn_of_inertia(const Body& b, std::vector<InputWarning>& out) {
   const Vec3 moments = eigenpairs(b.mass->tensor()).values;
   const double sum = moments[0] + moments[1];
   if (moments[2] > (1 + 1e-9) * sum)
-    out.push_back(
-        {"bodies." + b.name + ".floating.inertia",
-         fmt::format(
-             "the largest principal moment, {:.6g} kg m², is {:.2g} % above the sum of the other two, "
-             "which no distribution of mass has: are the radii of gyration those of the ship?",
-             moments[2], 100 * (moments[2] / sum - 1)),
-         31});
+    add_warning(out, "bodies." + b.name + ".floating.inertia", Effect::all,
+                "the largest principal moment, {:.6g} kg m², is {:.2g} % above the sum of the other two, "
+                "which no distribution of mass has: are the radii of gyration those of the ship?",
+                moments[2], 100 * (moments[2] / sum - 1));
 }
 
 void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarning>& out) {
@@ -37,21 +34,19 @@ void warn_of_sea_of_platform(const Case& c, const Body& b, std::vector<InputWarn
   const std::string key = "bodies." + b.name + ".floating.hydrodynamics";
   const auto flows = [](const CurrentRow& row) { return row.speed != 0; };
   if (!b.mass->current && std::any_of(w.current.profile.begin(), w.current.profile.end(), flows))
-    out.push_back({key,
-                   "the current acts on lines and not on this body, of which the coefficients are those of "
-                   "waves: give its coefficients for it, 'floating.current'",
-                   32});
+    add_warning(out, key, Effect::all,
+                "the current acts on lines and not on this body, of which the coefficients are those of "
+                "waves: give its coefficients for it, 'floating.current'");
   if (w.waves.kind == Waves::Kind::stokes && b.mass->hydrodynamics->excitation)
-    out.push_back({key,
-                   "its coefficients are those of linear waves: the wave of 'stokes' acts on it as a linear "
-                   "one of the same height and period",
-                   33});
+    add_warning(out, key, Effect::all,
+                "its coefficients are those of linear waves: the wave of 'stokes' acts on it as a linear "
+                "one of the same height and period");
 }
 
 void warn_of_coefficients(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   std::vector<Issue> found;
   note_hydrodynamic_data(c, b, Issues(found, "bodies." + b.name + ".floating.hydrodynamics"));
-  for (Issue& one : found) out.push_back({std::move(one.key), std::move(one.text), 37});
+  for (Issue& one : found) add_warning(out, std::move(one.key), Effect::all, "{}", std::move(one.text));
 }
 
 void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>& out) {
@@ -62,22 +57,19 @@ void warn_of_directions(const Case& c, const Body& b, std::vector<InputWarning>&
   const std::vector<double>& directions = h.data->excitation[static_cast<size_t>(h.body - 1)].directions();
   const double gap = directions.size() < 2 ? 0 : widest_gap(directions, 2 * M_PI).width() * 180 / M_PI;
   if (gap <= kWide) return;
-  out.push_back(
-      {"bodies." + b.name + ".floating.hydrodynamics.follow_period",
-       fmt::format("the wave forces turn with the slow heading of the body, but the files have no direction "
-                   "within {:.0f} deg: give files all round if the body yaws towards that gap, or "
-                   "'follow_period: 0'",
-                   gap),
-       35});
+  add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.follow_period", Effect::all,
+              "the wave forces turn with the slow heading of the body, but the files have no direction "
+              "within {:.0f} deg: give files all round if the body yaws towards that gap, or "
+              "'follow_period: 0'",
+              gap);
 }
 
 void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
   const BodyMass& m = *b.mass;
   if (m.hull && m.members.empty() && !m.hydrodynamics)
-    out.push_back({"bodies." + b.name + ".floating.hull",
-                   "the pressure of the water alone acts on this body, without drag and added mass: give its "
-                   "'members', or the 'hydrodynamics' of a diffraction program",
-                   36});
+    add_warning(out, "bodies." + b.name + ".floating.hull", Effect::all,
+                "the pressure of the water alone acts on this body, without drag and added mass: give its "
+                "'members', or the 'hydrodynamics' of a diffraction program");
 }
 
 // Bodies that float elsewhere by more than their size, or not upright.
@@ -89,30 +81,25 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
   const double size = std::cbrt(still.buoyancy / (density * g));
   const double rise = (still.buoyancy - weight) / std::max(still.stiffness(0, 0), 1e-300);
   if (still.stiffness(0, 0) > 0 && std::abs(rise) > size)
-    out.push_back(
-        {"bodies." + b.name + ".floating.mass",
-         fmt::format("its weight of {:.5g} kN and its buoyancy of {:.5g} kN mean that without lines it "
-                     "floats {:.3g} m {}, which is more than its size ({:.3g} m, the side of a cube of "
-                     "its volume): is 'mass' or 'displaced_volume' that of another body, or in other "
-                     "units?",
-                     weight / 1000, still.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower",
-                     size),
-         110});
+    add_warning(out, "bodies." + b.name + ".floating.mass", Effect::all,
+                "its weight of {:.5g} kN and its buoyancy of {:.5g} kN mean that without lines it "
+                "floats {:.3g} m {}, which is more than its size ({:.3g} m, the side of a cube of "
+                "its volume): is 'mass' or 'displaced_volume' that of another body, or in other "
+                "units?",
+                weight / 1000, still.buoyancy / 1000, std::abs(rise), rise > 0 ? "higher" : "lower", size);
   const Vec3 added(0, m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
                    m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
   const Vec3 heights = (restoring(m, still, g) + added) / weight;
   const bool roll = heights[1] < 0, pitch = heights[2] < 0;
   if (roll || pitch)
-    out.push_back(
-        {"bodies." + b.name + ".floating.centre_of_mass",
-         fmt::format("without lines it capsizes: its metacentric height in {} is {:.3g} m; is the centre "
-                     "of mass in the body's frame, and has the stiffness of the files its weight "
-                     "('gravity_in_stiffness')?",
-                     roll && pitch ? "roll and pitch"
-                     : roll        ? "roll"
-                                   : "pitch",
-                     std::min(heights[1], heights[2])),
-         111});
+    add_warning(out, "bodies." + b.name + ".floating.centre_of_mass", Effect::all,
+                "without lines it capsizes: its metacentric height in {} is {:.3g} m; is the centre "
+                "of mass in the body's frame, and has the stiffness of the files its weight "
+                "('gravity_in_stiffness')?",
+                roll && pitch ? "roll and pitch"
+                : roll        ? "roll"
+                              : "pitch",
+                std::min(heights[1], heights[2]));
 }
 
 // Of a matrix that is not that of dampers: it takes energy of each velocity alone and brings some in of
@@ -125,11 +112,9 @@ void warn_of_damping(const Case& c, const Body& b, std::vector<InputWarning>& ou
   scale << 1, 1, 1, 1 / size, 1 / size, 1 / size;
   const Mat6 scaled = 0.5 * scale.asDiagonal() * (B + B.transpose()) * scale.asDiagonal();
   if (eigenpairs(scaled).values[0] < -kRounded * scaled.cwiseAbs().maxCoeff())
-    out.push_back(
-        {"bodies." + b.name + ".floating.hydrodynamics.damping",
-         "brings energy in where some velocities are coupled: the entries beside the diagonal are too "
-         "large for those on it, or have the wrong sign",
-         112});
+    add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.damping", Effect::all,
+                "brings energy in where some velocities are coupled: the entries beside the diagonal are too "
+                "large for those on it, or have the wrong sign");
 }
 
 // Ends of lines that are far from the body that holds them.
@@ -143,12 +128,11 @@ void warn_of_fairleads(const Case& c, const Body& b, std::vector<InputWarning>& 
   for (const EndAtBody& e : line_ends_at(c, b)) {
     const double off = (e.end.at - m.centre).norm();
     if (off > kFar * size)
-      out.push_back(
-          {"lines." + e.line.name + (&e.end == &e.line.end_a ? ".end_a.at" : ".end_b.at"),
-           fmt::format("is {:.4g} m from the centre of mass of body {}, of which the displaced volume "
-                       "is that of a cube of {:.3g} m: is it in metres, and in the body's frame?",
-                       off, b.name, size),
-           113});
+      add_warning(out, "lines." + e.line.name + (&e.end == &e.line.end_a ? ".end_a.at" : ".end_b.at"),
+                  Effect::all,
+                  "is {:.4g} m from the centre of mass of body {}, of which the displaced volume "
+                  "is that of a cube of {:.3g} m: is it in metres, and in the body's frame?",
+                  off, b.name, size);
   }
 }
 
@@ -158,13 +142,11 @@ void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
   const std::string key = "bodies." + b.name + ".floating.positioning";
   for (int k = 0; k < 3; ++k)
     if (growth[k] > 0)
-      out.push_back(
-          {key,
-           fmt::format("the control loop is unstable in {}: without other forces the motion grows e times in "
-                       "{:.3g} s; reduce 'proportional' or 'integral', increase 'derivative', or take a "
-                       "shorter 'filter_period'",
-                       kFreedomNames[kHorizontalFreedoms[k]], 1 / growth[k]),
-           114});
+      add_warning(out, key, Effect::all,
+                  "the control loop is unstable in {}: without other forces the motion grows e times in "
+                  "{:.3g} s; reduce 'proportional' or 'integral', increase 'derivative', or take a "
+                  "shorter 'filter_period'",
+                  kFreedomNames[kHorizontalFreedoms[k]], 1 / growth[k]);
 }
 
 }  // namespace
@@ -172,8 +154,8 @@ void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
 void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
   const auto in_wind = [](const Body& b) { return b.mass && b.mass->wind; };
   if (c.environment.wind.speed > 0 && std::none_of(c.bodies.begin(), c.bodies.end(), in_wind))
-    out.push_back({"environment.wind",
-                   "acts on no body and never on lines: give a body coefficients, 'floating.wind'", 34});
+    add_warning(out, "environment.wind", Effect::all,
+                "acts on no body and never on lines: give a body coefficients, 'floating.wind'");
   for (const Body& b : c.bodies) {
     if (b.mass) warn_of_hull(b, out);
     if (b.mass) warn_of_fairleads(c, b, out);

@@ -34,6 +34,7 @@ struct Range {
 // 1200 GPa.
 constexpr double kMostFriction = 2, kMostCurrent = 6, kDeepest = 11000;
 constexpr double kHighestSea = 25, kHighestWave = 40, kLongestSea = 30, kLongestWave = 40, kShortest = 0.3;
+constexpr double kLongestComponent = 1.5 * kLongestWave;  // of a sea of long waves
 constexpr auto kRanges = std::to_array<Range>({
     {"environment.gravity", 9.7, 10, "gravity on Earth"},
     {"environment.water.density", 900, 1300, "the density of water"},
@@ -59,8 +60,8 @@ constexpr auto kRanges = std::to_array<Range>({
     {"environment.waves.regular.period", kShortest, kLongestWave, "periods of waves"},
     {"environment.waves.stokes.height", 0.001, kHighestWave, "heights of waves"},
     {"environment.waves.stokes.period", kShortest, kLongestWave, "periods of waves"},
-    {"environment.waves.components[].height", 0, 40, "heights of waves"},
-    {"environment.waves.components[].period", 0.3, 60, "periods of waves"},
+    {"environment.waves.components[].height", 0, kHighestWave, "heights of waves"},
+    {"environment.waves.components[].period", kShortest, kLongestComponent, "periods of waves"},
     {"line_types.*.Cd_normal", 0, 5, "drag coefficients across a line"},
     {"line_types.*.Cd_axial", 0, 1.5, "drag coefficients along a line, on its skin"},
     {"line_types.*.Ca_normal", 0, 5, "added mass coefficients of lines"},
@@ -155,10 +156,9 @@ class Walk {
  private:
   void number(const Value& v, const Key& key, const std::string& path, const std::string& where) {
     if (key.unit == Dimension::angle && written_in_radians(v))
-      out_.push_back({where,
-                      fmt::format("{} deg is {:.4g} deg if it is meant in radians: is it? ('{} rad')", v.text,
-                                  parse_quantity(v.text, Dimension::none).si * 180 / M_PI, v.text),
-                      kRadians});
+      add_warning(out_, where, Effect::all,
+                  "{} deg is {:.4g} deg if it is meant in radians: is it? ('{} rad')", v.text,
+                  parse_quantity(v.text, Dimension::none).si * 180 / M_PI, v.text);
     const auto range =
         std::find_if(kRanges.begin(), kRanges.end(), [&](const Range& r) { return r.path == path; });
     if (range == kRanges.end() || v.number == 0) return;
@@ -172,10 +172,9 @@ class Walk {
              size < range->least ? "below" : "above", range->of,
              range->least > 0 ? fmt::format("{} to ", in_unit(range->least, Dimension::none)) : "at most ",
              in_unit(range->most, key.unit), unit_hint(v, key.unit, fits)),
-         kFirst + static_cast<int>(range - kRanges.begin())});
+         std::string(range->of), Effect::all});
   }
 
-  static constexpr int kRadians = 99, kFirst = 100;
   std::vector<InputWarning>& out_;
 };
 
@@ -203,7 +202,7 @@ bool possible(const Waves& w) {
   if (w.kind == Waves::Kind::none) return true;
   if (sea) return w.height <= kHighestSea && w.peak_period >= kShortest && w.peak_period <= kLongestSea;
   return std::all_of(w.rows.begin(), w.rows.end(), [](const Waves::Row& r) {
-    return r.height <= kHighestWave && r.period >= kShortest && r.period <= 1.5 * kLongestWave;
+    return r.height <= kHighestWave && r.period >= kShortest && r.period <= kLongestComponent;
   });
 }
 

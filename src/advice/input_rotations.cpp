@@ -24,11 +24,10 @@ void warn_of_rotation(const Body& b, const Vec3& about, const char* motion, std:
     const Vec3 r = ((100 * v).array().round() / 100 + 0.0).matrix();
     return fmt::format("({:g}, {:g}, {:g})", r.x(), r.y(), r.z());
   };
-  out.push_back({fmt::format("bodies.{}.motion.{}", b.name, motion),
-                 fmt::format("turns the body about {} in space, and that is {} of its own axes by its "
-                             "'rotation_deg'; is it meant?",
-                             text(space), text(own)),
-                 25, Effect::part});
+  add_warning(out, fmt::format("bodies.{}.motion.{}", b.name, motion), Effect::part,
+              "turns the body about {} in space, and that is {} of its own axes by its "
+              "'rotation_deg'; is it meant?",
+              text(space), text(own));
 }
 
 }  // namespace

@@ -58,11 +58,10 @@ void warn_of_depths(const Case& c, std::vector<InputWarning>& out) {
   if (!w.present || !bed.present || bed.surface || bed.slope > 0 || !(w.depth > 0)) return;
   const double depth = bed.depth + w.surface;
   if (std::abs(depth - w.depth) > kSameDepth * w.depth)
-    out.push_back({"environment.seabed.depth",
-                   fmt::format("the bed is {:.6g} m below the still water, but the water is {:.6g} m deep; "
-                               "the waves go by the latter",
-                               depth, w.depth),
-                   5});
+    add_warning(out, "environment.seabed.depth", Effect::all,
+                "the bed is {:.6g} m below the still water, but the water is {:.6g} m deep; "
+                "the waves go by the latter",
+                depth, w.depth);
 }
 
 // An anchor above the water as far as the bed is below: a lost minus sign. One in the lower half of the
@@ -75,19 +74,16 @@ void warn_of_anchor(const Case& c, const Line& line, const End& e, const char* w
   const double z = e.at.z() - w.surface, depth = w.depth > 0 ? w.depth : bed.depth;
   const std::string key = fmt::format("lines.{}.{}.anchor", line.name, which);
   if (w.present && depth > 0 && std::abs(z - depth) < kSameDepth * depth)
-    out.push_back(
-        {key,
-         fmt::format("is {:.6g} m above the water, and that is {:.6g} m deep: z points up; is {:g} meant?", z,
-                     depth, -e.at.z()),
-         6});
+    add_warning(out, key, Effect::all,
+                "is {:.6g} m above the water, and that is {:.6g} m deep: z points up; is {:g} meant?", z,
+                depth, -e.at.z());
   if (!bed.present || bed.surface) return;
   const double height = height_above_bed(bed, e.at);
   if (height > kNear && height < kNearShare * bed.depth)
-    out.push_back({key,
-                   fmt::format("is {:.4g} m above the bed, which is at z = {:.6g} m there; is it meant to be "
-                               "held in mid-water?",
-                               height, e.at.z() - height / bed_normal(bed).z()),
-                   6});
+    add_warning(out, key, Effect::all,
+                "is {:.4g} m above the bed, which is at z = {:.6g} m there; is it meant to be "
+                "held in mid-water?",
+                height, e.at.z() - height / bed_normal(bed).z());
 }
 
 void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
@@ -97,11 +93,10 @@ void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
   for (const Line& l : c.lines) least = std::min(least, lowest_reach(c, l));
   // Bodies that move take their lines along.
   if (least > -0.8 * bed.depth)
-    out.push_back({"environment.seabed",
-                   fmt::format("no line gets near the bed at z = {:.6g} m: hanging straight down the deepest "
-                               "reaches z = {:.6g} m",
-                               -bed.depth, least),
-                   7});
+    add_warning(out, "environment.seabed", Effect::all,
+                "no line gets near the bed at z = {:.6g} m: hanging straight down the deepest "
+                "reaches z = {:.6g} m",
+                -bed.depth, least);
 }
 
 // Horizontal velocity of the current at t = 0 at a depth [m], m/s.
@@ -146,13 +141,11 @@ void warn_of_current(const Case& c, const Line& line, std::vector<InputWarning>&
                bow = drag * lies / (8 * std::max(a, 1e-9) * weight);
   if (!(lies > 0) || bow < kBow) return;
   const std::string far = bow < 0.1 ? fmt::format("about {:.2g} m sideways", bow * lies) : "far sideways";
-  out.push_back(
-      {"lines." + line.name,
-       fmt::format("{:.3g} m of it lie slack on the bed ({:.3g} kN), and in statics, where no friction acts "
-                   "across a line before it is at rest, the current of {:.3g} m/s there bows them {}; with "
-                   "'environment.current.ramp' the current begins in dynamics, where friction holds them",
-                   lies, a * weight / 1000, speed, far),
-       8, Effect::part});
+  add_warning(out, "lines." + line.name, Effect::part,
+              "{:.3g} m of it lie slack on the bed ({:.3g} kN), and in statics, where no friction acts "
+              "across a line before it is at rest, the current of {:.3g} m/s there bows them {}; with "
+              "'environment.current.ramp' the current begins in dynamics, where friction holds them",
+              lies, a * weight / 1000, speed, far);
 }
 
 void warn_of_soil(const Case& c, std::vector<InputWarning>& out) {
@@ -167,11 +160,10 @@ void warn_of_soil(const Case& c, std::vector<InputWarning>& out) {
   std::string hint;
   if (in_thousands >= kSoftBed && in_thousands <= kStiffBed && stiffness < kSoftBed)
     hint = fmt::format("; is it in kN? ('{:g} {}')", bed.normal_stiffness, by_length ? "kN/m2" : "kN/m3");
-  out.push_back({"environment.seabed.normal_stiffness",
-                 fmt::format("{:g} {} is {} than any soil, of which {} are usual{}", bed.normal_stiffness,
-                             by_length ? "N/m²" : "N/m³", stiffness < kSoftBed ? "softer" : "stiffer",
-                             by_length ? "50 to 5000 kN/m²" : "50 to 10000 kN/m³", hint),
-                 14});
+  add_warning(out, "environment.seabed.normal_stiffness", Effect::all,
+              "{:g} {} is {} than any soil, of which {} are usual{}", bed.normal_stiffness,
+              by_length ? "N/m²" : "N/m³", stiffness < kSoftBed ? "softer" : "stiffer",
+              by_length ? "50 to 5000 kN/m²" : "50 to 10000 kN/m³", hint);
 }
 
 // Nothing of a buoy is taken for granted, as it is of lines.
@@ -179,12 +171,10 @@ void warn_of_buoy(const Case& c, const Line& line, const PointMass& m, std::vect
   const Water& w = c.environment.water;
   const bool moves = c.dynamics.enabled || !w.current.profile.empty();
   if (!w.present || !moves || m.drag_area > 0 || m.Ca > 0 || m.mass >= w.density * m.volume) return;
-  out.push_back(
-      {"lines." + line.name + ".masses",
-       fmt::format("{:.4g} m³ at {:.6g} m of line {} have neither 'drag_area' nor 'Ca': no drag and no "
-                   "added mass; a ball of that volume has about {:.2g} m² and 0.5",
-                   m.volume, m.at, line.name, 0.5 * M_PI / 4 * std::pow(6 / M_PI * m.volume, 2.0 / 3)),
-       26, Effect::part});
+  add_warning(out, "lines." + line.name + ".masses", Effect::part,
+              "{:.4g} m³ at {:.6g} m of line {} have neither 'drag_area' nor 'Ca': no drag and no "
+              "added mass; a ball of that volume has about {:.2g} m² and 0.5",
+              m.volume, m.at, line.name, 0.5 * M_PI / 4 * std::pow(6 / M_PI * m.volume, 2.0 / 3));
 }
 
 // The wave that stands for a sea of linear waves: its peak, or the highest of those given. Period 0: none.
@@ -210,15 +200,13 @@ void warn_of_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
   const double omega = 2 * M_PI / wave.period,
                speed = omega / wave_number(omega, w.depth, c.environment.gravity);
   if (std::abs(along) < kMuch * speed) return;
-  out.push_back(
-      {"environment.waves",
-       fmt::format(
-           "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear waves "
-           "are as long and as steep here as without a current, though it makes them {}; a single wave "
-           "as 'stokes' with its own 'current' has that, and shows how much it matters",
-           std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
-           along > 0 ? "longer and flatter" : "shorter and steeper"),
-       28, Effect::part});
+  add_warning(
+      out, "environment.waves", Effect::part,
+      "the current of {:.3g} m/s {} the waves of {:.4g} s is {:.2g} % of their speed, and linear waves "
+      "are as long and as steep here as without a current, though it makes them {}; a single wave "
+      "as 'stokes' with its own 'current' has that, and shows how much it matters",
+      std::abs(along), along > 0 ? "along" : "against", wave.period, 100 * std::abs(along) / speed,
+      along > 0 ? "longer and flatter" : "shorter and steeper");
 }
 
 }  // namespace

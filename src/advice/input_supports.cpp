@@ -50,18 +50,15 @@ void warn_of_line(const Case& c, const Line& line, std::vector<InputWarning>& ou
     const Vec3 turn = support_point(c, b, b.at + b.along) - at -
                       support_point(c, *before, before->at + before->along) + there;
     if (const double strain = 0.5 * here.diameter * turn.norm() / apart; strain > kStrain)
-      out.push_back({b.key,
-                     fmt::format("between supports '{}' and '{}' line '{}' is bent to a radius of {:.4g} m, "
-                                 "{:.3g} % of strain; steel pipes are laid with less than 0.35 %",
-                                 before->name, b.name, line.name, apart / turn.norm(), 100 * strain),
-                     20});
+      add_warning(out, b.key, Effect::all,
+                  "between supports '{}' and '{}' line '{}' is bent to a radius of {:.4g} m, "
+                  "{:.3g} % of strain; steel pipes are laid with less than 0.35 %",
+                  before->name, b.name, line.name, apart / turn.norm(), 100 * strain);
     else if (here.element > kCoarse * apart)
-      out.push_back(
-          {"lines." + line.name + ".sections",
-           fmt::format("its elements are {:.3g} m long between supports '{}' and '{}', which are {:.3g} m "
-                       "apart: bending moments on rollers show with elements of a quarter of that",
-                       here.element, before->name, b.name, apart),
-           21, Effect::resolution});
+      add_warning(out, "lines." + line.name + ".sections", Effect::resolution,
+                  "its elements are {:.3g} m long between supports '{}' and '{}', which are {:.3g} m "
+                  "apart: bending moments on rollers show with elements of a quarter of that",
+                  here.element, before->name, b.name, apart);
     before = &b;
   }
 }

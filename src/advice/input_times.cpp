@@ -58,38 +58,32 @@ void warn_of_step(const Case& c, const Period& drive, std::vector<InputWarning>&
   const double step = c.dynamics.step;
   if (!(step > 0)) return;
   if (drive.length > 0 && step > drive.length / kSteps) {
-    out.push_back({"dynamics.step",
-                   fmt::format("{:g} s is {:.2g} steps in a period of {} ({:g} s); usual is {:g} or more",
-                               step, drive.length / step, drive.of, drive.length, kSteps),
-                   9, Effect::resolution});
+    add_warning(out, "dynamics.step", Effect::resolution,
+                "{:g} s is {:.2g} steps in a period of {} ({:g} s); usual is {:g} or more", step,
+                drive.length / step, drive.of, drive.length, kSteps);
     return;
   }
   Period own;
   for (const Line& line : c.lines)
     if (!is_member(c, line)) shorter(own, slowest_period(c, line), "line " + line.name);
   if (own.length > 0 && step > own.length / kOwnSteps)
-    out.push_back({"dynamics.step",
-                   fmt::format("{:g} s is {:.2g} steps in the slowest natural period of {} (about {:.2g} s): "
-                               "none of its vibrations is resolved",
-                               step, own.length / step, own.of, own.length),
-                   9, Effect::resolution});
+    add_warning(out, "dynamics.step", Effect::resolution,
+                "{:g} s is {:.2g} steps in the slowest natural period of {} (about {:.2g} s): "
+                "none of its vibrations is resolved",
+                step, own.length / step, own.of, own.length);
 }
 
 void warn_of_outputs(const Case& c, const Period& drive, std::vector<InputWarning>& out) {
   const double every = c.output.every;
   if (every > c.dynamics.duration)
-    out.push_back(
-        {"output.every",
-         fmt::format(
-             "{:g} s is longer than the run ({:g} s): there are outputs at its start and its end only", every,
-             c.dynamics.duration),
-         10, Effect::resolution});
+    add_warning(out, "output.every", Effect::resolution,
+                "{:g} s is longer than the run ({:g} s): there are outputs at its start and its end only",
+                every, c.dynamics.duration);
   else if (drive.length > 0 && every > drive.length / kOutputs)
-    out.push_back({"output.every",
-                   fmt::format("{:g} s is {:.2g} outputs in a period of {} ({:g} s): they show no period; "
-                               "usual is 10 or more (histories have every step)",
-                               every, drive.length / every, drive.of, drive.length),
-                   10, Effect::resolution});
+    add_warning(out, "output.every", Effect::resolution,
+                "{:g} s is {:.2g} outputs in a period of {} ({:g} s): they show no period; "
+                "usual is 10 or more (histories have every step)",
+                every, drive.length / every, drive.of, drive.length);
 }
 
 // Speed of a body's origin and, by its turning, of the ends that are tied to it [m/s].
@@ -146,11 +140,10 @@ namespace {
 void warn_of_start(const Body& b, const StartSpeeds& speed, std::vector<InputWarning>& out) {
   const auto warn = [&](double first, const char* key) {
     if (first > 0)
-      out.push_back({fmt::format("bodies.{}.{}", b.name, key),
-                     fmt::format("starts at t = 0 with {:.3g} m/s, while the lines are at rest: that is an "
-                                 "impact on them; a 'ramp' of some periods starts it smoothly",
-                                 first),
-                     11, Effect::part});
+      add_warning(out, fmt::format("bodies.{}.{}", b.name, key), Effect::part,
+                  "starts at t = 0 with {:.3g} m/s, while the lines are at rest: that is an "
+                  "impact on them; a 'ramp' of some periods starts it smoothly",
+                  first);
   };
   warn(speed.motion, "motion");
   warn(speed.drift, "motion.drift");
@@ -165,12 +158,10 @@ void warn_of_releases(const Case& c, std::vector<InputWarning>& out) {
     const Line& line = c.lines[c.line_index(r.line)];
     const Section& end = r.at_b ? line.sections.back() : line.sections.front();
     if (c.line_type(end.type).stiffness_damping > 0) continue;
-    out.push_back(
-        {fmt::format("events[{}]", i),
-         fmt::format("line type {} has no 'stiffness_damping': what recoils rings on in the last elements, "
-                     "whose speeds and forces then depend on the step; 0.001 s damps that",
-                     end.type),
-         15, Effect::part});
+    add_warning(out, fmt::format("events[{}]", i), Effect::part,
+                "line type {} has no 'stiffness_damping': what recoils rings on in the last elements, "
+                "whose speeds and forces then depend on the step; 0.001 s damps that",
+                end.type);
   }
 }
 
@@ -183,12 +174,10 @@ void warn_of_feed(const Case& c, const std::string& line, bool at_b, double jump
   const Line& of = c.lines[c.line_index(line)];
   const LineType& type = c.line_type((at_b ? of.sections.back() : of.sections.front()).type);
   if (!(std::abs(jump) > kLeastJump) || !(type.stiffness_damping > 0)) return;
-  out.push_back(
-      {key,
-       fmt::format("the speed jumps by {:.3g} m/s, and line type {} has 'stiffness_damping': the peak of "
-                   "tension that this makes depends on the length of elements; {} starts it smoothly",
-                   std::abs(jump), type.name, remedy),
-       16, Effect::part});
+  add_warning(out, key, Effect::part,
+              "the speed jumps by {:.3g} m/s, and line type {} has 'stiffness_damping': the peak of "
+              "tension that this makes depends on the length of elements; {} starts it smoothly",
+              std::abs(jump), type.name, remedy);
 }
 
 void warn_of_feeds(const Case& c, std::vector<InputWarning>& out) {

@@ -52,19 +52,19 @@ std::vector<std::string> input_notes(const Case& c, Effect from, Effect to) {
     once.back().text += n.also;
   }
   all = std::move(once);
-  std::map<int, int> count, reported;
-  for (const InputWarning& d : all) ++count[d.kind];
+  std::map<std::string, int> count, reported;
+  for (const InputWarning& d : all) ++count[d.group];
   std::vector<std::string> notes;
   for (const InputWarning& d : all) {
-    if (++reported[d.kind] > kReported) continue;
+    if (++reported[d.group] > kReported) continue;
     const auto& [file, line] = place_of(c, d.key);
     std::string where = file;
     if (line > 0) where += fmt::format(":{}", line);
     if (line == kBySet) where += " with --set";
-    const int more = count[d.kind] - kReported;
+    const int more = count[d.group] - kReported;
     notes.push_back(fmt::format(
         "{}: {}: {}{}", where, d.key, d.text,
-        reported[d.kind] == kReported && more > 0 ? fmt::format(" (and {} more like it)", more) : ""));
+        reported[d.group] == kReported && more > 0 ? fmt::format(" (and {} more like it)", more) : ""));
   }
   return notes;
 }

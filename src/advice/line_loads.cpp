@@ -18,7 +18,6 @@ using namespace model;
 
 namespace {
 
-constexpr int kLoadKinds = 50;  // the first of this file's kinds
 // kg/m³ of what is in water: air bags have 5 and more, foam 200 to 700, lead 11340, tungsten 19300.
 constexpr double kLightest = 5, kHeaviest = 12000;
 constexpr double kMetallic = 10e9, kFibreDensity = 1700;  // Pa, kg/m³
@@ -50,8 +49,8 @@ class LineLoads {
 
  private:
   template <class... Args>
-  void warn(int kind, const std::string& key, fmt::format_string<Args...> text, Args&&... args) {
-    out_.push_back({key_ + "." + key, fmt::format(text, std::forward<Args>(args)...), kLoadKinds + kind});
+  void warn(const std::string& key, fmt::format_string<Args...> sentence, Args&&... args) {
+    add_warning(out_, key_ + "." + key, Effect::all, sentence, std::forward<Args>(args)...);
   }
   const LineType& type(const Section& s) const { return c_.line_type(s.type); }
   const Section& section_at(double arc) const {
@@ -67,7 +66,7 @@ class LineLoads {
     if (m.volume > 0) {
       const double of = m.mass / m.volume;
       if (of < kLightest || of > kHeaviest)
-        return warn(0, key, "{:.4g} kg in {:.4g} m³ are {:.3g} kg/m³, {}", m.mass, m.volume, of,
+        return warn(key, "{:.4g} kg in {:.4g} m³ are {:.3g} kg/m³, {}", m.mass, m.volume, of,
                     of < kLightest
                         ? "lighter than any buoy (foam has 200 to 700); is the volume in litres, or "
                           "the mass in t?"
@@ -77,14 +76,14 @@ class LineLoads {
     const LineType& t = type(section_at(m.at));
     const double bears = t.breaking_load > 0 ? t.breaking_load : t.tension_table ? HUGE_VAL : 0.1 * t.EA;
     if (0.5 * std::abs(up) > bears)  // the tensions on both sides together
-      return warn(1, key, "{:.3g} kN {} is more than twice of what '{}' bears there, {:.3g} kN{}",
+      return warn(key, "{:.3g} kN {} is more than twice of what '{}' bears there, {:.3g} kN{}",
                   std::abs(up) / 1000, up > 0 ? "of buoyancy" : "of weight", t.name, bears / 1000,
                   t.breaking_load > 0 ? "" : " at a strain of 10 %");
     if (m.drag_area > 0 && m.volume > 0) {
       const double size = std::pow(m.volume, 2.0 / 3), least = 0.01, most = 50;
       if (const double ratio = m.drag_area / size; ratio < least || ratio > most)
-        warn(2, key + ".drag_area",
-             "{:.3g} m² is {:.2g} times volume^(2/3); a ball has 0.6, a plate up to 20", m.drag_area, ratio);
+        warn(key + ".drag_area", "{:.3g} m² is {:.2g} times volume^(2/3); a ball has 0.6, a plate up to 20",
+             m.drag_area, ratio);
     }
   }
 
@@ -92,19 +91,18 @@ class LineLoads {
     const double force = p.force.norm();
     const std::string key = fmt::format("loads[{}].force", p.order);
     if (force > 0 && force < kNothing * weight_)
-      return warn(3, key, "{:.4g} N is {:.1g} of the line's weight and moves nothing{}", force,
-                  force / weight_, force * 1000 >= kNothing * weight_ ? "; is it in kN?" : "");
+      return warn(key, "{:.4g} N is {:.1g} of the line's weight and moves nothing{}", force, force / weight_,
+                  force * 1000 >= kNothing * weight_ ? "; is it in kN?" : "");
     const LineType& t = type(section_at(p.at));
     // Where the tensions on both sides hold it, the larger one has half of it at least.
     if (t.kind == LineKind::cable && t.breaking_load > 0 && 0.5 * force > t.breaking_load)
-      return warn(3, key, "{:.4g} kN is more than twice the breaking load of '{}', {:.4g} kN", force / 1000,
+      return warn(key, "{:.4g} kN is more than twice the breaking load of '{}', {:.4g} kN", force / 1000,
                   t.name, t.breaking_load / 1000);
     if (force > 0.5 * t.EA && !t.tension_table)
-      warn(3, key, "{:.4g} kN is half and more of the EA of '{}', {:.4g} kN", force / 1000, t.name,
-           t.EA / 1000);
+      warn(key, "{:.4g} kN is half and more of the EA of '{}', {:.4g} kN", force / 1000, t.name, t.EA / 1000);
     const double curvature = 2 * p.moment.norm() / (t.EI2 + t.EI3);
     if (t.kind == LineKind::beam && !t.moment_table && !t.plastic_bending && curvature * t.outer_diameter > 1)
-      warn(3, fmt::format("loads[{}].moment", p.order),
+      warn(fmt::format("loads[{}].moment", p.order),
            "{:.4g} N m bends '{}' to a radius of {:.2g} m, within its own diameter", p.moment.norm(), t.name,
            1 / curvature);
   }
@@ -114,7 +112,7 @@ class LineLoads {
     const LineType& t = type(section_at(std::max(q.from, 0.0)));
     const double own = t.mass_per_length * c_.environment.gravity;
     if (!(load > 0) || !(own > 0) || (load > kNothing * own && load < 500 * own)) return;
-    warn(4, fmt::format("loads[{}].per_length", q.order),
+    warn(fmt::format("loads[{}].per_length", q.order),
          "{:.3g} N/m is {:.1g} times the weight of '{}', {:.3g} N/m{}", load, load / own, t.name, own,
          load < own && load * 1000 > kNothing * own ? "; is it in kN/m?" : "");
   }
@@ -127,7 +125,7 @@ class LineLoads {
     if (e.kind == EndKind::body) along = exp_body(e) * along;
     const Vec3 way = end_position(c_, line_.end_b) - end_position(c_, line_.end_a);
     if (!(way.norm() > 0) || along.dot(way.normalized()) > -0.5) return;  // 120 degrees
-    warn(5, fmt::format("end_{}.direction", b ? "b" : "a"),
+    warn(fmt::format("end_{}.direction", b ? "b" : "a"),
          "points {:.0f} degrees away from the way to the other end; it goes from end A to end B: is it "
          "reversed?",
          std::acos(std::clamp(along.dot(way.normalized()), -1.0, 1.0)) * 180 / M_PI);
@@ -151,13 +149,13 @@ class LineLoads {
     const std::string key = fmt::format("end_{}", b ? "b" : "a");
     const bool fibre = density(low) < kFibreDensity && modulus(low) < kMetallic;
     if (fibre && density(high) > 3 * density(low) && modulus(high) > kMetallic && low.name != high.name)
-      return warn(6, key,
+      return warn(key,
                   "'{}' lies on the bed and the heavy '{}' hangs at the other end: are the ends swapped?",
                   low.name, high.name);
     const double floats = c_.environment.water.density * M_PI / 4 * low.displaced() * low.displaced();
     if (c_.environment.water.present && modulus(low) > kMetallic && low.mass_per_length < floats)
-      warn(7, key, "'{}' is anchored on the bed and floats: {:.4g} kg/m displace {:.4g} kg/m of water",
-           low.name, low.mass_per_length, floats);
+      warn(key, "'{}' is anchored on the bed and floats: {:.4g} kg/m displace {:.4g} kg/m of water", low.name,
+           low.mass_per_length, floats);
   }
 
   void feed(bool b) {
@@ -166,12 +164,12 @@ class LineLoads {
     const LineType& t = type(b ? line_.sections.back() : line_.sections.front());
     const std::string key = fmt::format("end_{}.feed.tension", b ? "b" : "a");
     if (e.feed->tension < 1e-3 * weight_)
-      warn(8, key, "{:.4g} N is {:.1g} of the line's weight{}", e.feed->tension, e.feed->tension / weight_,
+      warn(key, "{:.4g} N is {:.1g} of the line's weight{}", e.feed->tension, e.feed->tension / weight_,
            unit_hint(c_, {"lines", line_.name, b ? "end_b" : "end_a", "feed", "tension"},
                      [&](double x) { return x > 1e-3 * weight_ && x < 0.02 * t.EA; }));
     else if (t.breaking_load > 0 && e.feed->tension > t.breaking_load)
-      warn(8, key, "{:.4g} kN is more than the breaking load of '{}', {:.4g} kN", e.feed->tension / 1000,
-           t.name, t.breaking_load / 1000);
+      warn(key, "{:.4g} kN is more than the breaking load of '{}', {:.4g} kN", e.feed->tension / 1000, t.name,
+           t.breaking_load / 1000);
   }
 
   void stiffener(const BendStiffener& s, std::size_t i) {
@@ -181,14 +179,12 @@ class LineLoads {
     for (const auto& [at, EI] : s.rows) most = std::max(most, EI);
     const std::string key = fmt::format("bend_stiffeners[{}].EI", i);
     if (most < 0.1 * own)
-      warn(9, key, "it adds {:.3g} N m² at most to the {:.3g} N m² of '{}': are they N m²?", most, own,
-           t.name);
+      warn(key, "it adds {:.3g} N m² at most to the {:.3g} N m² of '{}': are they N m²?", most, own, t.name);
     else if (most > 0.1 * t.EA)  // of a diameter of metres
-      warn(9, key, "it adds {:.3g} N m², {:.2g} times the EI of '{}': are they N m²?", most, most / own,
-           t.name);
+      warn(key, "it adds {:.3g} N m², {:.2g} times the EI of '{}': are they N m²?", most, most / own, t.name);
     else if (s.rows.back().second > 2 * s.rows.front().second)
-      warn(9, key,
-           "it is stiffer at its tip than at its root; rows count from the root, which is at {:.6g} m", s.at);
+      warn(key, "it is stiffer at its tip than at its root; rows count from the root, which is at {:.6g} m",
+           s.at);
   }
 
   // Below the end hangs at least what is between the heights of both, if it is the higher one.
@@ -198,7 +194,7 @@ class LineLoads {
     const double tension = line_.target->value;
     const LineType& t = type(b ? line_.sections.back() : line_.sections.front());
     if (t.breaking_load > 0 && tension > t.breaking_load)
-      return warn(10, "target.tension", "{:.4g} kN is more than the breaking load of '{}', {:.4g} kN",
+      return warn("target.tension", "{:.4g} kN is more than the breaking load of '{}', {:.4g} kN",
                   tension / 1000, t.name, t.breaking_load / 1000);
     if (!is_held(line_.end(b)) || !is_held(line_.end(!b))) return;
     double height = end_position(c_, line_.end(b)).z() - end_position(c_, line_.end(!b)).z();
@@ -208,7 +204,7 @@ class LineLoads {
     for (const Section& s : line_.sections) least = std::min(least, mass_in_water(c_, type(s), -HUGE_VAL));
     const double hangs = least * c_.environment.gravity * height;
     if (hangs > 0 && tension < 0.99 * hangs)
-      warn(10, "target.tension", "{:.4g} kN is less than the weight that hangs there at least, {:.4g} kN{}",
+      warn("target.tension", "{:.4g} kN is less than the weight that hangs there at least, {:.4g} kN{}",
            tension / 1000, hangs / 1000,
            unit_hint(c_, {"lines", line_.name, "target", "tension"},
                      [&](double x) { return x > hangs && x < 0.05 * t.EA; }));

@@ -16,8 +16,6 @@ using namespace model;
 
 namespace {
 
-constexpr int kTypeKinds = 30;  // the first of this file's kinds
-
 bool between(double x, double least, double most) { return x >= least && x <= most; }
 
 class Proportions {
@@ -47,9 +45,8 @@ class Proportions {
 
  private:
   template <class... Args>
-  void warn(int kind, const char* key, fmt::format_string<Args...> text, Args&&... args) {
-    out_.push_back(
-        {key_ + (*key ? "." : "") + key, fmt::format(text, std::forward<Args>(args)...), kTypeKinds + kind});
+  void warn(const char* key, fmt::format_string<Args...> sentence, Args&&... args) {
+    add_warning(out_, key_ + (*key ? "." : "") + key, Effect::all, sentence, std::forward<Args>(args)...);
   }
   std::string hint(const char* key, const std::function<bool(double)>& fits) const {
     return unit_hint(c_, {"line_types", t_.name, key}, fits);
@@ -68,12 +65,12 @@ class Proportions {
     if (between(EI / t_.EA, least, most)) return;
     const auto fits = [&](double x) { return between(x / t_.EA, least, most); };
     if (EI / t_.EA > most)
-      warn(0, "EI",
+      warn("EI",
            "with its EA it is {:.3g} m from the axis (sqrt(EI/EA)), and a diameter of {:.4g} m has {:.3g} m "
            "at most{}",
            gyration(EI), D, D / std::sqrt(8.0), hint("EI", fits));
     else
-      warn(0, "EI",
+      warn("EI",
            "{:.3g} N m² with an EA of {:.3g} N is the stiffness of loose wires of {:.2g} mm in a diameter of "
            "{:.4g} m{}",
            EI, t_.EA, 4000 * gyration(EI), D, hint("EI", fits));
@@ -83,14 +80,14 @@ class Proportions {
   void torsion() {
     const double EI = 0.5 * (t_.EI2 + t_.EI3), least = 0.05, most = 500;
     if (between(t_.GJ / EI, least, most)) return;
-    warn(1, "GJ", "{:.4g} N m² is {:.2g} times EI: round sections have 0.7 to 1, armoured cables up to 300{}",
+    warn("GJ", "{:.4g} N m² is {:.2g} times EI: round sections have 0.7 to 1, armoured cables up to 300{}",
          t_.GJ, t_.GJ / EI, hint("GJ", [&](double x) { return between(x / EI, least, most); }));
   }
 
   // G is below E.
   void shear() {
     if (t_.GA == 0 || between(t_.GA / t_.EA, 1e-4, 1)) return;
-    warn(2, "GA", "{:.4g} N is {:.2g} times EA, and the shear stiffness of a section is 0.1 to 0.5 of it{}",
+    warn("GA", "{:.4g} N is {:.2g} times EA, and the shear stiffness of a section is 0.1 to 0.5 of it{}",
          t_.GA, t_.GA / t_.EA, hint("GA", [&](double x) { return between(x / t_.EA, 1e-4, 1); }));
   }
 
@@ -105,7 +102,7 @@ class Proportions {
     }
     const double strain = 0.5 * last * t_.outer_diameter;
     if (last == 0 || between(strain, 1e-5, 2)) return;
-    warn(3, key,
+    warn(key,
          "its table ends at {:.4g} 1/m, a strain of {:.2g} in a diameter of {:.4g} m: are the columns 1/m "
          "and N m?",
          last, strain, t_.outer_diameter);
@@ -118,7 +115,7 @@ class Proportions {
     if (between(strain, least, most)) return;
     const std::string of_load =
         hint("breaking_load", [&](double x) { return between(x / t_.EA, least, most); });
-    warn(4, "breaking_load",
+    warn("breaking_load",
          "{:.4g} N over an EA of {:.4g} N is a strain of {:.2g} %; lines break at 0.2 to 50 %{}",
          t_.breaking_load, t_.EA, 100 * strain, of_load);
   }
@@ -129,7 +126,7 @@ class Proportions {
     constexpr double kDense = 3500, kSoft = 1e8;  // kg/m³, Pa
     const double D = t_.outer_diameter, area = M_PI / 4 * D * D;
     if (!(t_.mass_per_length / area > kDense) || !(t_.EA / area < kSoft)) return;
-    warn(5, "EA",
+    warn("EA",
          "{:.4g} N over {:.4g} m is a modulus of {:.3g} MPa, and {:.3g} t/m³ are metal, of 20 GPa and more{}",
          t_.EA, D, t_.EA / area / 1e6, t_.mass_per_length / area / 1000,
          hint("EA", [&](double x) { return between(x / area, 5e9, 250e9); }));
@@ -140,12 +137,12 @@ class Proportions {
     if (between(ratio, least, most)) return;
     if (std::string_view(key) == "displaced_diameter" && !given(key))
       return warn(
-          6, "",
+          "",
           "its mass and weight are those of {:.4g} m of displaced water, and its outer diameter is {:.4g} m",
           d, t_.outer_diameter);
     if (!given(key)) return;  // another one is odd
-    warn(6, key, "{:.4g} m is {:.2g} times the outer diameter; {:g} to {:g} times are usual{}", d, ratio,
-         least, most, hint(key, [&](double x) { return between(x / t_.outer_diameter, least, most); }));
+    warn(key, "{:.4g} m is {:.2g} times the outer diameter; {:g} to {:g} times are usual{}", d, ratio, least,
+         most, hint(key, [&](double x) { return between(x / t_.outer_diameter, least, most); }));
   }
   bool given(const char* key) const {
     const Value* v = entry_of(c_, "line_types", t_.name);
@@ -158,7 +155,7 @@ class Proportions {
     if (!(t_.minimum_bend_radius > 0)) return;
     const double ratio = t_.minimum_bend_radius / t_.outer_diameter, least = 0.5, most = 2000;
     if (between(ratio, least, most)) return;
-    warn(7, "minimum_bend_radius", "{:.4g} m is {:.2g} diameters; lines may be bent to 2 to 500 diameters{}",
+    warn("minimum_bend_radius", "{:.4g} m is {:.2g} diameters; lines may be bent to 2 to 500 diameters{}",
          t_.minimum_bend_radius, ratio,
          hint("minimum_bend_radius", [&](double x) { return between(x / t_.outer_diameter, least, most); }));
   }
@@ -168,13 +165,12 @@ class Proportions {
     if (t_.steel || !given("pipe") || !(t_.wall_diameter > t_.inner_diameter)) return;
     const double slender = t_.wall_diameter / (0.5 * (t_.wall_diameter - t_.inner_diameter));
     if (slender > 150)
-      warn(8, "pipe.wall_thickness", "D/t is {:.3g}; pipes have 5 to 60, and 150 buckle like cans", slender);
+      warn("pipe.wall_thickness", "D/t is {:.3g}; pipes have 5 to 60, and 150 buckle like cans", slender);
   }
 
   void strains() {
     if (!t_.tension_table || !(t_.tension_table->last() > 3)) return;
-    warn(9, "EA",
-         "its table goes up to a strain of {:g}, which is {:g} times its length: are the strains in %?",
+    warn("EA", "its table goes up to a strain of {:g}, which is {:g} times its length: are the strains in %?",
          t_.tension_table->last(), 1 + t_.tension_table->last());
   }
 

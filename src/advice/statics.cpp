@@ -42,7 +42,7 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
     return from == to ? from : from + " to " + to;
   };
   std::string friction = "without friction in statics";
-  if (values.front().laid)
+  if (values.front().with_friction)
     friction = fmt::format("where friction takes {} kN of tension and holds {} m with force to spare",
                            range(&OnBed::taken, 1e3), range(&OnBed::sticking, 1));
   return fmt::format("{}{}: {} m on the seabed, {}", lines.size() > 1 ? "lines " : "lines.",
@@ -52,10 +52,8 @@ std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<
 std::string held_without_weight(const std::string& body) {
   return fmt::format(
       "bodies.{}: statics holds it where it starts, without its weight, since bodies have no friction there; "
-      "it sinks "
-      "in, and slides where friction is too low, when the motion begins; 'statics: {{contact_friction: "
-      "true}}' lets "
-      "it come to rest on what it touches",
+      "it sinks in, and slides where friction is too low, when the motion begins; "
+      "'statics: {{contact_friction: true}}' lets it come to rest on what it touches",
       body);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hawser/math/segment.hpp"
 #include "hawser/model/check.hpp"
 
 namespace hawser::advice {
@@ -48,7 +49,9 @@ double above_the_others(const std::vector<Stop>& way, size_t k) {
   if (k > 0 && k + 1 < way.size()) {
     const Stop &a = way[k - 1], &b = way[k + 1];
     const Vec3 chord = b.at - a.at;
-    const double d = chord.norm(), t = std::clamp((here.at - a.at).dot(chord) / (d * d), 0.0, 1.0), u = 1 - t;
+    const double d = chord.norm();
+    const double t = nearest_share(here.at, a.at, b.at);
+    const double u = 1 - t;
     const Vec3 there =
         u * u * (1 + 2 * t) * a.at + t * t * (3 - 2 * t) * b.at + t * u * d * (u * a.along - t * b.along);
     return (here.at - there).dot(here.up);

@@ -14,29 +14,24 @@ using namespace model;
 
 namespace {
 
-constexpr int kSeaKinds = 85;  // the first of this file's kinds
-
 void dry_bed(const Case& c, std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
   const Water& w = c.environment.water;
   if (!bed.present || c.lines.empty()) return;
   if (!w.present && c.environment.gravity > 0 && bed.depth > 0) {
-    out.push_back({"environment",
-                   fmt::format("there is a seabed {:.4g} m down and no water: the lines hang in air; "
-                               "'water: {{depth: {:.6g}}}' is the sea",
-                               bed.depth, bed.depth),
-                   kSeaKinds});
+    add_warning(out, "environment", Effect::all,
+                "there is a seabed {:.4g} m down and no water: the lines hang in air; "
+                "'water: {{depth: {:.6g}}}' is the sea",
+                bed.depth, bed.depth);
     return;
   }
   double highest = -bed.depth;
   if (bed.surface) highest = bed.surface->bounds().hi.z();
   const double lowest = bed.surface && std::isfinite(bed.depth) ? -2 * bed.depth - highest : highest;
   if (w.present && lowest > w.surface)
-    out.push_back({bed.surface ? "environment.seabed" : "environment.seabed.depth",
-                   fmt::format("all of the bed is above the water, {:.4g} m and more: z points up{}",
-                               lowest - w.surface,
-                               bed.surface ? "; 'depths: true' is for a grid that counts downwards" : ""),
-                   kSeaKinds + 1});
+    add_warning(out, bed.surface ? "environment.seabed" : "environment.seabed.depth", Effect::all,
+                "all of the bed is above the water, {:.4g} m and more: z points up{}", lowest - w.surface,
+                bed.surface ? "; 'depths: true' is for a grid that counts downwards" : "");
 }
 
 // Waves break where they are as high as the water is deep.
@@ -44,11 +39,10 @@ void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool spectrum = w.waves.kind == Waves::Kind::spectrum;
   if (!spectrum || !(w.depth > 0) || w.waves.height < 0.8 * w.depth) return;
-  out.push_back({"environment.waves",
-                 fmt::format("a significant height of {:.4g} m is {:.2g} times the depth of the water, "
-                             "{:.4g} m: it breaks at 0.6",
-                             w.waves.height, w.waves.height / w.depth, w.depth),
-                 kSeaKinds + 2});
+  add_warning(out, "environment.waves", Effect::all,
+              "a significant height of {:.4g} m is {:.2g} times the depth of the water, "
+              "{:.4g} m: it breaks at 0.6",
+              w.waves.height, w.waves.height / w.depth, w.depth);
 }
 
 // What a table of a spectrum adds up to: 4 sqrt(m0) m and its peak, against the steepest seas (DNV-RP-C205
@@ -64,15 +58,13 @@ void spectrum_rows(const Case& c, std::vector<InputWarning>& out) {
   const double steepness = 2 * M_PI * hs / (c.environment.gravity * tp * tp);
   constexpr double kSteepest = 1.0 / 12, kLongest = 40, kHighest = 25;
   if (steepness < kSteepest && tp < kLongest && hs < kHighest) return;
-  out.push_back(
-      {"environment.waves.spectrum",
-       fmt::format(
-           "its rows make waves of {:.3g} m with a peak at {:.3g} s, {}: is 'frequency' right (hz or rad_s)?",
-           hs, tp,
-           tp >= kLongest   ? "longer than any swell"
-           : hs >= kHighest ? "higher than any sea"
-                            : "which would break"),
-       kSeaKinds + 3});
+  add_warning(
+      out, "environment.waves.spectrum", Effect::all,
+      "its rows make waves of {:.3g} m with a peak at {:.3g} s, {}: is 'frequency' right (hz or rad_s)?", hs,
+      tp,
+      tp >= kLongest   ? "longer than any swell"
+      : hs >= kHighest ? "higher than any sea"
+                       : "which would break");
 }
 
 // What starts over a time that the run does not reach, and motion that no run shows.
@@ -81,16 +73,14 @@ void short_period_motion(const Case& c, std::vector<InputWarning>& out) {
   const bool waves = w.waves.kind != Waves::Kind::none;
   const auto ramp = [&](double length, const std::string& key) {
     if (length > c.dynamics.duration)
-      out.push_back({key,
-                     fmt::format("{:.4g} s is longer than the run of {:.4g} s, whose end sees {:.2g} % of it",
-                                 length, c.dynamics.duration, 100 * c.dynamics.duration / length),
-                     kSeaKinds + 4, Effect::part});
+      add_warning(out, key, Effect::part,
+                  "{:.4g} s is longer than the run of {:.4g} s, whose end sees {:.2g} % of it", length,
+                  c.dynamics.duration, 100 * c.dynamics.duration / length);
   };
   if (!c.dynamics.enabled) {
     if (waves)
-      out.push_back({"environment.waves",
-                     "they act in dynamics only, and without 'dynamics' nothing of them is seen",
-                     kSeaKinds + 5, Effect::part});
+      add_warning(out, "environment.waves", Effect::part,
+                  "they act in dynamics only, and without 'dynamics' nothing of them is seen");
     return;
   }
   if (waves && possible(w.waves)) ramp(w.waves.ramp, "environment.waves.ramp");

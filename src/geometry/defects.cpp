@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "edge_uses.hpp"
-#include "groups.hpp"
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 
 namespace hawser::detail {
 namespace {
@@ -15,19 +15,18 @@ namespace {
 // Edges that do not run equally often each way, in sets of corners that they join.
 std::vector<std::vector<int>> boundaries(const MeshView& mesh) {
   const std::vector<EdgeUse> uses = edge_uses(mesh);
-  std::vector<int> group;
-  separate(group, mesh.vertices.size());
+  DisjointSets group(mesh.vertices.size());
   std::vector<bool> on(mesh.vertices.size(), false);
   for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
     int sum = 0;
     for (j = i; j < uses.size() && uses[j].same_edge(uses[i]); ++j) sum += uses[j].forward ? 1 : -1;
     if (sum == 0) continue;
-    unite(group, uses[i].low, uses[i].high);
+    group.unite(uses[i].low, uses[i].high);
     on[static_cast<std::size_t>(uses[i].low)] = on[static_cast<std::size_t>(uses[i].high)] = true;
   }
   int count = 0;
-  const std::vector<int> number = numbered(
-      group, [&](int v) { return on[static_cast<std::size_t>(v)]; }, count);
+  const std::vector<int> number =
+      group.numbered([&](int v) { return on[static_cast<std::size_t>(v)]; }, count);
   std::vector<std::vector<int>> out(static_cast<std::size_t>(count));
   for (std::size_t v = 0; v < on.size(); ++v)
     if (number[v] >= 0) out[static_cast<std::size_t>(number[v])].push_back(static_cast<int>(v));

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "groups.hpp"
 #include "hawser/geometry/smooth_patch.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 #include "planar_regions.hpp"
 
 namespace hawser {
@@ -76,18 +76,18 @@ class Bends {
     bend_.assign(ends_.size(), Vec3::Zero());
   }
 
-  int root(int c) { return detail::root_of(group_, c); }
+  int root(int c) { return group_.smallest(c); }
 
   // One normal for the corners at a vertex that smooth edges join; zero where it would not serve.
   void corner_normals() {
-    detail::separate(group_, 3 * mesh_.triangles.size());
+    group_.reset(3 * mesh_.triangles.size());
     for (int t = 0; t < static_cast<int>(edge_.size()); ++t)
       for (int i = 0; i < 3; ++i) {
         const int u = topo_.neighbours[at(t)][at(i)];
         if (u < t || kind_[at(edge_[at(t)][at(i)])] != Kind::smooth) continue;
         const int k = edge_in(u, t, i);
-        detail::unite(group_, 3 * t + i, 3 * u + (k + 1) % 3);
-        detail::unite(group_, 3 * t + (i + 1) % 3, 3 * u + k);
+        group_.unite(3 * t + i, 3 * u + (k + 1) % 3);
+        group_.unite(3 * t + (i + 1) % 3, 3 * u + k);
       }
     const std::vector<double> width = detail::planar_widths(mesh_, topo_, normal_);
     std::vector<double> widest(group_.size(), 0);
@@ -248,7 +248,7 @@ class Bends {
   std::vector<int> home_;                 // 3 triangle + edge
   std::vector<Kind> kind_;
   std::vector<Vec3> bend_;
-  std::vector<int> group_;  // of corners 3 triangle + i
+  DisjointSets group_;  // of corners 3 triangle + i
   std::vector<Vec3> group_normal_, tangent_;
 };
 

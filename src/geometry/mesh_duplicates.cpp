@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "groups.hpp"
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/winding_tree.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 #include "hawser/math/ordered.hpp"
 #include "patch_visibility.hpp"
 
@@ -94,15 +94,14 @@ class Patches {
  private:
   // The faces are the triangles of the mesh that `topo` is of.
   void find(const Topology& topo) {
-    std::vector<int> group;
-    detail::separate(group, faces_.size());
+    DisjointSets group(faces_.size());
     for (std::size_t f = 0; f < faces_.size(); ++f)
       for (const int other : topo.neighbours[f])
         if (other >= 0 && faces_[f].open() && faces_[static_cast<std::size_t>(other)].open())
-          detail::unite(group, static_cast<int>(f), other);
+          group.unite(static_cast<int>(f), other);
     int count = 0;
     const auto open = [&](int f) { return faces_[static_cast<std::size_t>(f)].open(); };
-    const std::vector<int> number = detail::numbered(group, open, count);
+    const std::vector<int> number = group.numbered(open, count);
     for (std::size_t f = 0; f < faces_.size(); ++f) faces_[f].patch = number[f];
     count_ = static_cast<std::size_t>(count);
   }

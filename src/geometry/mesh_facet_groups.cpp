@@ -6,8 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "groups.hpp"
 #include "hawser/geometry/segment_distance.hpp"
+#include "hawser/math/disjoint_sets.hpp"
+#include "hawser/math/segment.hpp"
 
 namespace hawser::detail {
 namespace {
@@ -16,12 +17,6 @@ constexpr double kParallel = 0.9;    // cosine: directions nearer than that are 
 constexpr double kCone = 0.974;      // of half that angle
 constexpr double kConcave = 0.2;     // rad, in all: less makes no second facet group
 constexpr double kFlatEdge = 1e-10;  // 1 - cosine of an edge that counts as flat
-
-double squared_distance_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 e = b - a, r = p - a;
-  const double length2 = e.squaredNorm();
-  return length2 > 0 ? (r - std::clamp(r.dot(e) / length2, 0.0, 1.0) * e).squaredNorm() : r.squaredNorm();
-}
 
 // Whether it is so for any chord of a polyline; of a single place there is one, of no length.
 template <class Is>
@@ -101,14 +96,14 @@ bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::ve
     const Vec3 centre = box.centre();
     const double far = 0.5 * box.diagonal() + reach;
     return any_chord(axis, [&](const Vec3& p, const Vec3& q) {
-      return squared_distance_to_chord(centre, p, q) <= far * far;
+      return squared_distance_to_segment(centre, p, q) <= far * far;
     });
   };
   tree_.walk(in, [&](int t) {
     const FacetGroup::Facet f = ball(t);
     const double far = f.radius + reach, off = bulge(t) + reach;
     any_chord(axis, [&](const Vec3& p, const Vec3& q) {
-      if (squared_distance_to_chord(f.centre, p, q) > far * far) return false;
+      if (squared_distance_to_segment(f.centre, p, q) > far * far) return false;
       const Vec3 n = normals_.quick_face(facets_, t);
       const double from = n.dot(p - facets_.corner(t, 0)), to = n.dot(q - facets_.corner(t, 0));
       if (std::min(from, to) > off || std::max(from, to) < -off) return false;  // beyond its plane
@@ -125,10 +120,10 @@ bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::ve
 
 // Whether facets hang together and are convex, or nearly. Sorts them.
 bool MeshFacetGroups::bulging(std::vector<Near>& near) const {
-  thread_local std::vector<int> sets;
+  thread_local DisjointSets sets;
   if (near.size() < 2) return true;
   std::ranges::sort(near, {}, &Near::triangle);
-  separate(sets, near.size());
+  sets.reset(near.size());
   double concave = 0;
   for (int k = 0; k < static_cast<int>(near.size()); ++k) {
     const Near& f = near[static_cast<std::size_t>(k)];
@@ -137,16 +132,16 @@ bool MeshFacetGroups::bulging(std::vector<Near>& near) const {
       const int u = normals_.neighbour(t, i);
       const int l = u > t ? place_of(near, u) : -1;
       if (l < 0) continue;
-      unite(sets, k, l);
+      sets.unite(k, l);
       const double off = 1 - f.normal.dot(near[static_cast<std::size_t>(l)].normal);
       if (off <= kFlatEdge || !rises(facets_, f.normal, t, i, u)) continue;
       concave += std::acos(std::clamp(1 - off, -1.0, 1.0));
       if (concave > kConcave) return false;
     }
   }
-  const int first = root_of(sets, 0);
+  const int first = sets.smallest(0);
   for (int k = 1; k < static_cast<int>(near.size()); ++k)
-    if (root_of(sets, k) != first) return false;
+    if (sets.smallest(k) != first) return false;
   return true;
 }
 
@@ -281,25 +276,25 @@ bool MeshFacetGroups::comes_near(std::span<const Vec3> axis, double reach, const
   const Vec3 middle = 0.5 * (p + q);
   const double far = reach + 0.5 * (p - q).norm();
   return any_chord(axis, [&](const Vec3& a, const Vec3& b) {
-    return squared_distance_to_chord(middle, a, b) <= far * far &&
-           (squared_distance_to_chord(p, a, b) <= reach * reach ||
-            squared_distance_to_chord(q, a, b) <= reach * reach ||
+    return squared_distance_to_segment(middle, a, b) <= far * far &&
+           (squared_distance_to_segment(p, a, b) <= reach * reach ||
+            squared_distance_to_segment(q, a, b) <= reach * reach ||
             closest_points_of_segments(a, b, p, q).distance <= reach);
   });
 }
 
 void MeshFacetGroups::join(std::span<const Vec3> axis, double reach,
-                           const std::vector<FacetGroup::Facet>& facets, std::vector<int>& sets) const {
-  separate(sets, facets.size());
+                           const std::vector<FacetGroup::Facet>& facets, DisjointSets& sets) const {
+  sets.reset(facets.size());
   for (int k = 0; k < static_cast<int>(facets.size()); ++k) {
     const int t = facets[static_cast<std::size_t>(k)].triangle;
     for (int e = 0; e < 3; ++e) {
       const int u = normals_.neighbour(t, e), l = u > t ? place_of(facets, u) : -1;
-      if (l < 0 || root_of(sets, k) == root_of(sets, l) || cut(t, e, u)) continue;
+      if (l < 0 || sets.smallest(k) == sets.smallest(l) || cut(t, e, u)) continue;
       const Vec3 &p = facets_.corner(t, e), &q = facets_.corner(t, (e + 1) % 3);
       const double bent =
           facets_.curved(t) ? 0.25 * facets_.patch(t).c[static_cast<std::size_t>(e)].norm() : 0;
-      if (comes_near(axis, reach + bent, p, q)) unite(sets, k, l);
+      if (comes_near(axis, reach + bent, p, q)) sets.unite(k, l);
     }
   }
 }
@@ -332,7 +327,7 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
   out.of.clear();
   const std::vector<FacetGroup::Facet> facets = around(axis, reach);
   if (facets.size() < 2) return;
-  std::vector<int> sets;
+  DisjointSets sets;
   join(axis, reach, facets, sets);
   struct Found {
     FacetGroup group;
@@ -340,7 +335,7 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
     Approach at;
   };
   int count = 0;
-  const std::vector<int> number = numbered(sets, count);
+  const std::vector<int> number = sets.numbered(count);
   if (count < 2) return;
   std::vector<Found> found(static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < facets.size(); ++k)
@@ -349,7 +344,7 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
     for (const FacetGroup::Facet& facet : f.group.facets)
       any_chord(axis, [&](const Vec3& p, const Vec3& q) {
         const double far = f.at.distance + facet.radius;
-        if (squared_distance_to_chord(facet.centre, p, q) > far * far) return false;  // others are nearer
+        if (squared_distance_to_segment(facet.centre, p, q) > far * far) return false;  // others are nearer
         const Approach a = approach(facet.triangle, p, q);
         if (a.distance < f.at.distance) {
           f.at = a;

@@ -7,6 +7,7 @@
 
 #include "facets.hpp"
 #include "hawser/geometry/facet_groups.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 #include "pseudonormals.hpp"
 
 namespace hawser::detail {
@@ -58,7 +59,7 @@ class MeshFacetGroups {
   Vec3 pseudonormal(const FacetGroup& group, const FacetSearch::Foot& foot) const;
   std::vector<FacetGroup::Facet> around(std::span<const Vec3> axis, double reach) const;
   void join(std::span<const Vec3> axis, double reach, const std::vector<FacetGroup::Facet>& facets,
-            std::vector<int>& sets) const;
+            DisjointSets& sets) const;
   Part describe(FacetGroup group, int nearest, const Vec3& from, std::span<const Vec3> axis) const;
 
   const Facets& facets_;

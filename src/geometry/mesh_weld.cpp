@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "groups.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 #include "near_points.hpp"
 
 namespace hawser {
@@ -37,25 +37,24 @@ CrackResult weld_cracks(TriangleMesh& mesh) {
       }
     }
   const detail::NearPoints near(mesh.vertices);
-  std::vector<int> group;
-  detail::separate(group, n);
+  DisjointSets group(n);
   for (std::size_t v = 0; v < n; ++v) {
     if (!open[v]) continue;
     near.each(static_cast<int>(v), tolerance[v], [&](int w) {
       if (open[static_cast<std::size_t>(w)] &&
           (x(w) - mesh.vertices[v]).norm() <= tolerance[static_cast<std::size_t>(w)])
-        detail::unite(group, static_cast<int>(v), w);
+        group.unite(static_cast<int>(v), w);
     });
   }
   // Of each group the corner of the most triangles, the lowest of those.
   std::vector<int> keeps(n, -1);
   for (std::size_t v = 0; v < n; ++v) {
-    int& best = keeps[static_cast<std::size_t>(detail::root_of(group, static_cast<int>(v)))];
+    int& best = keeps[static_cast<std::size_t>(group.smallest(static_cast<int>(v)))];
     if (best < 0 || uses[v] > uses[static_cast<std::size_t>(best)]) best = static_cast<int>(v);
   }
   std::vector<Vec3> moved = mesh.vertices;
   for (std::size_t v = 0; v < n; ++v) {
-    const int to = keeps[static_cast<std::size_t>(detail::root_of(group, static_cast<int>(v)))];
+    const int to = keeps[static_cast<std::size_t>(group.smallest(static_cast<int>(v)))];
     if (to == static_cast<int>(v)) continue;
     moved[v] = x(to);
     result.widest = std::max(result.widest, (moved[v] - mesh.vertices[v]).norm());

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "groups.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 
 namespace hawser::detail {
 namespace {
@@ -12,8 +12,7 @@ namespace {
 // Vertices whose triangles do not form one fan: the surface touches itself there.
 std::vector<bool> pinched(const MeshView& mesh, const Topology& topo) {
   // Corners (3 t + i) joined across the edges beside them.
-  std::vector<int> group;
-  separate(group, 3 * mesh.triangles.size());
+  DisjointSets group(3 * mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const int other = topo.neighbours[t][i];
@@ -22,14 +21,14 @@ std::vector<bool> pinched(const MeshView& mesh, const Topology& topo) {
       for (const std::size_t mine : {i, (i + 1) % 3})
         for (std::size_t k = 0; k < 3; ++k)
           if (mesh.triangles[u][k] == mesh.triangles[t][mine])
-            unite(group, static_cast<int>(3 * t + mine), static_cast<int>(3 * u + k));
+            group.unite(static_cast<int>(3 * t + mine), static_cast<int>(3 * u + k));
     }
   std::vector<int> fan(mesh.vertices.size(), -1);
   std::vector<bool> out(mesh.vertices.size(), false);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
       const auto v = static_cast<std::size_t>(mesh.triangles[t][i]);
-      const int r = root_of(group, static_cast<int>(3 * t + i));
+      const int r = group.smallest(static_cast<int>(3 * t + i));
       if (fan[v] < 0) fan[v] = r;
       if (fan[v] != r) out[v] = true;
     }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hawser/math/segment.hpp"
+
 namespace hawser {
 namespace {
 
@@ -31,8 +33,7 @@ OnCurve nearest_on_curve(const Vec3& y, const Vec3& a, const Vec3& b, const Vec3
   const auto at = [&](double s) {
     return s < 0.5 ? Vec3(a + s * e + s * (1 - s) * c) : Vec3(b - (1 - s) * e + s * (1 - s) * c);
   };
-  const double length2 = e.squaredNorm();
-  double s = length2 > 0 ? std::clamp((y - a).dot(e) / length2, 0.0, 1.0) : 0;
+  double s = nearest_share(y, a, b);
   double best = (y - at(s)).squaredNorm();
   for (const double other : {0.0, 0.5, 1.0}) {
     const double squared = (y - at(other)).squaredNorm();

@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "edge_uses.hpp"
-#include "groups.hpp"
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 #include "hawser/math/ordered.hpp"
 #include "near_points.hpp"
 #include "nesting.hpp"
@@ -53,14 +53,13 @@ Topology topology(const TriangleMesh& mesh) {
   Topology out;
   const std::size_t n = mesh.triangles.size();
   out.neighbours.assign(n, {kOpenEdge, kOpenEdge, kOpenEdge});
-  std::vector<int> group;
-  detail::separate(group, n);
+  DisjointSets group(n);
   const auto uses = detail::edge_uses(mesh);
   for (std::size_t i = 0, j = 0; i < uses.size(); i = j) {
     int balance = 0;
     for (j = i; j < uses.size() && uses[j].same_edge(uses[i]); ++j) {
       balance += uses[j].forward ? 1 : -1;
-      detail::unite(group, uses[i].triangle, uses[j].triangle);
+      group.unite(uses[i].triangle, uses[j].triangle);
     }
     const std::size_t count = j - i;
     if (count == 1) ++out.open_edges;
@@ -76,7 +75,7 @@ Topology topology(const TriangleMesh& mesh) {
       if (count > 2) neighbour = kNonManifoldEdge;
     }
   }
-  out.component = detail::numbered(group, out.components);
+  out.component = group.numbered(out.components);
   return out;
 }
 

@@ -8,6 +8,7 @@
 
 #include "hawser/io/case_values.hpp"
 #include "hawser/kernels/support_path.hpp"
+#include "hawser/math/segment.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/body_motion.hpp"
 #include "hawser/model/check.hpp"
@@ -224,9 +225,10 @@ class Group {
         refuse_key(name, v_.where + ".on",
                    "line '{}' {}; name beams with both ends at joints, anchors or bodies", line.name,
                    line.name == line_.name ? "is laid over these supports itself" : "has a free end");
-      const Vec3 a = model::end_position(c_, line.end_a), way = model::end_position(c_, line.end_b) - a;
-      const double share = std::clamp((place - a).dot(way) / way.squaredNorm(), 0.0, 1.0);
-      const double away = (a + share * way - place).norm();
+      const Vec3 a = model::end_position(c_, line.end_a);
+      const Vec3 end = model::end_position(c_, line.end_b);
+      const double share = nearest_share(place, a, end);
+      const double away = (a + share * (end - a) - place).norm();
       if (away < nearest) {
         nearest = away;
         o.on = model::Ride{line.name, share * model::length_of(line), true};

@@ -263,17 +263,16 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
                   const ResultCount& kept, long long clashes, bool newest_checkpoint) {
   const h5::Id from = h5::open_read(path);
   const auto differs = [&](const std::string& what) {
-    return InputError(path + " cannot be continued: " + what + " differ from the case");
+    return InputError(path + " cannot be continued: the case does not match its " + what);
   };
   std::vector<std::string> names;
   for (const auto& line : c.lines) names.push_back(line.name);
-  if (!h5::exists(from, "lines/name") || h5::read_texts(from, "lines/name") != names)
-    throw differs("its lines");
+  if (!h5::exists(from, "lines/name") || h5::read_texts(from, "lines/name") != names) throw differs("lines");
   // Against the case, not what is in the new file: reading there what a full disk did not take would fail
   // oddly.
   std::vector<double> arc;
   for (const auto& line : c.lines) arc.insert(arc.end(), line.arc.begin(), line.arc.end());
-  if (h5::read_array(from, "nodes/arc_length").values != arc) throw differs("its nodes");
+  if (h5::read_array(from, "nodes/arc_length").values != arc) throw differs("nodes");
   for (const std::string group : {"series", "line_series"}) {
     if (!h5::exists(from, group)) continue;
     for (const std::string& name : h5::members(from, group))
@@ -286,11 +285,10 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   for (const auto& s : row_sets(c)) {
     // Statistics are made anew from the checkpoint, which older files do not hold.
     if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
-    if (!h5::exists(from, s.name)) throw differs("its " + s.name);
+    if (!h5::exists(from, s.name)) throw differs(s.name);
     const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);
     const h5::Shape shape = h5::shape_of(old);
-    if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end()))
-      throw differs("its " + s.name);
+    if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end())) throw differs(s.name);
     copy_rows(old, made, s.type, rows_in(s, kept.outputs, kept.steps, c));
   }
   if (c.clashes) copy_clash_tables(from, to, clashes);

@@ -1,5 +1,5 @@
-// The graph of nodes, elements and couplings with its weights, lines that stay whole, and the cut of that
-// graph into one part for each rank: stretches of the file, or METIS inside what must be cut.
+// Cuts the graph of nodes and couplings into one part for each rank: stretches of the file, or METIS inside a
+// component where that cuts less.
 #include "hawser/mesh/partition.hpp"
 
 #include <metis.h>
@@ -11,183 +11,61 @@
 #include <utility>
 
 #include "hawser/mesh/stretches.hpp"
+#include "node_graph.hpp"
 
 namespace hawser {
 namespace {
 
-// Relative cost of a node in an implicit step (docs/performance.md): kernels, assembly and factorisation.
-constexpr idx_t kBeamWork = 5, kCableWork = 1;
-// What is cut with an edge: a chain, or a coupling, of which a node of a line in contact has several.
-constexpr idx_t kChainEdge = 100, kCoupledEdge = 10;
 constexpr double kMostLoad = 1.07;  // of a rank, over its share, rather than cut more
 
-idx_t work_of(const Node& n) { return n.rotates ? kBeamWork : kCableWork; }
-
-struct Edge {
-  int from, to;
-  idx_t weight;
-};
-
-// Sorted, edges between the same two as one.
-std::vector<Edge> merged(std::vector<Edge> all) {
-  std::sort(all.begin(), all.end(),
-            [](const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
-  size_t kept = 0;
-  for (const Edge& e : all)
-    if (kept > 0 && all[kept - 1].from == e.from && all[kept - 1].to == e.to)
-      all[kept - 1].weight += e.weight;
-    else
-      all[kept++] = e;
-  all.resize(kept);
-  return all;
-}
-
-// Between nodes, both ways.
-std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> coupled) {
-  std::vector<Edge> all;
-  const auto add = [&](int a, int b, idx_t w) {
-    if (a != b) {
-      all.push_back({a, b, w});
-      all.push_back({b, a, w});
-    }
-  };
-  for (const Element& e : mesh.elements) add(e.first, e.second, kChainEdge);
-  for (size_t n = 0; n < mesh.nodes.size(); ++n)
-    for (const int other : {mesh.nodes[n].pinned_to, mesh.nodes[n].tied_to})
-      if (other >= 0) add(static_cast<int>(n), other, kChainEdge);
-  for (const auto& [a, b] : coupled) add(a, b, kCoupledEdge);
-  return all;
-}
-
-// Places of the graph with their weights, in parts of the given shares, by METIS. `all`: sorted, both ways.
-std::vector<idx_t> cut_into_parts(std::span<const double> weight, const std::vector<Edge>& all,
-                                  const std::vector<double>& share) {
-  std::vector<idx_t> start(weight.size() + 1, 0), next, edge, part(weight.size(), 0);
-  std::vector<idx_t> weights(weight.begin(), weight.end());
-  for (const Edge& e : all) {
-    ++start[e.from + 1];
-    next.push_back(e.to);
-    edge.push_back(e.weight);
+// Part of each vertex by METIS, with work in the ratio of `shares`. `edges`: sorted, in both directions.
+std::vector<int> metis_parts(std::span<const double> work, const std::vector<GraphEdge>& edges,
+                             const std::vector<double>& shares) {
+  std::vector<idx_t> first_edge(work.size() + 1, 0);
+  std::vector<idx_t> neighbours;
+  std::vector<idx_t> costs;
+  std::vector<idx_t> part(work.size(), 0);
+  std::vector<idx_t> weights(work.begin(), work.end());
+  for (const GraphEdge& e : edges) {
+    ++first_edge[e.from + 1];
+    neighbours.push_back(e.to);
+    costs.push_back(e.cost);
   }
-  for (size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-  const double sum = std::accumulate(share.begin(), share.end(), 0.0);
-  std::vector<real_t> shares;
-  for (const double s : share) shares.push_back(static_cast<real_t>(s / sum));
-  auto vertices = static_cast<idx_t>(weight.size()), parts = static_cast<idx_t>(share.size());
-  idx_t constraints = 1, cut = 0;
+  std::partial_sum(first_edge.begin(), first_edge.end(), first_edge.begin());
+  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  std::vector<real_t> targets;
+  for (const double s : shares) targets.push_back(static_cast<real_t>(s / sum));
+  auto vertices = static_cast<idx_t>(work.size());
+  auto parts = static_cast<idx_t>(shares.size());
+  idx_t constraints = 1;
+  idx_t cut = 0;
   idx_t options[METIS_NOPTIONS];
   METIS_SetDefaultOptions(options);
   options[METIS_OPTION_SEED] = 1;  // every rank computes the same cut
-  const int status =
-      METIS_PartGraphRecursive(&vertices, &constraints, start.data(), next.data(), weights.data(), nullptr,
-                               edge.data(), &parts, shares.data(), nullptr, options, &cut, part.data());
+  const int status = METIS_PartGraphRecursive(&vertices, &constraints, first_edge.data(), neighbours.data(),
+                                              weights.data(), nullptr, costs.data(), &parts, targets.data(),
+                                              nullptr, options, &cut, part.data());
   if (status != METIS_OK)
     throw std::runtime_error("METIS_PartGraphRecursive returns " + std::to_string(status));
-  return part;
+  return {part.begin(), part.end()};
 }
 
-// The node whose rank owns this one too: that of its position or of the frame that carries it, or itself.
-int carrier(const Mesh& mesh, int n) {
-  while (mesh.nodes[n].tied_to >= 0 || mesh.nodes[n].pinned_to >= 0)
-    n = mesh.nodes[n].tied_to >= 0 ? mesh.nodes[n].tied_to : mesh.nodes[n].pinned_to;
-  return n;
-}
-
-// What is shared out: nodes, and whole lines as one vertex each.
-struct Shares {
-  std::vector<int> owner;     // of each node; -1: it is shared out
-  std::vector<int> vertex;    // of each node; -1: it has an owner
-  std::vector<idx_t> weight;  // of each vertex
-  std::vector<int> at;        // of each vertex: its first node
-  int first = 0;              // rank of the first part
-
-  void add(idx_t work, int node) {
-    weight.push_back(work);
-    at.push_back(node);
-  }
+// Vertices in the order in which ranks get them: component by component, each by its first node in the file;
+// inside a component lines in the order of the file, and a body beside the middle one of its lines, so that a
+// cut on either side of it separates few of them from it.
+struct VertexSequence {
+  std::vector<int> vertices;
+  std::vector<int> component;
+  std::vector<double> work;
+  std::vector<CutKind> cut_before;
+  std::vector<GraphEdge> edges;  // between positions in the sequence, sorted
 };
-
-// A whole line of more work than a rank's fair share of what is left gets a rank of its own.
-Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
-  Shares s;
-  s.owner.assign(mesh.nodes.size(), -1);
-  s.vertex = s.owner;
-  const auto work = [&](size_t n) { return work_of(mesh.nodes[n]); };
-  const auto each_node = [&](int line, const auto& what) {
-    const LineSpan& l = mesh.lines[line];
-    for (int i = 0; i < l.nodes; ++i) what(static_cast<size_t>(l.first_node + i));
-  };
-  idx_t left = 0;
-  for (size_t n = 0; n < mesh.nodes.size(); ++n) left += work(n);
-  std::vector<std::pair<idx_t, int>> lines;
-  for (const int l : whole) {
-    lines.emplace_back(0, l);
-    each_node(l, [&](size_t n) { lines.back().first += work(n); });
-  }
-  std::sort(lines.begin(), lines.end(), [](const auto& a, const auto& b) {
-    return std::pair(-a.first, a.second) < std::pair(-b.first, b.second);
-  });
-  for (const auto& [weight, line] : lines) {
-    const bool alone = s.first + 1 < ranks && weight * (ranks - s.first) >= left;
-    std::vector<int>& share = alone ? s.owner : s.vertex;
-    const int number = alone ? s.first : static_cast<int>(s.weight.size());
-    each_node(line, [&](size_t n) { share[n] = number; });
-    if (alone) {
-      left -= weight;
-      ++s.first;
-    } else
-      s.add(weight, mesh.lines[line].first_node);
-  }
-  const int nodes = static_cast<int>(mesh.nodes.size());
-  std::vector<char> in_line(mesh.nodes.size());
-  for (int n = 0; n < nodes; ++n) {
-    in_line[n] = s.owner[n] >= 0 || s.vertex[n] >= 0;
-    if (in_line[n] || carrier(mesh, n) != n) continue;
-    s.vertex[n] = static_cast<int>(s.weight.size());
-    s.add(work(n), n);
-  }
-  for (int n = 0; n < nodes; ++n) {
-    const int with = carrier(mesh, n);
-    if (with == n) continue;
-    if (in_line[n]) {
-      if (s.vertex[n] >= 0) s.weight[s.vertex[n]] -= work(n);
-    } else {
-      s.vertex[n] = s.vertex[with];
-      s.owner[n] = s.owner[with];
-    }
-    if (s.vertex[with] >= 0) s.weight[s.vertex[with]] += work(n);
-  }
-  return s;
-}
-
-// Vertices in the order in which ranks get them: component by component as edges join them, each by its first
-// node in the file; in it lines in the order of the file, and a body beside the middle one of its lines, so
-// that a cut on either side of it parts few of them from it.
-struct Row {
-  std::vector<int> vertices, component;
-  std::vector<double> weight;
-  std::vector<CutKind> before;
-  std::vector<Edge> edges;  // between places in the row, sorted
-};
-
-// The same number for vertices that edges join.
-std::vector<int> components(size_t vertices, const std::vector<Edge>& between) {
-  std::vector<int> of(vertices);
-  std::iota(of.begin(), of.end(), 0);
-  const auto first = [&of](int v) {
-    while (of[v] != v) v = of[v] = of[of[v]];
-    return v;
-  };
-  for (const Edge& e : between) of[first(e.from)] = first(e.to);
-  for (size_t v = 0; v < vertices; ++v) of[v] = first(static_cast<int>(v));
-  return of;
-}
 
 // For each body: the middle one of the nodes of lines that edges join it to, or its own.
-std::vector<int> places_of_bodies(const Mesh& mesh, const std::vector<Edge>& all) {
+std::vector<int> line_nodes_of_bodies(const Mesh& mesh, const std::vector<GraphEdge>& edges) {
   const int first = mesh.line_nodes();
   std::vector<std::vector<int>> joined(mesh.nodes.size() - static_cast<size_t>(first));
-  for (const Edge& e : all)
+  for (const GraphEdge& e : edges)
     if (e.from >= first && e.to < first) joined[e.from - first].push_back(e.to);
   std::vector<int> out;
   for (std::vector<int>& nodes : joined) {
@@ -197,124 +75,139 @@ std::vector<int> places_of_bodies(const Mesh& mesh, const std::vector<Edge>& all
   return out;
 }
 
-// Whether it is the first node of a line that its rank owns for itself.
+// Whether `n` is the first node of a line that is not carried by another node.
 bool begins_line(const Mesh& mesh, int n) {
   if (n >= mesh.line_nodes()) return false;
   const int first = mesh.lines[mesh.nodes[n].line].first_node;
   return n == first || (n == first + 1 && carrier(mesh, first) != first);
 }
 
-Row row_of(const Mesh& mesh, const Shares& s, const std::vector<Edge>& all) {
-  struct Place {
-    int component, node, vertex;
-    bool body;
-    CutKind before;
-  };
-  std::vector<Edge> between;
-  for (const Edge& e : all) {
-    const int a = s.vertex[e.from], b = s.vertex[e.to];
-    if (a >= 0 && b >= 0 && a != b) between.push_back({a, b, e.weight});
-  }
-  const std::vector<int> of = components(s.weight.size(), between), bodies = places_of_bodies(mesh, all);
-  std::vector<Place> places;
-  std::vector<int> begin(s.weight.size(), static_cast<int>(mesh.nodes.size()));  // of each component: a node
-  for (size_t v = 0; v < of.size(); ++v) begin[of[v]] = std::min(begin[of[v]], s.at[v]);
-  for (int v = 0; v < static_cast<int>(of.size()); ++v) {
-    const int n = s.at[v];
+struct VertexKey {
+  int component;  // its first node
+  int node;
+  bool body;
+  int vertex;
+};
+
+// Keys of the vertices, in the order of the sequence.
+std::vector<VertexKey> sorted_keys(const Mesh& mesh, const GraphVertices& v,
+                                   const std::vector<int>& component,
+                                   const std::vector<GraphEdge>& node_edges) {
+  const std::vector<int> beside = line_nodes_of_bodies(mesh, node_edges);
+  std::vector<int> first_node(v.work.size(), static_cast<int>(mesh.nodes.size()));  // of each component
+  for (size_t i = 0; i < component.size(); ++i)
+    first_node[component[i]] = std::min(first_node[component[i]], v.first_node[i]);
+  std::vector<VertexKey> keys;
+  for (int i = 0; i < std::ssize(component); ++i) {
+    const int n = v.first_node[i];
     const bool body = n >= mesh.line_nodes();
-    places.push_back({begin[of[v]], body ? bodies[n - mesh.line_nodes()] : n, v, body,
-                      begins_line(mesh, n) ? CutKind::little : CutKind::much});
+    keys.push_back({first_node[component[i]], body ? beside[n - mesh.line_nodes()] : n, body, i});
   }
-  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+  std::sort(keys.begin(), keys.end(), [](const VertexKey& a, const VertexKey& b) {
     return std::tie(a.component, a.node, a.body, a.vertex) < std::tie(b.component, b.node, b.body, b.vertex);
   });
-  Row row;
-  std::vector<int> place(s.weight.size());
-  for (const Place& p : places) {
-    const bool begins = row.component.empty() || row.component.back() != p.component;
-    place[p.vertex] = static_cast<int>(row.vertices.size());
-    row.vertices.push_back(p.vertex);
-    row.component.push_back(p.component);
-    row.weight.push_back(static_cast<double>(s.weight[p.vertex]));
-    row.before.push_back(begins ? CutKind::nothing : p.before);
-  }
-  for (Edge& e : between) e = {place[e.from], place[e.to], e.weight};
-  row.edges = merged(std::move(between));
-  return row;
+  return keys;
 }
 
-idx_t weight_of_cut(std::span<const Edge> edges, const auto& part) {
-  idx_t cut = 0;
-  for (const Edge& e : edges)
-    if (part(e.from) != part(e.to)) cut += e.weight;
+VertexSequence sequence_of(const Mesh& mesh, const GraphVertices& v,
+                           const std::vector<GraphEdge>& node_edges) {
+  std::vector<GraphEdge> edges;
+  for (const GraphEdge& e : node_edges) {
+    const int a = v.vertex_of_node[e.from];
+    const int b = v.vertex_of_node[e.to];
+    if (a >= 0 && b >= 0 && a != b) edges.push_back({a, b, e.cost});
+  }
+  const std::vector<int> component = components(v.work.size(), edges);
+  VertexSequence out;
+  std::vector<int> position(v.work.size());
+  for (const VertexKey& key : sorted_keys(mesh, v, component, node_edges)) {
+    const bool begins_component = out.component.empty() || out.component.back() != key.component;
+    position[key.vertex] = static_cast<int>(out.vertices.size());
+    out.vertices.push_back(key.vertex);
+    out.component.push_back(key.component);
+    out.work.push_back(v.work[key.vertex]);
+    out.cut_before.push_back(begins_component                              ? CutKind::nothing
+                             : begins_line(mesh, v.first_node[key.vertex]) ? CutKind::little
+                                                                           : CutKind::much);
+  }
+  for (GraphEdge& e : edges) e = {position[e.from], position[e.to], e.cost};
+  out.edges = merged(std::move(edges));
+  return out;
+}
+
+long cost_of_cut(std::span<const GraphEdge> edges, const auto& part) {
+  long cut = 0;
+  for (const GraphEdge& e : edges)
+    if (part(e.from) != part(e.to)) cut += e.cost;
   return cut;
 }
 
-// Cuts one component, the places [begin, end) of the row, again by METIS into parts of the same weights. The
-// new cut replaces that of the row if the edges it cuts weigh less and no part gets more work than `most`.
-void cut_again(const Row& row, int begin, int end, double most, std::vector<double>& load,
-               std::vector<int>& part) {
+// Cuts one component, the positions [begin, end) of the sequence, again by METIS into parts of the same
+// weights. The new cut replaces that of the sequence if its edges cost less and no part gets more work than
+// `most`.
+void cut_component_again(const VertexSequence& sequence, int begin, int end, double most,
+                         std::vector<double>& load, std::vector<int>& part) {
   const int first = part[begin], parts = part[end - 1] - first + 1;
   if (parts < 2 || end - begin <= parts) return;
-  const auto place_before = [](const Edge& e, int place) { return e.from < place; };
-  const auto from = std::lower_bound(row.edges.begin(), row.edges.end(), begin, place_before);
-  const auto to = std::lower_bound(from, row.edges.end(), end, place_before);
-  std::vector<Edge> inside;
-  for (auto e = from; e != to; ++e) inside.push_back({e->from - begin, e->to - begin, e->weight});
-  const std::span weight(row.weight.data() + begin, static_cast<size_t>(end - begin));
+  const auto begins_before = [](const GraphEdge& e, int position) { return e.from < position; };
+  const auto from = std::lower_bound(sequence.edges.begin(), sequence.edges.end(), begin, begins_before);
+  const auto to = std::lower_bound(from, sequence.edges.end(), end, begins_before);
+  std::vector<GraphEdge> inside;
+  for (auto e = from; e != to; ++e) inside.push_back({e->from - begin, e->to - begin, e->cost});
+  const std::span work(sequence.work.data() + begin, static_cast<size_t>(end - begin));
   std::vector<double> share(static_cast<size_t>(parts), 0);
-  for (int i = begin; i < end; ++i) share[part[i] - first] += row.weight[i];
+  for (int i = begin; i < end; ++i) share[part[i] - first] += sequence.work[i];
   if (*std::min_element(share.begin(), share.end()) <= 0) return;
-  const std::vector<idx_t> other = cut_into_parts(weight, inside, share);
-  if (weight_of_cut(inside, [&](int i) { return other[i]; }) >=
-      weight_of_cut(inside, [&](int i) { return part[begin + i]; }))
+  const std::vector<int> other = metis_parts(work, inside, share);
+  if (cost_of_cut(inside, [&](int i) { return other[i]; }) >=
+      cost_of_cut(inside, [&](int i) { return part[begin + i]; }))
     return;
   std::vector<double> with(load.begin() + first, load.begin() + first + parts);
   for (int p = 0; p < parts; ++p) with[p] -= share[p];
-  for (int i = begin; i < end; ++i) with[other[i - begin]] += row.weight[i];
+  for (int i = begin; i < end; ++i) with[other[i - begin]] += sequence.work[i];
   if (*std::max_element(with.begin(), with.end()) > most) return;
   std::copy(with.begin(), with.end(), load.begin() + first);
-  for (int i = begin; i < end; ++i) part[i] = first + static_cast<int>(other[i - begin]);
+  for (int i = begin; i < end; ++i) part[i] = first + other[i - begin];
 }
 
-// The part of each place in the row.
-std::vector<int> share_out(const Row& row, int parts) {
-  const std::vector<int> first = cut_into_stretches(row.weight, row.before, parts, kMostLoad);
-  const int places = static_cast<int>(row.vertices.size());
-  std::vector<int> part(row.vertices.size(), 0);
+// Part of each position in the sequence.
+std::vector<int> assign_parts(const VertexSequence& sequence, int parts) {
+  const std::vector<int> first = cut_into_stretches(sequence.work, sequence.cut_before, parts, kMostLoad);
+  const int places = static_cast<int>(sequence.vertices.size());
+  std::vector<int> part(sequence.vertices.size(), 0);
   std::vector<double> load(static_cast<size_t>(parts), 0);
   for (int p = 0; p < parts; ++p)
     for (int i = first[p]; i < first[p + 1]; ++i) {
       part[i] = p;
-      load[p] += row.weight[i];
+      load[p] += sequence.work[i];
     }
   const double mean = std::accumulate(load.begin(), load.end(), 0.0) / parts;
   const double most = std::max(*std::max_element(load.begin(), load.end()), kMostLoad * mean);
   for (int begin = 0, end = 0; begin < places; begin = end) {
-    while (end < places && row.component[end] == row.component[begin]) ++end;
-    cut_again(row, begin, end, most, load, part);
+    while (end < places && sequence.component[end] == sequence.component[begin]) ++end;
+    cut_component_again(sequence, begin, end, most, load, part);
   }
   return part;
 }
 
 std::vector<int> owners(const Mesh& mesh, int ranks, std::span<const int> whole,
-                        const std::vector<Edge>& all) {
-  const Shares s = share_lines(mesh, ranks, whole);
-  const Row row = row_of(mesh, s, all);
-  const std::vector<int> part = share_out(row, ranks - s.first);
-  std::vector<int> of_vertex(s.weight.size());
-  for (size_t i = 0; i < part.size(); ++i) of_vertex[row.vertices[i]] = s.first + part[i];
-  std::vector<int> owner = s.owner;
+                        const std::vector<GraphEdge>& all) {
+  const GraphVertices v = graph_vertices(mesh, ranks, whole);
+  const VertexSequence sequence = sequence_of(mesh, v, all);
+  const std::vector<int> part = assign_parts(sequence, ranks - v.first_free_rank);
+  std::vector<int> of_vertex(v.work.size());
+  for (size_t i = 0; i < part.size(); ++i) of_vertex[sequence.vertices[i]] = v.first_free_rank + part[i];
+  std::vector<int> owner = v.rank_of_node;
   for (size_t n = 0; n < owner.size(); ++n)
-    if (owner[n] < 0) owner[n] = of_vertex[s.vertex[n]];
+    if (owner[n] < 0) owner[n] = of_vertex[v.vertex_of_node[n]];
   for (size_t n = 0; n < owner.size(); ++n) owner[n] = owner[carrier(mesh, static_cast<int>(n))];
   return owner;
 }
 
 // Nodes that other ranks see, once for each rank that does.
-size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner) {
+size_t shared_nodes(const std::vector<GraphEdge>& all, const std::vector<int>& owner) {
   std::vector<std::pair<int, int>> pairs;
-  for (const Edge& e : all)
+  for (const GraphEdge& e : all)
     if (const int rank = owner[e.to]; rank != owner[e.from]) pairs.emplace_back(e.from, rank);
   std::sort(pairs.begin(), pairs.end());
   return static_cast<size_t>(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
@@ -325,10 +218,10 @@ size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner)
 std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pair<int, int>> coupled,
                            std::span<const int> whole) {
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
-  std::vector<int> plain = owners(mesh, ranks, whole, edges(mesh, {}));
+  std::vector<int> plain = owners(mesh, ranks, whole, node_edges(mesh, {}));
   if (coupled.empty()) return plain;
   // METIS looks for few cut edges; what costs is the nodes at them.
-  const std::vector<Edge> all = edges(mesh, coupled);
+  const std::vector<GraphEdge> all = node_edges(mesh, coupled);
   std::vector<int> weighed = owners(mesh, ranks, whole, all);
   return shared_nodes(all, weighed) < shared_nodes(all, plain) ? weighed : plain;
 }
@@ -336,8 +229,7 @@ std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pai
 Balance balance(const Mesh& mesh, const std::vector<int>& owner, int ranks) {
   Balance out;
   std::vector<double> load(static_cast<size_t>(ranks), 0);
-  for (size_t n = 0; n < mesh.nodes.size(); ++n)
-    load[owner[n]] += static_cast<double>(work_of(mesh.nodes[n]));
+  for (size_t n = 0; n < mesh.nodes.size(); ++n) load[owner[n]] += work_of(mesh.nodes[n]);
   const double sum = std::accumulate(load.begin(), load.end(), 0.0);
   if (sum > 0) out.imbalance = *std::max_element(load.begin(), load.end()) * ranks / sum;
   for (const LineSpan& l : mesh.lines) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hawser/base/gather.hpp"
+#include "hawser/math/angle_between.hpp"
 #include "hawser/record/line_extremes.hpp"
 
 namespace hawser::record {
@@ -94,7 +95,7 @@ std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& at, const Values& v
     if (F.isZero(0)) continue;
     const Vec3 a = (at.x[n] - at.x[beside.before]).normalized(),
                b = (at.x[beside.after] - at.x[n]).normalized();
-    const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
+    const double angle = angle_between(a, b);
     const double tension = std::max({v.before[n], v.after[n], 0.0}), most = tension * (1 - std::cos(angle));
     const Vec3 along = (a + b).normalized();
     const double taken =

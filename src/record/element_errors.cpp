@@ -10,6 +10,7 @@
 
 #include "hawser/advice/input_warnings.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/math/angle_between.hpp"
 #include "hawser/record/line_extremes.hpp"
 
 namespace hawser::record {
@@ -17,8 +18,6 @@ namespace {
 
 constexpr double kWarned = 0.02;            // of the largest tension or moment, of sag and bends
 constexpr double kRecommendedError = 0.01;  // the share that elements of the recommended length leave
-
-double angle(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 // By which share of what it shows a cubic of length x decay is wrong at its end, where a moment falls off
 // like exp(-s/decay); and of which length that is kRecommendedError.
@@ -181,7 +180,7 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
   const auto turn = [&](int n) {
     const bool plain =
         n > first && n < last && !nodes[n].carried && !mesh_.mesh->nodes[line.first_node + n].two_sided;
-    return plain ? angle(chord(n - 1), chord(n)) : -1;
+    return plain ? angle_between(chord(n - 1), chord(n)) : -1;
   };
   double longer = 0, compliance = 0, most = 0, tension = HUGE_VAL;
   Worst here;

@@ -7,6 +7,7 @@
 
 #include "hawser/advice/long_elements.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/math/disjoint_sets.hpp"
 #include "hawser/terms/lines_in_water.hpp"
 
 namespace hawser::record {
@@ -20,22 +21,13 @@ constexpr int kMostParts = 64;      // that are tried
 // at one: this is a sixteenth of what waves cost. A prime number does not go with the period of the waves.
 constexpr int kSteps = 47;
 
-// The first line of those that joints hold together, of each line (union-find).
-std::vector<size_t> joined_lines(const Mesh& mesh) {
-  std::vector<size_t> group(mesh.lines.size());
-  std::iota(group.begin(), group.end(), size_t{0});
-  const auto first = [&group](size_t line) {
-    while (group[line] != line) line = group[line] = group[group[line]];
-    return line;
-  };
+// The first line of those that joints hold together, of each line.
+std::vector<int> joined_lines(const Mesh& mesh) {
+  DisjointSets joined(mesh.lines.size());
   for (const Node& n : mesh.nodes)
-    for (const int to : {n.pinned_to, n.tied_to}) {
-      if (n.body >= 0 || to < 0 || mesh.nodes[to].body >= 0) continue;
-      const size_t a = first(n.line), b = first(mesh.nodes[to].line);
-      group[std::max(a, b)] = std::min(a, b);
-    }
-  for (size_t line = 0; line < group.size(); ++line) group[line] = first(line);
-  return group;
+    for (const int to : {n.pinned_to, n.tied_to})
+      if (n.body < 0 && to >= 0 && mesh.nodes[to].body < 0) joined.unite(n.line, mesh.nodes[to].line);
+  return joined.smallest_of_all();
 }
 
 }  // namespace

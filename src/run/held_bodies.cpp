@@ -8,11 +8,7 @@
 #include "hawser/math/so3.hpp"
 #include "hawser/model/check.hpp"
 #include "hawser/record/end_forces.hpp"
-#include "hawser/terms/bodies_in_flow.hpp"
-#include "hawser/terms/bodies_in_water.hpp"
-#include "hawser/terms/platform_water.hpp"
-#include "hawser/terms/rigid_bodies.hpp"
-#include "hawser/terms/thrusters.hpp"
+#include "hawser/terms/run_roles.hpp"
 
 namespace hawser::run {
 namespace {
@@ -42,6 +38,11 @@ std::vector<TiedNode> without_bodies(Simulation& sim) {
   for (const TiedNode& tied : sim.system().tied_nodes().list())
     if (sim.local().node(tied.node).body < 0) out.push_back(tied);
   return out;
+}
+
+template <class Role>
+void remove_with(System& system) {
+  for (Role* term : system.with<Role>()) system.remove(dynamic_cast<const ForceTerm*>(term));
 }
 
 std::vector<int> with_mass(const model::Case& c) {
@@ -77,10 +78,8 @@ HeldBodies::HeldBodies(Simulation& sim)
     p.position = Vec3(pose.data());
     p.rotation = Quat(Eigen::Vector4d(pose.data() + 3)).normalized();
   }
-  for (const ForceTerm* term : std::initializer_list<const ForceTerm*>{
-           system.find<RigidBodies>(), system.find<BodiesInWater>(), system.find<BodiesInFlow>(),
-           system.find<Thrusters>(), system.find<PlatformWater>()})
-    system.remove(term);
+  remove_with<RestrainedInStatics>(system);
+  remove_with<ActsOnBodies>(system);
   motion_ = [poses = poses_, before = BodyMotion(system.tied_nodes().motion()), &c](int body, double time) {
     return c.bodies[static_cast<size_t>(body)].mass ? (*poses)[static_cast<size_t>(body)]
                                                     : before(body, time);

@@ -39,6 +39,8 @@ const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
 // Of contact, and the name of a volume: N/m per m, what an automatic stiffness was raised to.
 const std::string kStiffness = "contact.stiffness.";
+const std::string kResolvedUntil = "step.resolved until";
+const std::string kBending = "case.plastic bending of ";
 const std::string kKey = "key.";        // and a dotted key: its value, by number_of()
 const char* const kKeys = "case.keys";  // how many of them there are
 
@@ -72,10 +74,9 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
   double& beams = out["case.rotating nodes"];
   for (const Node& n : simulation.mesh().nodes) beams += n.rotates;
-  double& yields = out["case.plastic bending"];  // moments that tell one curve from another
-  for (const model::LineType& t : simulation.model().line_types)
+  for (const model::LineType& t : simulation.model().line_types)  // moments that tell one curve from another
     if (const PlasticBending* p = t.plastic_bending.get())
-      yields += p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
+      out[kBending + t.name] = p->at(p->last(), 0, nullptr).m[0] + p->at(0.1 * p->last(), 0, nullptr).m[0];
   const auto& volumes = simulation.model().volumes;
   for (size_t v = 0; v < volumes.size(); ++v) out["case.volume " + volumes[v].name] = static_cast<double>(v);
   double& keys = out[kKeys];
@@ -105,7 +106,7 @@ std::string difference(const std::map<std::string, double>& there,
     const auto a = there.find(name), b = here.find(name);
     if (a != there.end() && b != here.end() && a->second == b->second) continue;
     if (name == "case.rotating nodes") return advice::other_beams();
-    if (name == "case.plastic bending") return advice::other_plasticity();
+    if (name.starts_with(kBending)) return advice::other_plasticity();
     if (name.starts_with("case.volume ")) return advice::other_volumes();
     if (!name.starts_with(kKey)) continue;
     const std::string key = name.substr(kKey.size());
@@ -179,8 +180,8 @@ io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorde
   c.scalars = signature(simulation);
   c.scalars["step.proposal"] = d.control().proposal();
   c.scalars["step.wait"] = d.control().wait();
-  c.scalars["step.ringing"] = d.control().impact_period();
-  c.scalars["step.calm"] = d.control().resolved_until();
+  c.scalars["step.impact period"] = d.control().impact_period();
+  c.scalars[kResolvedUntil] = d.control().resolved_until();
   c.scalars["step.last"] = d.last_step();
   double work = d.support_work();
   all_reduce(simulation.system().comm(), MPI_SUM, work);
@@ -228,6 +229,7 @@ io::Checkpoint read_checked(const std::string& path, Simulation& simulation) {
   if (const std::string wrong = first_text(comm, damage(c)); !wrong.empty())
     throw InputError(advice::cannot_go_on(path, wrong));
   if (!c.nodes.count(kMeanQ)) throw older(path, "the mean forces of cables");
+  if (!c.scalars.count(kResolvedUntil)) throw older(path, "the impacts of its steps");
   check_records(c, simulation.system(), path);
   return c;
 }
@@ -309,11 +311,8 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   const StepSettings step = simulation.dynamics_settings().step;
   carried.step_proposal = std::min(c.scalars.at("step.proposal"), step.fixed > 0 ? step.fixed : step.longest);
   carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));
-  // Older files lack them.
-  if (c.scalars.count("step.calm")) {
-    carried.step_impact_period = c.scalars.at("step.ringing");
-    carried.step_resolved_until = c.scalars.at("step.calm");
-  }
+  carried.step_impact_period = c.scalars.at("step.impact period");
+  carried.step_resolved_until = c.scalars.at(kResolvedUntil);
   carried.last_step = c.scalars.at("step.last");
   carried.support_work = rank == 0 ? c.scalars.at("support_work") : 0;
   carried.mean = {rows(kMeanQ), rows(kMeanF)};

@@ -388,7 +388,7 @@ std::vector<std::string> Simulation::on_bed() const {
   constexpr size_t kShown = 20;
   std::vector<double> sums;
   for (const SeabedTerm::OnBed& l : seabed()->on_bed(state_.view(0)))
-    sums.insert(sums.end(), {l.laid, l.sticking, l.taken});
+    sums.insert(sums.end(), {l.friction_length, l.sticking, l.taken});
   all_reduce(system_->comm(), MPI_SUM, sums);
   // Between touchdown points, as in the results.
   const std::vector<record::Touchdown> down =

@@ -7,6 +7,7 @@
 #include "hawser/advice/steps.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
+#include "hawser/math/angle_between.hpp"
 #include "hawser/solve/dynamics.hpp"
 #include "hawser/system/imbalance.hpp"
 
@@ -27,7 +28,7 @@ std::string folded_element(const System& system, const Kinematics& at) {
   for (const LocalElement& e : mesh.elements) {
     if (!mesh.element(e).beam) continue;
     const Vec3 from = at.q[e.first] * Vec3::UnitX(), to = at.q[e.second] * Vec3::UnitX();
-    const double turn = std::atan2(from.cross(to).norm(), from.dot(to));
+    const double turn = angle_between(from, to);
     if (turn > worst.turn) worst = {turn, mesh.element(e).length, mesh.global[e.first]};
   }
   if (!broadcast_largest(system.comm(), worst.turn, kFolded, worst)) return {};

@@ -69,24 +69,15 @@ void System::add(std::unique_ptr<ForceTerm> term) {
   check(PetscLogEventRegister(("J " + name).c_str(), id, &e.tangent));
   check(PetscLogEventRegister(("prepare " + name).c_str(), id, &e.prepare));
   if (limit_event_ < 0) check(PetscLogEventRegister("limit steps", id, &limit_event_));
-  take_roles(*term);
   terms_.push_back(std::move(term));
-  for (ActsOnFedLines* t : with<ActsOnFedLines>()) t->feeders_ = fed_lines_;
+  list_roles();
 }
 
-void System::take_roles(ForceTerm& term) {
-  const auto take = [&term](auto& list) {
-    using Role = typename std::remove_reference_t<decltype(list)>::value_type;
-    if (const auto role = dynamic_cast<Role>(&term)) list.push_back(role);
-  };
-  take(couple_nodes_);
-  take(limit_steps_);
-  take(raise_stiffness_);
-  take(on_elements_);
-  take(move_masses_);
-  take(carry_tension_);
-  take(scale_residuals_);
-  if (const auto fed = dynamic_cast<FedLines*>(&term)) fed_lines_ = fed;
+void System::list_roles() {
+  const auto refill = [this]<class Role>(std::vector<Role*>& list) { list = with<Role>(); };
+  std::apply([&](auto&... lists) { (refill(lists), ...); }, roles_);
+  const auto& fed = listed<FedLines>();
+  for (ActsOnFedLines* t : with<ActsOnFedLines>()) t->feeders_ = fed.empty() ? nullptr : fed.front();
 }
 
 void System::remove(const ForceTerm* term) {
@@ -95,14 +86,7 @@ void System::remove(const ForceTerm* term) {
   if (found == terms_.end()) return;
   events_.erase(events_.begin() + (found - terms_.begin()));
   terms_.erase(found);
-  couple_nodes_.clear();
-  limit_steps_.clear();
-  raise_stiffness_.clear();
-  on_elements_.clear();
-  move_masses_.clear();
-  carry_tension_.clear();
-  scale_residuals_.clear();
-  for (const auto& t : terms_) take_roles(*t);
+  list_roles();
 }
 
 void System::tie(std::vector<TiedNode> nodes, BodyMotion motion) {
@@ -295,37 +279,38 @@ double ResidualNorms::relative() const {
 
 bool System::soften(double most) {
   bool other = false;
-  for (CarriesTension* t : carry_tension_) other |= t->soften(most);
+  for (CarriesTension* t : listed<CarriesTension>()) other |= t->soften(most);
   return on_any_rank(comm_, other);
 }
 
 double System::axial_stiffness() const {
   double most = 0;
-  for (const CarriesTension* t : carry_tension_) most = std::max(most, t->axial_stiffness());
+  for (const CarriesTension* t : listed<CarriesTension>()) most = std::max(most, t->axial_stiffness());
   return all_reduce(comm_, MPI_MAX, most);
 }
 
 double System::dead_load() const {
   double sum = 0;
-  for (const ScalesResiduals* t : scale_residuals_) sum += t->dead_load();
+  for (const ScalesResiduals* t : listed<ScalesResiduals>()) sum += t->dead_load();
   all_reduce(comm_, MPI_SUM, sum);
   return rank_independent(sum);
 }
 
 bool System::raise_stiffness(const Kinematics& equilibrium) {
   bool again = false;
-  for (RaisesStiffness* t : raise_stiffness_) again = t->raise_stiffness(equilibrium) || again;
+  for (RaisesStiffness* t : listed<RaisesStiffness>()) again = t->raise_stiffness(equilibrium) || again;
   return again;
 }
 
 bool System::raise_stiffness_where_blocked(const Kinematics& trial) {
   bool again = false;
-  for (RaisesStiffness* t : raise_stiffness_) again = t->raise_stiffness_where_blocked(trial) || again;
+  for (RaisesStiffness* t : listed<RaisesStiffness>())
+    again = t->raise_stiffness_where_blocked(trial) || again;
   return again;
 }
 
 void System::revert_stiffness() {
-  for (RaisesStiffness* t : raise_stiffness_) t->revert_stiffness();
+  for (RaisesStiffness* t : listed<RaisesStiffness>()) t->revert_stiffness();
 }
 
 void System::prepare(const Kinematics& committed, double h) {
@@ -339,7 +324,7 @@ void System::prepare(const Kinematics& committed, double h) {
 
 void System::expect(const Kinematics& committed, double h) {
   double square = 0;
-  for (const ScalesResiduals* t : scale_residuals_) square += t->round_off(committed, h);
+  for (const ScalesResiduals* t : listed<ScalesResiduals>()) square += t->round_off(committed, h);
   all_reduce(comm_, MPI_SUM, square);
   round_off_ = rank_independent(std::sqrt(square));
 }

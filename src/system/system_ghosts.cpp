@@ -36,10 +36,10 @@ void System::with_frames(Couplings& c) const {
 
 CouplingChange System::couple(const Kinematics& committed, double h) {
   bool same = true;
-  for (CouplesNodes* t : couple_nodes_) same &= !t->recouple(committed, h);
+  for (CouplesNodes* t : listed<CouplesNodes>()) same &= !t->recouple(committed, h);
   if (same) return CouplingChange::unchanged;
   Couplings wanted;
-  for (const CouplesNodes* t : couple_nodes_) t->couple(wanted);
+  for (const CouplesNodes* t : listed<CouplesNodes>()) t->couple(wanted);
   with_frames(wanted);
   wanted.sort();
   const bool fits = all(comm_, wanted.within(couplings_));
@@ -51,7 +51,7 @@ CouplingChange System::couple(const Kinematics& committed, double h) {
     size_arrays();
     reghost_ties();
   }
-  for (CouplesNodes* t : couple_nodes_) t->update_ghosts();
+  for (CouplesNodes* t : listed<CouplesNodes>()) t->update_ghosts();
   return fits ? CouplingChange::pattern_changed : CouplingChange::layout_changed;
 }
 

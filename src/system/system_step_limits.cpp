@@ -25,7 +25,7 @@ std::vector<LineMotion> System::motions(const Kinematics& at, const StoredMotion
   std::vector<LineMotion> lines(2 * lines_);
   Kinematics accelerations = at;
   accelerations.v = stored.accelerations;
-  for (const MovesMasses* t : move_masses_) {
+  for (const MovesMasses* t : listed<MovesMasses>()) {
     t->motion(at, std::span(lines).first(lines_));
     t->motion(accelerations, std::span(lines).last(lines_));
   }
@@ -37,7 +37,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
   impacts.most = most;
   {
     const Logged logged(limit_event_);
-    for (const LimitsSteps* t : limit_steps_) t->limit_step(committed, impacts);
+    for (const LimitsSteps* t : listed<LimitsSteps>()) t->limit_step(committed, impacts);
   }
   const std::vector<LineMotion> shares = motions(committed, stored);
   // The tolerance is also set if there is no impact yet: impacts that only the end of the step shows are
@@ -73,12 +73,12 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
 
 Verdict System::check_step(const Kinematics& trial, bool impacts, std::span<double> largest) {
   Verdict worst;
-  for (const LimitsSteps* t : limit_steps_)
+  for (const LimitsSteps* t : listed<LimitsSteps>())
     if (Verdict v = t->check_step(trial); v.kind > worst.kind) worst = std::move(v);
   UnresolvedImpacts found;
   if (impacts) {
     const Logged logged(limit_event_);
-    for (LimitsSteps* t : limit_steps_) t->unresolved(trial, found);
+    for (LimitsSteps* t : listed<LimitsSteps>()) t->unresolved(trial, found);
   }
   // One reduction for all that every trial asks of the ranks.
   enum : size_t { kKind, kTooDeep, kImpacts, kFirst };

@@ -157,7 +157,9 @@ FeedPoint Feeders::feed_point(const Feeder& f, const Kinematics& at) const {
       f.length, h);
   FeedPoint m{fed.length, (fed.length - f.length) / h, 0, 0, fed.length_by_force};
   const size_t i = e->first, j = e->second;
-  const double l = chord(at, *e), parts = l > 0 ? (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l : 0;
+  const double l = chord(at, *e);
+  if (!(l > 0)) return m;
+  const double parts = (at.x[j] - at.x[i]).dot(at.v[j] - at.v[i]) / l;
   m.by_chord = fed.length_by_force * (f.beam ? feed_of_beam(f, at, *e, m.length).by_chord
                                              : feed_of_cable(f, at, *e, m.length).by_chord);
   m.length_rate =

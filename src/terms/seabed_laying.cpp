@@ -65,7 +65,7 @@ std::vector<SeabedTerm::OnBed> SeabedTerm::on_bed(const Kinematics& at) const {
     OnBed& line = out[mesh_.node(p.node).line];
     const FrictionLaw& f = law(p).law.friction;
     if (!f.active() || !(laid() && laid_[place(p)].known())) continue;
-    line.laid += law(p).length;
+    line.friction_length += law(p).length;
     const Vec3 t = line_direction(p, at);
     const double along = h.friction.dot(t);
     const double across = (h.friction - along * t).norm();

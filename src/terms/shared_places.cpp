@@ -8,6 +8,7 @@
 
 #include "hawser/base/gather.hpp"
 #include "hawser/math/ordered.hpp"
+#include "hawser/math/segment.hpp"
 
 namespace hawser {
 namespace {
@@ -37,10 +38,7 @@ struct SharedPlaces::Gaps {
   }
 
   static double distance(const Rope& rope, size_t i, const Vec3& p) {
-    const Vec3 along = rope.x[i + 1] - rope.x[i], from = p - rope.x[i];
-    const double length = along.squaredNorm();
-    const double t = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
-    return (from - t * along).norm() - rope.radius[i];
+    return std::sqrt(squared_distance_to_segment(p, rope.x[i], rope.x[i + 1])) - rope.radius[i];
   }
 
   // The smallest gap between the place s of a rope and the other rope. The search starts at equal length and

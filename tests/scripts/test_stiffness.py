@@ -55,6 +55,32 @@ class Stiffness(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue((self.folder / "mooring-2-stiffness-offsets.png").stat().st_size > 10000)
 
+    def test_of_the_lines_alone(self):
+        """Pressure on a hull and the drag of its members are not the mooring's: the same table without them."""
+        case = """hawser: 1
+environment: {water: {depth: 50}, seabed: {depth: 50}}
+line_types: {chain: {outer_diameter: 0.1, mass_per_length: 100, EA: 400 MN, bending: false}}
+volumes: {box: {body: barge, shape: {box: {centre: [0, 0, 0], size: [40, 20, 6]}}}}
+bodies:
+  barge:
+    position: [0, 0, 0.5]
+    floating: {mass: 2.05e6, centre_of_mass: [0, 0, 1], inertia: [1e8, 3e8, 3.5e8],
+      stiffness: [1e12, 1e12, 1e12], turning_stiffness: [1e14, 1e14, 1e14]%s}
+lines:
+  west: {sections: [{type: chain, length: 150, elements: 30}], end_a: {anchor: [-150, 0, -50]}, end_b: {body: barge, at: [-20, 0, 0]}}
+  east: {sections: [{type: chain, length: 150, elements: 30}], end_a: {anchor: [150, 10, -50]}, end_b: {body: barge, at: [20, 0, 0]}}
+"""
+        tables = []
+        for name, water in [("lines", ""),
+                            ("hull", ", hull: {volumes: [box]}, members: [{from: [-20, 0, -2], to: [20, 0, -2], diameter: 4, Cd: 1, Ca: 1}]")]:
+            (self.folder / f"{name}.yaml").write_text(case % water)
+            done = run(HAWSER, "stiffness", self.folder / f"{name}.yaml", "--body", "barge", "--at", "0,0,0")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            tables.append(table(self.folder / f"{name}-stiffness.csv")[1])
+        # Two chains hang on it: tens of kN. The buoyancy of the box is 20 MN.
+        self.assertLess(np.abs(tables[0][0, 6:9]).max(), 1e6)
+        self.assertTrue(np.allclose(tables[0], tables[1], rtol=1e-6, atol=1e-6 * np.abs(tables[0][0]).max()))
+
     def test_sentences(self):
         foreign = self.folder / "wind.csv"
         foreign.write_text("0,1,0,0\n180,-1,0,0\n")

@@ -2,7 +2,10 @@
 // sign. Nothing here stops a run.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hawser/model/case.hpp"
@@ -14,11 +17,20 @@ namespace hawser::advice {
 enum class Effect { all, part, resolution };
 
 struct InputWarning {
-  std::string key;   // dotted, as in the file
-  std::string text;  // what was found there, and what is usual
-  int kind = 0;      // of the same kind only the first few are reported
+  std::string key;    // dotted, as in the file
+  std::string text;   // what was found there, and what is usual
+  std::string group;  // only the first few of a group are reported
   Effect effect = Effect::all;
 };
+
+// Its group are the warnings of the same sentence.
+template <class... Args>
+void add_warning(std::vector<InputWarning>& out, std::string key, Effect effect,
+                 fmt::format_string<Args...> sentence, Args&&... args) {
+  const fmt::string_view raw = sentence;
+  out.push_back(
+      {std::move(key), fmt::format(sentence, std::forward<Args>(args)...), {raw.data(), raw.size()}, effect});
+}
 
 // Everything unusual of a case that model::check passes, in the order of the functions below. Empty for an
 // ordinary case.

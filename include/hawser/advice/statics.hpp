@@ -13,12 +13,12 @@ namespace hawser::advice {
 std::string slack_at_rest(const std::string& line, double length, bool fell);
 // A body in the surface whose stiffness against roll and pitch lacks that of its waterplane.
 std::string no_waterplane(const std::string& body);
-// What of a line lies on the seabed [m]; laid: with friction in statics, which takes N of tension and holds m
-// with force to spare.
+// Of a line.
 struct OnBed {
-  double lies = 0;
-  bool laid = false;
-  double taken = 0, sticking = 0;
+  double lies = 0;             // m on the seabed
+  bool with_friction = false;  // in statics
+  double taken = 0;            // N of tension by friction
+  double sticking = 0;         // m with friction that is not fully mobilised
 };
 // Of one line, or of several with one description, with the ranges of their values.
 std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<OnBed>& values);

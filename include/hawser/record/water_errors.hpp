@@ -63,7 +63,7 @@ class WaterErrors : public Recording {
   const LocalMesh& mesh_;
   const CarriesTension& structure_;
   const LinesInWater* water_;  // null: it does not move
-  std::vector<size_t> group_;  // of each line
+  std::vector<int> group_;     // of each line
   std::vector<Group> groups_;  // as many as lines; some are empty
   int steps_ = 0;              // since the last look in motion
 };

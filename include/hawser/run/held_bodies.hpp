@@ -16,7 +16,8 @@ void hold_body(Simulation& sim, int body);
 class HeldBodies {
  public:
   // Holds the bodies of the simulation where they are, and takes away what acts on them by themselves:
-  // weight, springs, loads, water, wind. The simulation outlives it. Collective, as are the others.
+  // weight, springs, loads, water, wind, thrusters (terms that are RestrainedInStatics or ActsOnBodies).
+  // Lines, links and contact stay. The simulation outlives it. Collective, as are the others.
   explicit HeldBodies(Simulation& sim);
 
   // Of the case; of one with mass.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "hawser/advice/steps.hpp"
@@ -69,7 +70,7 @@ class System {
   }
   // Adds the forces of all terms on an element of a line, see ActsOnElements.
   void element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
-    for (const ActsOnElements* t : on_elements_) t->element_force(at, e, f);
+    for (const ActsOnElements* t : listed<ActsOnElements>()) t->element_force(at, e, f);
   }
 
   void add(std::unique_ptr<ForceTerm> term);
@@ -146,9 +147,14 @@ class System {
   FieldRegistry fields() const;
 
  private:
-  void take_roles(ForceTerm& term);
+  // with<Role>() of a role of roles_, without a search.
+  template <class Role>
+  const std::vector<Role*>& listed() const {
+    return std::get<std::vector<Role*>>(roles_);
+  }
+  void list_roles();
   void update_fed_lines(const Kinematics& at) const {
-    if (fed_lines_) fed_lines_->update(at);
+    for (FedLines* f : listed<FedLines>()) f->update(at);
   }
   void size_arrays();
   void sum(std::span<double> values) const;  // sums over the ranks, in place
@@ -169,14 +175,10 @@ class System {
   TiedNodeForces ties_;
   std::vector<std::unique_ptr<ForceTerm>> terms_;
   // The terms that have a role (roles.hpp).
-  std::vector<CouplesNodes*> couple_nodes_;
-  std::vector<LimitsSteps*> limit_steps_;
-  std::vector<RaisesStiffness*> raise_stiffness_;
-  std::vector<ActsOnElements*> on_elements_;
-  std::vector<MovesMasses*> move_masses_;
-  std::vector<CarriesTension*> carry_tension_;
-  std::vector<ScalesResiduals*> scale_residuals_;
-  FedLines* fed_lines_ = nullptr;  // null: no line is fed
+  std::tuple<std::vector<CouplesNodes*>, std::vector<LimitsSteps*>, std::vector<RaisesStiffness*>,
+             std::vector<ActsOnElements*>, std::vector<MovesMasses*>, std::vector<CarriesTension*>,
+             std::vector<ScalesResiduals*>, std::vector<FedLines*>>
+      roles_;
   // Events of -log_view, by term: forces, tangents, and preparation of a step.
   struct Events {
     PetscLogEvent force = 0, tangent = 0, prepare = 0;

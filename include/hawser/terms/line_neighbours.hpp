@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "hawser/math/angle_between.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
 
@@ -32,7 +33,7 @@ class LineNeighbours {
   // end.
   double turn(const Kinematics& at, int node) const {
     const Vec3 in = at.x[node] - at.x[before_[node]], out = at.x[after_[node]] - at.x[node];
-    return std::atan2(in.cross(out).norm(), in.dot(out));
+    return angle_between(in, out);
   }
 
  private:

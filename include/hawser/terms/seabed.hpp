@@ -78,7 +78,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   // The part of a line that is on the bed in the accepted state.
   struct OnBed {
     // m of line on the bed: with friction; with friction that is not fully mobilised.
-    double laid = 0, sticking = 0;
+    double friction_length = 0, sticking = 0;
     double taken = 0;  // N, tension that friction takes up, positive from end A to end B
   };
   // By line of the mesh, summed over the points that this rank counts.
