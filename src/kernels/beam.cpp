@@ -89,40 +89,29 @@ inline Mat mean_spin_derivative(const Local& o, Row q) {
   return hat((-0.5 * o.tau) * q) + outer((0.5 * o.tau1) * cross(o.psi, q), o.psi);
 }
 
-// The damping metric in (y, psi), and the change of the strain rates with the configuration.
-struct Damping {
-  Mat Gyy, Gyp, Gpp, Yd, Y1, Y2, R1, R2;
+// How increments enter: dy = d + Z1 theta1 + Z2 theta2 with Z1 = hat(y) B', Z2 = hat(y) B, and
+// dpsi = Psi1 theta1 + Psi2 theta2.
+struct Increments {
+  Mat Bt, Z1, Z2, Psi1t, Psi2t;
+  explicit Increments(const Local& o)
+      : Bt(transpose(o.B)),
+        Z1(hat_times(o.y, Bt)),
+        Z2(hat_times(o.y, o.B)),
+        Psi1t(transpose(o.Psi1)),
+        Psi2t(transpose(o.Psi2)) {}
 };
 
-// Joins the rate terms at fixed strain rates to the Hessian, and gives what the strain rates' change adds.
-void damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, const Local& o,
-             const Mat& eps_yy, const Mat& h2, const Mat& h3, const Mat& Z1, const Mat& Z2, Mat& Hyy,
-             Mat& Hyp, Mat& Hpy, Mat& Hpp, Damping& g) {
-  const double b = s.beta, EAL = s.EA * s.length;
-  g.Gyy = b * (EAL * outer(o.eps_y, o.eps_y) + o.k3 * outer(o.da2, o.da2) + o.k2 * outer(o.da3, o.da3));
-  g.Gyp = (b * EAL) * outer(o.eps_y, o.eps_psi);
-  g.Gpp = (b * EAL) * outer(o.eps_psi, o.eps_psi);
-  for (int i = 0; i < 3; ++i) g.Gpp.r[i] += b * o.D[i] * unit(i);
-  const Row ey = times(eps_yy, o.yd);
-  const Row ep = Row{0, o.psid[1] / 12, o.psid[2] / 12, 0};
-  Hyy += b * (EAL * outer(o.eps_y, ey) + o.k3 * outer(o.da2, times(h2, o.yd)) +
-              o.k2 * outer(o.da3, times(h3, o.yd)));
-  Hyp += (b * EAL) * outer(o.eps_y, ep);
-  Hpy += (b * EAL) * outer(o.eps_psi, ey);
-  Hpp += (b * EAL) * outer(o.eps_psi, ep);
+// Second derivatives by y of a2, a3 and the strain.
+struct ByChord {
+  Mat a2, a3, eps;
+};
 
-  Row w1, w2;
-  spins(r, e, w1, w2);
-  const Row wm = left(w1, o.B) + times(o.B, w2);
-  const Row vd = left(load(Vec3(e.v2 - e.v1)), o.Rm);
-  // y' = vd + y x wm: varies by vd x dm + dy x wm + y x dwm, dwm = d(B)(w2 - w1)
-  const Mat W = hat_times(o.y, mean_spin_derivative(o, w2 - w1));
-  g.Yd = hat(-wm);
-  g.Y1 = hat_times(vd, transpose(o.B)) - hat_times(wm, Z1) + W * o.Psi1;
-  g.Y2 = hat_times(vd, o.B) - hat_times(wm, Z2) + W * o.Psi2;
-  const Mat R = inverse_jacobian_derivative(o, w2, 1) - inverse_jacobian_derivative(o, w1, -1);
-  g.R1 = R * o.Psi1;
-  g.R2 = R * o.Psi2;
+inline ByChord second_by_chord(const BeamSection& s, const Local& o) {
+  const Mat h2 = slope_hessian(o, o.a2, o.da2), h3 = slope_hessian(o, o.a3, o.da3);
+  const double c = 1 / (o.l * s.length);
+  return {h2, h3,
+          outer(0.2 * o.da2, o.da2) + outer(0.2 * o.da3, o.da3) + (0.2 * o.a2) * h2 + (0.2 * o.a3) * h3 +
+              identity(c) - outer(c * o.d, o.d)};
 }
 
 // By the unstretched length: the gradients (n, m) of the energy, at fixed chord and rotations.
@@ -156,6 +145,147 @@ ByLength with_bends(const BeamSection& s, const BeamReference& r, const Local& o
   return by;
 }
 
+// Derivatives of (n, m), the gradient of W, by (y, psi). They are symmetric but for a length that follows a
+// force, and for damping.
+struct Hessian {
+  Mat yy, yp, py, pp;
+};
+
+//   W_yy = EA L eps_y eps_y' + N L eps_yy + k3 (da2 da2' + a2 a2_yy) + k2 (da3 da3' + a3 a3_yy),
+//   W_yp = EA L eps_y eps_psi',  W_pp = EA L eps_psi eps_psi' + N L diag(0, 1, 1)/12 + D,
+// where bends are linear; by a law k and the bending parts of D are the Hessian of its energy.
+inline Hessian hessian(const BeamSection& s, const BeamReference& r, const Local& o, const ByChord& second,
+                       bool convex) {
+  const double EAL = o.EA * s.length;
+  const double NL = (convex ? std::max(o.N, 0.0) : o.N) * s.length;
+  Hessian H;
+  H.yy = outer(EAL * o.eps_y, o.eps_y) + NL * second.eps + o.m3 * second.a2 + o.m2 * second.a3;
+  H.yp = outer(EAL * o.eps_y, o.eps_psi);
+  H.pp = outer(EAL * o.eps_psi, o.eps_psi);
+  Row diagonal = o.D + Row{0, NL / 12, NL / 12, 0};
+  if (s.bends_by_law()) {
+    const Bending b = bending_by_law(s, r, o);
+    const Row across[2] = {o.da3, o.da2};
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) {
+        H.yy += outer(b.H[2 + i][2 + j] * across[i], across[j]);
+        H.yp += outer(b.H[2 + i][j] * across[i], unit(1 + j));
+        H.pp.r[1 + i] += b.H[i][j] * unit(1 + j);
+      }
+    diagonal = Row{o.D[0], NL / 12, NL / 12, 0};
+  } else {
+    H.yy += outer(o.k3 * o.da2, o.da2) + outer(o.k2 * o.da3, o.da3);
+  }
+  for (int i = 0; i < 3; ++i) H.pp.r[i] += diagonal[i] * unit(i);
+  H.py = transpose(H.yp);
+  if (s.length_by_force > 0) {
+    const ByLength with_bending = by_length(s, o),
+                   all = s.plastic ? with_bends(s, r, o, with_bending) : with_bending;
+    const Row n = s.length_by_force * all.n, m = s.length_by_force * all.m;
+    H.yy += outer(-n, with_bending.n);
+    H.yp += outer(-n, with_bending.m);
+    H.py += outer(-m, with_bending.n);
+    H.pp += outer(-m, with_bending.m);
+  }
+  return H;
+}
+
+// Damping adds to n and m the metric G times the rates (y', psi'), with
+//   G = beta (EA L eps' eps'' + k3 a2' a2'' + k2 a3' a3'' + D),  ' the gradient by (y, psi).
+// Yd, Y1, Y2 and R1, R2: derivatives of y' and psi' by d, theta1, theta2.
+struct Damping {
+  Mat Gyy, Gyp, Gpp, Yd, Y1, Y2, R1, R2;
+};
+
+inline Damping damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, const Local& o,
+                       const Increments& by) {
+  Damping g;
+  const double b = s.beta, EAL = s.EA * s.length;
+  g.Gyy = b * (EAL * outer(o.eps_y, o.eps_y) + o.k3 * outer(o.da2, o.da2) + o.k2 * outer(o.da3, o.da3));
+  g.Gyp = (b * EAL) * outer(o.eps_y, o.eps_psi);
+  g.Gpp = (b * EAL) * outer(o.eps_psi, o.eps_psi);
+  for (int i = 0; i < 3; ++i) g.Gpp.r[i] += b * o.D[i] * unit(i);
+
+  Row w1, w2;
+  spins(r, e, w1, w2);
+  const Row wm = left(w1, o.B) + times(o.B, w2);
+  const Row vd = left(load(Vec3(e.v2 - e.v1)), o.Rm);
+  // y' = vd + y x wm: varies by vd x dm + dy x wm + y x dwm, dwm = d(B)(w2 - w1)
+  const Mat W = hat_times(o.y, mean_spin_derivative(o, w2 - w1));
+  g.Yd = hat(-wm);
+  g.Y1 = hat_times(vd, transpose(o.B)) - hat_times(wm, by.Z1) + W * o.Psi1;
+  g.Y2 = hat_times(vd, o.B) - hat_times(wm, by.Z2) + W * o.Psi2;
+  const Mat R = inverse_jacobian_derivative(o, w2, 1) - inverse_jacobian_derivative(o, w1, -1);
+  g.R1 = R * o.Psi1;
+  g.R2 = R * o.Psi2;
+  return g;
+}
+
+// Adds the derivative of G (y', psi') by (y, psi) at fixed (y', psi').
+inline void add_metric_change(const BeamSection& s, const Local& o, const ByChord& second, Hessian& H) {
+  const double b = s.beta, EAL = s.EA * s.length;
+  const Row ey = times(second.eps, o.yd);
+  const Row ep = Row{0, o.psid[1] / 12, o.psid[2] / 12, 0};
+  H.yy += b * (EAL * outer(o.eps_y, ey) + o.k3 * outer(o.da2, times(second.a2, o.yd)) +
+               o.k2 * outer(o.da3, times(second.a3, o.yd)));
+  H.yp += (b * EAL) * outer(o.eps_y, ep);
+  H.py += (b * EAL) * outer(o.eps_psi, ey);
+  H.pp += (b * EAL) * outer(o.eps_psi, ep);
+}
+
+// Derivatives of the force in (d, theta1, theta2) (docs/theory/beam.md#tangent). g: null without damping.
+inline Blocks stiffness_matrix(const Local& o, const Increments& by, const Hessian& H, const Damping* g) {
+  const Row q = cross(o.n, o.y);
+  const Mat S = mean_spin_derivative(o, q);
+  const Mat P1 = S - inverse_jacobian_derivative(o, o.m, 1);   // of B q + Psi1' m by psi
+  const Mat P2 = inverse_jacobian_derivative(o, o.m, -1) - S;  // of B' q + Psi2' m
+  // dn and dm for each of d, theta1, theta2
+  Mat nd = H.yy, n1 = H.yy * by.Z1 + H.yp * o.Psi1, n2 = H.yy * by.Z2 + H.yp * o.Psi2;
+  Mat md = H.py, m1 = H.py * by.Z1 + H.pp * o.Psi1, m2 = H.py * by.Z2 + H.pp * o.Psi2;
+  if (g) {
+    nd += g->Gyy * g->Yd;
+    n1 += g->Gyy * g->Y1 + g->Gyp * g->R1;
+    n2 += g->Gyy * g->Y2 + g->Gyp * g->R2;
+    md += transposed_times(g->Gyp, g->Yd);
+    m1 += transposed_times(g->Gyp, g->Y1) + g->Gpp * g->R1;
+    m2 += transposed_times(g->Gyp, g->Y2) + g->Gpp * g->R2;
+  }
+  // dq = dn x y + n x dy
+  const Mat qd = hat(o.n) - hat_times(o.y, nd);
+  const Mat q1 = hat_times(o.n, by.Z1) - hat_times(o.y, n1), q2 = hat_times(o.n, by.Z2) - hat_times(o.y, n2);
+  Blocks k;
+  k.dd = nd;
+  k.d1 = n1 - hat_times(o.n, by.Bt);
+  k.d2 = n2 - hat_times(o.n, o.B);
+  k.one_d = o.B * qd + by.Psi1t * md;
+  k.one_one = o.B * q1 + by.Psi1t * m1 + P1 * o.Psi1;
+  k.one_two = o.B * q2 + by.Psi1t * m2 + P1 * o.Psi2;
+  k.two_d = by.Bt * qd + by.Psi2t * md;
+  k.two_one = by.Bt * q1 + by.Psi2t * m1 + P2 * o.Psi1;
+  k.two_two = by.Bt * q2 + by.Psi2t * m2 + P2 * o.Psi2;
+  return k;
+}
+
+// Derivatives of the force by the velocities (R'(v2 - v1), w1, w2): A' G A, A the rows (1, Z1, Z2) and
+// (0, Psi1, Psi2).
+inline Blocks damping_matrix(const Local& o, const Increments& by, const Damping& g) {
+  const Mat c1 = g.Gyy * by.Z1 + g.Gyp * o.Psi1, c2 = g.Gyy * by.Z2 + g.Gyp * o.Psi2;
+  const Mat Gpy = transpose(g.Gyp);
+  const Mat p1 = Gpy * by.Z1 + g.Gpp * o.Psi1, p2 = Gpy * by.Z2 + g.Gpp * o.Psi2;
+  const Mat T1 = transpose(by.Z1), T2 = transpose(by.Z2);
+  Blocks c;
+  c.dd = g.Gyy;
+  c.d1 = c1;
+  c.d2 = c2;
+  c.one_d = T1 * g.Gyy + by.Psi1t * Gpy;
+  c.one_one = T1 * c1 + by.Psi1t * p1;
+  c.one_two = T1 * c2 + by.Psi1t * p2;
+  c.two_d = T2 * g.Gyy + by.Psi2t * Gpy;
+  c.two_one = T2 * c1 + by.Psi2t * p1;
+  c.two_two = T2 * c2 + by.Psi2t * p2;
+  return c;
+}
+
 }  // namespace
 
 HAWSER_CLONES void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, Vec12& f) {
@@ -171,96 +301,16 @@ HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, co
   kinematics(s, r, e, damped, o);
   force(o, r, f);
 
-  const double EAL = o.EA * s.length;
-  const double NL = (convex ? std::max(o.N, 0.0) : o.N) * s.length;
-  const Mat h2 = slope_hessian(o, o.a2, o.da2), h3 = slope_hessian(o, o.a3, o.da3);
-  const double c = 1 / (o.l * s.length);
-  const Mat eps_yy = outer(0.2 * o.da2, o.da2) + outer(0.2 * o.da3, o.da3) + (0.2 * o.a2) * h2 +
-                     (0.2 * o.a3) * h3 + identity(c) - outer(c * o.d, o.d);
-
-  // Hessian of W
-  Mat Hyy = outer(EAL * o.eps_y, o.eps_y) + NL * eps_yy + o.m3 * h2 + o.m2 * h3;
-  Mat Hyp = outer(EAL * o.eps_y, o.eps_psi);
-  Mat Hpp = outer(EAL * o.eps_psi, o.eps_psi);
-  Row diagonal = o.D + Row{0, NL / 12, NL / 12, 0};
-  if (s.bends_by_law()) {
-    const Bending b = bending_by_law(s, r, o);
-    const Row across[2] = {o.da3, o.da2};
-    for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j) {
-        Hyy += outer(b.H[2 + i][2 + j] * across[i], across[j]);
-        Hyp += outer(b.H[2 + i][j] * across[i], unit(1 + j));
-        Hpp.r[1 + i] += b.H[i][j] * unit(1 + j);
-      }
-    diagonal = Row{o.D[0], NL / 12, NL / 12, 0};
-  } else {
-    Hyy += outer(o.k3 * o.da2, o.da2) + outer(o.k2 * o.da3, o.da3);
-  }
-  for (int i = 0; i < 3; ++i) Hpp.r[i] += diagonal[i] * unit(i);
-  Mat Hpy = transpose(Hyp);
-  if (s.length_by_force > 0) {
-    const ByLength with_bending = by_length(s, o),
-                   all = s.plastic ? with_bends(s, r, o, with_bending) : with_bending;
-    const Row n = s.length_by_force * all.n, m = s.length_by_force * all.m;
-    Hyy += outer(-n, with_bending.n);
-    Hyp += outer(-n, with_bending.m);
-    Hpy += outer(-m, with_bending.n);
-    Hpp += outer(-m, with_bending.m);
-  }
-
-  const Row q = cross(o.n, o.y);
-  const Mat Bt = transpose(o.B);
-  const Mat Z1 = hat_times(o.y, Bt), Z2 = hat_times(o.y, o.B);
-  const Mat S = mean_spin_derivative(o, q);
-  const Mat P1 = S - inverse_jacobian_derivative(o, o.m, 1);   // of B q + Psi1' m
-  const Mat P2 = inverse_jacobian_derivative(o, o.m, -1) - S;  // of B' q + Psi2' m
+  const ByChord second = second_by_chord(s, o);
+  Hessian H = hessian(s, r, o, second, convex);
+  const Increments by(o);
   Damping g;
-  if (damped) damping(s, r, e, o, eps_yy, h2, h3, Z1, Z2, Hyy, Hyp, Hpy, Hpp, g);
-
-  // dn and dm (of the potential's gradients) for each of d, theta1, theta2
-  Mat nd = Hyy, n1 = Hyy * Z1 + Hyp * o.Psi1, n2 = Hyy * Z2 + Hyp * o.Psi2;
-  Mat md = Hpy, m1 = Hpy * Z1 + Hpp * o.Psi1, m2 = Hpy * Z2 + Hpp * o.Psi2;
   if (damped) {
-    nd += g.Gyy * g.Yd;
-    n1 += g.Gyy * g.Y1 + g.Gyp * g.R1;
-    n2 += g.Gyy * g.Y2 + g.Gyp * g.R2;
-    md += transposed_times(g.Gyp, g.Yd);
-    m1 += transposed_times(g.Gyp, g.Y1) + g.Gpp * g.R1;
-    m2 += transposed_times(g.Gyp, g.Y2) + g.Gpp * g.R2;
+    g = damping(s, r, e, o, by);
+    add_metric_change(s, o, second, H);
   }
-  // dq = dn x y + n x dy
-  const Mat qd = hat(o.n) - hat_times(o.y, nd);
-  const Mat q1 = hat_times(o.n, Z1) - hat_times(o.y, n1), q2 = hat_times(o.n, Z2) - hat_times(o.y, n2);
-  Blocks k;
-  k.dd = nd;
-  k.d1 = n1 - hat_times(o.n, Bt);
-  k.d2 = n2 - hat_times(o.n, o.B);
-  const Mat Psi1t = transpose(o.Psi1), Psi2t = transpose(o.Psi2);
-  k.one_d = o.B * qd + Psi1t * md;
-  k.one_one = o.B * q1 + Psi1t * m1 + P1 * o.Psi1;
-  k.one_two = o.B * q2 + Psi1t * m2 + P1 * o.Psi2;
-  k.two_d = Bt * qd + Psi2t * md;
-  k.two_one = Bt * q1 + Psi2t * m1 + P2 * o.Psi1;
-  k.two_two = Bt * q2 + Psi2t * m2 + P2 * o.Psi2;
-  expand(o, r, k, K);
-
-  if (damped && C) {
-    const Mat c1 = g.Gyy * Z1 + g.Gyp * o.Psi1, c2 = g.Gyy * Z2 + g.Gyp * o.Psi2;
-    const Mat Gpy = transpose(g.Gyp);
-    const Mat p1 = Gpy * Z1 + g.Gpp * o.Psi1, p2 = Gpy * Z2 + g.Gpp * o.Psi2;
-    const Mat T1 = transpose(Z1), T2 = transpose(Z2);  // theta row: Z' dn + Psi' dm
-    Blocks v;
-    v.dd = g.Gyy;
-    v.d1 = c1;
-    v.d2 = c2;
-    v.one_d = T1 * g.Gyy + Psi1t * Gpy;
-    v.one_one = T1 * c1 + Psi1t * p1;
-    v.one_two = T1 * c2 + Psi1t * p2;
-    v.two_d = T2 * g.Gyy + Psi2t * Gpy;
-    v.two_one = T2 * c1 + Psi2t * p1;
-    v.two_two = T2 * c2 + Psi2t * p2;
-    expand(o, r, v, *C);
-  }
+  expand(o, r, stiffness_matrix(o, by, H, damped ? &g : nullptr), K);
+  if (damped && C) expand(o, r, damping_matrix(o, by, g), *C);
 }
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
 // The cable element: tension and tangent at one instant (`cable_tension`: statics, output), and the
-// energy-conserving mean tension over a time step (`cable_mean_tension`) with damping, with numerical damping
+// energy-conserving mean force over a time step (`cable_mean_force`) with damping, with numerical damping
 // of axial vibrations that are too fast for the step, and with changes between taut and slack.
 #include "hawser/kernels/cable.hpp"
 
@@ -51,7 +51,7 @@ struct Mean {
   double l = 0;                   // m, chord at the end
   double tension = 0, slope = 0;  // N, never negative; its derivative by the strain at the end
   double elastic = 0, damper = 0, filter = 0;  // N, parts of the tension; the last two are 0 if it is 0
-  double grown = 0;                            // change of the taut part of the strain in the step
+  double strain_increment = 0;                 // change of the taut part of the strain in the step
 };
 
 // Mean of the elastic tension between two strains, (V1 - V0)/(l1 - l0), its derivative by the second, and the
@@ -85,8 +85,10 @@ Elastic elastic_mean(const CableSection& s, double e0, double e1) {
 }
 
 // S = T* n, n = (d0 + d1)/(l0 + l1) (docs/theory/time-integration.md#cables), with
-//   T* = (V1 - V0)/(l1 - l0) + EA beta*/h (p1 - p0)/L + chi EA/L (dp - s dp') >= 0.
-// `grown` is dp/L = (p1 - p0)/L, `stretch` is min(1, h/h') dp'/L.
+//   T* = (V1 - V0)/(l1 - l0) + EA beta*/h (p1 - p0)/L + chi EA/L (dp - s min(1, h/h') dp') >= 0.
+// Symbols: d0, l0 from.chord, from.length; d1 chord; l1 o.l; L s.length; p = max(l - L, 0) elongation; V
+// strain energy; beta* `beta`; h step.h; h' the length of the step before; chi step.filter; s e.share; dp/L =
+// (p1 - p0)/L o.strain_increment; min(1, h/h') dp'/L from.strain_increment, which the caller has scaled.
 Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& chord) {
   Mean o;
   o.l = chord.norm();
@@ -94,11 +96,11 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   o.n = from.length + o.l > 0 ? Vec3((from.chord + chord) / (from.length + o.l)) : Vec3(0, 0, 0);
   const double strain = (o.l - s.length) / s.length - s.free_strain;
   const Elastic e = elastic_mean(s, from.strain, strain);
-  o.grown = std::max(strain, 0.0) - std::max(from.strain, 0.0);
+  o.strain_increment = std::max(strain, 0.0) - std::max(from.strain, 0.0);
   o.elastic = e.mean;
   const double beta = std::min(from.beta, kRigid * step.h);
-  o.damper = s.EA * beta / step.h * o.grown;
-  o.filter = step.filter * s.EA * (o.grown - e.share * from.stretch);
+  o.damper = s.EA * beta / step.h * o.strain_increment;
+  o.filter = step.filter * s.EA * (o.strain_increment - e.share * from.strain_increment);
   o.tension = o.elastic + o.damper + o.filter;
   if (o.tension <= 0) {
     o.tension = o.damper = o.filter = 0;
@@ -109,36 +111,37 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
   // Where only a part of the change is taut, the share depends on the strain at the end.
   if (e.share < 1 && strain_change != 0)
-    o.slope -= step.filter * s.EA * from.stretch * ((strain > 0 ? 1 : 0) - e.share) / strain_change;
+    o.slope -= step.filter * s.EA * from.strain_increment * ((strain > 0 ? 1 : 0) - e.share) / strain_change;
   return o;
 }
 
 }  // namespace
 
-CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch, double last) {
+CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double strain_increment,
+                       double previous_h) {
   CableStart o;
   o.chord = x2 - x1;
   o.length = o.chord.norm();
   o.strain = (o.length - s.length) / s.length - s.free_strain;
-  o.stretch = stretch;
-  o.rest = s.length;
+  o.strain_increment = strain_increment;
+  o.unstretched_length = s.length;
   if (o.strain > 0) {
     // EA beta |e'| <= T(e)
-    const double damper = last > 0 ? s.EA * s.beta * std::abs(stretch) / last : 0,
+    const double damper = previous_h > 0 ? s.EA * s.beta * std::abs(strain_increment) / previous_h : 0,
                  spring = s.axial(o.strain).force;
     o.beta = damper > spring ? s.beta * spring / damper : s.beta;
   }
   return o;
 }
 
-Vec3 cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                        const Vec3& x2) {
+Vec3 cable_mean_force(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                      const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
   return m.tension * m.n;
 }
 
-void cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                        const Vec3& x2, CableTension& out) {
+void cable_mean_force(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                      const Vec3& x2, CableTension& out) {
   const Mean m = mean_of(s, from, step, x2 - x1);
   const double across = m.tension > 0 ? m.tension / (from.length + m.l) : 0;
   out.force = m.tension * m.n;
@@ -155,7 +158,7 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
   // If the unstretched length changes, the change of the chord has two parts: the mean length times the
   // change of strain, on which the material's forces do work, and the mean stretch times the length let out
   // (docs/theory/feeders.md#energy). `elongation` is the first part.
-  const double fed_length = s.length - from.rest,
+  const double fed_length = s.length - from.unstretched_length,
                stretch =
                    1 + s.free_strain + 0.5 * (from.strain + (m.l - s.length) / s.length - s.free_strain);
   const double elongation = m.l - from.length - stretch * fed_length;
@@ -170,8 +173,8 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
     const double spent = -m.elastic * elongation;
     return from.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};
   }
-  return {m.damper * elongation, m.filter * elongation, m.l > s.length * (1 + s.free_strain) ? m.grown : 0.0,
-          fed};
+  return {m.damper * elongation, m.filter * elongation,
+          m.l > s.length * (1 + s.free_strain) ? m.strain_increment : 0.0, fed};
 }
 
 Vec3 cable_tension(const CableSection& s, const CableEnds& e) {

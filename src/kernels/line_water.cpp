@@ -1,6 +1,6 @@
 // Buoyancy, drag and added mass of the water on the nodes of a cable or a beam, with tangents and the
 // potential of buoyancy; and the same for balls (buoys, weights). The formula at the Gauss points is in
-// morison_points.hpp; cables that are wholly under water are computed in submerged_cables.cpp instead.
+// morison_points.hpp; cables that are wholly under water are computed in morison_submerged.cpp instead.
 #include "hawser/kernels/line_water.hpp"
 
 #include "morison_points.hpp"

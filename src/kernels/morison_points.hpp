@@ -1,6 +1,7 @@
 // Buoyancy, Morison drag and added mass at the Gauss points of an element with all derivatives, in
 // generalised coordinates: (x1, x2) of a cable, (x1, L t1, x2, L t2) of a beam, with positions x of its
-// nodes, unit tangents t there and its unstretched length L. Internal to the kernel.
+// nodes, unit tangents t there and its unstretched length L. Residual and derivatives are stated in
+// docs/theory/water.md#tangent. Internal to the kernel.
 #pragma once
 
 #include <cmath>
@@ -78,8 +79,9 @@ struct Band {
 // point. The pieces make up the element, so that what is wet of a straight one is exact.
 template <bool beam>
 struct Piece {
-  double from, to;  // of the element's length, from the point
-  double h1, h2;    // m, height of the surface above its ends
+  double from = 0, to = 0;  // of the element's length, from the point
+  double h1 = 0, h2 = 0;    // m, height of the surface above its ends
+  Piece() = default;
   // h: above the point; fall: by which that grows from one end of the element to the other
   Piece(int g, double h, double fall)
       : from(Rule<beam>::edge[g] - Rule<beam>::at[g]),
@@ -98,158 +100,228 @@ inline Mat by_chord2_of(Row t, double inverse) {
   return (inverse * inverse) * m;
 }
 
-enum class Part { all, buoyancy, flow };
+// What all points of an element share. Its first and last positions are X[0] and X[end].
+template <bool beam>
+struct Chord {
+  static constexpr int n = Rule<beam>::shapes, end = n - (beam ? 2 : 1);
+  double inverse;  // 1/m, of its length l; 0 where that is 0
+  Row t;           // unit vector
+  Mat across;      // P = I - t t'
+  double fall;     // m, by which the surface's height above the axis grows from one end to the other
+  Band<beam> band;
+  Row db[n] = {};  // derivatives of b by X
 
-template <bool beam, bool tangent, Part part = Part::all>
-void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool convex,
-              Forces<Rule<beam>::shapes>& out) {
-  using R = Rule<beam>;
-  constexpr int n = R::shapes, end = n - (beam ? 2 : 1);  // coordinates of the second node's position
-  const Row zero{};
-  for (int j = 0; j < n; ++j) out.f[j] = zero;
-  const Row chord = m.X[end] - m.X[0];
-  const double l = std::sqrt(dot(chord, chord)), inverse = l > 0 ? 1 / l : 0;
-  const Row t = inverse * chord;
-  const double ma = s.added_axial - s.added_normal;
-  const double fall = m.surface[1] - m.surface[0] - chord[2];
-  const Band<beam> band(s, t[2]);
-  Row db[n] = {};  // derivative of the band
-  if constexpr (beam) {
-    db[end] = (band.by_lean / band.b) * by_chord_of(t, inverse);
-    db[0] = -db[end];
-  }
-  // Sums of which blocks are made.
-  double masses[n][n] = {};
-  Mat by_chord[n];  // derivative by x2 (minus that by x1) through the chord
-  Row by_z[n][2];   // through the current
-  if constexpr (tangent)
-    for (int j = 0; j < n; ++j) {
-      by_chord[j] = Mat{};
-      by_z[j][0] = by_z[j][1] = zero;
-      for (int k = 0; k < n; ++k) {
-        out.K[j][k] = Mat{};
-        out.C[j][k] = Mat{};
-      }
+  // rise: of the surface from one end to the other, m.
+  Chord(const WaterSection& s, Row chord, double rise)
+      : inverse(inverse_length(chord)),
+        t(inverse * chord),
+        across(identity(1) - outer(t, t)),
+        fall(rise - chord[2]),
+        band(s, t[2]) {
+    if constexpr (beam) {
+      db[end] = (band.by_lean / band.b) * by_chord_of(t, inverse);
+      db[0] = -db[end];
     }
-  const Mat P = identity(1) - outer(t, t);
+  }
 
-  for (int g = 0; g < R::points; ++g) {
-    const double z = R::at[g];
-    double N[n];
-    R::shape(z, N);
-    const double w = R::weight[g] * s.length;
+ private:
+  static double inverse_length(Row chord) {
+    const double l = std::sqrt(dot(chord, chord));
+    return l > 0 ? 1 / l : 0;
+  }
+};
+
+// A Gauss point and what is wet of its piece.
+template <bool beam>
+struct Point {
+  static constexpr int n = Rule<beam>::shapes, end = Chord<beam>::end;
+  double z;  // of the element's length
+  double w;  // m, that it represents
+  double N[n];
+  Piece<beam> piece;
+  PieceWetting wet;
+  double from[n], to[n];        // minus the derivatives of h1 and h2 by heights
+  Row by1[n], by2[n], by_b[n];  // derivatives of dP/dh1, dP/dh2, dP/db by X: differentiate()
+
+  Point(int g, const WaterSection& s, const Motion<n>& m, const Chord<beam>& c)
+      : z(Rule<beam>::at[g]), w(Rule<beam>::weight[g] * s.length) {
+    Rule<beam>::shape(z, N);
     double h = (1 - z) * m.surface[0] + z * m.surface[1];
     for (int j = 0; j < n; ++j) h -= N[j] * m.X[j][2];
-    const Piece<beam> piece(g, h, fall);
-    const PieceWetting wet = piece_wetting(piece.h1, piece.h2, band.b);
-    const double share = wet.share1 + wet.share2;
-    if (!(share > 0)) continue;
-    const bool partly = wet.slope11 > 0 || wet.slope22 > 0;
-    double from[n], to[n];  // minus the derivatives of h1 and h2 by heights
+    piece = Piece<beam>(g, h, c.fall);
+    wet = piece_wetting(piece.h1, piece.h2, c.band.b);
     for (int j = 0; j < n; ++j) from[j] = to[j] = N[j];
     from[0] -= piece.from;
     from[end] += piece.from;
     to[0] -= piece.to;
     to[end] += piece.to;
-    // Derivatives of h1, h2 and b times the second derivatives of the integral.
-    Row by1[n], by2[n], by_b[n];
-    if (tangent && partly) {
-      const double b1 = -(piece.h1 * wet.slope11 + piece.h2 * wet.slope12) / band.b;
-      const double b2 = -(piece.h1 * wet.slope12 + piece.h2 * wet.slope22) / band.b;
-      const double bb = -(piece.h1 * b1 + piece.h2 * b2) / band.b;
-      for (int k = 0; k < n; ++k) {
-        by1[k] = -(wet.slope11 * from[k] + wet.slope12 * to[k]) * unit(2) + b1 * db[k];
-        by2[k] = -(wet.slope12 * from[k] + wet.slope22 * to[k]) * unit(2) + b2 * db[k];
-        by_b[k] = -(b1 * from[k] + b2 * to[k]) * unit(2) + bb * db[k];
-      }
-    }
-    if constexpr (part != Part::flow) {
-      const double B = w * s.buoyancy;
-      for (int j = 0; j < n; ++j) out.f[j][2] -= B * (wet.share1 * from[j] + wet.share2 * to[j]);
-      if (partly) {
-        // By Euler's theorem on homogeneous functions.
-        const double G = B * (wet.integral - piece.h1 * wet.share1 - piece.h2 * wet.share2) / band.b;
-        out.f[0] += G * db[0];
-        out.f[end] += G * db[end];
-        if constexpr (tangent) {
-          for (int k = 0; k < n; ++k) {
-            for (int j = 0; j < n; ++j) out.K[j][k].r[2] -= (B * from[j]) * by1[k] + (B * to[j]) * by2[k];
-            if constexpr (beam) {
-              const Mat by_band = outer(B * db[end], by_b[k]);
-              out.K[end][k] += by_band;
-              out.K[0][k] -= by_band;
-            }
-          }
-          if (beam && !convex) {  // may be negative for short elements, so not convex
-            const Mat k2 = (G / band.b) * (band.by_lean * by_chord2_of(t, inverse) - outer(db[end], db[end]));
-            out.K[0][0] += k2;
-            out.K[end][end] += k2;
-            out.K[0][end] -= k2;
-            out.K[end][0] -= k2;
-          }
-        }
-      }
-    }
-    if constexpr (part == Part::buoyancy) continue;
+  }
+  double share() const { return wet.share1 + wet.share2; }  // F
+  bool partly() const { return wet.slope11 > 0 || wet.slope22 > 0; }
 
-    Row u = (1 - z) * m.u[0] + z * m.u[1];
-    for (int j = 0; j < n; ++j) u -= N[j] * m.V[j];
-    const Row aw = (1 - z) * m.a[0] + z * m.a[1];
-    const morison_formula::Drag<double, Row> drag(u, t, s.drag_normal, s.drag_axial);
-    const double wF = w * share;
-    const Row flow = drag.force() + s.displaced_mass * aw;  // with Froude-Krylov, N/m of wet length
-    // Accelerations that belong to each shape: consistent for a beam, the mean of lumped and consistent for a
-    // cable, as its own mass.
-    double at[n][n];
-    Row y[n], q[n];
-    Row point{};
-    for (int k = 0; k < n; ++k) point += N[k] * m.A[k];
-    for (int j = 0; j < n; ++j) {
-      if constexpr (beam)
-        y[j] = N[j] * (point - aw);
-      else
-        y[j] = (0.5 * N[j]) * (point + m.A[j]) - N[j] * aw;
-      q[j] =
-          morison_formula::added_mass(s.added_normal, ma, t, y[j]) - N[j] * flow;  // residual per wet length
-      out.f[j] += wF * q[j];
-      if constexpr (tangent)
-        for (int k = 0; k < n; ++k) {
-          at[j][k] = beam ? N[j] * N[k] : 0.5 * N[j] * (N[k] + (j == k ? 1 : 0));
-          masses[j][k] += wF * at[j][k];
-        }
+  // Where it is partly wet. Derivatives by b are by Euler's theorem: P is homogeneous in h1, h2 and b.
+  void differentiate(const Chord<beam>& c) {
+    const double b = c.band.b;
+    const double b1 = -(piece.h1 * wet.slope11 + piece.h2 * wet.slope12) / b;
+    const double b2 = -(piece.h1 * wet.slope12 + piece.h2 * wet.slope22) / b;
+    const double bb = -(piece.h1 * b1 + piece.h2 * b2) / b;
+    for (int k = 0; k < n; ++k) {
+      by1[k] = -(wet.slope11 * from[k] + wet.slope12 * to[k]) * unit(2) + b1 * c.db[k];
+      by2[k] = -(wet.slope12 * from[k] + wet.slope22 * to[k]) * unit(2) + b2 * c.db[k];
+      by_b[k] = -(b1 * from[k] + b2 * to[k]) * unit(2) + bb * c.db[k];
     }
-    if constexpr (tangent) {
-      const Mat D = outer(drag.over_speed * drag.across, drag.across) + identity(drag.normal) +
-                    outer(drag.lengthwise() * t, t);
-      for (int j = 0; j < n; ++j)
-        for (int k = 0; k < n; ++k) out.C[j][k] += (wF * N[j] * N[k]) * D;
-      if (!convex) {
-        const Mat T = outer(drag.by_across(), drag.across) + drag.by_turn() * P;
-        const Row d[2] = {times(D, m.by_height[0]), times(D, m.by_height[1])};
-        for (int j = 0; j < n; ++j) {
-          const double ty = dot(t, y[j]);
-          const Row across = y[j] - ty * t;
-          by_chord[j] += (-wF * N[j] * inverse) * T + (wF * inverse * ma) * (outer(t, across) + ty * P);
-          by_z[j][0] -= (wF * N[j] * (1 - z)) * d[0];
-          by_z[j][1] -= (wF * N[j] * z) * d[1];
-        }
-        if (partly)
-          for (int k = 0; k < n; ++k) {
-            const Row slope = w * (by1[k] + by2[k]);
-            for (int j = 0; j < n; ++j) out.K[j][k] += outer(q[j], slope);
-          }
+  }
+};
+
+// f_j = B dP/dX_j and K_jk = B d²P/dX_j dX_k, B = rho g A w.
+template <bool beam, bool tangent>
+inline void buoyancy_at(const WaterSection& s, const Chord<beam>& c, const Point<beam>& p, bool convex,
+                        Forces<Rule<beam>::shapes>& out) {
+  constexpr int n = Chord<beam>::n, end = Chord<beam>::end;
+  const double B = p.w * s.buoyancy;
+  for (int j = 0; j < n; ++j) out.f[j][2] -= B * (p.wet.share1 * p.from[j] + p.wet.share2 * p.to[j]);
+  if (!p.partly()) return;
+  // B dP/db, by Euler's theorem.
+  const double G = B * (p.wet.integral - p.piece.h1 * p.wet.share1 - p.piece.h2 * p.wet.share2) / c.band.b;
+  out.f[0] += G * c.db[0];
+  out.f[end] += G * c.db[end];
+  if constexpr (tangent) {
+    for (int k = 0; k < n; ++k) {
+      for (int j = 0; j < n; ++j) out.K[j][k].r[2] -= (B * p.from[j]) * p.by1[k] + (B * p.to[j]) * p.by2[k];
+      if constexpr (beam) {
+        const Mat by_band = outer(B * c.db[end], p.by_b[k]);
+        out.K[end][k] += by_band;
+        out.K[0][k] -= by_band;
       }
+    }
+    if (beam && !convex) {  // may be negative for short elements, so not convex
+      const Mat k2 =
+          (G / c.band.b) * (c.band.by_lean * by_chord2_of(c.t, c.inverse) - outer(c.db[end], c.db[end]));
+      out.K[0][0] += k2;
+      out.K[end][end] += k2;
+      out.K[0][end] -= k2;
+      out.K[end][0] -= k2;
+    }
+  }
+}
+
+// Of the flow at a point.
+template <int n>
+struct Flow {
+  morison_formula::Drag<double, Row> drag;
+  double wF;       // m, wet length that the point represents
+  Row y[n], q[n];  // m/s², acceleration relative to the water that belongs to a shape; N/m, residual
+};
+
+// f_j = w F q_j, q_j = (m_n P + m_t t t') y_j - N_j (drag + m_d a_w), with
+//   y_j = N_j (sum N_k a_k - a_w) of a beam, consistent with its mass,
+//   y_j = N_j (sum N_k a_k + a_j)/2 - N_j a_w of a cable, whose mass is half lumped.
+template <bool beam>
+inline Flow<Rule<beam>::shapes> flow_at(const WaterSection& s, const Motion<Rule<beam>::shapes>& m,
+                                        const Chord<beam>& c, const Point<beam>& p,
+                                        Forces<Rule<beam>::shapes>& out) {
+  constexpr int n = Chord<beam>::n;
+  Row u = (1 - p.z) * m.u[0] + p.z * m.u[1];
+  for (int j = 0; j < n; ++j) u -= p.N[j] * m.V[j];
+  const Row aw = (1 - p.z) * m.a[0] + p.z * m.a[1];
+  Flow<n> o{{u, c.t, s.drag_normal, s.drag_axial}, p.w * p.share(), {}, {}};
+  const Row flow = o.drag.force() + s.displaced_mass * aw;
+  const double ma = s.added_axial - s.added_normal;
+  Row point{};
+  for (int k = 0; k < n; ++k) point += p.N[k] * m.A[k];
+  for (int j = 0; j < n; ++j) {
+    if constexpr (beam)
+      o.y[j] = p.N[j] * (point - aw);
+    else
+      o.y[j] = (0.5 * p.N[j]) * (point + m.A[j]) - p.N[j] * aw;
+    o.q[j] = morison_formula::added_mass(s.added_normal, ma, c.t, o.y[j]) - p.N[j] * flow;
+    out.f[j] += o.wF * o.q[j];
+  }
+  return o;
+}
+
+// Sums over the points of which blocks are made.
+template <int n>
+struct Sums {
+  double masses[n][n] = {};  // m, that the added mass of a metre is multiplied by
+  Mat by_chord[n] = {};      // derivative by X[end] (minus that by X[0]) through the chord
+  Row by_z[n][2] = {};       // through the current
+};
+
+// Derivatives of flow_at by velocity, C_jk = w F N_j N_k D, by acceleration, by the chord,
+//   w F/l (-N_j T + (m_t - m_n) (t (P y_j)' + (t.y_j) P)),
+// by heights through the current, -w F N_j (1 - z, z) D du_w/dz, and through the wet share, w q_j (dF/dX_k)'.
+template <bool beam>
+inline void flow_tangent(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, const Chord<beam>& c,
+                         const Point<beam>& p, const Flow<Rule<beam>::shapes>& flow, bool convex,
+                         Sums<Rule<beam>::shapes>& sums, Forces<Rule<beam>::shapes>& out) {
+  constexpr int n = Chord<beam>::n;
+  const Row t = c.t;
+  const double wF = flow.wF;
+  for (int j = 0; j < n; ++j)
+    for (int k = 0; k < n; ++k) {
+      const double consistent = p.N[j] * p.N[k], half_lumped = 0.5 * p.N[j] * (p.N[k] + (j == k ? 1 : 0));
+      sums.masses[j][k] += wF * (beam ? consistent : half_lumped);
+    }
+  const auto& drag = flow.drag;
+  const Mat D = outer(drag.over_speed * drag.across, drag.across) + identity(drag.normal) +
+                outer(drag.lengthwise() * t, t);
+  for (int j = 0; j < n; ++j)
+    for (int k = 0; k < n; ++k) out.C[j][k] += (wF * p.N[j] * p.N[k]) * D;
+  if (convex) return;
+  const double ma = s.added_axial - s.added_normal;
+  const Mat T = outer(drag.by_across(), drag.across) + drag.by_turn() * c.across;
+  const Row d[2] = {times(D, m.by_height[0]), times(D, m.by_height[1])};
+  for (int j = 0; j < n; ++j) {
+    const double ty = dot(t, flow.y[j]);
+    const Row across = flow.y[j] - ty * t;
+    sums.by_chord[j] +=
+        (-wF * p.N[j] * c.inverse) * T + (wF * c.inverse * ma) * (outer(t, across) + ty * c.across);
+    sums.by_z[j][0] -= (wF * p.N[j] * (1 - p.z)) * d[0];
+    sums.by_z[j][1] -= (wF * p.N[j] * p.z) * d[1];
+  }
+  if (p.partly())
+    for (int k = 0; k < n; ++k) {
+      const Row slope = p.w * (p.by1[k] + p.by2[k]);
+      for (int j = 0; j < n; ++j) out.K[j][k] += outer(flow.q[j], slope);
+    }
+}
+
+enum class Part { all, buoyancy, flow };
+
+template <bool beam, bool tangent, Part part = Part::all>
+void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool convex,
+              Forces<Rule<beam>::shapes>& out) {
+  constexpr int n = Chord<beam>::n, end = Chord<beam>::end;
+  const Chord<beam> chord(s, m.X[end] - m.X[0], m.surface[1] - m.surface[0]);
+  for (int j = 0; j < n; ++j) out.f[j] = Row{};
+  if constexpr (tangent)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k) {
+        out.K[j][k] = Mat{};
+        out.C[j][k] = Mat{};
+      }
+  Sums<n> sums;
+  for (int g = 0; g < Rule<beam>::points; ++g) {
+    Point<beam> p(g, s, m, chord);
+    if (!(p.share() > 0)) continue;
+    if (tangent && p.partly()) p.differentiate(chord);
+    if constexpr (part != Part::flow) buoyancy_at<beam, tangent>(s, chord, p, convex, out);
+    if constexpr (part != Part::buoyancy) {
+      const Flow<n> flow = flow_at<beam>(s, m, chord, p, out);
+      if constexpr (tangent) flow_tangent<beam>(s, m, chord, p, flow, convex, sums, out);
     }
   }
   if constexpr (tangent) {
-    const Mat added = identity(s.added_normal) + outer(ma * t, t);
+    const double ma = s.added_axial - s.added_normal;
+    const Mat added = identity(s.added_normal) + outer(ma * chord.t, chord.t);
     for (int j = 0; j < n; ++j) {
-      for (int k = 0; k < n; ++k) out.M[j][k] = masses[j][k] * added;
-      out.K[j][end] += by_chord[j];
-      out.K[j][0] -= by_chord[j];
+      for (int k = 0; k < n; ++k) out.M[j][k] = sums.masses[j][k] * added;
+      out.K[j][end] += sums.by_chord[j];
+      out.K[j][0] -= sums.by_chord[j];
       for (int r = 0; r < 3; ++r) {
-        out.K[j][0].r[r][2] += by_z[j][0][r];
-        out.K[j][end].r[r][2] += by_z[j][1][r];
+        out.K[j][0].r[r][2] += sums.by_z[j][0][r];
+        out.K[j][end].r[r][2] += sums.by_z[j][1][r];
       }
     }
   }

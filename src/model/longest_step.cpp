@@ -14,22 +14,27 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kOfPeriod = 100, kOfWaves = 75, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50,
-                 kOfGust = 4;
+// Steps in each of these times (docs/theory/time-integration.md#how-long-a-step-is): the period of a
+// prescribed motion or a turn; of the waves; a ramp; a period that a line or a driven body has by itself; the
+// time in which drag carries a line along; the duration; the shortest period of gusts.
+constexpr int kInPeriod = 100, kInWaves = 75, kInRamp = 20, kInOwn = 20, kInDrag = 10, kInDuration = 50,
+              kInGust = 4;
 // What lines do by themselves, and drag, shortens what drives them to no less than this; the local error does
 // more.
 constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
-// Of the period of a body by itself, where nothing periodic drives it: the period of the scheme is too long
-// by 3.47/n² at n steps a period and rho_infinity 0.8, a thousandth here. What is driven has the period of
-// that.
-constexpr double kOfFree = 60;
+// In the period of a body by itself, where nothing periodic drives it: that of the scheme is too long by
+// 3.47/n² at n steps a period and rho_infinity 0.8, a thousandth here
+// (docs/theory/time-integration.md#error-of-the-period). What is driven has the period of what drives it.
+constexpr int kInFree = 60;
 
 // The shortest of what is added.
 class Shortest {
  public:
-  void of(double length, const std::string& reason) {
-    if (std::isfinite(length) && length > 0 && (best_.length == 0 || length < best_.length))
-      best_ = {length, reason};
+  // time: s. What is not finite and above 0 does not count.
+  void of(double time, int divisor, const std::string& subject) { of({time / divisor, divisor, subject}); }
+  void of(const LongestStep& step) {
+    if (std::isfinite(step.length) && step.length > 0 && (best_.length == 0 || step.length < best_.length))
+      best_ = step;
   }
   const LongestStep& best() const { return best_; }
 
@@ -59,7 +64,7 @@ Sea sea(const Environment& e) {
 bool moves(const HarmonicMotion& m) { return !m.amplitude.isZero() || !m.rotation_amplitude.isZero(); }
 
 void add_harmonic(const HarmonicMotion& m, const std::string& who, Shortest& to) {
-  if (moves(m)) to.of(m.period / kOfPeriod, "a hundredth of the period of " + who);
+  if (moves(m)) to.of(m.period, kInPeriod, "the period of " + who);
 }
 
 // Farthest of what is attached to a body from its origin, m: what its rotation moves.
@@ -83,14 +88,14 @@ double add_table(const TableMotion& m, const std::string& who, double lever, Sho
   if (m.of_waves || m.time.size() < 2) return 0;
   const TableLaw law = table_law(m);
   const RowCurve::Activity moved = law.offset.activity(), turned = law.rotation.activity();
-  const std::string reason = "a hundredth of the mean period of the motion table of " + who;
+  const std::string subject = "the mean period of the motion table of " + who;
   if (lever > 0) {
     const double square = lever * lever;
-    to.of(mean_period({moved.rate + square * turned.rate, moved.second + square * turned.second}) / kOfPeriod,
-          reason);
+    to.of(mean_period({moved.rate + square * turned.rate, moved.second + square * turned.second}), kInPeriod,
+          subject);
   } else {
-    to.of(mean_period(moved) / kOfPeriod, reason);
-    to.of(mean_period(turned) / kOfPeriod, reason);
+    to.of(mean_period(moved), kInPeriod, subject);
+    to.of(mean_period(turned), kInPeriod, subject);
   }
   return std::sqrt(2 * moved.rate / (m.time.back() - m.time.front()));
 }
@@ -105,7 +110,7 @@ double add_body(const Case& c, const Body& b, Shortest& to) {
   } else if (const auto* t = std::get_if<TableMotion>(&b.motion)) {
     speed = add_table(*t, who, lever(c, b), to);
   } else if (const auto* s = std::get_if<ConstantMotion>(&b.motion)) {
-    if (s->rate != 0) to.of(2 * M_PI / std::abs(s->rate) / kOfPeriod, "a hundredth of a turn of " + who);
+    if (s->rate != 0) to.of(2 * M_PI / std::abs(s->rate), kInPeriod, "a turn of " + who);
     speed = s->velocity.norm();
   }
   if (b.drift) {
@@ -123,8 +128,8 @@ void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
     time.push_back(t);
     value.emplace_back(f, 0, 0);
   }
-  to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()) / kOfPeriod,
-        "a hundredth of the mean period of the time_factor of " + of);
+  to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
+        "the mean period of the time_factor of " + of);
 }
 
 // Forces on a body by time.
@@ -140,8 +145,8 @@ void add_loads(const Body& b, Shortest& to) {
       moment.push_back(f.tail<3>());
     }
     for (const std::vector<Vec3>& value : {force, moment})
-      to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()) / kOfPeriod,
-            "a hundredth of the mean period of a load of body " + b.name);
+      to.of(mean_period(RowCurve(time, value, BetweenRows::linear).activity()), kInPeriod,
+            "the mean period of a load of body " + b.name);
   }
 }
 
@@ -165,11 +170,10 @@ double taut_stiffness(const Case& c, const Body& b) {
 }
 
 // The periods of bodies that move by their own equations: on springs, on taut lines, on links, in the surface
-// and by the coefficients of platforms, of which the share `part` is a step.
-void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own) {
-  const std::string fraction = part == kOfFree ? "a sixtieth" : "a twentieth";
+// and by the coefficients of platforms. driven: by something periodic.
+void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own) {
   const auto has_period = [&](Shortest& to, double period, const std::string& what) {
-    to.of(period / part, fraction + " of the period of body " + what);
+    to.of(period, driven ? kInOwn : kInFree, "the period of body " + what);
   };
   const auto oscillates = [&](Shortest& to, double mass, double stiffness, const std::string& what) {
     if (stiffness > 0) has_period(to, 2 * M_PI * std::sqrt(mass / stiffness), what);
@@ -197,7 +201,7 @@ void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own
       has_period(afloat, periods.pitch, b.name + " in pitch");
     }
     // What is driven follows such a line as if it were a bar.
-    if (part == kOfFree) oscillates(own, mass, taut_stiffness(c, b), b.name + " on its lines");
+    if (!driven) oscillates(own, mass, taut_stiffness(c, b), b.name + " on its lines");
   }
   for (const Link& l : c.links)
     for (const LinkEnd* e : {&l.end_a, &l.end_b})
@@ -209,8 +213,8 @@ void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own
 void add_spin(const Case& c, Shortest& to) {
   for (const Body& b : c.bodies)
     if (b.mass)
-      to.of(2 * M_PI / b.mass->angular_velocity.norm() / kOfPeriod,
-            "a hundredth of a turn of body " + b.name + " with the velocity that it begins with");
+      to.of(2 * M_PI / b.mass->angular_velocity.norm(), kInPeriod,
+            "a turn of body " + b.name + " with the velocity that it begins with");
 }
 
 void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortest& drags) {
@@ -218,8 +222,8 @@ void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortes
   const BodyInWater& w = *b.mass->in_water;
   const double drag = 0.5 * e.water.density * w.drag_area.maxCoeff() * speed;
   if (drag > 0)
-    drags.of((b.mass->mass + w.added_mass.minCoeff()) / drag / kOfDrag,
-             "a tenth of the time in which drag carries body " + b.name + " along");
+    drags.of((b.mass->mass + w.added_mass.minCoeff()) / drag, kInDrag,
+             "the time in which drag carries body " + b.name + " along");
 }
 
 // Its slowest period, the time of a wave along it where something jolts it, and drag.
@@ -234,13 +238,12 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
     const double area = 0.25 * M_PI * t.displaced() * t.displaced(),
                  drag = 0.5 * c.environment.water.density * t.Cd_normal * t.dragged() * speed;
     if (drag > 0)
-      drags.of((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag / kOfDrag,
-               "a tenth of the time in which drag carries line " + line.name + " along");
+      drags.of((t.mass_per_length + c.environment.water.density * area * t.Ca_normal) / drag, kInDrag,
+               "the time in which drag carries line " + line.name + " along");
   }
   if (length == 0 || mass == 0) return;
-  own.of(slowest_period(c, line) / kOfOwn, "a twentieth of the slowest period of line " + line.name);
-  if (jolted)
-    own.of(2 * along / kOfOwn, "a twentieth of the time of a wave along line " + line.name + " and back");
+  own.of(slowest_period(c, line), kInOwn, "the slowest period of line " + line.name);
+  if (jolted) own.of(2 * along, kInOwn, "the time of a wave along line " + line.name + " and back");
 }
 
 // Changes of its speed, where it goes by a table.
@@ -249,8 +252,7 @@ void add_feed(const End& end, const std::string& line, Shortest& to) {
   const auto& rows = end.feed->speed;
   for (size_t i = 1; i < rows.size(); ++i)
     if (rows[i].second != rows[i - 1].second)
-      to.of((rows[i].first - rows[i - 1].first) / kOfRamp,
-            "a twentieth of a change of speed of the feeder of line " + line);
+      to.of(rows[i].first - rows[i - 1].first, kInRamp, "a change of speed of the feeder of line " + line);
 }
 
 bool fed_at_once(const End& end) {
@@ -259,19 +261,19 @@ bool fed_at_once(const End& end) {
 
 void add_ramps(const Case& c, Shortest& to) {
   const Water& w = c.environment.water;
-  if (!w.current.profile.empty()) to.of(w.current.ramp / kOfRamp, "a twentieth of the ramp of the current");
+  if (!w.current.profile.empty()) to.of(w.current.ramp, kInRamp, "the ramp of the current");
   for (const Body& b : c.bodies) {
-    to.of(b.ramp / kOfRamp, "a twentieth of the ramp of body " + b.name);
-    if (b.drift) to.of(b.drift->ramp / kOfRamp, "a twentieth of the ramp of body " + b.name);
+    to.of(b.ramp, kInRamp, "the ramp of body " + b.name);
+    if (b.drift) to.of(b.drift->ramp, kInRamp, "the ramp of body " + b.name);
   }
   for (const Line& line : c.lines) {
-    for (const auto& l : line.loads) to.of(l.ramp / kOfRamp, "a twentieth of the ramp of a load");
-    for (const auto& l : line.point_loads) to.of(l.ramp / kOfRamp, "a twentieth of the ramp of a load");
+    for (const auto& l : line.loads) to.of(l.ramp, kInRamp, "the ramp of a load");
+    for (const auto& l : line.point_loads) to.of(l.ramp, kInRamp, "the ramp of a load");
     for (const End* end : {&line.end_a, &line.end_b}) add_feed(*end, line.name, to);
   }
   for (const Event& e : c.events)
     if (e.action.kind == Action::Kind::feed)
-      to.of(e.action.ramp / kOfRamp, "a twentieth of the ramp of a feeder of line " + e.action.line);
+      to.of(e.action.ramp, kInRamp, "the ramp of a feeder of line " + e.action.line);
 }
 
 }  // namespace
@@ -288,8 +290,10 @@ double slowest_period(const Case& c, const Line& line) {
   }
   if (length == 0 || mass == 0) return 0;
   const bool spans = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
+  // (2.405/2)², 2.405 the first zero of J0 (docs/theory/time-integration.md#slowest-period-of-a-line).
+  constexpr double kHangingChain = 1.45;
   const double wave = spans ? M_PI : 1.8751;  // of a beam between hinges, of a cantilever
-  double square = 1.45 * c.environment.gravity / length + std::pow(wave / length, 4) * bend / mass;
+  double square = kHangingChain * c.environment.gravity / length + std::pow(wave / length, 4) * bend / mass;
   if (is_held(line.end_a) && is_held(line.end_b)) {
     const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
     square += std::pow(M_PI / length, 2) * std::max(chord - loose, 0.0) / give / (mass / length);
@@ -300,7 +304,7 @@ double slowest_period(const Case& c, const Line& line) {
 LongestStep longest_step(const Case& c) {
   Shortest to, own, drags;
   const Sea waves = sea(c.environment);
-  to.of(waves.period / kOfWaves, "a seventy-fifth of the period of the waves");
+  to.of(waves.period, kInWaves, "the period of the waves");
   double speed = waves.speed;
   for (const CurrentRow& row : c.environment.water.current.profile) speed = std::max(speed, row.speed);
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(c, b, to));
@@ -309,28 +313,28 @@ LongestStep longest_step(const Case& c) {
   // Where nothing drives them, neither outputs nor the duration say how long their steps may be.
   Shortest afloat;
   const bool driven_by_motion = to.best().length > 0;
-  add_free_bodies(c, driven_by_motion ? kOfOwn : kOfFree, driven_by_motion ? own : afloat, own);
+  add_free_bodies(c, driven_by_motion, driven_by_motion ? own : afloat, own);
   add_spin(c, afloat);
   add_factor(c.environment.water.current.time_factor, "the current", to);
   add_factor(c.environment.wind.time_factor, "the wind", to);
   if (c.environment.wind.gusts != GustSpectrum::none) {
     const bool blown =
         std::any_of(c.bodies.begin(), c.bodies.end(), [](const Body& b) { return b.mass && b.mass->wind; });
-    if (blown) to.of(1 / kFastestGust / kOfGust, "a fourth of the shortest period of the gusts");
+    if (blown) to.of(1 / kFastestGust, kInGust, "the shortest period of the gusts");
   }
   add_ramps(c, to);
-  to.of(c.output.every, "the time between outputs");
-  to.of(c.dynamics.duration / kOfDuration, "a fiftieth of the duration");
+  to.of(c.output.every, 1, "the time between outputs");
+  to.of(c.dynamics.duration, kInDuration, "the duration");
   const bool jolted = !c.statics.enabled || !velocity_jumps(c.bodies).empty();
   for (const Line& line : c.lines)
     add_line(c, line, speed, jolted || fed_at_once(line.end_a) || fed_at_once(line.end_b), own, drags);
   const double driven = to.best().length;
   const auto follow = [&](const LongestStep& what, double least) {
-    if (what.length > 0) to.of(std::max(what.length, least * driven), what.reason);
+    if (what.length > 0) to.of({std::max(what.length, least * driven), what.divisor, what.subject});
   };
   follow(own.best(), kLeastOwn);
   follow(drags.best(), kLeastDrag);
-  if (afloat.best().length > 0) to.of(afloat.best().length, afloat.best().reason);
+  to.of(afloat.best());
   return to.best();
 }
 

@@ -116,12 +116,35 @@ std::string friction_text(const Friction& f) {
   return s;
 }
 
+std::string fraction(int divisor) {
+  switch (divisor) {
+    case 1:
+      return "";
+    case 4:
+      return "a fourth of ";
+    case 10:
+      return "a tenth of ";
+    case 20:
+      return "a twentieth of ";
+    case 50:
+      return "a fiftieth of ";
+    case 60:
+      return "a sixtieth of ";
+    case 75:
+      return "a seventy-fifth of ";
+    case 100:
+      return "a hundredth of ";
+  }
+  return fmt::format("1/{} of ", divisor);
+}
+
 std::string step_text(const Case& c) {
   const Dynamics& d = c.dynamics;
   if (d.step > 0) return fmt::format("steps of {:g} s", d.step);
   if (d.max_step > 0) return fmt::format("automatic steps of at most {:g} s", d.max_step);
   const LongestStep longest = longest_step(c);
-  return fmt::format("automatic steps of at most {:.3g} s ({})", longest.length, longest.reason);
+  return fmt::format("automatic steps of at most {:.3g} s ({})", longest.length,
+                     fraction(longest.divisor) + longest.subject);
 }
 
 void describe_sea(const Case& c, std::string& s) {

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kResolution = 1e-3;  // of the radii: places on bent lines nearer in distance are one
-constexpr size_t kAxis = 13;          // doubles of an element on its way to other ranks
 
 }  // namespace
 
@@ -72,23 +71,8 @@ Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
 
 // Of all ranks: a step of a line costs far more than to send where it is.
 Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
-  const int size = ranks_of(comm_);
-  if (size == 1) return own;
-  std::vector<double> mine;
-  for (const Shaped& s : own.elements) {
-    mine.push_back(s.element);
-    for (const Vec3& p : s.axis.b) mine.insert(mine.end(), p.begin(), p.end());
-  }
-  const std::vector<double> all = gather_all(comm_, mine);
-  std::vector<Shaped> elements;
-  for (size_t i = 0; i < all.size(); i += kAxis) {
-    Shaped s;
-    s.element = static_cast<int>(all[i]);
-    const Element& e = mesh_.mesh->elements[s.element];
-    s.radius = 0.5 * case_.line_types[e.type].contact_diameter;
-    for (size_t k = 0; k < 4; ++k) s.axis.b[k] = Eigen::Map<const Vec3>(all.data() + i + 1 + 3 * k);
-    elements.push_back(s);
-  }
+  if (ranks_of(comm_) == 1) return own;
+  std::vector<Shaped> elements = gather_all(comm_, own.elements);
   std::sort(elements.begin(), elements.end(),
             [](const Shaped& a, const Shaped& b) { return a.element < b.element; });
   return Tree(std::move(elements));
@@ -185,11 +169,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
 void Clearances::rows(const Snapshot& s, Rows& to) {
   const auto& wanted = case_.output.clearances;
   if (wanted.empty()) return;
-  std::vector<double> values, numbers;
-  const auto add = [&](const Best& b) {
-    values.push_back(b.clearance);
-    numbers.insert(numbers.end(), {b.arc, b.there.x(), b.there.y(), b.there.z()});
-  };
+  std::vector<Best> nearest;
   std::map<int, Tree> here, everywhere;  // of lines, of this rank and of all; each is made once
   const auto tree_of = [&](int line) -> const Tree& {
     const auto [t, fresh] = here.try_emplace(line);
@@ -202,27 +182,27 @@ void Clearances::rows(const Snapshot& s, Rows& to) {
     if (w.volume.empty()) {
       const int other = case_.line_index(w.other_line);
       if (!everywhere.count(other)) everywhere[other] = of_all_ranks(tree_of(other));
-      add(to_line(tree_of(line), everywhere[other]));
+      nearest.push_back(to_line(tree_of(line), everywhere[other]));
       continue;
     }
     size_t v = 0;
     while (case_.volumes[v].name != w.volume) ++v;
     const int body = case_.body_index(case_.volumes[v].body);
-    add(to_volume(tree_of(line).elements, *surfaces_[v], body < 0 ? io::BodyPose{} : s.poses()[body],
-                  cache_[k]));
+    const io::BodyPose pose = body < 0 ? io::BodyPose{} : s.poses()[body];
+    nearest.push_back(to_volume(tree_of(line).elements, *surfaces_[v], pose, cache_[k]));
   }
-  smallest_of_ranks(comm_, values, numbers);
+  largest_of_ranks(comm_, nearest, [](const Best& b) { return -b.clearance; });
   const int rank = rank_of(comm_);
-  for (size_t k = 0; k < values.size(); ++k) {
+  for (size_t k = 0; k < nearest.size(); ++k) {
     if (rank != 0) {
       to.add({});
       continue;
     }
-    const double* n = numbers.data() + 4 * k;
-    std::vector<double> row{values[k], n[0], n[1]};
-    if (!wanted[k].volume.empty()) row.insert(row.end(), {n[2], n[3]});
+    const Best& n = nearest[k];
+    std::vector<double> row{n.clearance, n.arc, n.there.x()};
+    if (!wanted[k].volume.empty()) row.insert(row.end(), {n.there.y(), n.there.z()});
     // Nothing of the volume looks that way.
-    if (!std::isfinite(values[k])) std::fill(row.begin(), row.end(), std::nan(""));
+    if (!std::isfinite(n.clearance)) std::fill(row.begin(), row.end(), std::nan(""));
     to.add(std::move(row));
   }
 }

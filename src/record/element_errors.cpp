@@ -27,7 +27,6 @@ constexpr double kRecommendedInside = 0.37;
 double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
 constexpr double kRecommendedAtEnd = 2.1;
 
-constexpr size_t kNumbers = 7;  // of a node, that ranks exchange
 constexpr int kNodesTag = 76;
 
 }  // namespace
@@ -69,28 +68,21 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& at, const Valu
 // Fills in what other ranks have of the nodes of cut_, in the order of both.
 void ElementErrors::exchange(const Kinematics& at, const Values& values,
                              std::vector<At>& of_cut_lines) const {
-  std::vector<std::vector<double>> out(sharers_.size()), in(sharers_.size());
+  const MessageType<At> type;
+  std::vector<std::vector<At>> out(sharers_.size()), in(sharers_.size());
   std::vector<MPI_Request> requests(2 * sharers_.size());
   for (size_t i = 0; i < sharers_.size(); ++i) {
     const Sharer& s = sharers_[i];
-    for (const int n : s.send) {
-      const At a = node(static_cast<size_t>(n), at, values);
-      out[i].insert(out[i].end(),
-                    {a.x.x(), a.x.y(), a.x.z(), a.tension, a.moment, a.pressed, a.carried ? 1.0 : 0.0});
-    }
-    in[i].resize(kNumbers * s.receive.size());
-    MPI_Irecv(in[i].data(), static_cast<int>(in[i].size()), MPI_DOUBLE, s.rank, kNodesTag, comm_,
-              &requests[2 * i]);
-    MPI_Isend(out[i].data(), static_cast<int>(out[i].size()), MPI_DOUBLE, s.rank, kNodesTag, comm_,
+    for (const int n : s.send) out[i].push_back(node(static_cast<size_t>(n), at, values));
+    in[i].resize(s.receive.size());
+    MPI_Irecv(in[i].data(), static_cast<int>(in[i].size()), type, s.rank, kNodesTag, comm_, &requests[2 * i]);
+    MPI_Isend(out[i].data(), static_cast<int>(out[i].size()), type, s.rank, kNodesTag, comm_,
               &requests[2 * i + 1]);
   }
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
   for (size_t i = 0; i < sharers_.size(); ++i) {
-    const double* v = in[i].data();
-    for (const size_t place : sharers_[i].receive) {
-      of_cut_lines[place] = {Vec3(v), v[3], v[4], v[5], v[6] > 0};
-      v += kNumbers;
-    }
+    const std::vector<size_t>& places = sharers_[i].receive;
+    for (size_t k = 0; k < places.size(); ++k) of_cut_lines[places[k]] = in[i][k];
   }
 }
 

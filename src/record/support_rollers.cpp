@@ -30,14 +30,17 @@ double on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
 std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                                const Kinematics& at, const std::vector<RigidPose>& poses) {
   const double far = std::numeric_limits<double>::max();
-  std::vector<double> nearest, numbers;
+  struct Nearest {
+    double distance;  // m, from the middle of the box
+    SupportCrossing at;
+  };
+  std::vector<Nearest> nearest;
   for (size_t k = 0; k < c.supports.size(); ++k) {
     const model::SupportBox& b = c.supports[k];
     const int body = c.body_index(b.body), line = c.line_index(b.line);
     const RigidPose pose = body < 0 ? RigidPose{} : poses[body];
     const Vec3 place = pose.to_space(b.at), along = pose.rotation * b.along;
-    double best = far;
-    SupportCrossing found;
+    Nearest best{far, {}};
     for (const LocalElement& e : mesh.elements) {
       const Element& g = mesh.element(e);
       if (!e.counted || g.line != line) continue;
@@ -46,18 +49,16 @@ std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case&
       const AxisShape shape(element_axis(at, g, e.first, e.second));
       const double xi = on_plane(shape, place, along);
       const Vec3 x = shape.point(xi) - place;
-      if (!(x.norm() < best)) continue;
-      best = x.norm();
-      found = {true, x.dot(pose.rotation * b.left()), x.dot(pose.rotation * b.up),
-               mesh.mesh->nodes[g.first].arc + xi * g.length};
+      if (!(x.norm() < best.distance)) continue;
+      best = {x.norm(),
+              {true, x.dot(pose.rotation * b.left()), x.dot(pose.rotation * b.up),
+               mesh.mesh->nodes[g.first].arc + xi * g.length}};
     }
     nearest.push_back(best);
-    numbers.insert(numbers.end(), {found.offset, found.height, found.arc});
   }
-  smallest_of_ranks(comm, nearest, numbers);
+  largest_of_ranks(comm, nearest, [](const Nearest& n) { return -n.distance; });
   std::vector<SupportCrossing> out;
-  for (size_t k = 0; k < nearest.size(); ++k)
-    out.push_back({nearest[k] < far, numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]});
+  for (const Nearest& n : nearest) out.push_back(n.at);
   return out;
 }
 

@@ -90,36 +90,30 @@ Touchdowns::Changes Touchdowns::changes(const std::vector<double>& gap) const {
 std::vector<Touchdowns::Surrounding> Touchdowns::surroundings(const Changes& changes,
                                                               const std::vector<double>& gap,
                                                               const Kinematics& at) const {
-  constexpr size_t kNumbers = 5;  // gap, slope, position
-  constexpr int kNodes = Surrounding::kNodes;
-  const size_t count = changes.element.size();
-  std::vector<double> rows(count * kNodes * kNumbers, 0);
-  const auto row = [&](size_t k, int i) {
-    return rows.data() + kNumbers * (kNodes * k + static_cast<size_t>(i));
+  struct Sent {
+    size_t change;
+    int node;  // of its surrounding
+    Gap gap;
   };
-  for (size_t k = 0; k < count; ++k) {
+  std::vector<Sent> of_cut_lines;
+  std::vector<Surrounding> out(changes.element.size());
+  for (size_t k = 0; k < out.size(); ++k) {
     if (changes.element[k] == Changes::kNone) continue;
     const Element& e = local_.mesh->elements[std::abs(changes.element[k])];
     const LineSpan& span = local_.mesh->lines[e.line];
-    for (int i = 0; i < kNodes; ++i) {
+    for (int i = 0; i < Surrounding::kNodes; ++i) {
       const int global = e.first + Surrounding::kFirst + i;
       if (global < span.first_node || global >= span.first_node + span.nodes) continue;
       const int n = local_.find(global);
       if (!local_.owns(n)) continue;
       const size_t node = n;
-      const Vec3& x = at.x[node];
       const double slope = local_.rotates(n) ? above(node, at).normal.dot(at.q[node] * Vec3::UnitX()) : 0;
-      const double values[] = {gap[node], slope, x.x(), x.y(), x.z()};
-      std::copy(std::begin(values), std::end(values), row(k, i));
+      out[k].gap[i] = {gap[node], slope, at.x[node]};
+      if (k < 2 * cut_) of_cut_lines.push_back({k, i, out[k].gap[i]});
     }
   }
-  join(MPI_SUM, rows, 2 * kNodes * kNumbers);
-  std::vector<Surrounding> out(count);
-  for (size_t k = 0; k < count; ++k)
-    for (int i = 0; i < kNodes; ++i) {
-      const double* v = row(k, i);
-      out[k].gap[i] = {v[0], v[1], Vec3(v[2], v[3], v[4])};
-    }
+  if (cut_ == 0) return out;
+  for (const Sent& s : gather_all(comm_, of_cut_lines)) out[s.change].gap[s.node] = s.gap;
   return out;
 }
 
@@ -174,30 +168,11 @@ std::vector<Touchdown> Touchdowns::find(const Kinematics& at) const {
 }
 
 std::vector<Touchdown> Touchdowns::of_all_lines(const Kinematics& at) const {
-  constexpr size_t kPoint = 5;  // numbers: whether there is one, arc length, position
-  std::vector<double> all(local_.mesh->lines.size() * (2 * kPoint + 1), 0);
-  for (const Touchdown& t : find(at)) {
-    if (!owns_line(local_, t.line)) continue;
-    double* to = all.data() + static_cast<size_t>(t.line) * (2 * kPoint + 1);
-    for (const auto& p : {t.from_a, t.from_b}) {
-      if (p) {
-        to[0] = 1;
-        to[1] = p->arc;
-        std::copy(p->position.begin(), p->position.end(), to + 2);
-      }
-      to += kPoint;
-    }
-    *to = t.laid;
-  }
-  all_reduce(comm_, MPI_SUM, all);
-  std::vector<Touchdown> out;
-  for (const double* from = all.data(); from != all.data() + all.size(); from += 2 * kPoint + 1) {
-    Touchdown& t = out.emplace_back();
-    t.line = static_cast<int>(out.size()) - 1;
-    if (from[0] > 0) t.from_a = {from[1], Vec3(from + 2)};
-    if (from[kPoint] > 0) t.from_b = {from[kPoint + 1], Vec3(from + kPoint + 2)};
-    t.laid = from[2 * kPoint];
-  }
+  std::vector<Touchdown> mine = find(at);
+  std::erase_if(mine, [this](const Touchdown& t) { return !owns_line(local_, t.line); });
+  std::vector<Touchdown> out(local_.mesh->lines.size());
+  for (size_t l = 0; l < out.size(); ++l) out[l].line = static_cast<int>(l);  // also without a seabed
+  for (const Touchdown& t : gather_all(comm_, mine)) out[t.line] = t;
   return out;
 }
 

@@ -24,6 +24,7 @@
 #include "hawser/run/hull_check.hpp"
 #include "hawser/run/node_owners.hpp"
 #include "hawser/run/progress.hpp"
+#include "hawser/run/radiation.hpp"
 #include "hawser/run/restart.hpp"
 #include "hawser/run/run_parts.hpp"
 #include "hawser/run/start_contact.hpp"
@@ -97,19 +98,21 @@ TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
 
 }  // namespace
 
-int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial,
-               const std::vector<std::string>& changes, bool verbose) {
-  const int rank = rank_of(comm);
-  if (ranks == 0) MPI_Comm_size(comm, &ranks);
+int check_case(MPI_Comm comm, const CheckOptions& options) {
+  const int rank = rank_of(comm), ranks = options.ranks > 0 ? options.ranks : ranks_of(comm);
   Progress progress(rank == 0);
-  model::Case c = io::read_case(case_path, read_progress(progress), comm, changes);
+  model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
+  if (!options.radiation.empty()) {
+    progress.end();
+    write_radiation(comm, c, options.radiation);
+  }
   const std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
   set_hydrostatics(c, volumes);
   if (rank != 0) return 0;
   progress.end();
   const double begun = cpu_time();
   bool met = true;
-  if (trial) try {
+  if (options.trial) try {
       c = with_targets_met(MPI_COMM_SELF, c, volumes, progress, "", [begun] {
         if (cpu_time() - begun > kTrial) throw TrialOver();
       });
@@ -131,7 +134,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
   const double imbalance = print_partition(c, mesh, bodies, ranks);
   memory.shared = peak_memory();
   Simulation sim(MPI_COMM_SELF, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
-  if (verbose)
+  if (options.verbose)
     for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
   fmt::print("{}\n", advice::case_is_valid(starts_outside));
   std::fflush(stdout);
@@ -139,7 +142,7 @@ int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool tria
                             nullptr, false, false);
   TrialRun tried;
   double checkpoint = planned_numbers(sim, recorder);
-  if (trial) {
+  if (options.trial) {
     tried = print_trial(sim, c, std::max(kTrial - searched, kLeast));
     memory.measured = peak_memory();
     fmt::print("{}\n", memory_sentence(memory, imbalance / ranks));

@@ -38,12 +38,10 @@ std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case&
   settings.excluded = excluded_pairs(c);
   LineCandidates candidates(comm, part, std::move(radius), std::move(settings));
   candidates.update(shape.state.view(0), 0);
-  std::vector<int> mine;
+  std::vector<std::pair<int, int>> mine;
   for (const auto& [a, b] : candidates.elements())
-    if (mesh.elements[a].line != mesh.elements[b].line) mine.insert(mine.end(), {a, b});
-  const std::vector<int> all = gather_all(comm, mine);
-  std::vector<std::pair<int, int>> out;
-  for (size_t i = 0; i < all.size(); i += 2) out.emplace_back(all[i], all[i + 1]);
+    if (mesh.elements[a].line != mesh.elements[b].line) mine.emplace_back(a, b);
+  std::vector<std::pair<int, int>> out = gather_all(comm, mine);
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());  // of two ranks: both have found it
   return out;

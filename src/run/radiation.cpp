@@ -13,7 +13,6 @@
 #include "hawser/advice/output_files.hpp"
 #include "hawser/base/error.hpp"
 #include "hawser/base/gather.hpp"
-#include "hawser/io/case_reader.hpp"
 #include "hawser/io/write_error.hpp"
 #include "hawser/model/platform.hpp"
 #include "hawser/model/platform_memory.hpp"
@@ -65,9 +64,7 @@ std::string table(const model::Case& c, const std::vector<int>& bodies) {
 
 }  // namespace
 
-void write_radiation(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes,
-                     const std::string& path) {
-  const model::Case c = io::read_case(case_path, {}, comm, changes);
+void write_radiation(MPI_Comm comm, const model::Case& c, const std::string& path) {
   const std::vector<std::vector<int>> groups = model::radiating_groups(c);
   if (groups.empty()) throw InputError(advice::no_coefficients(c));
   const std::filesystem::path wanted = std::filesystem::absolute(path);

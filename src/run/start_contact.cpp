@@ -39,15 +39,8 @@ double clearance(const model::Case& c, const model::Line& line, bool b, double r
 std::vector<Inside> all_inside(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                const Kinematics& at, const Bodies& bodies, const Feeders* feeders,
                                const std::vector<ContactVolume>& volumes) {
-  std::vector<double> mine;
-  for (const Inside& s : inside_volumes(mesh, at, bodies, volumes, radii(c, mesh), feeders))
-    mine.insert(mine.end(), {static_cast<double>(s.line), static_cast<double>(s.volume), s.from, s.to,
-                             s.depth, s.at, s.place.x(), s.place.y(), s.place.z(), s.rise_from, s.rise_to});
-  const std::vector<double> all = gather_all(comm, mine);
-  std::vector<Inside> out;
-  for (auto v = all.begin(); v != all.end(); v += 11)
-    out.push_back({static_cast<int>(v[0]), static_cast<int>(v[1]), v[2], v[3], v[4], v[5],
-                   Vec3(v[6], v[7], v[8]), v[9], v[10]});
+  std::vector<Inside> out =
+      gather_all(comm, inside_volumes(mesh, at, bodies, volumes, radii(c, mesh), feeders));
   join(out, *mesh.mesh);
   return out;
 }
@@ -133,6 +126,20 @@ struct Chord {
   Vec3 at(double share) const { return a + share * (b - a); }
 };
 
+// Of each line and volume the node nearest to the volume, of equal ones the first from end A; sorted by line
+// and volume.
+std::vector<OnWrongSide> nearest_nodes(const std::vector<OnWrongSide>& of) {
+  std::map<std::pair<int, int>, OnWrongSide> nearest;
+  for (const OnWrongSide& p : of) {
+    const auto [best, fresh] = nearest.try_emplace({p.line, p.volume}, p);
+    if (!fresh && std::pair(p.distance, p.at) < std::pair(best->second.distance, best->second.at))
+      best->second = p;
+  }
+  std::vector<OnWrongSide> out;
+  for (const auto& [key, p] : nearest) out.push_back(p);
+  return out;
+}
+
 // Lines on the wrong side of a volume: the straight line between their ends passes it on the other side; and
 // under one of the body that carries an end which is above it. A line goes off its own hull on any side.
 void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
@@ -163,38 +170,21 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
     if (!(top > x.z())) return {};
     return Vec3(x.x(), x.y(), top);
   };
-  std::map<std::pair<int, int>, std::vector<double>> nearest;
-  const auto keep = [&nearest](int line, int volume, const std::vector<double>& row) {
-    auto& best = nearest[{line, volume}];
-    if (best.empty() || std::pair(row[3], row[2]) < std::pair(best[3], best[2])) best = row;
-  };
-  for (const OnWrongSide& p : nodes_on_wrong_side(mesh, at, bodies, volumes, expected_place))
-    keep(p.line, p.volume,
-         {static_cast<double>(p.line), static_cast<double>(p.volume), p.at, p.distance, p.place.x(),
-          p.place.y(), p.place.z()});
-  std::vector<double> mine;
-  for (const auto& [key, row] : nearest) mine.insert(mine.end(), row.begin(), row.end());
-  nearest.clear();
-  const std::vector<double> all = gather_all(comm, mine);
-  for (size_t i = 0; i + 6 < all.size(); i += 7)
-    keep(static_cast<int>(all[i]), static_cast<int>(all[i + 1]),
-         {all.begin() + static_cast<long>(i), all.begin() + static_cast<long>(i) + 7});
   std::vector<std::string> warnings;
-  for (const auto& [key, row] : nearest) {
-    const auto& [l, v] = key;
+  const std::vector<OnWrongSide> here = nodes_on_wrong_side(mesh, at, bodies, volumes, expected_place);
+  for (const OnWrongSide& p : nearest_nodes(gather_all(comm, nearest_nodes(here)))) {
+    const int l = p.line, v = p.volume;
     const model::Line& line = c.lines[l];
     const model::Volume& volume = volumes[v].settings;
     // Of what is inside the other sentences tell.
-    const auto there = [&, line_of = l, volume_of = v](const Inside& s) {
-      return s.line == line_of && s.volume == volume_of;
-    };
+    const auto there = [&](const Inside& s) { return s.line == l && s.volume == v; };
     if (std::any_of(inside.begin(), inside.end(), there)) continue;
     const size_t n = l;
     const bool own_a = own(line.end_a, static_cast<size_t>(v)),
                own_b = own(line.end_b, static_cast<size_t>(v));
-    const bool under = own_a || own_b || chords[n].at(share_of(n, row[2])).z() >= row[6];
-    warnings.push_back(advice::passes_volume(
-        line, volume.name, {under, row[3], row[2], Vec3(row[4], row[5], row[6]), own_a, own_b}));
+    const bool under = own_a || own_b || chords[n].at(share_of(n, p.at)).z() >= p.place.z();
+    warnings.push_back(
+        advice::passes_volume(line, volume.name, {under, p.distance, p.at, p.place, own_a, own_b}));
   }
   shorten(warnings, advice::more_lines_on_wrong_side);
   start.warnings.insert(start.warnings.end(), warnings.begin(), warnings.end());

@@ -6,6 +6,7 @@
 #include <array>
 #include <map>
 #include <numeric>
+#include <utility>
 
 #include "hawser/base/gather.hpp"
 
@@ -183,22 +184,21 @@ void bring(PetscSF sf, int each, const std::vector<double>& leaves, std::vector<
   check(PetscSFReduceEnd(sf, row, leaves.data(), roots.data(), MPI_REPLACE));
 }
 
-}  // namespace
+// The star forest from blocks of a layout to their copies as ghosts. Collective.
+SfHandle ghost_forest(MPI_Comm comm, PetscLayout layout, const LocalRows& local) {
+  SfHandle sf;
+  check(PetscSFCreate(comm, sf.out()));
+  check(PetscSFSetGraphLayout(sf.get(), layout, local.others, nullptr, PETSC_COPY_VALUES, local.ghosts));
+  return sf;
+}
 
-InterfaceParts::InterfaceParts(Mat A) {
-  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(A));
-  const LocalRows local(A);
-  PetscLayout layout = nullptr;
-  check(PetscLayoutCreateFromSizes(comm, local.owned, PETSC_DETERMINE, 1, &layout));
-  const Handle<PetscLayout, PetscLayoutDestroy> of_blocks(layout);
-  SfHandle blocks;
-  check(PetscSFCreate(comm, blocks.out()));
-  check(PetscSFSetGraphLayout(blocks.get(), layout, local.others, nullptr, PETSC_COPY_VALUES, local.ghosts));
-  const Blocks label = labels(comm, local, blocks.get());
-
+// What this rank has of each part, by label. blocks: ghost_forest(). Collective.
+std::map<PetscInt, InterfacePart> find_parts(MPI_Comm comm, PetscLayout layout, const LocalRows& local,
+                                             PetscSF blocks) {
+  const Blocks label = labels(comm, local, blocks);
   const PetscInt* copies = nullptr;
-  check(PetscSFComputeDegreeBegin(blocks.get(), &copies));
-  check(PetscSFComputeDegreeEnd(blocks.get(), &copies));
+  check(PetscSFComputeDegreeBegin(blocks, &copies));
+  check(PetscSFComputeDegreeEnd(blocks, &copies));
   std::map<PetscInt, InterfacePart> found;
   for (PetscInt i = 0; i < local.owned; ++i)
     if (copies[i] > 0) found[label[i]];
@@ -210,77 +210,132 @@ InterfaceParts::InterfaceParts(Mat A) {
     if (copies[i] > 0) part->second.shared.push_back(static_cast<int>(part->second.rows.size()));
     part->second.rows.push_back(static_cast<int>(i));
   }
+  for (auto& [name, part] : found) check(PetscLayoutFindOwner(layout, name, &part.solver));
+  return found;
+}
 
-  // The rank that solves a part gives its blocks their places, in the order of their numbers.
-  std::map<int, Blocks> asked;
-  std::map<int, std::vector<Place>> places;
-  std::vector<PetscMPIInt> solver;
-  for (const auto& [name, part] : found) {
-    check(PetscLayoutFindOwner(layout, name, &solver.emplace_back()));
-    if (part.shared.empty()) continue;
-    Blocks& list = asked[solver.back()];
-    list.insert(list.end(), {name, static_cast<PetscInt>(part.shared.size())});
-    for (const int k : part.shared) list.push_back(local.first + part.rows[static_cast<size_t>(k)]);
-    std::vector<Place>& room = places[solver.back()];
-    room.resize(room.size() + part.shared.size());
+// The parts that this rank solves, one after another in the order of their labels; their blocks in the order
+// of their numbers.
+class SolvedParts {
+ public:
+  // asked: by rank, see Questions.
+  explicit SolvedParts(const std::map<int, Blocks>& asked) {
+    for (const auto& [rank, list] : asked)
+      for_each_asked(list, [&](PetscInt name, PetscInt block) { parts_[name].blocks.push_back(block); });
+    for (auto& [name, part] : parts_) {
+      std::sort(part.blocks.begin(), part.blocks.end());
+      const auto size = static_cast<PetscInt>(part.blocks.size());
+      part.first = {unknowns, unknowns, size, entries};
+      unknowns += size;
+      entries += size * size;
+      sizes.push_back(static_cast<int>(size));
+    }
   }
-  PetscMPIInt tag = 0;
-  check(PetscObjectGetNewTag(reinterpret_cast<PetscObject>(A), &tag));
-  const Questions questions(comm, tag, asked);
-  std::map<PetscInt, Blocks> whole;
-  for (const auto& [rank, list] : questions.received())
-    for_each_asked(list, [&](PetscInt name, PetscInt block) { whole[name].push_back(block); });
-  std::map<PetscInt, Place> first_of;
-  PetscInt unknowns = 0, entries = 0;
-  for (auto& [name, list] : whole) {
-    std::sort(list.begin(), list.end());
-    const auto size = static_cast<PetscInt>(list.size());
-    first_of[name] = {unknowns, unknowns, size, entries};
-    unknowns += size;
-    entries += size * size;
-    solved_.push_back(static_cast<int>(size));
-    largest_ = std::max(largest_, 3 * static_cast<int>(size));
+  Place place(PetscInt name, PetscInt block) const {
+    const auto& [all, first] = parts_.at(name);
+    Place out = first;
+    out.at += static_cast<PetscInt>(std::lower_bound(all.begin(), all.end(), block) - all.begin());
+    return out;
   }
-  all_reduce(comm, MPI_MAX, largest_);
-  std::map<int, std::vector<Place>> answers;
+  PetscInt unknowns = 0, entries = 0;  // blocks of all parts, and of their matrices
+  std::vector<int> sizes;              // blocks of each
+
+ private:
+  struct Part {
+    Blocks blocks;
+    Place first;
+  };
+  std::map<PetscInt, Part> parts_;
+};
+
+// The place of each shared block, from the rank that solves its part. Collective.
+std::vector<Place> places_of_shared(const LocalRows& local, const std::map<PetscInt, InterfacePart>& found,
+                                    const Questions& questions, const SolvedParts& solved) {
+  std::map<int, std::vector<Place>> answers, places;
   for (const auto& [rank, list] : questions.received())
-    for_each_asked(list, [&](PetscInt name, PetscInt block) {
-      const Blocks& all = whole[name];
-      Place place = first_of[name];
-      place.at += static_cast<PetscInt>(std::lower_bound(all.begin(), all.end(), block) - all.begin());
-      answers[rank].push_back(place);
-    });
+    for_each_asked(
+        list, [&](PetscInt name, PetscInt block) { answers[rank].push_back(solved.place(name, block)); });
+  std::map<int, std::vector<int>> rows;  // own blocks that each rank was asked about
+  for (const auto& [name, part] : found)
+    for (const int k : part.shared) rows[part.solver].push_back(part.rows[k]);
+  for (const auto& [rank, blocks] : rows) places[rank].resize(blocks.size());
   questions.answer(answers, places);
+  std::vector<Place> out(static_cast<size_t>(local.owned));
+  for (const auto& [rank, blocks] : rows)
+    for (size_t k = 0; k < blocks.size(); ++k) out[blocks[k]] = places[rank][k];
+  return out;
+}
 
-  // Ghosts have the places that their owners know.
-  std::vector<Place> own(static_cast<size_t>(local.owned)), ghost(static_cast<size_t>(local.others));
-  std::map<int, size_t> next;
-  size_t p = 0;
+// What to ask the ranks that solve the parts, see Questions.
+std::map<int, Blocks> questions_on(const LocalRows& local, const std::map<PetscInt, InterfacePart>& found) {
+  std::map<int, Blocks> out;
   for (const auto& [name, part] : found) {
-    for (const int k : part.shared) own[part.rows[k]] = places[solver[p]][next[solver[p]]++];
-    ++p;
+    if (part.shared.empty()) continue;
+    Blocks& list = out[part.solver];
+    list.insert(list.end(), {name, static_cast<PetscInt>(part.shared.size())});
+    for (const int k : part.shared) list.push_back(local.first + part.rows[k]);
   }
-  const Row place(kPlace, MPIU_INT);
-  check(PetscSFBcastBegin(blocks.get(), place, own.data(), ghost.data(), MPI_REPLACE));
-  check(PetscSFBcastEnd(blocks.get(), place, own.data(), ghost.data(), MPI_REPLACE));
+  return out;
+}
 
+// Ghosts have the places that their owners know.
+std::vector<Place> places_of_ghosts(const LocalRows& local, PetscSF blocks, const std::vector<Place>& own) {
+  std::vector<Place> out(static_cast<size_t>(local.others));
+  const Row place(kPlace, MPIU_INT);
+  check(PetscSFBcastBegin(blocks, place, own.data(), out.data(), MPI_REPLACE));
+  check(PetscSFBcastEnd(blocks, place, own.data(), out.data(), MPI_REPLACE));
+  return out;
+}
+
+// From what this rank has of each part to the rank that solves it.
+struct Forests {
+  SfHandle shared, ghosts, matrices;
+};
+// own, others: places of own blocks that are shared, and of ghosts. Collective.
+Forests build_forests(MPI_Comm comm, const std::vector<InterfacePart>& parts, const std::vector<Place>& own,
+                      const std::vector<Place>& others, const SolvedParts& solved) {
   std::vector<PetscSFNode> shared, ghosts, matrices;
-  p = 0;
-  for (auto& [name, part] : found) {
-    for (const int j : part.ghosts) ghosts.push_back({solver[p], ghost[j].at});
+  for (const InterfacePart& part : parts) {
+    for (const int j : part.ghosts) ghosts.push_back({part.solver, others[j].at});
     for (const int k : part.shared) {
       const Place& row = own[part.rows[k]];
-      shared.push_back({solver[p], row.at});
-      for (const int j : part.ghosts)
-        matrices.push_back(
-            {solver[p], row.matrix + (row.at - row.first) * row.size + (ghost[j].at - ghost[j].first)});
+      shared.push_back({part.solver, row.at});
+      for (const int j : part.ghosts) {
+        const PetscInt column = others[j].at - others[j].first;
+        matrices.push_back({part.solver, row.matrix + (row.at - row.first) * row.size + column});
+      }
     }
-    parts_.push_back(std::move(part));
-    ++p;
   }
-  shared_ = forest(comm, unknowns, shared);
-  ghosts_ = forest(comm, unknowns, ghosts);
-  matrices_ = forest(comm, entries, matrices);
+  return {forest(comm, solved.unknowns, shared), forest(comm, solved.unknowns, ghosts),
+          forest(comm, solved.entries, matrices)};
+}
+
+}  // namespace
+
+InterfaceParts::InterfaceParts(Mat A) {
+  const MPI_Comm comm = PetscObjectComm(reinterpret_cast<PetscObject>(A));
+  const LocalRows local(A);
+  PetscLayout layout = nullptr;
+  check(PetscLayoutCreateFromSizes(comm, local.owned, PETSC_DETERMINE, 1, &layout));
+  const Handle<PetscLayout, PetscLayoutDestroy> of_blocks(layout);
+  const SfHandle blocks = ghost_forest(comm, layout, local);
+  std::map<PetscInt, InterfacePart> found = find_parts(comm, layout, local, blocks.get());
+
+  PetscMPIInt tag = 0;
+  check(PetscObjectGetNewTag(reinterpret_cast<PetscObject>(A), &tag));
+  const Questions questions(comm, tag, questions_on(local, found));
+  const SolvedParts solved(questions.received());
+  const std::vector<Place> own = places_of_shared(local, found, questions, solved);
+  const std::vector<Place> ghosts = places_of_ghosts(local, blocks.get(), own);
+
+  solved_ = solved.sizes;
+  for (const int size : solved_) largest_ = std::max(largest_, 3 * size);
+  all_reduce(comm, MPI_MAX, largest_);
+  for (auto& [name, part] : found) parts_.push_back(std::move(part));
+  Forests forests = build_forests(comm, parts_, own, ghosts, solved);
+  shared_ = std::move(forests.shared);
+  ghosts_ = std::move(forests.ghosts);
+  matrices_ = std::move(forests.matrices);
 }
 
 void InterfaceParts::bring_shared(const std::vector<double>& shared, std::vector<double>& solved) const {

@@ -68,11 +68,7 @@ bool ContactVolumes::recouple(const Kinematics& committed, double h, double thic
     }
   }
   if (!on_any_rank(comm_, missing)) return false;
-  std::vector<int> mine;
-  for (const auto& met : wide) mine.insert(mine.end(), met.begin(), met.end());
-  const std::vector<int> all = gather_all(comm_, mine);
-  near_.clear();
-  for (size_t i = 0; i + 2 < all.size(); i += 3) near_.push_back({all[i], all[i + 1], all[i + 2]});
+  near_ = gather_all(comm_, wide);
   std::sort(near_.begin(), near_.end());
   near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
   return true;

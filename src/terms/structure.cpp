@@ -12,12 +12,12 @@
 namespace hawser {
 namespace {
 
-// State at the start of a step of length `step`. In a shorter step than the last one the last stretch is
-// scaled by step/last. In a longer step it is not scaled up, because the energy that the filter holds may
-// only fall.
-CableStart started(const StructureTerm::Cable& c, double step, double last) {
+// State at the start of a step of length h. Where h is shorter than the step before, the strain's increment
+// of that step is scaled by h/previous_h. In a longer step it is not scaled up, because the energy that the
+// filter holds may only fall.
+CableStart started(const StructureTerm::Cable& c, double h, double previous_h) {
   CableStart s = c.start;
-  if (step < last) s.stretch *= step / last;
+  if (h < previous_h) s.strain_increment *= h / previous_h;
   return s;
 }
 
@@ -135,7 +135,7 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
       CableTension o;
       const CableEnds e = ends(c, trial);
       if (in_step) {
-        cable_mean_tension(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
+        cable_mean_force(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2, o);
         assembler.add_mean_between(c.blocks[0], c.blocks[1], o.force, &o.k);
         continue;
       }
@@ -152,9 +152,9 @@ void StructureTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
   for (const Cable& c : cables_) {
     const CableEnds e = ends(c, trial);
-    const Vec3 pull =
-        in_step ? cable_mean_tension(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
-                : cable_tension(c.section, e);
+    const Vec3 pull = in_step
+                          ? cable_mean_force(c.section, started(c, trial.step, last_step_), step, e.x1, e.x2)
+                          : cable_tension(c.section, e);
     // Outside a step `pull` is no mean. With the weight of 1 it enters the residual unchanged; it also enters
     // mean_forces(), from which the motion starts.
     assembler.add_mean_between(c.blocks[0], c.blocks[1], pull, nullptr);
@@ -313,7 +313,7 @@ void StructureTerm::prepare(const Kinematics& committed, double h) {
   last_step_ = committed.step;
   for (Cable& c : cables_) {
     const CableEnds e = ends(c, committed);
-    c.start = cable_start(c.section, e.x1, e.x2, c.start.stretch, last_step_);
+    c.start = cable_start(c.section, e.x1, e.x2, c.start.strain_increment, last_step_);
   }
 }
 
@@ -324,7 +324,7 @@ void StructureTerm::commit(const Kinematics& accepted) {
     for (Cable& c : cables_) {
       const CableEnds e = ends(c, accepted);
       const CableLoss lost = cable_loss(c.section, started(c, accepted.step, last_step_), step, e.x1, e.x2);
-      c.start.stretch = lost.stretch;
+      c.start.strain_increment = lost.strain_increment;
       if (c.at.counted) {
         damping_ += lost.damped;
         filtered_ += lost.filtered;

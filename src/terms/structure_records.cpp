@@ -56,8 +56,9 @@ std::vector<CheckpointRecord> StructureTerm::records(NodeRange of) const {
     out.push_back(record_of(mesh_.global[0], 0, Sums{std::max(power_, 0.0), damping_, filtered_}, kSums));
   for (const Cable& c : cables_)
     for (const int n : {c.at.first, c.at.second})
-      if (wanted(n) && c.start.stretch != 0)
-        out.push_back(record_of(mesh_.global[n], c.at.global, Stretched{c.start.stretch}, kStretched));
+      if (wanted(n) && c.start.strain_increment != 0)
+        out.push_back(
+            record_of(mesh_.global[n], c.at.global, Stretched{c.start.strain_increment}, kStretched));
   for (const Beam& b : beams_)
     for (const int n : {b.at.first, b.at.second}) {
       if (!b.reference.set || !wanted(n)) continue;
@@ -106,7 +107,7 @@ void StructureTerm::restore(const std::vector<CheckpointRecord>& records) {
   }
   for (Cable& c : cables_) {
     const auto it = stretch.find(c.at.global);
-    c.start.stretch = it == stretch.end() ? 0 : it->second;
+    c.start.strain_increment = it == stretch.end() ? 0 : it->second;
   }
 }
 

@@ -201,7 +201,7 @@ TEST(StartContact, CheckReports) {
   if (size_of(MPI_COMM_WORLD) > 1) GTEST_SKIP() << "check runs on one rank";
   const auto check = [](const std::string& path) {
     testing::internal::CaptureStdout();
-    EXPECT_EQ(run::check_case(MPI_COMM_WORLD, path, 1, false), 0);
+    EXPECT_EQ(run::check_case(MPI_COMM_WORLD, {.case_path = path, .ranks = 1, .trial = false}), 0);
     std::fflush(stdout);
     return testing::internal::GetCapturedStdout();
   };
@@ -215,9 +215,9 @@ TEST(StartContact, CheckReports) {
   const std::string fairlead = check(path);
   EXPECT_HAS(fairlead, "note: lines.mooring.end_b: starts up to ");
   EXPECT_HAS(fairlead, "the case is valid\n");
-  EXPECT_THROW(run::check_case(MPI_COMM_WORLD,
-                               bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}"), 1, false),
-               InputError);
+  run::CheckOptions inside{.ranks = 1, .trial = false};
+  inside.case_path = bollard("-1", "0.2", "statics: false\ndynamics: {duration: 1}");
+  EXPECT_THROW(run::check_case(MPI_COMM_WORLD, inside), InputError);
 }
 
 // A slack line that starts by itself hangs under the roller it was to lie on.

@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
       std::rewind(stdout);
       if (quick && ftruncate(STDOUT_FILENO, 0) != 0) throw std::runtime_error("cannot empty the file");
       if (chdir(folder.c_str()) != 0) throw std::runtime_error("no folder " + folder);
-      code = hawser::run::check_case(PETSC_COMM_WORLD, "case.yaml", 0, !quick);
+      code = hawser::run::check_case(PETSC_COMM_WORLD, {.case_path = "case.yaml", .trial = !quick});
     } catch (const hawser::InputError& e) {
       code = hawser::kExitInput;
       text = e.what();

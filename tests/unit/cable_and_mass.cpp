@@ -84,8 +84,8 @@ TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
 // before.
 TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
   const CableSection s{1.0, 300, 0.1};
-  const auto damping = [&](double length, double stretch, double last) {
-    return cable_start(s, Vec3::Zero(), Vec3(length, 0, 0), stretch, last).beta;
+  const auto damping = [&](double length, double strain_increment, double previous_h) {
+    return cable_start(s, Vec3::Zero(), Vec3(length, 0, 0), strain_increment, previous_h).beta;
   };
   EXPECT_EQ(damping(1.01, 0, 1e-3), 0.1);
   EXPECT_EQ(damping(1.01, 5e-5, 1e-3), 0.1);
@@ -96,10 +96,10 @@ TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
   const CableStart from = cable_start(s, Vec3::Zero(), Vec3(1.01, 0, 0), 0.05, 1e-3);
   const Vec3 end(1.02, 0, 0);
   const double elastic = 300 * 0.015, damper = 300 * from.beta * 0.01 / 1e-3;
-  EXPECT_NEAR(cable_mean_tension(s, from, {1e-3, 0}, Vec3::Zero(), end).x(), elastic + damper, 1e-9);
+  EXPECT_NEAR(cable_mean_force(s, from, {1e-3, 0}, Vec3::Zero(), end).x(), elastic + damper, 1e-9);
   const double rigid = 300 * 100 * 0.01;  // 0.1 s are more than a hundred steps
   const CableStart at_rest = cable_start(s, Vec3::Zero(), Vec3(1.01, 0, 0), 0, 1e-4);
-  EXPECT_NEAR(cable_mean_tension(s, at_rest, {1e-4, 0}, Vec3::Zero(), end).x(), elastic + rigid, 1e-9);
+  EXPECT_NEAR(cable_mean_force(s, at_rest, {1e-4, 0}, Vec3::Zero(), end).x(), elastic + rigid, 1e-9);
 }
 
 // Steps of a cable whose ends are thrown about, slack and taut, in steps of all lengths.
@@ -112,11 +112,14 @@ std::vector<Thrown> thrown(const CableSection& s, double filter) {
   Random r(21);
   std::vector<Thrown> out;
   Vec3 x1 = Vec3::Zero(), x2 = 0.95 * s.length * Vec3::UnitX();
-  double stretch = 0, h = 0.1;
+  double strain_increment = 0, h = 0.1;
   for (int i = 0; i < 500; ++i) {
-    const double last = h;
+    const double previous_h = h;
     h = 0.1 * std::exp(r.u(r.g));
-    Thrown t{cable_start(s, x1, x2, stretch * std::min(1.0, h / last), last), {h, filter}, {}, {}};
+    Thrown t{cable_start(s, x1, x2, strain_increment * std::min(1.0, h / previous_h), previous_h),
+             {h, filter},
+             {},
+             {}};
     t.x1 = x1 + 0.1 * r.vec();
     // Now and then hardly stretched at all.
     t.x2 =
@@ -125,7 +128,7 @@ std::vector<Thrown> thrown(const CableSection& s, double filter) {
     out.push_back(t);
     x1 = t.x1;
     x2 = t.x2;
-    stretch = cable_loss(s, t.from, t.step, x1, x2).stretch;
+    strain_increment = cable_loss(s, t.from, t.step, x1, x2).strain_increment;
   }
   return out;
 }
@@ -141,7 +144,7 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
       for (const double filter : {0.0, 0.06}) {
         const CableSection s{1.1, 300, beta, t, t ? 0.01 : 0};
         for (const Thrown& p : thrown(s, filter)) {
-          const Vec3 S = cable_mean_tension(s, p.from, p.step, p.x1, p.x2), chord = p.x2 - p.x1;
+          const Vec3 S = cable_mean_force(s, p.from, p.step, p.x1, p.x2), chord = p.x2 - p.x1;
           const auto energy = [&](const Vec3& d) {
             return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;
           };
@@ -155,7 +158,7 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
           EXPECT_NEAR(work, stored + lost.damped + lost.filtered, 1e-10 * (1 + std::abs(stored)));
           // Where it would push, nothing acts, and what it gains is of what the filter holds.
           if (S.norm() == 0) {
-            EXPECT_LE(stored, 0.5 * filter * 300 * s.length * std::pow(p.from.stretch, 2) + 1e-12);
+            EXPECT_LE(stored, 0.5 * filter * 300 * s.length * std::pow(p.from.strain_increment, 2) + 1e-12);
           }
         }
       }
@@ -184,9 +187,9 @@ TEST(CableMean, TangentIsItsDerivative) {
       int checked = 0;
       for (const Thrown& p : thrown(s, 0.06)) {
         CableTension o;
-        cable_mean_tension(s, p.from, p.step, p.x1, p.x2, o);
+        cable_mean_force(s, p.from, p.step, p.x1, p.x2, o);
         EXPECT_EQ(o.c, Mat3::Zero());
-        const auto at = [&](const Vec3& d) { return cable_mean_tension(s, p.from, p.step, p.x1, p.x2 + d); };
+        const auto at = [&](const Vec3& d) { return cable_mean_force(s, p.from, p.step, p.x1, p.x2 + d); };
         EXPECT_LT((o.force - at(Vec3::Zero())).norm(), 1e-12 * (1 + o.force.norm()));
         // Not over a kink: where it begins to pull, or is just slack.
         const double e = ((p.x2 - p.x1).norm() - s.length) / s.length;
@@ -212,7 +215,7 @@ TEST(CableMean, IsTheForceAtRest) {
   const Vec3 a(0.1, 0.2, 0.3), b(0.9, 1.0, 0.8);
   const Vec3 at_rest = cable_tension(s, {a, b, Vec3::Zero(), Vec3::Zero()});
   EXPECT_GT(at_rest.norm(), 1);
-  EXPECT_LT((cable_mean_tension(s, cable_start(s, a, b, 0, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
+  EXPECT_LT((cable_mean_force(s, cable_start(s, a, b, 0, 0), {0.1, 0.06}, a, b) - at_rest).norm(), 1e-12);
 }
 
 TEST(CableMass, IsTheForceOfUnitAccelerations) {

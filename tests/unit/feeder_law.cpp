@@ -126,8 +126,8 @@ TEST(Feed, TheForceFollowsTheLength) {
         const Fed e = step(s, law, 1, in.h, x.norm(), from.strain);
         s.length = e.length;
         s.length_by_chord = e.by_chord;
-        if (out) cable_mean_tension(s, from, in, Vec3::Zero(), x, *out);
-        return cable_mean_tension(s, from, in, Vec3::Zero(), x);
+        if (out) cable_mean_force(s, from, in, Vec3::Zero(), x, *out);
+        return cable_mean_force(s, from, in, Vec3::Zero(), x);
       };
       const Vec3 x(0.95, 0.52, -0.25), d(0.3, -0.4, 0.6);
       CableTension pull;
@@ -158,7 +158,7 @@ TEST(Feed, WorkAndEnergyAgree) {
         return cable_stress(s, {Vec3::Zero(), d, Vec3::Zero(), Vec3::Zero()}).strain_energy;
       };
       const CableLoss lost = cable_loss(s1, from, step, Vec3::Zero(), d1);
-      const double work = cable_mean_tension(s1, from, step, Vec3::Zero(), d1).dot(d1 - d0) + lost.fed;
+      const double work = cable_mean_force(s1, from, step, Vec3::Zero(), d1).dot(d1 - d0) + lost.fed;
       EXPECT_NEAR(work, energy(s1, d1) - energy(s0, d0) + lost.damped + lost.filtered, 1e-9);
       EXPECT_GE(lost.damped, 0);
     }

@@ -5,7 +5,10 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 #include <vector>
+
+#include "hawser/model/summary.hpp"
 
 namespace hawser::longest_step_test {
 namespace {
@@ -125,7 +128,12 @@ TEST(LongestStep, OfALoadOnARope) {
   line.end_b.kind = model::EndKind::body;
   line.end_b.body = "load";
   const double period = 2 * M_PI * std::sqrt(4e5 * 50 / 2e7);
-  EXPECT_NEAR(model::longest_step(c).length, period / 60, 1e-9);
+  const model::LongestStep free = model::longest_step(c);
+  EXPECT_NEAR(free.length, period / 60, 1e-9);
+  EXPECT_EQ(free.divisor, 60);
+  EXPECT_EQ(free.subject, "the period of body load on its lines");
+  EXPECT_NE(model::summary(c).find("s (a sixtieth of the period of body load on its lines)"),
+            std::string::npos);
   model::HarmonicMotion heave;
   heave.amplitude = {0, 0, 1};
   heave.period = 30;

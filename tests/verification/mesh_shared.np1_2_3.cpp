@@ -176,7 +176,7 @@ lines:
   options.quiet = true;
   for (const char* mesh : {"/post.stl", "/bed.stl"}) {
     const auto run = [&] { EXPECT_EQ(run::run(MPI_COMM_WORLD, options), 0); };
-    const auto check = [&] { EXPECT_EQ(run::check_case(MPI_COMM_WORLD, path, 0), 0); };
+    const auto check = [&] { EXPECT_EQ(run::check_case(MPI_COMM_WORLD, {.case_path = path}), 0); };
     EXPECT_EQ(openings(folder + mesh, run), 1) << mesh;
     EXPECT_EQ(openings(folder + mesh, check), 1) << mesh;
   }

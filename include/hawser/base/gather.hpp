@@ -34,6 +34,36 @@ MPI_Datatype mpi_type() {
   return std::is_same_v<T, double> ? MPI_DOUBLE : std::is_same_v<T, int> ? MPI_INT : MPI_LONG_LONG;
 }
 
+// Whether ranks may send a T as its bytes: numbers and fixed-size vectors of Eigen, also in structs, arrays
+// and std::optional; no pointers. (std::is_trivially_copyable is too strict: Eigen 3.4 writes copy
+// constructors.)
+template <class T>
+inline constexpr bool is_plain_data = std::is_standard_layout_v<T>&& std::is_trivially_destructible_v<T>;
+
+// The type of T in messages: of a number MPI's own, of other plain data its bytes.
+template <class T>
+class MessageType {
+ public:
+  MessageType() {
+    static_assert(is_plain_data<T>);
+    if constexpr (std::is_arithmetic_v<T>) {
+      type_ = mpi_type<T>();
+    } else {
+      MPI_Type_contiguous(sizeof(T), MPI_BYTE, &type_);
+      MPI_Type_commit(&type_);
+    }
+  }
+  ~MessageType() {
+    if constexpr (!std::is_arithmetic_v<T>) MPI_Type_free(&type_);
+  }
+  MessageType(const MessageType&) = delete;
+  MessageType& operator=(const MessageType&) = delete;
+  operator MPI_Datatype() const { return type_; }
+
+ private:
+  MPI_Datatype type_ = MPI_DATATYPE_NULL;
+};
+
 // Puts together what the ranks have by MPI_SUM, MPI_MAX or MPI_MIN, in place: a number, or each of an array.
 // Collective.
 template <class T>
@@ -94,7 +124,6 @@ bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
 // the smallest order. T: plain data. Collective: one reduction for all of them.
 template <class T, class Value>
 void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value, int order) {
-  static_assert(std::is_trivially_copyable_v<T>);
   if (ranks_of(comm) == 1) return;
   struct Ranked {
     double value;
@@ -110,38 +139,14 @@ void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value, int
   std::vector<Ranked> all;
   for (const T& thing : of) all.push_back({value(thing), order, thing});
   MPI_Op larger = MPI_OP_NULL;
-  MPI_Datatype type = MPI_DATATYPE_NULL;
   MPI_Op_create(put_larger, 1, &larger);
-  MPI_Type_contiguous(sizeof(Ranked), MPI_BYTE, &type);
-  MPI_Type_commit(&type);
-  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), type, larger, comm);
-  MPI_Type_free(&type);
+  MPI_Allreduce(MPI_IN_PLACE, all.data(), static_cast<int>(all.size()), MessageType<Ranked>(), larger, comm);
   MPI_Op_free(&larger);
   for (std::size_t i = 0; i < of.size(); ++i) of[i] = all[i].thing;
 }
 template <class T, class Value>
 void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value) {
   largest_of_ranks(comm, of, value, rank_of(comm));
-}
-
-// Of each of several values the smallest of all ranks, and with it the numbers that belong to it there (of
-// the first rank of equal ones): numbers has as many for each value, value by value. Collective.
-inline void smallest_of_ranks(MPI_Comm comm, std::vector<double>& values, std::vector<double>& numbers) {
-  struct Ranked {
-    double value;
-    int rank;
-  };
-  const int rank = rank_of(comm);
-  std::vector<Ranked> least;
-  for (const double v : values) least.push_back({v, rank});
-  MPI_Allreduce(MPI_IN_PLACE, least.data(), static_cast<int>(least.size()), MPI_DOUBLE_INT, MPI_MINLOC, comm);
-  const std::size_t each = values.empty() ? 0 : numbers.size() / values.size();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    values[i] = least[i].value;
-    if (least[i].rank != rank)
-      std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(i * each), each, 0.0);
-  }
-  all_reduce(comm, MPI_SUM, numbers);
 }
 
 class GatherPlan {
@@ -158,17 +163,17 @@ class GatherPlan {
   // Where each rank's values begin among all of them; the last entry is all().
   const std::vector<int>& starts() const { return start_; }
 
-  // mine: as many as promised; out gets all(), rank by rank. Collective.
+  // mine: as many as promised; out gets all(), rank by rank. T: plain data. Collective.
   template <class T>
   void gather(const T* mine, std::vector<T>& out) const {
-    const MPI_Datatype type = mpi_type<T>();
+    const MessageType<T> type;
     out.resize(all());
     MPI_Allgatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, comm_);
   }
   // The same on rank 0 alone; nothing on the others.
   template <class T>
   void gather_on_first(const T* mine, std::vector<T>& out) const {
-    const MPI_Datatype type = mpi_type<T>();
+    const MessageType<T> type;
     out.resize(rank_of(comm_) == 0 ? all() : 0);
     MPI_Gatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, 0, comm_);
   }
@@ -179,7 +184,7 @@ class GatherPlan {
   std::vector<int> count_, start_;
 };
 
-// What all ranks have, rank by rank. Collective.
+// What all ranks have, rank by rank. T: plain data. Collective.
 template <class T>
 std::vector<T> gather_all(MPI_Comm comm, const std::vector<T>& mine) {
   std::vector<T> out;

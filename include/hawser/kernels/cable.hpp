@@ -1,5 +1,5 @@
 // Cable element: a straight bar that carries tension only. It has two forces: cable_tension at a state
-// (statics, output), and cable_mean_tension over a time step, which conserves energy.
+// (statics, output), and cable_mean_force over a time step, which conserves energy.
 #pragma once
 
 #include "hawser/kernels/response_curve.hpp"
@@ -33,7 +33,7 @@ struct CableEnds {
   const Vec3 &x1, &x2, &v1, &v2;
 };
 
-// `force` = T t [N], t pointing from node 1 to node 2 (for cable_mean_tension: T times the mean chord over
+// `force` = T t [N], t pointing from node 1 to node 2 (for cable_mean_force: T times the mean chord over
 // the mean length). It enters the residual (internal minus external) as -force at node 1 and +force at
 // node 2. k and c are its derivatives by x2 - x1 and v2 - v1.
 struct CableTension {
@@ -41,13 +41,13 @@ struct CableTension {
   Mat3 k, c;  // c is zero unless the element is damped
 };
 
-// State of an element at the start of a step, and its stretch in the step before.
+// State of an element at the start of a step, and the change of its strain in the step before.
 struct CableStart {
-  Vec3 chord = Vec3::Zero();  // m
-  double length = 0;          // m, of the chord
-  double strain = 0;          // beyond the free strain; negative: slack
-  double rest = 0;            // m, unstretched; at the end of the step it differs where line is paid out
-  double stretch = 0;         // growth of the taut part of the strain in the step before, see cable_loss
+  Vec3 chord = Vec3::Zero();      // m
+  double length = 0;              // m, of the chord
+  double strain = 0;              // beyond the free strain; negative: slack
+  double unstretched_length = 0;  // m; at the end of the step it differs where line is paid out
+  double strain_increment = 0;    // of the taut part of the strain in the step before, see cable_loss
   // s, damping in this step: that of the section, reduced so that at the strain rate of the step before the
   // damper does not exceed the spring's tension. 0 if the element is slack at the start.
   double beta = 0;
@@ -56,7 +56,7 @@ struct CableStart {
 // Values of the time integration for an element in a step.
 struct CableStep {
   double h = 0;       // s
-  double filter = 0;  // part of EA that resists changes of the elongation from step to step
+  double filter = 0;  // chi, part of EA that resists changes of the elongation from step to step
 };
 
 struct CableStress {
@@ -77,20 +77,22 @@ CableStress cable_stress(const CableSection& s, const CableEnds& e);
 // change of strain energy, to the last bit, plus the energy taken by damper and filter (Simo & Tarnow 1992,
 // ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6): docs/theory/time-integration.md#cables. It is never
 // compressive.
-// stretch: growth of the strain in the step before, which took `last` [s]; 0: there was none.
-CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch, double last);
-Vec3 cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                        const Vec3& x2);
+// strain_increment: change of the taut part of the strain in the step before, which took previous_h [s]; both
+// are 0 where there was none.
+CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double strain_increment,
+                       double previous_h);
+Vec3 cable_mean_force(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                      const Vec3& x2);
 // The same with its derivative by x2 - x1. c is zero: in a step dampers act through the change of position.
-void cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
-                        const Vec3& x2, CableTension& out);
+void cable_mean_force(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
+                      const Vec3& x2, CableTension& out);
 
 // Energy that the element has lost in a step that ended with x1 and x2.
 struct CableLoss {
-  double damped = 0;    // J, taken by the damping of the line type
-  double filtered = 0;  // J, taken by the filter; negative where the filter returns energy
-  double stretch = 0;   // `stretch` for the start of the next step
-  double fed = 0;       // J, work of the feeder that changed the unstretched length
+  double damped = 0;            // J, taken by the damping of the line type
+  double filtered = 0;          // J, taken by the filter; negative where the filter returns energy
+  double strain_increment = 0;  // for the start of the next step
+  double fed = 0;               // J, work of the feeder that changed the unstretched length
 };
 CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                      const Vec3& x2);

@@ -5,7 +5,7 @@
 // for a cable (two Gauss points), Hermite's cubic for a beam (three). The direction that splits normal from
 // axial is the chord's. What the water does is given at the nodes and linear between. All per unstretched
 // length. The formula is src/kernels/morison_formula.hpp. Cables that are wholly wet are
-// computed four at once by submerged_cables.hpp.
+// computed four at once by morison_submerged.hpp.
 #pragma once
 
 #include "hawser/kernels/line_mass.hpp"

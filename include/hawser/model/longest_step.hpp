@@ -8,9 +8,11 @@
 
 namespace hawser::model {
 
+// length = time/divisor of a time that the subject names ("the period of the waves").
 struct LongestStep {
-  double length = 0;   // s
-  std::string reason;  // what it comes from, for the user
+  double length = 0;  // s
+  int divisor = 1;
+  std::string subject;
 };
 
 // A hundredth of the period of prescribed motions and turns, of tables the mean period of the curve through
@@ -19,12 +21,13 @@ struct LongestStep {
 // less than a tenth of it, a twentieth of the slowest period of each line (and of a wave along it, where a
 // run starts out of balance or a speed jumps), and of the period of a body on its springs, on links and in
 // the surface; where nothing periodic drives it, a sixtieth, and of that on taut lines as well. As far as it
-// is no less than half, a tenth of the time in which drag slows what is carried along.
+// is no less than half, a tenth of the time in which drag slows what is carried along. Why so:
+// docs/theory/time-integration.md#how-long-a-step-is.
 LongestStep longest_step(const Case& c);
 
 // Slowest period of a line [s], from its weight as a hanging chain (2.405/2 sqrt(g/L)), its bending stiffness
 // (pi²/L² sqrt(EI/m)) and the tension of a start that is shorter than its chord (pi/L sqrt(T/m)); 0: none of
-// these.
+// these (docs/theory/time-integration.md#slowest-period-of-a-line).
 double slowest_period(const Case& c, const Line& line);
 
 }  // namespace hawser::model

@@ -21,11 +21,18 @@ struct RunOptions {
 // Exit code. Throws InputError and SolveError. Collective.
 int run(MPI_Comm comm, const RunOptions& options);
 
-// Reads and checks, prints the summary with the partition for `ranks` (0: those of comm). trial: and runs the
-// beginning of the case for some seconds, writing nothing, for the expected cost or the reason why it stops.
-// verbose: also what was chosen that rarely matters.
-int check_case(MPI_Comm comm, const std::string& case_path, int ranks, bool trial = true,
-               const std::vector<std::string>& changes = {}, bool verbose = false);
+struct CheckOptions {
+  std::string case_path;
+  int ranks = 0;                     // of the partition that is printed; 0: those of the communicator
+  bool trial = true;                 // run the beginning of the case for some seconds
+  std::vector<std::string> changes;  // of the case, KEY=VALUE each
+  bool verbose = false;              // also print what was chosen that rarely matters
+  std::string radiation;             // CSV file for the table of write_radiation(); empty: none
+};
+
+// Reads and checks, prints the summary with the partition. The trial writes nothing; it is for the expected
+// cost or the reason why the case stops. Exit code. Throws InputError, SolveError and WriteError. Collective.
+int check_case(MPI_Comm comm, const CheckOptions& options);
 
 // Prints a case as it was read (io/case_json.hpp), and nothing else. Throws InputError. Collective.
 int print_case(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes);

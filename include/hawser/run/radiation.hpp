@@ -4,7 +4,8 @@
 #include <mpi.h>
 
 #include <string>
-#include <vector>
+
+#include "hawser/model/case.hpp"
 
 namespace hawser::run {
 
@@ -12,7 +13,6 @@ namespace hawser::run {
 // and added mass of the files by frequency, and the added mass that the damping has by Ogilvie's relation, as
 // one CSV file; of several groups of bodies a file each, named after their first body. Prints where. Throws
 // InputError and WriteError. Collective.
-void write_radiation(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes,
-                     const std::string& path);
+void write_radiation(MPI_Comm comm, const model::Case& c, const std::string& path);
 
 }  // namespace hawser::run

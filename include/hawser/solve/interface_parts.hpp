@@ -22,6 +22,7 @@ struct InterfacePart {
   std::vector<int> rows;    // own blocks connected with it, ascending
   std::vector<int> shared;  // places in `rows` of those that are ghosts of other ranks
   std::vector<int> ghosts;  // columns of the matrix of other ranks' unknowns, ascending
+  int solver = 0;           // rank that solves it
 };
 
 class InterfaceParts {

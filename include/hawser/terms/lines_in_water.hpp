@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "hawser/kernels/submerged_cables.hpp"
+#include "hawser/kernels/morison_submerged.hpp"
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/state.hpp"
 #include "hawser/system/fed_lines.hpp"

@@ -1,5 +1,5 @@
 // Four cables wholly under water at once against one at a time.
-#include "hawser/kernels/submerged_cables.hpp"
+#include "hawser/kernels/morison_submerged.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-namespace hawser::submerged_cables_test {
+namespace hawser::morison_submerged_test {
 namespace {
 
 struct Four {
@@ -106,4 +106,4 @@ TEST(SubmergedCables, AreNotWhereOneGetsDry) {
 }
 
 }  // namespace
-}  // namespace hawser::submerged_cables_test
+}  // namespace hawser::morison_submerged_test

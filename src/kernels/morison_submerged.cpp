@@ -1,0 +1,200 @@
+// Buoyancy, drag, added mass and Froude-Krylov force of four submerged cable elements at once in vector
+// arithmetic, with their weighted tangent: the residual and the blocks of morison_points.hpp (a cable, F =
+// 1), in the form of docs/theory/water.md#four-submerged-cables-at-once.
+#include "hawser/kernels/morison_submerged.hpp"
+
+#include "morison_formula.hpp"
+
+namespace hawser {
+namespace {
+
+using wide::Row;
+
+struct Vec {
+  Row c[3];
+};
+Vec operator+(const Vec& a, const Vec& b) { return {{a.c[0] + b.c[0], a.c[1] + b.c[1], a.c[2] + b.c[2]}}; }
+Vec operator-(const Vec& a, const Vec& b) { return {{a.c[0] - b.c[0], a.c[1] - b.c[1], a.c[2] - b.c[2]}}; }
+Vec operator*(Row s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c[2]}}; }
+Vec operator*(double s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c[2]}}; }
+Row dot(const Vec& a, const Vec& b) { return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2]; }
+Vec of(const Row* p) { return {{p[0], p[1], p[2]}}; }
+
+// Gauss's two points.
+constexpr double kAt[2] = {0.21132486540518711775, 0.78867513459481288225};
+
+// A symmetric matrix: xx, yy, zz, xy, xz, yz.
+struct Symmetric {
+  Row c[6];
+};
+constexpr int kPlace[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+
+struct Chords {
+  Row inverse;  // 1/m, of their lengths; 0 where that is 0
+  Vec t;        // unit vectors
+  explicit Chords(const CablesInWater4& m) {
+    const Vec chord = of(m.x[1]) - of(m.x[0]);
+    const Row l2 = dot(chord, chord), l = wide::sqrt(l2);
+    inverse = l > 0 ? 1 / l : Row{};
+    t = inverse * chord;
+  }
+};
+
+// What is integrated along the element in closed form, with k the other node than j:
+//   y_j = L/12 (5 a_j + a_k) - w_j,  w_j = L/6 (2 a_w,j + a_w,k),
+//   f_j = (m_n P + m_t t t') y_j - m_d w_j - L/2 rho g A e.
+template <bool moving>
+inline void inertia_and_buoyancy(const WaterSections4& s, const CablesInWater4& m, const Chords& c,
+                                 Vec (&y)[2], Vec (&f)[2]) {
+  const Row ma = s.added_axial - s.added_normal;
+  for (int j = 0; j < 2; ++j) {
+    const int k = 1 - j;
+    y[j] = (s.length * (1. / 12)) * (5.0 * of(m.a[j]) + of(m.a[k]));
+    Vec water;
+    if constexpr (moving) {
+      water = (s.length * (1. / 6)) * (2.0 * of(m.acceleration[j]) + of(m.acceleration[k]));
+      y[j] = y[j] - water;
+    }
+    f[j] = morison_formula::added_mass(s.added_normal, ma, c.t, y[j]);
+    if constexpr (moving) f[j] = f[j] - s.displaced_mass * water;
+    f[j].c[2] -= 0.5 * s.length * s.buoyancy;
+  }
+}
+
+// Sums over the two points, w = L/2 each: C_jk of N_j N_k w D, and N_j w T = by_un + by_P P of each node.
+struct DragSums {
+  Symmetric C[3] = {};  // 00, 01, 11
+  Row by_un[2][3][3] = {};
+  Row by_P[2] = {};
+};
+
+// f_j = -N_j w drag.
+template <bool tangent, bool moving>
+inline void drag_at_points(const WaterSections4& s, const CablesInWater4& m, const Chords& c, Vec (&f)[2],
+                           DragSums& sums) {
+  const Vec& t = c.t;
+  for (int g = 0; g < 2; ++g) {
+    const double N[2] = {1 - kAt[g], kAt[g]};
+    const Row w = 0.5 * s.length;
+    Vec u = -N[0] * of(m.v[0]) - N[1] * of(m.v[1]);
+    if constexpr (moving) u = u + N[0] * of(m.velocity[0]) + N[1] * of(m.velocity[1]);
+    const morison_formula::Drag<Row, Vec> drag(u, t, s.drag_normal, s.drag_axial);
+    const Vec force = w * drag.force(), &un = drag.across;
+    for (int j = 0; j < 2; ++j) f[j] = f[j] - N[j] * force;
+    if constexpr (tangent) {
+      const Vec a = (w * drag.over_speed) * un, b = (w * drag.lengthwise()) * t;
+      Symmetric D;
+      for (int i = 0; i < 3; ++i) {
+        D.c[i] = a.c[i] * un.c[i] + b.c[i] * t.c[i] + w * drag.normal;
+        for (int k = i + 1; k < 3; ++k) D.c[kPlace[i][k]] = a.c[i] * un.c[k] + b.c[i] * t.c[k];
+      }
+      for (int e = 0; e < 6; ++e) {
+        sums.C[0].c[e] += (N[0] * N[0]) * D.c[e];
+        sums.C[1].c[e] += (N[0] * N[1]) * D.c[e];
+        sums.C[2].c[e] += (N[1] * N[1]) * D.c[e];
+      }
+      const Vec first = w * drag.by_across();
+      const Row p = w * drag.by_turn();
+      for (int j = 0; j < 2; ++j) {
+        sums.by_P[j] += N[j] * p;
+        for (int i = 0; i < 3; ++i)
+          for (int k = 0; k < 3; ++k) sums.by_un[j][i][k] += (N[j] * first.c[i]) * un.c[k];
+      }
+    }
+  }
+}
+
+// J_jn = wK K_jn + wC C_jn + wM M_jn with M_jn = L (5/12 or 1/12) (m_n P + m_t t t').
+template <bool moving>
+inline void put_blocks(const WaterSections4& s, const CablesInWater4& m, const Chords& of_elements,
+                       const Vec (&y)[2], const DragSums& sums, double wK, double wC, double wM,
+                       std::array<Mat6, 4>& J) {
+  const Vec& t = of_elements.t;
+  const Row ma = s.added_axial - s.added_normal;
+  const Row scale = wK * of_elements.inverse;
+  for (int j = 0; j < 2; ++j) {
+    // K by x2 and minus K by x1: (-T + (m_t - m_n) (t across' + (t.y) P)) / l, with P = I - t t'.
+    const Row ty = dot(t, y[j]);
+    const Vec across = y[j] - ty * t;
+    const Row onP = ma * ty - sums.by_P[j];
+    const Vec row = ma * across - onP * t;
+    Row chordwise[3][3];
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k) {
+        chordwise[i][k] = scale * (t.c[i] * row.c[k] - sums.by_un[j][i][k]);
+        if (i == k) chordwise[i][k] += scale * onP;
+      }
+    for (int n = 0; n < 2; ++n) {
+      const Symmetric& c = sums.C[j + n];
+      const Row mass = (wM * (j == n ? 5. / 12 : 1. / 12)) * s.length, lengthwise = mass * ma;
+      for (int i = 0; i < 3; ++i) {
+        Row entry[3];
+        for (int k = 0; k < 3; ++k) {
+          const Row turned = n ? chordwise[i][k] : -chordwise[i][k];
+          entry[k] = turned + wC * c.c[kPlace[i][k]] + (lengthwise * t.c[i]) * t.c[k];
+        }
+        entry[i] += mass * s.added_normal;
+        if constexpr (moving) {
+          const Vec sheared{{c.c[kPlace[i][0]], c.c[kPlace[i][1]], c.c[kPlace[i][2]]}};
+          entry[2] -= wK * dot(sheared, of(m.by_height[n]));
+        }
+        for (int k = 0; k < 3; ++k)
+          for (int lane = 0; lane < 4; ++lane) J[lane](3 * j + i, 3 * n + k) = entry[k][lane];
+      }
+    }
+  }
+}
+
+template <bool tangent, bool moving>
+void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, double wC, double wM,
+              std::array<Vec6, 4>& f, std::array<Mat6, 4>* J) {
+  const Chords c(m);
+  Vec y[2], out[2];
+  inertia_and_buoyancy<moving>(s, m, c, y, out);
+  DragSums sums;
+  drag_at_points<tangent, moving>(s, m, c, out, sums);
+  for (int j = 0; j < 2; ++j)
+    for (int i = 0; i < 3; ++i)
+      for (int lane = 0; lane < 4; ++lane) f[lane][3 * j + i] = out[j].c[i][lane];
+  if constexpr (tangent) put_blocks<moving>(s, m, c, y, sums, wK, wC, wM, *J);
+}
+
+}  // namespace
+
+void WaterSections4::set(int lane, const WaterSection& s) {
+  length[lane] = s.length;
+  radius[lane] = s.radius;
+  buoyancy[lane] = s.buoyancy;
+  displaced_mass[lane] = s.displaced_mass;
+  added_normal[lane] = s.added_normal;
+  added_axial[lane] = s.added_axial;
+  drag_normal[lane] = s.drag_normal;
+  drag_axial[lane] = s.drag_axial;
+}
+
+// The section gets wet over its radius above and below the axis; see morison_points.hpp.
+unsigned submerged(const WaterSections4& s, const CablesInWater4& m) {
+  const Row h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
+  const Row least = h[0] < h[1] ? h[0] : h[1];
+  const auto dry = least < s.radius;
+  unsigned wet = 0;
+  for (int i = 0; i < 4; ++i) wet |= dry[i] ? 0u : 1u << i;
+  return wet;
+}
+
+void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool moving, std::array<Vec6, 4>& f) {
+  if (moving)
+    evaluate<false, true>(s, m, 0, 0, 0, f, nullptr);
+  else
+    evaluate<false, false>(s, m, 0, 0, 0, f, nullptr);
+}
+
+void submerged_tangent(const WaterSections4& s, const CablesInWater4& m, bool moving, double wK, double wC,
+                       double wM, std::array<Vec6, 4>& f, std::array<Mat6, 4>& J) {
+  if (moving)
+    evaluate<true, true>(s, m, wK, wC, wM, f, &J);
+  else
+    evaluate<true, false>(s, m, wK, wC, wM, f, &J);
+}
+
+}  // namespace hawser
