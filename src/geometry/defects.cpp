@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "edge_uses.hpp"
-#include "groups.hpp"
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/math/groups.hpp"
 
 namespace hawser::detail {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "groups.hpp"
 #include "hawser/geometry/smooth_patch.hpp"
+#include "hawser/math/groups.hpp"
 #include "planar_regions.hpp"
 
 namespace hawser {

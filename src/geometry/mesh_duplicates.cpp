@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "groups.hpp"
 #include "hawser/geometry/mesh_repair.hpp"
 #include "hawser/geometry/winding_tree.hpp"
+#include "hawser/math/groups.hpp"
 #include "hawser/math/ordered.hpp"
 #include "patch_visibility.hpp"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "groups.hpp"
 #include "hawser/geometry/segment_distance.hpp"
+#include "hawser/math/groups.hpp"
 
 namespace hawser::detail {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "groups.hpp"
+#include "hawser/math/groups.hpp"
 #include "near_points.hpp"
 
 namespace hawser {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "groups.hpp"
+#include "hawser/math/groups.hpp"
 
 namespace hawser::detail {
 namespace {

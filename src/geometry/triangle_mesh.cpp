@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "edge_uses.hpp"
-#include "groups.hpp"
 #include "hawser/geometry/closest_point.hpp"
+#include "hawser/math/groups.hpp"
 #include "hawser/math/ordered.hpp"
 #include "near_points.hpp"
 #include "nesting.hpp"
