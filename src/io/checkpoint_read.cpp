@@ -210,13 +210,6 @@ Checkpoint unpack_checkpoint(const std::string& index, long long size, int nodes
   return std::move(c);
 }
 
-long long checkpoint_sequence(MPI_Comm comm, const std::string& path) {
-  h5::Id file;
-  on_each(comm, [&] { file = h5::open_parts(path); });
-  const std::optional<Slot> slot = newest(comm, file);
-  return slot ? slot->sequence : 0;
-}
-
 Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
                            const std::vector<int>& owned) {
   h5::Id file;
@@ -237,6 +230,7 @@ Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_tot
   } catch (const InputError& e) {
     throw InputError("cannot go on from " + path + ": " + e.what());
   }
+  checkpoint.sequence = slot->sequence;
   return checkpoint;
 }
 

@@ -262,12 +262,12 @@ struct ResultsFile::Impl {
 
 namespace {
 
-void check_contents(const ResultContents& c) {
+void check_contents(const ResultContents& c, bool writes) {
   if (c.fields.empty() || c.fields[0].name != "position" || c.fields[0].components != 3)
     throw std::logic_error("results: the first field must be position");
   int next = 0;
   for (const auto& line : c.lines) {
-    if (line.first_node != next || line.arc.size() != static_cast<size_t>(line.nodes))
+    if (line.first_node != next || (writes && line.arc.size() != static_cast<size_t>(line.nodes)))
       throw std::logic_error("results: the nodes of line " + line.name + " are not in file order");
     next += line.nodes;
   }
@@ -284,7 +284,7 @@ ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents w
       owned(std::move(nodes)),
       line_nodes(std::lower_bound(owned.begin(), owned.end(), contents.nodes_total()) - owned.begin()),
       runs(runs_of({owned.begin(), owned.begin() + line_nodes})) {
-  check_contents(contents);
+  check_contents(contents, root());
   std::vector<int> lines;  // whose first node is owned
   for (size_t l = 0; l < contents.lines.size(); ++l)
     for (const int end : {0, 1}) {
@@ -321,7 +321,8 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
 }
 
 ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultContents contents,
-                                std::vector<int> owned, double time, const ReportedClashes& reported) {
+                                std::vector<int> owned, double time, long long sequence,
+                                const ReportedClashes& reported) {
   ResultProgress progress;
   const int rank = rank_of(comm);
   std::string error;
@@ -350,7 +351,6 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   progress.output_times.resize(n[0]);
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
 
-  const long long sequence = checkpoint_sequence(comm, path);
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));
   auto& m = *impl;
   m.count = {n[0], n[1]};

@@ -112,6 +112,8 @@ class TreeBuilder final : public YAML::EventHandler {
   void close() {
     Frame f = std::move(stack_.back());
     stack_.pop_back();
+    f.value.items.shrink_to_fit();
+    f.value.keys.shrink_to_fit();
     if (f.anchor) {
       const long nodes = nodes_ - f.nodes_before;
       kept_ += nodes;  // each anchor that holds others keeps a copy of all

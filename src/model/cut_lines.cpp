@@ -72,6 +72,8 @@ class Cuts {
   explicit Cuts(Case c) : c_(std::move(c)) {}
 
   Case done() {
+    if (std::none_of(c_.events.begin(), c_.events.end(), [](const Event& e) { return e.action.cut >= 0; }))
+      return std::move(c_);
     std::vector<Line> lines;
     for (const Line& line : c_.lines) divide(line, lines);
     c_.lines = std::move(lines);

@@ -1,8 +1,12 @@
-// Which values of a case file must be the same when a run goes on from a checkpoint.
+// Which values of a case file must be the same when a run goes on from a checkpoint, and the tree without
+// what a run does not read again.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "hawser/model/schema.hpp"
 
@@ -42,6 +46,56 @@ void collect(const Value& v, const Key& key, std::map<std::string, std::string>&
 }
 
 }  // namespace
+
+namespace {
+
+// The key of an item of a list or a map with this key; null: it has none.
+const Key* key_of(const Value& v, std::size_t item, const Key* key) {
+  if (!key || key->keys.empty()) return nullptr;
+  if (key->type == Type::names || key->type == Type::list) return &key->keys[0];
+  if (key->type != Type::map) return nullptr;
+  const auto at =
+      std::find_if(key->keys.begin(), key->keys.end(), [&](const Key& k) { return k.name == v.keys[item]; });
+  return at == key->keys.end() ? nullptr : &*at;
+}
+
+// line: in which the nearest entry around v is. nullopt: nothing of v is read.
+std::optional<Value> reduced(const Value& v, const Key* key, int line) {
+  if (key && key->fixed_in_restart) return v;
+  if (key && key->type == Type::one_of) return reduced(v, v.schema, line);
+  const bool placed = v.given && v.line != 0;
+  const int here = placed ? v.line : line;
+  std::vector<std::optional<Value>> items;
+  for (std::size_t i = 0; i < v.items.size(); ++i)
+    items.push_back(reduced(v.items[i], key_of(v, i, key), here));
+  const auto kept =
+      std::count_if(items.begin(), items.end(), [](const std::optional<Value>& x) { return x.has_value(); });
+  if (here == line && kept == 0) return std::nullopt;
+  Value out;
+  out.kind = v.kind;
+  out.line = v.line;
+  out.given = v.given;
+  out.schema = v.schema;
+  if (kept == 0) return out;
+  const bool in_order = v.kind == Value::Kind::list;  // items of a list are found by their numbers
+  out.items.reserve(in_order ? items.size() : static_cast<std::size_t>(kept));
+  if (!in_order) out.keys.reserve(static_cast<std::size_t>(kept));
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!in_order && !items[i]) continue;
+    out.items.push_back(items[i] ? std::move(*items[i]) : Value());
+    if (!in_order) out.keys.push_back(v.keys[i]);
+  }
+  return out;
+}
+
+}  // namespace
+
+Value without_values(const Value& v) {
+  Value out = reduced(v, v.schema, 0).value_or(Value());
+  out.line = v.line;
+  out.schema = v.schema;
+  return out;
+}
 
 std::map<std::string, std::string> fixed_values(const Value& v) {
   std::map<std::string, std::string> out;

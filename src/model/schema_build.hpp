@@ -34,6 +34,7 @@ void put(M& x, const Value& v) {
                        }) {
     put(x.emplace(), v);
   } else if constexpr (requires { x.emplace_back(); }) {
+    if constexpr (requires { x.reserve(1); }) x.reserve(v.items.size());
     for (std::size_t i = 0; i < v.items.size(); ++i) {
       put(x.emplace_back(), v.items[i]);
       if constexpr (requires { x.back().name; })

@@ -300,6 +300,10 @@ class Checker {
       const auto same = [&](const Key& c) { return c.name == v.keys[i]; };
       check(v.items[i], *std::find_if(k.keys.begin(), k.keys.end(), same), prefix + v.keys[i]);
     }
+    const auto missing = std::count_if(k.keys.begin(), k.keys.end(),
+                                       [&](const Key& c) { return c.fallback && !v.has(c.name); });
+    v.keys.reserve(v.keys.size() + static_cast<std::size_t>(missing));
+    v.items.reserve(v.items.size() + static_cast<std::size_t>(missing));
     for (const Key& c : k.keys)
       if (c.fallback && !v.has(c.name)) {
         Value filled = literal(*c.fallback, v.line);

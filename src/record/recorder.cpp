@@ -23,7 +23,7 @@ constexpr double kMostRoom = 1e6;
 
 }  // namespace
 
-Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, const io::RunInfo& run,
+Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run,
                    const io::Checkpoint* from, bool append, bool write)
     : subject_(std::move(subject)),
       fields_(subject_),
@@ -31,7 +31,7 @@ Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, const i
       rows_every_(subject_.model.output.history_every) {
   for (const auto& r : recordings_)
     if (auto* clashes = dynamic_cast<HasClashes*>(r.get())) clashes_ = clashes;
-  io::ResultContents contents = declared(std::move(volumes), run);
+  io::ResultContents contents = declared(std::move(volumes), std::move(run));
   if (!write) {
     planned_ = std::move(contents);
     return;
@@ -42,18 +42,19 @@ Recorder::Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, const i
   if (from) restore(*from);
   if (clashes_ && !append) clashes_->begin_file();
   file_ = std::make_unique<io::ResultsFile>(
-      append ? io::ResultsFile::resume(subject_.comm(), path, std::move(contents), std::move(owned),
-                                       from->time, clashes_ ? clashes_->reported() : io::ReportedClashes{})
-             : io::ResultsFile::create(subject_.comm(), path, std::move(contents), std::move(owned)));
+      append
+          ? io::ResultsFile::resume(subject_.comm(), path, std::move(contents), std::move(owned), from->time,
+                                    from->sequence, clashes_ ? clashes_->reported() : io::ReportedClashes{})
+          : io::ResultsFile::create(subject_.comm(), path, std::move(contents), std::move(owned)));
 }
 
-io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, const io::RunInfo& run) {
+io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::RunInfo run) {
   const model::Case& c = subject_.model;
   const Mesh& mesh = subject_.mesh();
   for (const auto& r : recordings_) r->add_fields(fields_.fields());
   Declarations all;
   io::ResultContents& contents = all.contents;
-  contents.run = run;
+  contents.run = std::move(run);
   contents.single_precision = c.output.single_precision;
   contents.stages = c.stages;
   contents.fields = fields_.fields();
@@ -61,8 +62,9 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, const
   contents.volumes = std::move(volumes);
   contents.waves = result_waves(c);
   contents.xdmf = c.output.xdmf;
-  contents.lines = result_lines(c, mesh);
-  if (rank_of(subject_.comm()) == 0) {
+  const bool writes = rank_of(subject_.comm()) == 0;
+  contents.lines = result_lines(c, mesh, writes);
+  if (writes) {
     const std::vector<int>& owner = subject_.local().owner;
     contents.ranks.assign(owner.begin(), owner.begin() + mesh.line_nodes());
   }

@@ -10,12 +10,13 @@
 
 namespace hawser::record {
 
-std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh) {
+std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh, bool with_arcs) {
   std::vector<io::ResultLine> out;
+  out.reserve(mesh.lines.size());
   for (size_t l = 0; l < mesh.lines.size(); ++l) {
     io::ResultLine line{c.lines[l].name, mesh.lines[l].first_node, mesh.lines[l].nodes, {}};
-    line.arc.reserve(line.nodes);
-    for (int n = 0; n < line.nodes; ++n) line.arc.push_back(mesh.nodes[line.first_node + n].arc);
+    if (with_arcs) line.arc.reserve(line.nodes);
+    for (int n = 0; n < line.nodes && with_arcs; ++n) line.arc.push_back(mesh.nodes[line.first_node + n].arc);
     out.push_back(std::move(line));
   }
   return out;

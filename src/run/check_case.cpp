@@ -46,7 +46,7 @@ bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
   const std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
   if (volumes.empty()) return true;
   const LocalMesh local = local_mesh(mesh, std::vector<int>(mesh.nodes.size(), 0), 0, 1);
-  const StartShape shape = start_shape(c, local, bodies, surfaces);
+  const StartShape shape = start_shape(MPI_COMM_SELF, c, local, bodies, surfaces);
   const Kinematics at = shape.state.view(0);
   const Feeders feeders(local, c);
   const StartContact start = start_contact(MPI_COMM_SELF, c, local, at, bodies, &feeders, volumes);
@@ -138,8 +138,8 @@ int check_case(MPI_Comm comm, const CheckOptions& options) {
     for (const std::string& d : sim.details()) fmt::print("detail: {}\n", d);
   fmt::print("{}\n", advice::case_is_valid(starts_outside));
   std::fflush(stdout);
-  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(c, volumes), run_info(c, "", 1),
-                            nullptr, false, false);
+  record::Recorder recorder(sim.subject(surfaces(volumes)), volume_meshes(c, volumes),
+                            run_info(MPI_COMM_SELF, c, ""), nullptr, false, false);
   TrialRun tried;
   double checkpoint = planned_numbers(sim, recorder);
   if (options.trial) {

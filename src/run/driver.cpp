@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <utility>
 #ifdef __GLIBC__
@@ -20,6 +21,7 @@
 #include "hawser/base/share_of_time.hpp"
 #include "hawser/io/case_json.hpp"
 #include "hawser/io/case_reader.hpp"
+#include "hawser/model/schema.hpp"
 #include "hawser/record/output_times.hpp"
 #include "hawser/record/recorder.hpp"
 #include "hawser/run/events.hpp"
@@ -54,6 +56,13 @@ class Stage {
   }
   ~Stage() { PetscLogStagePop(); }
 };
+
+// A run reads no value of the case file again: of its tree it needs lines for messages, and what a restart
+// compares.
+void forget_file(model::Case& c) {
+  c.text = std::string();
+  if (c.tree) c.tree = std::make_shared<model::Value>(model::without_values(*c.tree));
+}
 
 // Statics has a pair for every element and volume that may meet, motion a few of them. MPI libraries tell
 // malloc to keep what is freed, which would be gigabytes of a long line on many rollers.
@@ -215,18 +224,22 @@ void print_end(Simulation& sim, const record::Recorder& recorder, const std::str
 }  // namespace
 
 int run(MPI_Comm comm, const RunOptions& options) {
-  const int rank = rank_of(comm), size = ranks_of(comm);
+  const int rank = rank_of(comm);
   const bool speak = rank == 0 && !options.quiet, restarted = !options.restart.empty();
   Progress progress(speak);
-  model::Case c = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
-  if (!options.output.empty()) c.output.file = std::filesystem::absolute(options.output).string();
-  const OutputPlace place(comm, c.output.file, options.restart, c.inputs);
-  c.output.file = place.path();
-  if (restarted && !c.dynamics.enabled) throw InputError(advice::restart_needs_dynamics(c));
-  std::vector<LoadedVolume> volumes = load_volumes(c, comm, read_progress(progress));
-  set_hydrostatics(c, volumes);
-  c = with_targets_met(comm, std::move(c), volumes, progress, options.restart);
-  Simulation sim(comm, c, surfaces(volumes), skeletons(c, volumes), volume_facets(volumes));
+  model::Case read = io::read_case(options.case_path, read_progress(progress), comm, options.changes);
+  if (!options.output.empty()) read.output.file = std::filesystem::absolute(options.output).string();
+  const OutputPlace place(comm, read.output.file, options.restart, read.inputs);
+  read.output.file = place.path();
+  if (restarted && !read.dynamics.enabled) throw InputError(advice::restart_needs_dynamics(read));
+  std::vector<LoadedVolume> volumes = load_volumes(read, comm, read_progress(progress));
+  set_hydrostatics(read, volumes);
+  read = with_targets_met(comm, std::move(read), volumes, progress, options.restart);
+  io::RunInfo about = run_info(comm, read, options.options_text);
+  forget_file(read);
+  std::vector<BodySkeleton> of_bodies = skeletons(read, volumes);
+  Simulation sim(comm, std::move(read), surfaces(volumes), std::move(of_bodies), volume_facets(volumes));
+  const model::Case& c = sim.model();
   const double end =
       options.stop_at > 0 ? std::min(options.stop_at, c.dynamics.duration) : c.dynamics.duration;
   std::optional<RestartFrom> restart;
@@ -240,10 +253,10 @@ int run(MPI_Comm comm, const RunOptions& options) {
   // Made when the first thing is to be written: a case that cannot come to rest leaves no file.
   std::optional<record::Recorder> made;
   const auto recorder_of = [&]() -> record::Recorder& {
-    if (!made)
-      made.emplace(sim.subject(surfaces(volumes)), volume_meshes(c, volumes),
-                   run_info(c, options.options_text, size, progress.messages()),
-                   restart ? &restart->checkpoint : nullptr, place.appends());
+    if (made) return *made;
+    about.messages = progress.messages();
+    made.emplace(sim.subject(surfaces(volumes)), volume_meshes(c, volumes), std::move(about),
+                 restart ? &restart->checkpoint : nullptr, place.appends());
     return *made;
   };
   if (restart) {

@@ -96,9 +96,9 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   const model::BetweenLines& b = c.contact.between_lines;
   if (!b.enabled) return nullptr;
   const std::size_t lines = c.lines.size();
-  std::vector<bool> takes_part;
-  for (const model::Line& l : c.lines) takes_part.push_back(c.contact.takes_part(l));
   LinePairOptions options;
+  std::vector<bool>& takes_part = options.takes_part;
+  for (const model::Line& l : c.lines) takes_part.push_back(c.contact.takes_part(l));
   options.candidates.excluded = excluded_pairs(c);
   const auto taking = static_cast<std::size_t>(std::count(takes_part.begin(), takes_part.end(), true));
   const auto excluded = std::count_if(
@@ -111,21 +111,18 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   options.general = b.general;
   for (const auto& t : b.pairs)
     options.tuned[ordered(c.line_index(t.first), c.line_index(t.second))] = t.settings;
-  std::vector<LineContactElement> elements;
-  elements.reserve(mesh.mesh->elements.size());
-  options.automatic.reserve(mesh.mesh->elements.size());
+  std::vector<LinePairType> types;
+  for (const model::LineType& t : c.line_types) {
+    const double radius = 0.5 * t.contact_diameter;
+    types.push_back({radius, t.mass_per_length, stiffness_by_weight(t.mass_per_length, radius),
+                     cubic_stiffness(t.EA, radius)});
+  }
   double least = HUGE_VAL, most = 0;  // N/m², of the types that take part
   for (const Element& e : mesh.mesh->elements) {
-    const model::LineType& t = c.line_types[e.type];
-    LineContactElement& element = elements.emplace_back();
-    const double radius = 0.5 * t.contact_diameter;
-    if (takes_part[e.line]) element.radius = radius;
-    element.mass_per_length = t.mass_per_length;
-    options.automatic.push_back(
-        {stiffness_by_weight(t.mass_per_length, radius), cubic_stiffness(t.EA, radius)});
-    if (!(element.radius > 0)) continue;
-    least = std::min(least, options.automatic.back().linear);
-    most = std::max(most, options.automatic.back().linear);
+    const LinePairType& type = types[e.type];
+    if (!takes_part[e.line] || !(type.radius > 0)) continue;
+    least = std::min(least, type.linear);
+    most = std::max(most, type.linear);
   }
   const bool automatic = b.general.basis == model::StiffnessBasis::automatic ||
                          std::any_of(b.pairs.begin(), b.pairs.end(), [](const auto& t) {
@@ -134,7 +131,7 @@ std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, 
   if (automatic)
     details.push_back(
         advice::chosen_pair_stiffness(least, most, lines == 1 ? c.lines.front().name : "", b.self));
-  return std::make_unique<LinePairs>(comm, mesh, std::move(elements), std::move(options));
+  return std::make_unique<LinePairs>(comm, mesh, std::move(types), std::move(options));
 }
 
 std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh) {

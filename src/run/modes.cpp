@@ -145,11 +145,11 @@ std::string row(MPI_Comm comm, Simulation& sim, int number, const NaturalMode& m
                      p.along.z(), where, turns ? ", turns in place" : "");
 }
 
-io::ResultContents contents(const Simulation& sim, const std::vector<LoadedVolume>& volumes,
-                            const ModesOptions& o, int size, int found) {
+io::ResultContents contents(MPI_Comm comm, const Simulation& sim, const std::vector<LoadedVolume>& volumes,
+                            const ModesOptions& o, int found) {
   const model::Case& c = sim.model();
   io::ResultContents out;
-  out.run = run_info(c, o.options_text, size);
+  out.run = run_info(comm, c, o.options_text);
   out.lines = record::result_lines(c, sim.mesh());
   out.volumes = volume_meshes(c, volumes);
   out.fields = {{"position", "m", 3}, {"mode_shape", "1", 3}};
@@ -190,11 +190,11 @@ State moved(const State& at, const NaturalMode& mode, double size) {
 void write(MPI_Comm comm, Simulation& sim, const std::vector<LoadedVolume>& volumes, const ModesOptions& o,
            const std::string& path, const std::vector<NaturalMode>& found,
            const std::vector<std::string>& messages) {
-  const int rank = rank_of(comm), size = ranks_of(comm);
+  const int rank = rank_of(comm);
   const LocalMesh& local = sim.local();
   std::vector<int> owned(local.global.begin(), local.global.begin() + local.owned);
   io::ResultsFile file = io::ResultsFile::create(
-      comm, path, contents(sim, volumes, o, size, static_cast<int>(found.size())), std::move(owned));
+      comm, path, contents(comm, sim, volumes, o, static_cast<int>(found.size())), std::move(owned));
   const std::vector<Vec3> rest(static_cast<size_t>(local.owned), Vec3::Zero());
   file.write_output(0, {flat(sim.state().x, local.owned), flat(rest, local.owned)},
                     record::body_poses(sim.bodies(), sim.system(), sim.state().view(0)));

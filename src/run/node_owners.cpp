@@ -28,15 +28,16 @@ std::vector<int> stretches_of_lines(const Mesh& mesh, int ranks) {
 std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case& c, const Mesh& mesh,
                                                const Bodies& bodies) {
   std::vector<double> radius;
-  for (const Element& e : mesh.elements)
-    radius.push_back(c.contact.takes_part(c.lines[e.line]) ? 0.5 * c.line_types[e.type].contact_diameter
-                                                           : 0.0);
+  for (const model::LineType& t : c.line_types) radius.push_back(0.5 * t.contact_diameter);
+  std::vector<bool> takes_part;
+  for (const model::Line& l : c.lines) takes_part.push_back(c.contact.takes_part(l));
   const int ranks = ranks_of(comm);
   const LocalMesh part = local_mesh(mesh, stretches_of_lines(mesh, ranks), rank_of(comm), ranks);
-  const StartShape shape = start_shape(c, part, bodies);
+  const StartShape shape = start_shape(comm, c, part, bodies);
   CandidateSettings settings;
   settings.excluded = excluded_pairs(c);
-  LineCandidates candidates(comm, part, std::move(radius), std::move(settings));
+  LineCandidates candidates(comm, part, ContactRadii(std::move(radius), std::move(takes_part)),
+                            std::move(settings));
   candidates.update(shape.state.view(0), 0);
   std::vector<std::pair<int, int>> mine;
   for (const auto& [a, b] : candidates.elements())

@@ -21,17 +21,16 @@
 
 namespace hawser::run {
 
-io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks,
-                     std::vector<std::string> messages) {
+io::RunInfo run_info(MPI_Comm comm, const model::Case& c, const std::string& petsc_options) {
   io::RunInfo info;
-  info.messages = std::move(messages);
+  if (rank_of(comm) != 0) return info;
   info.case_text = c.text;
   info.case_path = c.path;
   info.case_read = io::case_json(c);
   info.changes = fmt::format("{}", fmt::join(c.changes, "\n"));
   info.version = kVersion;
   info.options = petsc_options;
-  info.ranks = ranks;
+  info.ranks = ranks_of(comm);
   info.date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
   return info;
 }

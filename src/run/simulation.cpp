@@ -143,16 +143,17 @@ Term* Simulation::add(From&&... from) {
   return out;
 }
 
-Simulation::Simulation(MPI_Comm comm, const model::Case& c,
-                       std::vector<std::shared_ptr<const Surface>> surfaces,
+Simulation::Simulation(MPI_Comm comm, model::Case c, std::vector<std::shared_ptr<const Surface>> surfaces,
                        std::vector<BodySkeleton> skeletons, const VolumeFacets& facets)
-    : case_(c), mesh_(std::make_unique<Mesh>(build_mesh(c))), bodies_(std::make_shared<Bodies>(c.bodies)) {
+    : case_(std::move(c)),
+      mesh_(std::make_unique<Mesh>(build_mesh(case_))),
+      bodies_(std::make_shared<Bodies>(case_.bodies)) {
   distribute(comm);
   if (std::any_of(case_.lines.begin(), case_.lines.end(),
                   [](const auto& l) { return l.end_a.feed || l.end_b.feed; }))
     add<Feeders>(local(), case_);
   add_line_terms();
-  StartShape start = start_shape(case_, local(), *bodies_, surfaces);
+  StartShape start = start_shape(comm, case_, local(), *bodies_, surfaces);
   notes_ = std::move(start.notes);
   const Kinematics at = start.state.view(0);
   bodies_->fix_drawn(comm, case_, at);

@@ -254,7 +254,8 @@ std::vector<std::vector<Vec3>> laid_places(const model::Case& c, const Mesh& mes
                                            const std::vector<std::vector<Vec3>>& starts) {
   const Laying laying(c, mesh, starts);
   std::vector<std::vector<Vec3>> out;
-  for (size_t l = 0; l < c.lines.size(); ++l) out.push_back(laying.line(l));
+  for (size_t l = 0; l < c.lines.size(); ++l)
+    out.push_back(starts[l].empty() ? std::vector<Vec3>() : laying.line(l));
   return out;
 }
 

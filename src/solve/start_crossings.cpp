@@ -5,11 +5,13 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "hawser/advice/start_shape.hpp"
 #include "hawser/geometry/box_pairs.hpp"
 #include "hawser/geometry/segment_distance.hpp"
+#include "hawser/math/ordered.hpp"
 #include "hawser/model/bed.hpp"
 
 namespace hawser {
@@ -22,11 +24,12 @@ constexpr double kSlope = 20;
 // Limit of the vertical component of the common unit normal of two lines. Below it neither line is over the
 // other.
 constexpr double kOver = 0.1;
-constexpr std::size_t kMostNotes = 3;
 
 // An uncut line as a polyline of its nodes.
 struct Rope {
   const model::Line* line = nullptr;
+  int number = 0;  // as in StartedLine, like the next
+  bool counted = false;
   std::vector<Vec3*> x;
   std::vector<double> s;       // m, arc length
   std::vector<double> radius;  // m, contact radius of the segment after each node
@@ -43,6 +46,8 @@ std::vector<Rope> ropes_of(const model::Case& c, std::vector<StartedLine>& lines
     if (!c.contact.takes_part(*of.line)) continue;
     Rope& rope = ropes.emplace_back();
     rope.line = of.line;
+    rope.number = of.number;
+    rope.counted = of.counted;
     for (int i = 0; i < of.span.nodes; ++i) {
       const int element = of.span.first_element + std::min(i, of.span.elements - 1);
       rope.x.push_back(&of.shape.x[i]);
@@ -87,17 +92,6 @@ bool apply(std::vector<Rope>& ropes) {
   return any;
 }
 
-// more: the sentence on those that are not listed, from their number.
-void add_notes(std::vector<std::string> sentences, std::string (*more)(size_t),
-               std::vector<std::string>& notes) {
-  if (sentences.size() > kMostNotes) {
-    const size_t others = sentences.size() - kMostNotes;
-    sentences.resize(kMostNotes);
-    sentences.push_back(more(others));
-  }
-  notes.insert(notes.end(), sentences.begin(), sentences.end());
-}
-
 // One line at a place where it crosses another.
 struct Crossing {
   Rope* rope = nullptr;
@@ -114,11 +108,14 @@ struct Crossing {
 class Crossings {
  public:
   Crossings(const model::Case& c, std::vector<Rope>& ropes) : c_(c), ropes_(ropes) {
-    for (const auto& [x, y] : c.contact.between_lines.exclude) apart_[ordered(x, y)] = true;
+    for (const auto& [x, y] : c.contact.between_lines.exclude) apart_.insert(ordered(x, y));
   }
 
+  // Sentences by the pair of lines.
+  using Done = std::map<std::pair<int, int>, std::string>;
+
   // Raises the upper line at each crossing. `done` gets a sentence for each pair of lines.
-  void sweep(std::map<std::pair<std::string, std::string>, std::string>& done) {
+  void sweep(Done& done) {
     std::vector<Box> boxes;
     std::vector<std::pair<Rope*, size_t>> of;
     for (Rope& r : ropes_)
@@ -140,10 +137,6 @@ class Crossings {
   }
 
  private:
-  static std::pair<std::string, std::string> ordered(std::string a, std::string b) {
-    return a < b ? std::pair(a, b) : std::pair(b, a);
-  }
-
   // The crossing of two segments in plan, if they are nearer than the sum of their radii and it is not at an
   // end of a line.
   static std::optional<std::pair<Crossing, Crossing>> crossing(Rope& one, size_t k, Rope& other, size_t l) {
@@ -201,8 +194,7 @@ class Crossings {
     c_.refuse("lines." + b.name(), advice::undecided_crossing(b.name(), a.name(), 0.5 * (a.x + b.x)));
   }
 
-  void settle(const Crossing& a, const Crossing& b,
-              std::map<std::pair<std::string, std::string>, std::string>& done) const {
+  void settle(const Crossing& a, const Crossing& b, Done& done) const {
     const Crossing* over = upper(a, b);
     if (!over) return;
     const Crossing& under = over == &a ? b : a;
@@ -214,14 +206,16 @@ class Crossings {
     const double to = under.x.z() + (1 + kCrossingGap) * radii / slant;
     // The slopes of both lines at the crossing are those of their elements.
     raise(*over->rope, over->arc(), over->arc(), to - over->x.z());
+    const Rope &one = *over->rope, &other = *under.rope;
+    if (!(one.number < other.number ? one : other).counted) return;
     done.try_emplace(
-        ordered(over->name(), under.name()),
+        ordered(one.number, other.number),
         advice::starts_over_line(over->name(), under.name(), Vec3(over->x.x(), over->x.y(), to)));
   }
 
   const model::Case& c_;
   std::vector<Rope>& ropes_;
-  std::map<std::pair<std::string, std::string>, bool> apart_;
+  std::set<std::pair<std::string, std::string>> apart_;
 };
 
 // A volume in its place at the start.
@@ -300,11 +294,11 @@ bool goes_over(const model::Case& c, const Stretch& s, const Obstacle& volume) {
 
 }  // namespace
 
-void lay_over_volumes(const model::Case& c, const Bodies& bodies,
-                      const std::vector<std::shared_ptr<const Surface>>& surfaces,
-                      std::vector<StartedLine>& lines, std::vector<std::string>& notes) {
+std::vector<StartNote> lay_over_volumes(const model::Case& c, const Bodies& bodies,
+                                        const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                                        std::vector<StartedLine>& lines) {
   std::vector<Rope> ropes = ropes_of(c, lines);
-  std::vector<std::string> sentences;
+  std::vector<StartNote> notes;
   for (size_t v = 0; v < surfaces.size(); ++v) {
     const model::Volume& volume = c.volumes[v];
     const int body = c.body_index(volume.body);
@@ -326,29 +320,30 @@ void lay_over_volumes(const model::Case& c, const Bodies& bodies,
       for (const Stretch& s : stretches_in(rope, obstacle)) {
         if (!goes_over(c, s, obstacle)) continue;
         raise(rope, s.from, s.to, s.height);
-        sentences.push_back(
-            advice::starts_over_volume(line.name, volume.name, s.deepest + s.height * Vec3::UnitZ()));
+        if (!rope.counted) continue;
+        notes.push_back(
+            {static_cast<int>(v), rope.number,
+             advice::starts_over_volume(line.name, volume.name, s.deepest + s.height * Vec3::UnitZ())});
       }
     }
     apply(ropes);
   }
-  add_notes(std::move(sentences), advice::more_start_over_volumes, notes);
+  return notes;
 }
 
-void lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines,
-                         std::vector<std::string>& notes) {
-  if (!c.contact.between_lines.enabled) return;
+std::vector<StartNote> lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines) {
+  if (!c.contact.between_lines.enabled) return {};
   std::vector<Rope> ropes = ropes_of(c, lines);
-  std::map<std::pair<std::string, std::string>, std::string> done;
+  Crossings::Done done;
   Crossings crossings(c, ropes);
   // A raised line may meet a third one.
   for (size_t i = 0; i < ropes.size(); ++i) {
     crossings.sweep(done);
     if (!apply(ropes)) break;
   }
-  std::vector<std::string> sentences;
-  for (auto& [pair, sentence] : done) sentences.push_back(std::move(sentence));
-  add_notes(std::move(sentences), advice::more_start_over_lines, notes);
+  std::vector<StartNote> notes;
+  for (auto& [pair, sentence] : done) notes.push_back({pair.first, pair.second, std::move(sentence)});
+  return notes;
 }
 
 }  // namespace hawser

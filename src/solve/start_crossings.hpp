@@ -9,6 +9,7 @@
 
 #include "hawser/geometry/surface.hpp"
 #include "start_line.hpp"
+#include "start_share.hpp"
 
 namespace hawser {
 
@@ -18,16 +19,17 @@ struct StartedLine {
   const Mesh* mesh = nullptr;
   LineSpan span;
   LineStart shape;
+  int number = 0;        // in Case::lines, of its first part
+  bool counted = false;  // this rank has its notes
 };
 
-// Moves lines with automatic start shapes; notes name them. Throws InputError if nothing decides which of two
-// lines lies over the other. See docs/theory/line-line.md.
-void lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines,
-                         std::vector<std::string>& notes);
+// Moves lines with automatic start shapes; a note for each pair, of the rank that counts the first of them.
+// Throws InputError if nothing decides which of two lines lies over the other. See docs/theory/line-line.md.
+std::vector<StartNote> lay_over_each_other(const model::Case& c, std::vector<StartedLine>& lines);
 
 // surfaces: of the volumes of the case; empty: volumes are ignored.
-void lay_over_volumes(const model::Case& c, const Bodies& bodies,
-                      const std::vector<std::shared_ptr<const Surface>>& surfaces,
-                      std::vector<StartedLine>& lines, std::vector<std::string>& notes);
+std::vector<StartNote> lay_over_volumes(const model::Case& c, const Bodies& bodies,
+                                        const std::vector<std::shared_ptr<const Surface>>& surfaces,
+                                        std::vector<StartedLine>& lines);
 
 }  // namespace hawser

@@ -5,14 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <utility>
 
 #include "hawser/advice/start_shape.hpp"
+#include "hawser/base/error.hpp"
+#include "hawser/base/gather.hpp"
 #include "hawser/math/so3.hpp"
 #include "hawser/model/bed.hpp"
 #include "hawser/solve/laid_places.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "start_crossings.hpp"
 #include "start_line.hpp"
+#include "start_share.hpp"
 
 namespace hawser {
 namespace {
@@ -61,8 +68,7 @@ void warn_of_direction(const model::Case& c, const model::Line& line, bool at_b,
                        const Vec3& own, const Vec3& given, std::vector<std::string>& notes) {
   const double turn = std::acos(std::clamp(own.dot(given), -1.0, 1.0));
   if (turn < kAgainst || opposite_is_below_ground(c, at_b, x, given)) return;
-  std::string note = advice::against_direction(line, at_b, turn);
-  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(std::move(note));
+  notes.push_back(advice::against_direction(line, at_b, turn));
 }
 
 // Positions and tangents of an uncut line.
@@ -118,37 +124,139 @@ LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) 
   return shape;
 }
 
-// Start shapes of all lines of the case. Parts of an uncut line are separate lines of the case.
-std::vector<LineStart> all_shapes(const model::Case& c, const Mesh& g, const Bodies& bodies,
-                                  const Surfaces& surfaces, std::vector<std::string>& notes) {
-  std::vector<StartedLine> uncut_lines;
-  std::deque<Mesh> meshes;       // of the uncut lines
-  std::vector<size_t> whole_of;  // for each line: index into uncut_lines
-  for (size_t l = 0; l < c.lines.size(); ++l) {
-    const model::Line& line = c.lines[l];
-    if (!line.whole || uncut_lines.empty() || uncut_lines.back().line != line.whole.get()) {
-      StartedLine& whole = uncut_lines.emplace_back(StartedLine{&line, &g, g.lines[l], {}});
-      if (line.whole) {
-        model::Case alone;
-        alone.line_types = c.line_types;
-        alone.lines = {*line.whole};
-        meshes.push_back(build_mesh(alone));
-        whole = {line.whole.get(), &meshes.back(), meshes.back().lines.front(), {}};
-      }
-      whole.shape = shape_of(c, *whole.line, bodies, *whole.mesh, whole.span);
-    }
-    whole_of.push_back(uncut_lines.size() - 1);
+// Does `work`, and throws an InputError of any rank on all. Collective.
+template <class Work>
+void on_each(MPI_Comm comm, const Work& work) {
+  std::string why;
+  try {
+    work();
+  } catch (const InputError& e) {
+    why = e.what();
   }
-  lay_over_volumes(c, bodies, surfaces, uncut_lines, notes);
-  lay_over_each_other(c, uncut_lines, notes);
-  for (StartedLine& whole : uncut_lines) turn(c, *whole.line, bodies, whole.shape, notes);
-  std::vector<LineStart> out;
-  for (size_t l = 0; l < c.lines.size(); ++l) {
-    StartedLine& whole = uncut_lines[whole_of[l]];
-    out.push_back(c.lines[l].whole ? part_of(whole, c.lines[l], g.lines[l].nodes) : std::move(whole.shape));
-  }
-  return out;
+  why = first_text(comm, std::move(why));
+  if (!why.empty()) throw InputError(why);
 }
+
+// Start shapes of the lines that this rank needs.
+class Starts {
+ public:
+  // Collective.
+  Starts(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
+         const Surfaces& surfaces)
+      : comm_(comm), c_(c), mesh_(mesh), bodies_(bodies), lines_(given_lines(c)), at_(lines_.size(), -1) {
+    std::vector<bool> wanted(lines_.size(), false);
+    std::vector<int> line_of(c.lines.size());  // given line of each line
+    for (size_t g = 0; g < lines_.size(); ++g)
+      for (int l = lines_[g].first; l < lines_[g].first + lines_[g].parts; ++l)
+        line_of[l] = static_cast<int>(g);
+    for (int n = 0; n < mesh.nodes(); ++n)
+      if (mesh.node(n).body < 0) wanted[line_of[mesh.node(n).line]] = true;
+    for (size_t l = 0; l < c.lines.size(); ++l)  // all ranks have all feeders
+      if (c.lines[l].end_a.feed || c.lines[l].end_b.feed) wanted[line_of[l]] = true;
+    if (ranks_of(comm) > 1) wanted = with_groups(c, lines_, boxes(), wanted);
+    on_each(comm, [&] {
+      for (size_t g = 0; g < lines_.size(); ++g)
+        if (wanted[g]) begin(g);
+    });
+    std::sort(started_.begin(), started_.end(),
+              [](const StartedLine& a, const StartedLine& b) { return a.number < b.number; });
+    for (size_t k = 0; k < started_.size(); ++k) at_[line_of[started_[k].number]] = static_cast<int>(k);
+    lay(surfaces);
+  }
+
+  std::vector<std::string> take_notes() { return std::move(notes_); }
+
+  // Calls what(line, shape) for each line whose shape is known, in the order of the case.
+  template <class What>
+  void each(const What& what) {
+    for (size_t g = 0; g < lines_.size(); ++g) {
+      if (at_[g] < 0) continue;
+      StartedLine& whole = started_[at_[g]];
+      for (size_t l = lines_[g].first, end = l + lines_[g].parts; l < end; ++l)
+        what(l, c_.lines[l].whole ? part_of(whole, c_.lines[l], mesh_.mesh->lines[l].nodes)
+                                  : std::move(whole.shape));
+    }
+  }
+
+ private:
+  // Makes the shape of a given line, where that is not done.
+  void begin(size_t g) {
+    if (at_[g] >= 0) return;
+    const int first = lines_[g].first;
+    const model::Line& line = c_.lines[first];
+    StartedLine whole{&line, mesh_.mesh, mesh_.mesh->lines[first], {}, first, owns_line(mesh_, first)};
+    if (line.whole) {
+      model::Case alone;
+      alone.line_types = c_.line_types;
+      alone.lines = {*line.whole};
+      meshes_.push_back(build_mesh(alone));
+      whole.line = line.whole.get();
+      whole.mesh = &meshes_.back();
+      whole.span = whole.mesh->lines.front();
+    }
+    whole.shape = shape_of(c_, *whole.line, bodies_, *whole.mesh, whole.span);
+    at_[g] = static_cast<int>(started_.size());
+    started_.push_back(std::move(whole));
+  }
+
+  // What each given line takes in plan with its radius: this rank makes those that it counts. Empty where
+  // lines do not touch each other. Collective.
+  std::vector<Box> boxes() {
+    if (!c_.contact.between_lines.enabled) return {};
+    double radius = 0;
+    for (const model::LineType& t : c_.line_types) radius = std::max(radius, 0.5 * t.contact_diameter);
+    std::vector<double> ends(4 * lines_.size(), -HUGE_VAL);  // -x, -y, x, y at the most
+    on_each(comm_, [&] {
+      for (size_t g = 0; g < lines_.size(); ++g) {
+        if (!owns_line(mesh_, lines_[g].first)) continue;
+        begin(g);
+        Box box;
+        for (const Vec3& x : started_.back().shape.x) box.add(x);
+        box = box.grown(radius);
+        Eigen::Map<Eigen::Vector4d>(ends.data() + 4 * g) << -box.lo.head<2>(), box.hi.head<2>();
+      }
+    });
+    all_reduce(comm_, MPI_MAX, ends);
+    std::vector<Box> out;
+    for (size_t g = 0; g < lines_.size(); ++g)
+      out.push_back({Vec3(-ends[4 * g], -ends[4 * g + 1], 0), Vec3(ends[4 * g + 2], ends[4 * g + 3], 0)});
+    return out;
+  }
+
+  // Lays lines over volumes and over each other, and turns their nodes. Collective.
+  void lay(const Surfaces& surfaces) {
+    constexpr int kMostNotes = 3;
+    std::vector<StartNote> over_volumes, over_lines, turned;
+    on_each(comm_, [&] {
+      over_volumes = lay_over_volumes(c_, bodies_, surfaces, started_);
+      over_lines = lay_over_each_other(c_, started_);
+      for (StartedLine& whole : started_) {
+        std::vector<std::string> notes;
+        turn(c_, *whole.line, bodies_, whole.shape, notes);
+        for (std::string& n : notes)
+          if (whole.counted) turned.push_back({whole.number, 0, std::move(n)});
+      }
+    });
+    const auto add = [&](std::vector<StartNote> notes, int most, std::string (*more)(size_t)) {
+      FirstNotes first = first_notes(comm_, std::move(notes), most);
+      std::move(first.texts.begin(), first.texts.end(), std::back_inserter(notes_));
+      if (first.more > 0) notes_.push_back(more(static_cast<size_t>(first.more)));
+    };
+    add(std::move(over_volumes), kMostNotes, advice::more_start_over_volumes);
+    add(std::move(over_lines), kMostNotes, advice::more_start_over_lines);
+    add(std::move(turned), std::numeric_limits<int>::max(), nullptr);
+  }
+
+  MPI_Comm comm_;
+  const model::Case& c_;
+  const LocalMesh& mesh_;
+  const Bodies& bodies_;
+  std::vector<GivenLine> lines_;
+  std::vector<int> at_;  // of each given line: index into started_; -1: this rank does without its shape
+  std::vector<StartedLine> started_;
+  std::deque<Mesh> meshes_;  // of lines that are cut
+  std::vector<std::string> notes_;
+};
 
 // The end (0 or 1) at which the twist of a line of beams is held if neither end is clamped; a joint only if
 // no other end is held. -1: none.
@@ -249,21 +357,22 @@ void start_bodies(const model::Case& c, const LocalMesh& mesh, const Bodies& bod
 
 }  // namespace
 
-StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
+StartShape start_shape(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
                        const Surfaces& surfaces) {
   const Mesh& g = *mesh.mesh;
   StartShape out;
   out.state = State(mesh.nodes());
-  const std::vector<LineStart> shapes = all_shapes(c, g, bodies, surfaces, out.notes);
-  std::vector<std::vector<Vec3>> places;  // by line
-  for (size_t l = 0; l < c.lines.size(); ++l) {
+  out.ends.assign(c.lines.size(), {Quat::Identity(), Quat::Identity()});
+  Starts starts(comm, c, mesh, bodies, surfaces);
+  out.notes = starts.take_notes();
+  const bool with_bed = model::static_bed_friction(c);
+  std::vector<std::vector<Vec3>> places(with_bed ? c.lines.size() : 0);  // by line
+  starts.each([&](size_t l, LineStart shape) {
     const model::Line& line = c.lines[l];
     const LineSpan& span = g.lines[l];
-    const LineStart& shape = shapes[l];
     const std::vector<Quat>& q = shape.q;
-    out.ends.push_back({start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
-                        start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()});
-
+    out.ends[l] = {start_pose(c, bodies, line.end_a).rotation.conjugate() * q.front(),
+                   start_pose(c, bodies, line.end_b).rotation.conjugate() * q.back()};
     for (int i = 0; i < span.nodes; ++i) {
       const int here = mesh.find(span.first_node + i);
       if (here < 0) continue;
@@ -272,12 +381,13 @@ StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies
       if (mesh.rotates(here)) out.state.q[n] = q[k];
     }
     hold_ends(c, mesh, l, out);
-    if (model::static_bed_friction(c)) places.push_back(shape.x);
-  }
-  if (!places.empty()) {
+    if (with_bed) places[l] = std::move(shape.x);
+  });
+  if (with_bed) {
     const std::vector<std::vector<Vec3>> laid = laid_places(c, g, places);
-    out.any_laid =
-        std::any_of(laid.begin(), laid.end(), [](const auto& line) { return line.front().allFinite(); });
+    out.any_laid = on_any_rank(comm, std::any_of(laid.begin(), laid.end(), [](const auto& line) {
+                                 return !line.empty() && line.front().allFinite();
+                               }));
     out.laid.assign(static_cast<size_t>(mesh.nodes()), Vec3::Zero());
     for (size_t l = 0; l < laid.size(); ++l)
       for (size_t i = 0; i < laid[l].size(); ++i)

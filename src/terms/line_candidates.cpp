@@ -67,11 +67,9 @@ Box swept_box(const SweptAxis& s) {
   return b.grown(s.radius + s.skin);
 }
 
-LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
+LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii,
                                CandidateSettings settings)
-    : comm_(comm), mesh_(mesh), radius_(std::move(radius)), settings_(std::move(settings)) {
-  if (radius_.size() != mesh.mesh->elements.size())
-    throw std::invalid_argument("contact of lines needs a radius for every element");
+    : comm_(comm), mesh_(mesh), radii_(std::move(radii)), settings_(std::move(settings)) {
   for (auto& p : settings_.excluded)
     if (p.first > p.second) std::swap(p.first, p.second);
   std::sort(settings_.excluded.begin(), settings_.excluded.end());
@@ -93,7 +91,7 @@ void LineCandidates::gather() {
   local_.reserve(mesh_.elements.size());
   built_.reserve(mesh_.elements.size());
   for (const LocalElement& e : mesh_.elements)
-    if (radius_[e.global] > 0 && !is_in_feeder(e.global)) local_.push_back(e);
+    if (radius(e.global) > 0 && !is_in_feeder(e.global)) local_.push_back(e);
   for (const LocalElement& e : local_) built_.push_back(at_rest(e.global));
   bend_.resize(built_.size());
   // Most boxes that overlap are those of neighbours along a line. Their indices alone exclude these pairs.
@@ -136,7 +134,7 @@ bool LineCandidates::at_feeder(int element) const {
 }
 
 double LineCandidates::skin(int element) const {
-  return std::max(settings_.skin_diameters * 2 * radius_[element],
+  return std::max(settings_.skin_diameters * 2 * radius(element),
                   settings_.skin_lengths * mesh_.mesh->elements[element].length);
 }
 
@@ -144,8 +142,8 @@ double LineCandidates::skin(int element) const {
 SweptAxis LineCandidates::at_rest(int element) const {
   const Element& e = mesh_.mesh->elements[element];
   const auto arc = [&](int n) { return mesh_.mesh->nodes[n].arc; };
-  return {element,          e.line,        e.first, e.second, {arc(e.first), arc(e.second)},
-          radius_[element], skin(element), {},      {}};
+  return {element,         e.line,        e.first, e.second, {arc(e.first), arc(e.second)},
+          radius(element), skin(element), {},      {}};
 }
 
 // The axis, Hermite's cubic (kernels/axis_shape.hpp), after a time h at the present rates.
@@ -309,7 +307,7 @@ void LineCandidates::locate() {
   number.reserve(local_.size());
   for (const LocalElement& e : local_) {
     number.emplace_back(e.global, static_cast<int>(segments_.size()));
-    segments_.push_back({e.first, e.second, e.global, radius_[e.global]});
+    segments_.push_back({e.first, e.second, e.global, radius(e.global)});
   }
   const auto find = [&](int element) {
     const auto at = std::lower_bound(number.begin(), number.end(), std::pair(element, 0));
@@ -323,7 +321,7 @@ void LineCandidates::locate() {
   others.erase(std::unique(others.begin(), others.end()), others.end());
   for (int e : others) {
     const Element& element = mesh_.mesh->elements[e];
-    ContactSegment s{mesh_.find(element.first), mesh_.find(element.second), e, radius_[e]};
+    ContactSegment s{mesh_.find(element.first), mesh_.find(element.second), e, radius(e)};
     if (s.first < 0 || s.second < 0) throw std::logic_error("a candidate's nodes are not on this rank");
     number.emplace_back(e, static_cast<int>(segments_.size()));
     segments_.push_back(s);

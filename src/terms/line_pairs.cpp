@@ -115,8 +115,8 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
     const int slave = swapped ? pair.key.second : pair.key.first;
     s.part = swapped ? pair.part_b : pair.part_a;
     if (!(s.part[0] < s.part[1])) continue;
-    s.slave_radius = settings(slave).radius;
-    s.share = slave_share(s.slave_radius, settings(master).radius);
+    s.slave_radius = type_of(slave).radius;
+    s.share = slave_share(s.slave_radius, type_of(master).radius);
     s.swapped = swapped;
     if (!(s.share > 0)) continue;
     what(k,
@@ -222,7 +222,7 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
     const bool swapped = k >= 3;
     const PairAxis &slave = swapped ? B : A, &master = swapped ? A : B;
     const int a = swapped ? pair.b : pair.a, b = swapped ? pair.a : pair.b;
-    const double share = settings(swapped ? pair.key.second : pair.key.first).radius / pair.law.radii;
+    const double share = type_of(swapped ? pair.key.second : pair.key.first).radius / pair.law.radii;
     const auto add = [&](const LinePairContactPoint& h, bool at_end) {
       const double xi = at_end ? h.xi : material_of_start(a, slave, h.xi),
                    eta = at_end ? h.eta : material_of_start(b, master, h.eta);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "hawser/math/ordered.hpp"
 #include "hawser/terms/automatic_stiffness.hpp"
 #include "hawser/terms/element_axis.hpp"
 #include "hawser/terms/line_pairs.hpp"
@@ -16,31 +17,28 @@ CandidateSettings sharing(CandidateSettings settings, const SharedPlaces& places
   return settings;
 }
 
-std::vector<double> radii(const std::vector<LineContactElement>& elements) {
+ContactRadii radii(const std::vector<LinePairType>& types, const LinePairOptions& options) {
   std::vector<double> r;
-  r.reserve(elements.size());
-  for (const LineContactElement& e : elements) r.push_back(e.radius);
-  return r;
+  for (const LinePairType& t : types) r.push_back(t.radius);
+  return ContactRadii(std::move(r), options.takes_part);
 }
 
 }  // namespace
 
-LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
+LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LinePairType> types,
                      LinePairOptions options)
     : mesh_(mesh),
-      elements_(std::move(elements)),
+      types_(std::move(types)),
       options_(std::move(options)),
-      shared_(comm, mesh, radii(elements_), options_.shared, options_.whole),
-      candidates_(comm, mesh, radii(elements_), sharing(options_.candidates, shared_)),
+      shared_(comm, mesh, radii(types_, options_), options_.shared, options_.whole),
+      candidates_(comm, mesh, radii(types_, options_), sharing(options_.candidates, shared_)),
       accounts_(static_cast<size_t>(mesh.owned)) {
-  const size_t n = mesh_.mesh->elements.size();
-  if (elements_.size() != n || (!options_.automatic.empty() && options_.automatic.size() != n))
-    throw std::invalid_argument(
-        "contact of lines with lines needs a radius and a stiffness for each element");
+  const bool automatic = std::all_of(types_.begin(), types_.end(),
+                                     [](const LinePairType& t) { return !(t.radius > 0) || t.linear > 0; });
   const auto check = [&](const model::LinePairSettings& s) {
     if (s.basis == model::StiffnessBasis::per_point)
       throw std::invalid_argument("the contact stiffness of lines is per length or per area");
-    if (s.basis == model::StiffnessBasis::automatic ? options_.automatic.empty() : !(s.normal_stiffness > 0))
+    if (s.basis == model::StiffnessBasis::automatic ? !automatic : !(s.normal_stiffness > 0))
       throw std::invalid_argument("contact of lines with lines has no stiffness");
   };
   check(options_.general);
@@ -48,21 +46,17 @@ LinePairs::LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineConta
 }
 
 LinePairLaw LinePairs::law(int a, int b) const {
-  const Mesh& m = *mesh_.mesh;
-  const size_t i = a, j = b;
-  const auto tuned = options_.tuned.find(
-      {std::min(m.elements[i].line, m.elements[j].line), std::max(m.elements[i].line, m.elements[j].line)});
+  const auto tuned = options_.tuned.find(ordered(element(a).line, element(b).line));
   const model::LinePairSettings& s = tuned == options_.tuned.end() ? options_.general : tuned->second;
-  const LineContactElement &A = elements_[i], &B = elements_[j];
+  const LinePairType &A = type_of(a), &B = type_of(b);
   const double diameter = A.radius + B.radius;  // the mean of the two
   LinePairLaw law;
   law.radii = A.radius + B.radius;
   double share = 1;
   if (s.basis == model::StiffnessBasis::per_area) share = diameter;
   if (s.basis == model::StiffnessBasis::automatic) {
-    const LinePairOptions::Automatic &a_own = options_.automatic[i], &b_own = options_.automatic[j];
-    law.normal.stiffness = std::max(a_own.linear, b_own.linear);
-    law.normal.cubic = std::min(a_own.cubic, b_own.cubic);
+    law.normal.stiffness = std::max(A.linear, B.linear);
+    law.normal.cubic = std::min(A.cubic, B.cubic);
   } else {
     law.normal.stiffness = s.normal_stiffness * share;
   }

@@ -86,7 +86,7 @@ double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
 
 // kg/m, of the two on their contact.
 double LinePairs::mass_per_length(const Pair& p) const {
-  const double a = settings(p.key.first).mass_per_length, b = settings(p.key.second).mass_per_length;
+  const double a = type_of(p.key.first).mass_per_length, b = type_of(p.key.second).mass_per_length;
   return a * b / (a + b);
 }
 

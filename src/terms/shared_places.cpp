@@ -62,9 +62,9 @@ struct SharedPlaces::Gaps {
   }
 };
 
-SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
+SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii,
                            std::vector<SharedPlace> places, std::vector<int> whole)
-    : comm_(comm), mesh_(mesh), radius_(std::move(radius)), whole_(std::move(whole)) {
+    : comm_(comm), mesh_(mesh), radii_(std::move(radii)), whole_(std::move(whole)) {
   const std::vector<LineSpan>& lines = mesh.mesh->lines;
   offset_.assign(lines.size(), 0);
   for (size_t l = whole_.size(); l < lines.size(); ++l) whole_.push_back(static_cast<int>(l));
@@ -73,8 +73,8 @@ SharedPlaces::SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, std::vector<dou
   const auto first_radius = [&](const Stretch& s) {
     const Node& n = mesh.mesh->nodes[s.node];
     const LineSpan& line = lines[n.line];
-    return radius_[std::min(line.first_element + s.node - line.first_node,
-                            line.first_element + line.elements - 1)];
+    return radii_.of(mesh.mesh->elements[std::min(line.first_element + s.node - line.first_node,
+                                                  line.first_element + line.elements - 1)]);
   };
   const auto length = [&](const Stretch& s) {
     const std::vector<int> all = nodes_to(s, HUGE_VAL);
@@ -200,8 +200,8 @@ SharedPlaces::Rope SharedPlaces::rope(const Stretch& stretch, const std::vector<
     const Node& n = mesh_.mesh->nodes[nodes[i]];
     const LineSpan& line = mesh_.mesh->lines[n.line];
     const int element = line.first_element + nodes[i] - line.first_node - (stretch.way < 0 ? 1 : 0);
-    out.radius.push_back(
-        radius_[std::clamp(element, line.first_element, line.first_element + line.elements - 1)]);
+    const int within = std::clamp(element, line.first_element, line.first_element + line.elements - 1);
+    out.radius.push_back(radii_.of(mesh_.mesh->elements[within]));
   }
   return out;
 }

@@ -54,7 +54,7 @@ struct Tangle {
 void Build(benchmark::State& b) {
   const int n = static_cast<int>(b.range(0));
   Tangle t(n);
-  LineCandidates list(MPI_COMM_SELF, t.local, std::vector<double>(t.mesh.elements.size(), 0.1));
+  LineCandidates list(MPI_COMM_SELF, t.local, ContactRadii({0.1, 0.1}));
   double side = 1;  // every update finds the lines elsewhere
   for (auto _ : b) {
     for (Vec3& x : t.state.x) x.x() += side;
@@ -71,7 +71,7 @@ BENCHMARK(Build)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMilliseco
 void Hold(benchmark::State& b) {
   const int n = static_cast<int>(b.range(0));
   const Tangle t(n);
-  LineCandidates list(MPI_COMM_SELF, t.local, std::vector<double>(t.mesh.elements.size(), 0.1));
+  LineCandidates list(MPI_COMM_SELF, t.local, ContactRadii({0.1, 0.1}));
   list.update(t.state.view(0.1), 0.1);
   for (auto _ : b) benchmark::DoNotOptimize(list.update(t.state.view(0.1), 0.1));
   b.counters["ns a segment"] = benchmark::Counter(

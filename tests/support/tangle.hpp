@@ -14,9 +14,7 @@ class MiddleSprings final : public ForceTerm, public CouplesNodes, public Limits
  public:
   MiddleSprings(MPI_Comm comm, const LocalMesh& mesh, double radius, double stiffness,
                 CandidateSettings settings = {})
-      : list(comm, mesh, std::vector<double>(mesh.mesh->elements.size(), radius), std::move(settings)),
-        mesh_(mesh),
-        k_(stiffness) {}
+      : list(comm, mesh, ContactRadii({radius, radius}), std::move(settings)), mesh_(mesh), k_(stiffness) {}
 
   LineCandidates list;
   // Steps longer than this [s] are refused in this interval of time.

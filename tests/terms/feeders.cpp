@@ -100,8 +100,8 @@ struct Rig {
     system->add(std::move(structure));
     system->add(std::move(mass));
     if (c.lines.size() > 1) {
-      std::vector<LineContactElement> elements(mesh.elements.size(), {kRadius, 2});
-      auto between = std::make_unique<LinePairs>(PETSC_COMM_SELF, system->mesh(), elements, rough());
+      const std::vector<LinePairType> types(c.line_types.size(), {kRadius, 2});
+      auto between = std::make_unique<LinePairs>(PETSC_COMM_SELF, system->mesh(), types, rough());
       contact = between.get();
       system->add(std::move(between));
     }

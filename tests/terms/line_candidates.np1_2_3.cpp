@@ -14,9 +14,7 @@ struct Model {
   // places: that two ends share, given by their nodes.
   Model(MPI_Comm comm, const model::Case& c, double radius, double stiffness, CandidateSettings settings = {},
         std::vector<SharedPlace> places = {})
-      : sim(comm, c),
-        shared(comm, sim.local(), std::vector<double>(sim.mesh().elements.size(), radius), std::move(places),
-               {}) {
+      : sim(comm, c), shared(comm, sim.local(), ContactRadii({radius, radius}), std::move(places), {}) {
     settings.shared = &shared;
     auto term = std::make_unique<MiddleSprings>(comm, sim.local(), radius, stiffness, std::move(settings));
     springs = term.get();

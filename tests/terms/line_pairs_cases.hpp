@@ -68,9 +68,8 @@ struct PairModel : SuiteModel {
     o.general.mobilisation_length = 4e-3;
     if (what.tuned) o.tuned[{0, 1}] = o.general;
     o.candidates.excluded = {{0, 0}, {1, 1}};
-    std::vector<LineContactElement> elements;
-    for (const Element& e : mesh.elements) elements.push_back({e.line ? what.other_radius : what.radius, 50});
-    auto term = std::make_unique<LinePairs>(comm, system->mesh(), std::move(elements), o);
+    std::vector<LinePairType> types = {{what.radius, 50}, {what.other_radius, 50}};
+    auto term = std::make_unique<LinePairs>(comm, system->mesh(), std::move(types), o);
     contact = term.get();
     system->add(std::move(term));
     // Ghosts first: they depend on where lines are.

@@ -18,9 +18,8 @@ TEST(SharedPlacesOnRanks, KnowTheSame) {
   c.contact.between_lines.self = false;
   const auto of = [&](MPI_Comm comm) {
     Simulation sim(comm, c);
-    const std::vector<double> radius(sim.mesh().elements.size(), 0.1);
     const std::vector<SharedPlace> ends = {{{0}, {41}}, {{0}, {82}}, {{41}, {82}}};
-    SharedPlaces places(comm, sim.local(), radius, ends, {});
+    SharedPlaces places(comm, sim.local(), ContactRadii({0.1}), ends, {});
     places.update(sim.state().view(0), true);
     std::vector<double> out;
     for (int k = 0; k < places.size(); ++k) out.push_back(places.within(k));

@@ -65,5 +65,46 @@ TEST(FixedValues, DependOnTheValueAndNotOnHowItIsWritten) {
   }
 }
 
+// Calls what(value) for v and all below it.
+template <class What>
+void each(const model::Value& v, const What& what) {
+  what(v);
+  for (const model::Value& item : v.items) each(item, what);
+}
+
+// The tree without what a run does not read still has the lines of messages and what a restart compares.
+TEST(FixedValues, AndLinesOfKeysSurviveInATreeWithoutValues) {
+  for (const char* name : {"reel", "lift", "parted-mooring", "lazy-wave", "fenders", "winch"}) {
+    const model::Case c =
+        io::read_case(std::string(HAWSER_SOURCE_DIR) + "/cases/" + name + "/" + name + ".yaml");
+    const model::Value less = model::without_values(*c.tree);
+    EXPECT_EQ(model::fixed_values(less), model::fixed_values(*c.tree)) << name;
+    int given = 0, kept = 0;
+    each(*c.tree, [&](const model::Value& v) {
+      given += v.given;
+      for (const char* more : {"", ".no_such_key", "[7]"})
+        EXPECT_EQ(less.line_of(v.where + more), c.tree->line_of(v.where + more))
+            << name << " " << v.where << more;
+    });
+    each(less, [&](const model::Value&) { ++kept; });
+    EXPECT_LT(kept, given) << name;
+  }
+}
+
+// A line of a farm that is written in one line of the file is one entry of the tree.
+TEST(FixedValues, KeepOneEntryOfALineInOneRow) {
+  std::string text =
+      "hawser: 1\nline_types: {chain: {outer_diameter: 0.1, mass_per_length: 30, EA: 1e8, bending: "
+      "false}}\nlines:\n";
+  for (const char* name : {"a", "b", "c", "d", "e", "f"})
+    text += std::string("  ") + name +
+            ": {sections: [{type: chain, length: 100, elements: 10}], end_a: {anchor: [0, 5, 0]}, end_b: "
+            "{anchor: [90, 5, 0]}}\n";
+  int kept = 0;
+  each(model::without_values(*io::read_case_text(text, "rows.yaml").tree),
+       [&](const model::Value&) { ++kept; });
+  EXPECT_LE(kept, 6 + 4);  // hawser, line_types, lines and the root
+}
+
 }  // namespace
 }  // namespace hawser::fixed_values_test

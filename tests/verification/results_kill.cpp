@@ -89,8 +89,11 @@ void write_for_ever(const std::string& path) {
   std::unique_ptr<ResultsFile> file;
   if (access(path.c_str(), F_OK) == 0) {
     double time = -1;
+    long long sequence = 0;
     try {
-      time = read_checkpoint(MPI_COMM_SELF, path, kNodes, owned).time;
+      const Checkpoint from = read_checkpoint(MPI_COMM_SELF, path, kNodes, owned);
+      time = from.time;
+      sequence = from.sequence;
     } catch (const std::exception&) {  // killed before the first one
     }
     next = static_cast<int>(time) + 1;
@@ -98,7 +101,7 @@ void write_for_ever(const std::string& path) {
     for (int k = 0; k < next; ++k) message.ended += static_cast<long long>(clashes(k).ended.size());
     if (next > 0) message.open = clashes(next - 1).open;
     file = std::make_unique<ResultsFile>(
-        ResultsFile::resume(MPI_COMM_SELF, path, contents(), owned, time, message));
+        ResultsFile::resume(MPI_COMM_SELF, path, contents(), owned, time, sequence, message));
     std::printf("resumed %d\n", next);
   } else {
     file = std::make_unique<ResultsFile>(ResultsFile::create(MPI_COMM_SELF, path, contents(), owned));

@@ -298,8 +298,8 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
     write_rows(file, MPI_COMM_WORLD, owned, 5, 6);  // accepted, but after the checkpoint
   }
   {
-    const double t = read_checkpoint(MPI_COMM_WORLD, path, 41, owned).time;
-    auto file = ResultsFile::resume(MPI_COMM_WORLD, path, contents(), owned, t);
+    const Checkpoint from = read_checkpoint(MPI_COMM_WORLD, path, 41, owned);
+    auto file = ResultsFile::resume(MPI_COMM_WORLD, path, contents(), owned, from.time, from.sequence);
     EXPECT_EQ(file.outputs(), 5);
     write_rows(file, MPI_COMM_WORLD, owned, 5, 8);
     file.write_checkpoint(checkpoint(owned, 7));
@@ -318,7 +318,7 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
   MPI_Barrier(MPI_COMM_WORLD);
   auto other = contents();
   other.lines[1].arc[3] += 0.5;
-  EXPECT_THROW(ResultsFile::resume(MPI_COMM_WORLD, path, other, owned, 4), InputError);
+  EXPECT_THROW(ResultsFile::resume(MPI_COMM_WORLD, path, other, owned, 4, 2), InputError);
   // Below a file there is no folder, for root neither.
   EXPECT_THROW(ResultsFile::create(MPI_COMM_WORLD, path + "/run.h5", contents(), owned), WriteError);
 }
@@ -409,7 +409,7 @@ TEST(ResultsRanks, DamagedCheckpointIsPassedOver) {
       file.write_checkpoint(checkpoint(owned, 4));
       file.write_checkpoint(checkpoint(owned, 5));
     }
-    EXPECT_EQ(checkpoint_sequence(MPI_COMM_WORLD, path), 2);
+    EXPECT_EQ(read_checkpoint(MPI_COMM_WORLD, path, 41, owned).sequence, 2);
     const auto change = [&](const std::string& slot) {
       MPI_Barrier(MPI_COMM_WORLD);
       if (rank_of(MPI_COMM_WORLD) == 0) {
@@ -421,8 +421,9 @@ TEST(ResultsRanks, DamagedCheckpointIsPassedOver) {
       MPI_Barrier(MPI_COMM_WORLD);
     };
     change("checkpoint/0");
-    EXPECT_EQ(checkpoint_sequence(MPI_COMM_WORLD, path), 1) << place;
-    expect_same(read_checkpoint(MPI_COMM_WORLD, path, 41, owned), checkpoint(owned, 4));
+    const Checkpoint older = read_checkpoint(MPI_COMM_WORLD, path, 41, owned);
+    EXPECT_EQ(older.sequence, 1) << place;
+    expect_same(older, checkpoint(owned, 4));
     change("checkpoint/1");
     EXPECT_THROW(read_checkpoint(MPI_COMM_WORLD, path, 41, owned), InputError) << place;
   }

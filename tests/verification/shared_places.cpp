@@ -118,7 +118,7 @@ TEST(SharedPlaces, FollowTheAngle) {
   };
   const auto within = [&](double angle) { return 2 * R / (2 * std::sin(angle / 2)); };
   Simulation sim(PETSC_COMM_SELF, fan(0.2));
-  SharedPlaces places(PETSC_COMM_SELF, sim.local(), std::vector<double>(80, R / 2), {{{0}, {41}}}, {});
+  SharedPlaces places(PETSC_COMM_SELF, sim.local(), ContactRadii({R / 2}), {{{0}, {41}}}, {});
   const auto at = [&](double angle, bool settles) {
     State s = sim.state();
     for (size_t n = 41; n < 82; ++n) {

@@ -33,6 +33,7 @@ struct TermCheckpoint {
 // Keys hold no line breaks.
 struct Checkpoint {
   double time = 0;                                // s
+  long long sequence = 0;                         // its number in the file it was read from
   std::map<std::string, double> scalars;          // same on all ranks
   std::map<std::string, CheckpointField> nodes;   // this rank's owned nodes
   std::map<std::string, TermCheckpoint> records;  // by term
@@ -46,9 +47,6 @@ struct Checkpoint {
 // to a mesh of another size.
 Checkpoint read_checkpoint(MPI_Comm comm, const std::string& path, int nodes_total,
                            const std::vector<int>& owned);
-
-// The number of that checkpoint; 0: there is none. Collective; throws InputError as above.
-long long checkpoint_sequence(MPI_Comm comm, const std::string& path);
 
 // --- What results.cpp stores: the checkpoint as one array of doubles with a text that says what is where.
 

@@ -20,6 +20,7 @@
 
 namespace hawser::io {
 
+// On rank 0, which writes it.
 struct RunInfo {
   std::string case_text, case_path, version, options, date;
   int ranks = 1;
@@ -33,7 +34,7 @@ struct RunInfo {
 struct ResultLine {
   std::string name;
   int first_node = 0, nodes = 0;
-  std::vector<double> arc;  // m from end A, one a node
+  std::vector<double> arc;  // m from end A, one a node; on rank 0, which writes them
 };
 
 using ResultField = Field;  // of columns name, unit and components alone
@@ -83,7 +84,7 @@ struct ResultWaves {
   double level = 0, ramp = 0;                     // m; s
 };
 
-// What the file is to hold; the same on all ranks.
+// What the file is to hold; the same on all ranks, but for what rank 0 alone writes.
 struct ResultContents {
   RunInfo run;
   std::vector<ResultLine> lines;
@@ -127,10 +128,12 @@ class ResultsFile {
                             std::vector<int> owned);
 
   // Go on with the file of an earlier run of the same contents: outputs and series rows later than
-  // `time` [s] are dropped. `reported`: the clashes of the last output that stays; those of a dropped one may
-  // have taken their place in the file. Throws InputError when lines, fields or series differ.
+  // `time` [s] are dropped. `sequence`: of the checkpoint that the run goes on from; 0: it has none.
+  // `reported`: the clashes of the last output that stays; those of a dropped one may have taken their place
+  // in the file. Throws InputError when lines, fields or series differ.
   static ResultsFile resume(MPI_Comm comm, const std::string& path, ResultContents contents,
-                            std::vector<int> owned, double time, const ReportedClashes& reported = {});
+                            std::vector<int> owned, double time, long long sequence,
+                            const ReportedClashes& reported = {});
 
   ResultsFile(ResultsFile&&) noexcept;
   ResultsFile& operator=(ResultsFile&&) noexcept;

@@ -149,6 +149,9 @@ template <class First, class... More>
 // The values of all keys below v that are fixed_in_restart, by their dotted key, as text: numbers in SI, keys
 // of maps in alphabetical order. v: checked.
 std::map<std::string, std::string> fixed_values(const Value& v);
+// Of the tree of a case file what line_of() and fixed_values() read: what stands in another line of the file
+// than the entry around it, and what is fixed_in_restart. v: checked.
+Value without_values(const Value& v);
 // A checked value as such a text.
 std::string value_text(const Value& v);
 

@@ -18,7 +18,7 @@ class Recorder {
  public:
   // Starts a new results file. `from`: the checkpoint the run goes on from, if it does; `append`: in the file
   // that holds it, else in a new one. write: false makes no file, and only contents() and save() may follow.
-  Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, const io::RunInfo& run,
+  Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run,
            const io::Checkpoint* from = nullptr, bool append = false, bool write = true);
 
   // What the file holds, or would.
@@ -55,7 +55,7 @@ class Recorder {
   void save(io::Checkpoint& to);
 
  private:
-  io::ResultContents declared(std::vector<io::VolumeMesh> volumes, const io::RunInfo& run);
+  io::ResultContents declared(std::vector<io::VolumeMesh> volumes, io::RunInfo run);
   void restore(const io::Checkpoint& from);
   Snapshot snapshot(const Kinematics& at, const StepInfo& info = {}) const;
   void fill(const Snapshot& s, bool all);

@@ -10,7 +10,8 @@
 
 namespace hawser::record {
 
-std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh);
+// with_arcs: as the rank that writes them needs it.
+std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh, bool with_arcs = true);
 // The waves of a case; a Stokes' wave as the linear one of its height.
 io::ResultWaves result_waves(const model::Case& c);
 

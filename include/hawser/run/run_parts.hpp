@@ -18,8 +18,8 @@ namespace hawser::run {
 
 class Events;
 
-io::RunInfo run_info(const model::Case& c, const std::string& petsc_options, int ranks,
-                     std::vector<std::string> messages = {});
+// On rank 0; empty on others, which do not write it.
+io::RunInfo run_info(MPI_Comm comm, const model::Case& c, const std::string& petsc_options);
 // What was repaired and chosen, the like of several volumes at once.
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
                                    const std::vector<std::string>& chosen);

@@ -42,7 +42,7 @@ class Simulation {
  public:
   // surfaces: one for each volume of the case, in its order; skeletons: likewise, for contact of bodies with
   // bodies; facets: likewise, for hulls. Collective.
-  Simulation(MPI_Comm comm, const model::Case& c, std::vector<std::shared_ptr<const Surface>> surfaces = {},
+  Simulation(MPI_Comm comm, model::Case c, std::vector<std::shared_ptr<const Surface>> surfaces = {},
              std::vector<BodySkeleton> skeletons = {}, const VolumeFacets& facets = {});
 
   const model::Case& model() const { return case_; }
@@ -114,7 +114,7 @@ class Simulation {
   bool lays_lines() const;  // whether statics has friction of the bed
   void follow_contact(StaticsSettings settings, StaticsReport& report);
 
-  const model::Case case_;  // its own: a caller may make it on the way
+  const model::Case case_;
   std::unique_ptr<Mesh> mesh_;
   std::shared_ptr<Bodies> bodies_;
   std::unique_ptr<System> system_;

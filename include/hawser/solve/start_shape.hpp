@@ -2,6 +2,8 @@
 // line), and what holds their ends from then on.
 #pragma once
 
+#include <mpi.h>
+
 #include <array>
 #include <memory>
 #include <string>
@@ -19,7 +21,8 @@ namespace hawser {
 struct StartShape {
   State state;                 // of this rank's local nodes, at t = 0, at rest
   std::vector<TiedNode> tied;  // of this rank's local nodes
-  // For all lines: node axes at ends A and B, in the frame of the body there (or space).
+  // By line, of those with local nodes and of those with feeders: node axes at ends A and B, in the frame of
+  // the body there (or space).
   std::vector<std::array<Quat, 2>> ends;
   // Where this rank's local nodes were laid on the bed [m] (laid_places), and whether that is known of any
   // line of the case. If it is not, statics has no friction of the bed.
@@ -32,8 +35,10 @@ struct StartShape {
 // with least twist from end A, where axis 2 is horizontal. A clamped end has its given direction, or else the
 // tangent of the start shape. If no end of a line of beams is clamped, its twist is held at one supported
 // end, because nothing else holds it. Where lines cross near the bed, or volumes lie on it, the upper line is
-// raised (start_crossings.hpp). surfaces: of the volumes of the case; empty: volumes are ignored.
-StartShape start_shape(const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
+// raised (start_crossings.hpp). surfaces: of the volumes of the case; empty: volumes are ignored. A rank
+// makes the shapes of lines with local nodes, and of those that act on them at the start (start_share.hpp).
+// Throws InputError as line_start() and start_crossings.hpp do, on all ranks. Collective.
+StartShape start_shape(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Bodies& bodies,
                        const std::vector<std::shared_ptr<const Surface>>& surfaces = {});
 
 }  // namespace hawser

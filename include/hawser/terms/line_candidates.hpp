@@ -25,6 +25,7 @@
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
 #include "hawser/system/couplings.hpp"
+#include "hawser/terms/contact_radii.hpp"
 #include "hawser/terms/shared_places.hpp"
 
 namespace hawser {
@@ -74,9 +75,7 @@ Box swept_box(const SweptAxis& s);
 
 class LineCandidates {
  public:
-  // radius: one for each of Mesh::elements, m; 0: the element has no contact.
-  LineCandidates(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
-                 CandidateSettings settings = {});
+  LineCandidates(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii, CandidateSettings settings = {});
 
   // Sets how many elements of each line are inside feeders at its ends A and B. They have no contact, and
   // distances along lines that share a place count from the feeders. True if the numbers have changed:
@@ -124,10 +123,11 @@ class LineCandidates {
   std::vector<SweptAxis> from_others(std::span<const Box> boxes) const;
   std::vector<std::pair<int, int>> search() const;
   bool shares_less() const;
+  double radius(int element) const { return radii_.of(mesh_.mesh->elements[element]); }
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
-  std::vector<double> radius_;
+  ContactRadii radii_;
   CandidateSettings settings_;
   std::vector<std::array<int, 2>>
       inside_;                       // for each line, see set_elements_in_feeders(); empty: no line is fed

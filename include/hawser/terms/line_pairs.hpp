@@ -17,22 +17,24 @@
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
 #include "hawser/terms/line_candidates.hpp"
-#include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/run_roles.hpp"
 
 namespace hawser {
+
+// A line type on other lines.
+struct LinePairType {
+  double radius = 0;           // m, half the contact diameter; 0: its lines take no part
+  double mass_per_length = 0;  // kg/m
+  // k and c of F = k s + c s³ a metre, for pairs with basis `automatic` (automatic_stiffness.hpp).
+  double linear = 0, cubic = 0;  // N/m², N/m⁴
+};
 
 struct LinePairOptions {
   // Laws by pair of lines (indices, the smaller first); `general` for all others. Stiffness is N/m² or N/m³
   // by its basis (per length, per area), not automatic.
   model::LinePairSettings general;
   std::map<std::pair<int, int>, model::LinePairSettings> tuned;
-  // k and c of F = k s + c s³ a metre, of each element, for pairs with basis `automatic`
-  // (automatic_stiffness.hpp).
-  struct Automatic {
-    double linear = 0, cubic = 0;  // N/m², N/m⁴
-  };
-  std::vector<Automatic> automatic;
+  std::vector<bool> takes_part;  // by line; empty: all do
   CandidateSettings candidates;
   // Of lines that take part; `whole` as for SharedPlaces.
   std::vector<SharedPlace> shared;
@@ -49,10 +51,8 @@ class LinePairs final : public ForceTerm,
                         public HasFriction,
                         public ActsOnFedLines {
  public:
-  // elements: one for each of Mesh::elements; radius 0 takes no part. std::invalid_argument for settings that
-  // make no sense. Collective.
-  LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LineContactElement> elements,
-            LinePairOptions options);
+  // types: by line type of the case. std::invalid_argument for settings that make no sense. Collective.
+  LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LinePairType> types, LinePairOptions options);
 
   // The places that lines share, and the length near them without contact.
   const SharedPlaces& shared() const { return shared_; }
@@ -147,7 +147,7 @@ class LinePairs final : public ForceTerm,
 
   const ContactSegment& segment(int i) const { return candidates_.segments()[i]; }
   const Element& element(int i) const { return mesh_.mesh->elements[i]; }
-  const LineContactElement& settings(int element) const { return elements_[element]; }
+  const LinePairType& type_of(int element) const { return types_[this->element(element).type]; }
   const AxisEnds& start(int segment) const { return start_[segment]; }
   int fed_end(int segment) const { return fed_end_[segment]; }
   PairAxis axis(const Kinematics& at, int segment) const;
@@ -196,7 +196,7 @@ class LinePairs final : public ForceTerm,
   double fed_work(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next) const;
 
   const LocalMesh& mesh_;
-  std::vector<LineContactElement> elements_;
+  std::vector<LinePairType> types_;
   LinePairOptions options_;
   SharedPlaces shared_;
   LineCandidates candidates_;

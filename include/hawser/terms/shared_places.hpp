@@ -14,6 +14,7 @@
 
 #include "hawser/mesh/local_mesh.hpp"
 #include "hawser/state/kinematics.hpp"
+#include "hawser/terms/contact_radii.hpp"
 
 namespace hawser {
 
@@ -29,10 +30,10 @@ struct SharedPlace {
 
 class SharedPlaces {
  public:
-  // radius: m, of each of Mesh::elements, not 0 along the stretches. whole: for each line, the first part of
+  // radii: not 0 along the stretches. whole: for each line, the first part of
   // the uncut line that it is a part of (lines that are cut later); empty: every line is uncut.
-  SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, std::vector<double> radius,
-               std::vector<SharedPlace> places, std::vector<int> whole);
+  SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii, std::vector<SharedPlace> places,
+               std::vector<int> whole);
 
   // Sets how many elements of each line are inside feeders at its ends A and B. Stretches begin at the
   // feeder.
@@ -108,7 +109,7 @@ class SharedPlaces {
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
-  std::vector<double> radius_;
+  ContactRadii radii_;
   std::vector<int> whole_;      // of each line, see the constructor
   std::vector<double> offset_;  // m, of each line, its start along its uncut line
   std::vector<std::array<int, 2>> inside_;

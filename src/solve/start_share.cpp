@@ -1,0 +1,109 @@
+// Groups of lines that act on each other at the start, by joints and by a sweep over their boxes in plan; and
+// sentences of all ranks in one order.
+#include "start_share.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/math/disjoint_sets.hpp"
+
+namespace hawser {
+namespace {
+
+// Boxes in the order of their beginnings along x. Those that have not ended there are kept as intervals of y
+// that do not overlap: each box takes the place of all that it overlaps.
+void unite_overlapping(const std::vector<Box>& boxes, DisjointSets& group) {
+  std::vector<int> order;
+  for (size_t i = 0; i < boxes.size(); ++i)
+    if (!boxes[i].empty()) order.push_back(static_cast<int>(i));
+  std::sort(order.begin(), order.end(),
+            [&](int i, int j) { return std::pair(boxes[i].lo.x(), i) < std::pair(boxes[j].lo.x(), j); });
+  struct Open {
+    double from, ends;  // m, along y; m, along x
+    int line;
+  };
+  std::map<double, Open> open;  // by where they end along y
+  for (const int i : order) {
+    Open now{boxes[i].lo.y(), boxes[i].hi.x(), i};
+    double to = boxes[i].hi.y();
+    for (auto at = open.lower_bound(now.from); at != open.end() && at->second.from <= to;) {
+      if (at->second.ends >= boxes[i].lo.x()) {
+        group.unite(at->second.line, i);
+        now.from = std::min(now.from, at->second.from);
+        now.ends = std::max(now.ends, at->second.ends);
+        to = std::max(to, at->first);
+      }
+      at = open.erase(at);
+    }
+    open[to] = now;
+  }
+}
+
+void unite_joined(const model::Case& c, const std::vector<GivenLine>& lines, DisjointSets& group) {
+  std::unordered_map<std::string, int> first;  // line at each joint
+  for (int g = 0; g < static_cast<int>(lines.size()); ++g)
+    for (int l = lines[g].first; l < lines[g].first + lines[g].parts; ++l)
+      for (const bool b : {false, true})
+        if (const model::End& e = c.lines[l].end(b); e.kind == model::EndKind::joint)
+          group.unite(first.try_emplace(e.body, g).first->second, g);
+}
+
+}  // namespace
+
+std::vector<GivenLine> given_lines(const model::Case& c) {
+  std::vector<GivenLine> out;
+  for (int l = 0; l < static_cast<int>(c.lines.size()); ++l)
+    if (l > 0 && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole)
+      ++out.back().parts;
+    else
+      out.push_back({l, 1});
+  return out;
+}
+
+std::vector<bool> with_groups(const model::Case& c, const std::vector<GivenLine>& lines,
+                              const std::vector<Box>& boxes, const std::vector<bool>& wanted) {
+  DisjointSets group(lines.size());
+  unite_overlapping(boxes, group);
+  unite_joined(c, lines, group);
+  std::vector<bool> whole(lines.size(), false), out(lines.size(), false);  // whole: by the first line of a group
+  for (size_t g = 0; g < lines.size(); ++g)
+    if (wanted[g]) whole[group.smallest(static_cast<int>(g))] = true;
+  for (size_t g = 0; g < lines.size(); ++g) out[g] = whole[group.smallest(static_cast<int>(g))];
+  return out;
+}
+
+FirstNotes first_notes(MPI_Comm comm, std::vector<StartNote> mine, int most) {
+  const auto sort = [](std::vector<StartNote>& notes) {
+    std::stable_sort(notes.begin(), notes.end(), [](const StartNote& a, const StartNote& b) {
+      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+    });
+  };
+  int all = static_cast<int>(mine.size());
+  if (all_reduce(comm, MPI_SUM, all) == 0) return {};
+  sort(mine);
+  if (std::ssize(mine) > most) mine.resize(most);
+  std::vector<int> sent;
+  for (const StartNote& n : mine) {
+    sent.insert(sent.end(), {n.first, n.second, static_cast<int>(n.text.size())});
+    sent.insert(sent.end(), n.text.begin(), n.text.end());
+  }
+  std::vector<StartNote> first;
+  const std::vector<int> got = gather_all(comm, sent);
+  for (auto at = got.begin(); at != got.end();) {
+    StartNote& n = first.emplace_back(StartNote{at[0], at[1], std::string(at + 3, at + 3 + at[2])});
+    at += 3 + static_cast<std::ptrdiff_t>(n.text.size());
+  }
+  sort(first);
+  FirstNotes out;
+  for (size_t i = 0; i < first.size() && std::ssize(out.texts) < most; ++i)
+    out.texts.push_back(std::move(first[i].text));
+  out.more = all - static_cast<int>(out.texts.size());
+  return out;
+}
+
+}  // namespace hawser
