@@ -1,5 +1,5 @@
-"""Accounts of floating bodies that no line holds, by the program: the work of thrusters over an event of something else, and
-the forces by origin, which leave nothing for what is not there."""
+"""Accounts of floating bodies, by the program: the work of thrusters over an event of something else, the forces by origin, which
+leave nothing for what is not there, and momenta of bodies and rope when it is cut, let go of or caught."""
 import os
 import re
 import sys
@@ -7,7 +7,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import h5py
+import numpy as np
 from support import ROOT, run, write
+from test_rigid_bodies import rotation
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post.results import Results  # noqa: E402
@@ -87,6 +90,31 @@ statics: false
 dynamics: {duration: 1, step: 0.05, rho_infinity: 1}
 output: {every: 1, file: run.h5, histories: [{body: sphere}]}
 """
+# Two bodies in space, that turn and drift apart, and a rope from one to the other.
+ROPED = """\
+hawser: 1
+environment: {gravity: 0}
+line_types:
+  rope: {outer_diameter: 0.1, mass_per_length: 20, EA: 4e5, bending: false, stiffness_damping: 0.1}
+bodies:
+  one:
+    position: [0, 0, 0]
+    floating: {mass: 2e4, inertia: [3e4, 5e4, 6e4], products_of_inertia: [2e3, -1e3, 3e3], centre_of_mass: [0.2, 0, 0.3],
+               velocity: [-0.4, 0.05, 0.1], angular_velocity: [0.3, 0.2, -0.5]}
+  two:
+    position: [22, 1, 0]
+    floating: {mass: 1e4, inertia: [4e4, 8e4, 1e5], velocity: [0.6, 0, 0], angular_velocity: [-0.3, -0.2, 0.1]}
+lines:
+  rope: {sections: [{type: rope, length: 18, elements: 6}], end_a: {body: one, at: [2, 1, 0]}, end_b: END}
+events:
+  - {EVENT, time: 0.53}
+contact: {lines: [], between_lines: false}
+statics: false
+dynamics: {duration: 1, step: STEP, tolerance: 1e-11}
+output: {every: STEP, file: run.h5, histories: [{body: one}, {body: two}]}
+"""
+BODIES = {"one": (2e4, np.array([[3e4, 2e3, 3e3], [2e3, 5e4, -1e3], [3e3, -1e3, 6e4]]), np.array([0.2, 0, 0.3])),
+          "two": (1e4, np.diag([4e4, 8e4, 1e5]), np.zeros(3))}
 
 
 class FreePlatforms(unittest.TestCase):
@@ -134,6 +162,49 @@ class FreePlatforms(unittest.TestCase):
             self.assertLess(left.max(), 1e-5 * max(abs(part).max() for part in parts), direction)
             for part in parts[1:]:
                 self.assertGreater(abs(part).max(), 1e3 * left.max(), direction)
+
+    def momenta(self):
+        """Of bodies and rope at each output, by row: momentum, and angular momentum about the origin."""
+        with h5py.File(self.folder / "run.h5") as file:
+            rows = [int(np.argmin(abs(file["series/time"][:] - t))) for t in file["outputs/time"][:]]
+            x, v = file["fields/position"][:], file["fields/velocity"][:]
+            P, L = np.zeros((len(rows), 3)), np.zeros((len(rows), 3))
+            for name, (mass, inertia, centre) in BODIES.items():
+                data = file["series"][name]
+                columns = {c.decode(): data[:, k][rows] for k, c in enumerate(data.attrs["columns"])}
+                place, turn, velocity, rate = (np.array([columns[f"{what}_{axis}"] for axis in "xyz"]).T
+                                               for what in ("position", "rotation_vector", "velocity", "angular_velocity"))
+                for k in range(len(rows)):
+                    R = rotation(turn[k])
+                    p = mass * (velocity[k] + np.cross(rate[k], R @ centre))
+                    P[k] += p
+                    L[k] += np.cross(place[k] + R @ centre, p) + R @ inertia @ R.T @ rate[k]
+            arc = file["nodes/arc_length"][:]
+            for first, nodes in zip(file["lines/first_node"][:], file["lines/nodes"][:]):
+                for i in range(first, first + nodes - 1):
+                    # The mass matrix of a cable is the mean of a linear element's and one of masses at its ends.
+                    mass = 20 * (arc[i + 1] - arc[i])
+                    P += mass / 2 * (v[:, i] + v[:, i + 1])
+                    L += 5 * mass / 12 * (np.cross(x[:, i], v[:, i]) + np.cross(x[:, i + 1], v[:, i + 1]))
+                    L += mass / 12 * (np.cross(x[:, i], v[:, i + 1]) + np.cross(x[:, i + 1], v[:, i]))
+        return P, L
+
+    def test_momenta_over_an_event(self):
+        """Momentum to rounding; angular momentum, which steps keep to their second order, as before and after the event."""
+        tied, free = "{body: two, at: [-2, 0, 1]}", "free"
+        for event, end, bound in (("cut: {line: rope, at: 9}", tied, 5e-6), ("release: {line: rope, end: end_b}", tied, 5e-6),
+                                  ("attach: {line: rope, end: end_b, body: two}", free, 2e-4)):  # an impact
+            off = []
+            for step in (0.01, 0.005):
+                write(self.folder, "case.yaml", ROPED.replace("EVENT", event).replace("END", end).replace("STEP", str(step)))
+                done = run(HAWSER, "run", "-q", self.folder / "case.yaml", "-o", self.folder / "run.h5")
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                P, L = self.momenta()
+                self.assertLess(np.abs(P - P[0]).max(), 1e-11 * np.linalg.norm(P[0]), event)
+                off.append(np.abs(L - L[0]).max() / np.linalg.norm(L[0]))
+            print(f"{event}: momentum kept to {np.abs(P - P[0]).max() / np.linalg.norm(P[0]):.1e}, angular momentum to {off[0]:.1e}, {off[1]:.1e}")
+            self.assertLess(off[1], bound, event)
+            self.assertLess(off[1], 0.35 * off[0], event)
 
 
 if __name__ == "__main__":
