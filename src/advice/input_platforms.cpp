@@ -101,17 +101,18 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
   const Vec3 added(0, m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
                    m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
   const Vec3 heights = (restoring(m, still, g) + added) / weight;
-  const bool roll = heights[1] < 0, pitch = heights[2] < 0;
+  const bool roll = heights[1] < 0, pitch = heights[2] < 0, lines = !line_ends_at(c, b).empty();
   if (roll || pitch)
     out.push_back(
         {"bodies." + b.name + ".floating.centre_of_mass",
-         fmt::format("without lines it capsizes: its metacentric height in {} is {:.3g} m; is the centre "
-                     "of mass in the body's frame, and has the stiffness of the files its weight "
-                     "('gravity_in_stiffness')?",
+         fmt::format("{} its metacentric height in {} is {:.3g} m; {}is the centre of mass in the body's "
+                     "frame, and has the stiffness of the files its weight ('gravity_in_stiffness')?",
+                     lines ? "without its lines" : "capsizes:",
                      roll && pitch ? "roll and pitch"
                      : roll        ? "roll"
                                    : "pitch",
-                     std::min(heights[1], heights[2])),
+                     std::min(heights[1], heights[2]),
+                     lines ? "they have to hold it upright, as tendons do; if they are not to, " : ""),
          111});
 }
 
