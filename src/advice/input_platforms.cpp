@@ -80,6 +80,37 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
                    36});
 }
 
+// Added mass that counts twice, of a hull or of the files, and of members beside them.
+void warn_of_members(const Body& b, std::vector<InputWarning>& out) {
+  const BodyMass& m = *b.mass;
+  for (size_t i = 0; i < m.members.size(); ++i)
+    if (m.members[i].added > 0 || m.members[i].axial_added > 0)
+      out.push_back(
+          {fmt::format("bodies.{}.floating.members[{}]", b.name, i),
+           "has added mass beside that of 'hydrodynamics', so that it counts twice unless the files are "
+           "without this member: leave out its 'Ca' and 'axial_Ca'",
+           115});
+}
+
+// A stiffness that is added pushes the body away in the plane, where the water holds nothing. In heave, roll
+// and pitch it may take from what the water gives (free surfaces of tanks).
+void warn_of_stiffness(const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kRounded = 1e-6;
+  const Mat6& C = b.mass->hydrodynamics->stiffness;
+  const double size = std::cbrt(b.mass->mass);
+  Mat3 plane;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double scale = (i == 2 ? size : 1) * (j == 2 ? size : 1);
+      plane(i, j) = C(kHorizontalFreedoms[i], kHorizontalFreedoms[j]) / scale;
+    }
+  if (eigenpairs(plane).values[0] < -kRounded * plane.cwiseAbs().maxCoeff())
+    out.push_back({"bodies." + b.name + ".floating.hydrodynamics.stiffness",
+                   "pushes the body away from its place in surge, sway or yaw: a stiffness that holds it has "
+                   "entries above 0 on the diagonal",
+                   116});
+}
+
 // Bodies that float elsewhere by more than their size, or not upright.
 void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   const BodyMass& m = *b.mass;
@@ -184,6 +215,8 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     warn_of_coefficients(c, b, out);
     warn_of_floating(c, b, out);
     warn_of_damping(c, b, out);
+    warn_of_members(b, out);
+    warn_of_stiffness(b, out);
     warn_of_sea_of_platform(c, b, out);
     warn_of_directions(c, b, out);
   }

@@ -243,6 +243,15 @@ TEST_F(HydrodynamicChecks, WhatCannotFloat) {
   };
   EXPECT_EQ(reported(damping(0.9e5)), "");
   expect("brings energy in where some velocities are coupled", damping(1.1e5));
+  const auto stiffness = [](double surge, double heave) {
+    return fmt::format(
+        ", stiffness: [[{}, 0, 0, 0, 0, 0], [0, 1e4, 0, 0, 0, 0], [0, 0, {}, 0, 0, 0], [0, 0, 0, 0, 0, 0], "
+        "[0, 0, "
+        "0, 0, 0, 0], [0, 0, 0, 0, 0, 1e7]]",
+        surge, heave);
+  };
+  EXPECT_EQ(reported(stiffness(1e4, -1e3)), "");
+  expect("pushes the body away from its place in surge, sway or yaw", stiffness(-1e4, 0));
   const auto line = [](double x) {
     return fmt::format(
         "line_types: {{chain: {{library: chain-studless, diameter: 100 mm, grade: R4}}}}\nlines: {{mooring: "
