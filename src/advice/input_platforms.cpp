@@ -88,7 +88,7 @@ void warn_of_members(const Body& b, std::vector<InputWarning>& out) {
       out.push_back(
           {fmt::format("bodies.{}.floating.members[{}]", b.name, i),
            "has added mass beside that of 'hydrodynamics', so that it counts twice unless the files are "
-           "without this member: leave out its 'Ca' and 'axial_Ca'",
+           "without this member: give it neither 'Ca' nor 'axial_Ca'",
            115});
 }
 

@@ -163,6 +163,22 @@ class FreePlatforms(unittest.TestCase):
             for part in parts[1:]:
                 self.assertGreater(abs(part).max(), 1e3 * left.max(), direction)
 
+    def test_periods_afloat(self):
+        """Those that check prints are those of hawser modes without lines, to the digits printed; roll and pitch go with sway and surge."""
+        case = SPAR.replace("STEM", str(ROOT / "docs/tutorial/spar")).replace("statics: false\n", "")
+        for part in (r", *waves: [^\n]*", r"\n  waves: [^\n]*", r"\n      positioning: [^\n]*", r"\n      velocity: [^\n]*"):
+            case = re.sub(part, "", case)
+        write(self.folder, "case.yaml", case)
+        reported = run(HAWSER, "check", self.folder / "case.yaml").stdout
+        heave, roll, pitch = (float(v) for v in re.search(r"periods afloat without lines: heave (\S+) s, roll (\S+) s, pitch (\S+) s", reported).groups())
+        modes = run(HAWSER, "modes", self.folder / "case.yaml", "-n", "6").stdout
+        self.assertAlmostEqual(float(re.search(r"^ *\d+ +(\S+) .*: heave", modes, re.M)[1]) / heave, 1, delta=5e-4)
+        tilts = [float(v) for v in re.findall(r"^ *\d+ +(\S+) .*: (?:sway, roll|surge, pitch)", modes, re.M)]
+        self.assertEqual(len(tilts), 2, modes)
+        for tilt in tilts:
+            self.assertAlmostEqual(tilt / roll, 1, delta=5e-4)
+            self.assertAlmostEqual(tilt / pitch, 1, delta=5e-4)
+
     def momenta(self):
         """Of bodies and rope at each output, by row: momentum, and angular momentum about the origin."""
         with h5py.File(self.folder / "run.h5") as file:
