@@ -90,6 +90,20 @@ statics: false
 dynamics: {duration: 1, step: 0.05, rho_infinity: 1}
 output: {every: 1, file: run.h5, histories: [{body: sphere}]}
 """
+# Two crates in space, one with a fender in the side of the other already at the start, that meet with friction.
+FENDERED = """\
+hawser: 1
+environment: {gravity: 0}
+bodies:
+  sphere: {position: [0, 0, 0], floating: {mass: 2e4, inertia: [3e4, 5e4, 6e4], velocity: [0.5, 0.1, 0], angular_velocity: [0, 0.1, 0.2]}}
+  other: {position: [4.95, 0.3, 0], floating: {mass: 1e4, inertia: [2e4, 3e4, 3e4]}}
+volumes:
+  fender: {shape: {sphere: {centre: [2, 0, 0], radius: 1}}, body: sphere, normal_stiffness: {per_point: 1e6}, friction: 0.3, relative_damping: 0.1}
+  side: {shape: {box: {centre: [0, 0, 0], size: [4, 4, 4]}}, body: other, friction: 0.3, normal_stiffness: {per_area: 1e7}}
+statics: false
+dynamics: {duration: 0.5, step: 0.005, rho_infinity: 1}
+output: {every: 1, file: run.h5, histories: [{body: sphere}, {body: other}]}
+"""
 # Two bodies in space, that turn and drift apart, and a rope from one to the other.
 ROPED = """\
 hawser: 1
@@ -162,6 +176,21 @@ class FreePlatforms(unittest.TestCase):
             self.assertLess(left.max(), 1e-5 * max(abs(part).max() for part in parts), direction)
             for part in parts[1:]:
                 self.assertGreater(abs(part).max(), 1e3 * left.max(), direction)
+
+    def test_contact_is_all_that_acts(self):
+        """Of a crate on a fender, from the first row on, on one and two ranks: equal and opposite, and nothing is left."""
+        for words in ([HAWSER], ["mpirun", "-n", "2", HAWSER]):
+            write(self.folder, "case.yaml", FENDERED)
+            done = run(*words, "run", "-q", self.folder / "case.yaml", "-o", self.folder / "run.h5")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            one, two = (Results(self.folder / "run.h5").series(name) for name in ("sphere", "other"))
+            most = abs(one.column("contact_force_x")).max()
+            self.assertLess(one.column("contact_force_x")[0], -4e4)  # 5 cm, 1 MN/m
+            self.assertGreater(abs(one.column("contact_force_y")).max(), 0.1 * most)  # friction
+            for axis in "xyz":
+                self.assertLess(abs(one.column(f"contact_force_{axis}") + two.column(f"contact_force_{axis}")).max(), 1e-9 * most)
+                for history in (one, two):
+                    self.assertLess(abs(history.column(f"other_force_{axis}")).max(), 1e-6 * most)
 
     def test_periods_afloat(self):
         """Those that check prints are those of hawser modes without lines, to the digits printed; roll and pitch go with sway and surge."""
