@@ -72,6 +72,35 @@ void warn_of_hull(const Body& b, std::vector<InputWarning>& out) {
                 "'members', or the 'hydrodynamics' of a diffraction program");
 }
 
+// Added mass that counts twice, of a hull or of the files, and of members beside them.
+void warn_of_members(const Body& b, std::vector<InputWarning>& out) {
+  const BodyMass& m = *b.mass;
+  for (size_t i = 0; i < m.members.size(); ++i)
+    if (m.members[i].added > 0 || m.members[i].axial_added > 0)
+      add_warning(
+          out, fmt::format("bodies.{}.floating.members[{}]", b.name, i), Effect::all,
+          "has added mass beside that of 'hydrodynamics', so that it counts twice unless the files are "
+          "without this member: give it neither 'Ca' nor 'axial_Ca'");
+}
+
+// A stiffness that is added pushes the body away in the plane, where the water holds nothing. In heave, roll
+// and pitch it may take from what the water gives (free surfaces of tanks).
+void warn_of_stiffness(const Body& b, std::vector<InputWarning>& out) {
+  constexpr double kRounded = 1e-6;
+  const Mat6& C = b.mass->hydrodynamics->stiffness;
+  const double size = std::cbrt(b.mass->mass);
+  Mat3 plane;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const double scale = (i == 2 ? size : 1) * (j == 2 ? size : 1);
+      plane(i, j) = C(kHorizontalFreedoms[i], kHorizontalFreedoms[j]) / scale;
+    }
+  if (eigenpairs(plane).values[0] < -kRounded * plane.cwiseAbs().maxCoeff())
+    add_warning(out, "bodies." + b.name + ".floating.hydrodynamics.stiffness", Effect::all,
+                "pushes the body away from its place in surge, sway or yaw: a stiffness that holds it has "
+                "entries above 0 on the diagonal");
+}
+
 // Bodies that float elsewhere by more than their size, or not upright.
 void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   const BodyMass& m = *b.mass;
@@ -90,16 +119,17 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
   const Vec3 added(0, m.hydrodynamics->stiffness(3, 3) + m.turning_stiffness.x(),
                    m.hydrodynamics->stiffness(4, 4) + m.turning_stiffness.y());
   const Vec3 heights = (restoring(m, still, g) + added) / weight;
-  const bool roll = heights[1] < 0, pitch = heights[2] < 0;
+  const bool roll = heights[1] < 0, pitch = heights[2] < 0, lines = !line_ends_at(c, b).empty();
   if (roll || pitch)
     add_warning(out, "bodies." + b.name + ".floating.centre_of_mass", Effect::all,
-                "without lines it capsizes: its metacentric height in {} is {:.3g} m; is the centre "
-                "of mass in the body's frame, and has the stiffness of the files its weight "
-                "('gravity_in_stiffness')?",
+                "{} its metacentric height in {} is {:.3g} m; {}is the centre of mass in the body's "
+                "frame, and has the stiffness of the files its weight ('gravity_in_stiffness')?",
+                lines ? "without its lines" : "capsizes:",
                 roll && pitch ? "roll and pitch"
                 : roll        ? "roll"
                               : "pitch",
-                std::min(heights[1], heights[2]));
+                std::min(heights[1], heights[2]),
+                lines ? "they have to hold it upright, as tendons do; if they are not to, " : "");
 }
 
 // Of a matrix that is not that of dampers: it takes energy of each velocity alone and brings some in of
@@ -165,6 +195,8 @@ void warn_of_platforms(const Case& c, std::vector<InputWarning>& out) {
     warn_of_coefficients(c, b, out);
     warn_of_floating(c, b, out);
     warn_of_damping(c, b, out);
+    warn_of_members(b, out);
+    warn_of_stiffness(b, out);
     warn_of_sea_of_platform(c, b, out);
     warn_of_directions(c, b, out);
   }

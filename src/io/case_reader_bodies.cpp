@@ -16,6 +16,12 @@ using model::Value;
 
 namespace {
 
+// Whether the case itself gives the key.
+bool given(const Value& map, const char* key) {
+  const Value* v = map.find(key);
+  return v && v->given;
+}
+
 // Refuses a sea of which more than the share `most` goes where the table has no directions.
 void check_coverage(const Value& files, const std::vector<WaveForceTable>& tables, int body, const char* what,
                     double most, const std::vector<WaveComponent>& sea, double heading,
@@ -122,11 +128,10 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
                   h.data->radiation_file,
                   h.data->bodies == 1 ? "one body" : fmt::format("{} bodies", h.data->bodies));
   const auto body = static_cast<size_t>(h.body) - 1;
-  const auto given = [&v](const char* key) { return v.has(key) && v[key].given; };
-  if (!given("origin_in_file") && body < h.data->origin.size() && h.data->origin[body])
+  if (!given(v, "origin_in_file") && body < h.data->origin.size() && h.data->origin[body])
     h.in_file = *h.data->origin[body];
   // Capytaine's stiffness always has the weight.
-  if (!given("gravity_in_stiffness"))
+  if (!given(v, "gravity_in_stiffness"))
     h.gravity_in_stiffness = h.format == model::BodyHydrodynamics::Format::capytaine;
   if (h.gravity_in_stiffness && body < h.data->weight.size() && h.data->weight[body])
     compare_centre(*h.data->weight[body], *b.mass, c.environment, "bodies." + b.name + ".floating", c.notes);
@@ -165,11 +170,11 @@ void finish_body(const Value& v, const CaseSource& source, model::Body& b, model
     if (const Value* w = f->find("current")) read_flow_on_body(*w, source, *b.mass->current);
     const Value* waves = f->find("hydrodynamics");
     const Value* hull = f->find("hull");
-    if ((waves || hull) && !(*f)["weight"].given) b.mass->weight = true;
-    if (hull && waves && !(*hull)["wave_pressure"].given) b.mass->hull->wave_pressure = false;
+    if ((waves || hull) && !given(*f, "weight")) b.mass->weight = true;
+    if (hull && waves && !given(*hull, "wave_pressure")) b.mass->hull->wave_pressure = false;
     if (const Value* members = f->find("members"))
       for (size_t i = 0; i < members->items.size(); ++i)
-        if (waves && !members->items[i]["Ca"].given) b.mass->members[i].added = 0;
+        if (waves && !given(members->items[i], "Ca")) b.mass->members[i].added = 0;
     if (waves) read_hydrodynamics(*waves, source, b, c);
   }
   const Value* m = v.find("motion");
@@ -203,7 +208,7 @@ void meet_sea(const Value& v, const CaseSource& source, model::Body& b, model::C
   const Value* rao = m ? m->find("rao") : nullptr;
   if (!rao) return;
   b.motion = read_rao(*rao, c.environment, b, c.dynamics.duration, source, c.notes);
-  if (!(*m)["ramp"].given) b.ramp = c.environment.water.waves.ramp;
+  if (!given(*m, "ramp")) b.ramp = c.environment.water.waves.ramp;
 }
 
 }  // namespace hawser::io

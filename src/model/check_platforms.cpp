@@ -29,6 +29,8 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
   if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
+  if (!(c.environment.gravity > 0))
+    issue("", "floats by the weight of the water, and 'environment.gravity' is 0: give it above 0");
   if (m.in_water) issue("", "stands in the place of 'in_water': give one of them");
   if (!m.weight)
     issue("", "brings the buoyancy of the body, so that its weight acts as well: remove 'weight'");
@@ -47,6 +49,8 @@ void check_platform(const Case& c, const Body& b, const Issues& issue) {
 void check_hull(const Case& c, const Body& b, const Issues& issue) {
   const BodyMass& m = *b.mass;
   if (!c.environment.water.present) issue("", "there is no water: give 'environment: {{water: ...}}'");
+  if (!(c.environment.gravity > 0))
+    issue("", "floats by the weight of the water, and 'environment.gravity' is 0: give it above 0");
   if (m.in_water)
     issue("", "'in_water' brings buoyancy as well: give one of them, and drag and added mass by 'members'");
   if (!m.weight)

@@ -1,6 +1,7 @@
-// Periods of heave, roll and pitch with the added mass of their own frequency.
+// Periods of heave, roll and pitch afloat, with the added mass of their own frequency.
 #include "hawser/model/platform_periods.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "hawser/kernels/table_places.hpp"
@@ -10,19 +11,30 @@
 namespace hawser::model {
 namespace {
 
-// Between the rows; beyond them as there.
-double added_mass(const HydrodynamicData& data, int mode, double omega) {
-  const auto [low, high, share] = frequency_place(data.omega, omega);
-  return (1 - share) * data.added_mass[low](mode, mode) + share * data.added_mass[high](mode, mode);
+constexpr int kUpright[] = {2, 3, 4}, kPlane[] = {0, 1, 5};
+
+// In surge, sway and yaw nothing pulls back: M_ss x_s + M_sr x_r = 0 at any frequency, and what is left for
+// heave, roll and pitch is
+//   M_rr - M_rs M_ss^-1 M_sr
+Mat3 mass_upright(const Mat6& M) {
+  const Mat3 across = M(kPlane, kUpright);
+  return M(kUpright, kUpright) - across.transpose() * Mat3(M(kPlane, kPlane)).ldlt().solve(across);
 }
 
-double period(const HydrodynamicData& data, int mode, double mass, double stiffness) {
-  if (!(stiffness > 0)) return 0;
-  double omega = std::sqrt(stiffness / (mass + data.infinite(mode, mode)));
-  constexpr int kIterations = 50;
-  for (int i = 0; i < kIterations; ++i)
-    omega = 0.5 * (omega + std::sqrt(stiffness / (mass + added_mass(data, mode, omega))));
-  return 2 * M_PI / omega;
+// rad/s, of the mode in which that freedom (0: heave, 1: roll, 2: pitch) has the most kinetic energy; 0:
+// none.
+double frequency(const Mat3& C, const Mat3& M, int freedom) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Mat3> modes(C, M);
+  Eigen::Index mode = 0;
+  modes.eigenvectors().row(freedom).cwiseAbs().maxCoeff(&mode);
+  return std::sqrt(std::max(modes.eigenvalues()[mode], 0.0));
+}
+
+// Between the rows; beyond them as there.
+Mat6 added_mass(const HydrodynamicData& data, int first, double omega) {
+  const auto [low, high, share] = frequency_place(data.omega, omega);
+  const auto of = [&](size_t row) { return Mat6(data.added_mass[row].block<6, 6>(first, first)); };
+  return (1 - share) * of(low) + share * of(high);
 }
 
 }  // namespace
@@ -31,14 +43,22 @@ PlatformPeriods platform_periods(const Case& c, const Body& b) {
   const BodyMass& m = *b.mass;
   const BodyHydrodynamics& h = *m.hydrodynamics;
   const double g = c.environment.gravity;
-  const Vec3 stiffness = restoring(m, hydrostatics(m, c.environment.water.density, g), g);
+  const PlatformHydrostatics still = hydrostatics(m, c.environment.water.density, g);
+  Mat3 C = still.stiffness;
+  C.diagonal() = restoring(m, still, g);
   const Mat6 mass = whole_mass(m, Vec3::Zero());
   const int first = 6 * (h.body - 1);
-  PlatformPeriods out;
-  out.heave = period(*h.data, first + 2, mass(2, 2), stiffness[0]);
-  out.roll = period(*h.data, first + 3, mass(3, 3), stiffness[1]);
-  out.pitch = period(*h.data, first + 4, mass(4, 4), stiffness[2]);
-  return out;
+  const auto period = [&](int freedom) {
+    const auto with = [&](const Mat6& A) { return frequency(C, mass_upright(mass + A), freedom); };
+    double omega = with(h.data->infinite.block<6, 6>(first, first));
+    constexpr int kIterations = 50;
+    for (int i = 0; i < kIterations && omega > 0; ++i) {
+      const double next = with(added_mass(*h.data, first, omega));
+      omega = next > 0 ? 0.5 * (omega + next) : 0;
+    }
+    return omega > 0 ? 2 * M_PI / omega : 0;
+  };
+  return {period(0), period(1), period(2)};
 }
 
 }  // namespace hawser::model

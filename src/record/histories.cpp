@@ -179,7 +179,7 @@ std::vector<double> Histories::line_row(const Point& p, const Snapshot& s) const
   return row;
 }
 
-// What is left of the force of all is that of lines, links and contact.
+// What is left of the force of all is that of lines, of their contact with the body, and of links.
 std::vector<std::string> Histories::origins(int body) const {
   std::vector<std::string> out;
   if (!subject_.model.floats(body)) return out;
@@ -190,7 +190,9 @@ std::vector<std::string> Histories::origins(int body) const {
 }
 
 // Empty on ranks that do not own the body.
-std::vector<double> Histories::body_row(int body, const Kinematics& at) const {
+std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
+  Kinematics at = s.at;
+  at.step = s.moving_step;
   const auto p = body_pose(subject_.bodies, subject_.local(), body, at);
   const int rank = rank_of(subject_.comm());
   if (!p || (!subject_.bodies.floats(body) && rank != 0)) return {};
@@ -231,7 +233,7 @@ std::vector<double> Histories::volume_row(const std::string& volume, const Kinem
 void Histories::rows(const Snapshot& s, Rows& to) {
   for (size_t i = 0; i < points_.size(); ++i) {
     const Point& p = points_[i];
-    std::vector<double> row = p.body >= 0        ? body_row(p.body, s.at)
+    std::vector<double> row = p.body >= 0        ? body_row(p.body, s)
                               : p.volume.empty() ? line_row(p, s)
                                                  : volume_row(p.volume, s.at);
     if (!p.shared) {

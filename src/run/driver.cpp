@@ -201,9 +201,12 @@ void go_on(const io::Checkpoint& checkpoint, const std::string& path, Simulation
 void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, Progress& progress) {
   for (const std::string& e : events.begin()) progress.print(e);
   sim.dynamics().start(sim.state());
-  // A start at rest is shown at rest: the velocities with which motions begin come after it.
   const Kinematics moving = sim.dynamics().kinematics();
-  recorder.start(moving, sim.model().statics.enabled ? sim.state().view(0) : moving);
+  // A start at rest is shown at rest: the velocities with which motions begin come after it.
+  if (sim.model().statics.enabled)
+    recorder.start(moving, sim.state().view(0));
+  else
+    recorder.start(moving, moving, sim.dynamics().control().proposal());
   sim.state() = State();  // the motion has its own
   recorder.checkpoint(make_checkpoint(sim, recorder, events));
 }

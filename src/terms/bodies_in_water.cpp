@@ -13,6 +13,8 @@
 namespace hawser {
 
 BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_(sea_of(c)) {
+  for (const model::Body& b : c.bodies)
+    has_.push_back(b.mass && (b.mass->in_water || !b.mass->members.empty()));
   for (int n = 0; n < mesh.owned; ++n) {
     Wet b;
     b.node = n;
@@ -217,6 +219,27 @@ double BodiesInWater::round_off(const Kinematics& at, double h) const {
   double sum = 0;
   for (const Wet& b : list_) sum += std::pow(4 * eps * b.data.added.maxCoeff() * at.v[b.node].norm() / h, 2);
   return sum;
+}
+
+std::vector<std::string> BodiesInWater::origins(int body) const {
+  if (!has_[static_cast<size_t>(body)]) return {};
+  return {"morison"};
+}
+
+std::vector<BodyForce> BodiesInWater::forces_on(int body, const Kinematics& at) const {
+  BodyForce sum;
+  bool here = false;
+  for (const Wet& b : list_) {
+    if (b.body != body) continue;
+    here = true;
+    const RigidBodyState s = state(b, at);
+    const Places places_now = places(b, s);
+    const BodyWaterForce f = body_water_force(b.data, s, water(b, at, places_now.centre, &Wet::centre),
+                                              water(b, at, places_now.drag, &Wet::drag));
+    sum.force += f.at_centre + f.at_drag;
+    sum.moment += (places_now.centre - s.x).cross(f.at_centre) + (places_now.drag - s.x).cross(f.at_drag);
+  }
+  return here ? std::vector<BodyForce>{sum} : std::vector<BodyForce>{};
 }
 
 namespace {

@@ -281,6 +281,7 @@ void BodyContactTerm::prepare(const Kinematics& committed, double h) {
     p.energy = relative_energy(p, p.at) + s.potential;
     p.damping_power = s.damping_power;
     p.work_power = s.work_power + friction_power(p);
+    if (!p.acted) p.acts = s.active ? Vec12(s.on.f) : Vec12(Vec12::Zero());
   }
   if (h > 0) check_overlap(committed.time);
 }
@@ -289,8 +290,8 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
   for (Pair& p : pairs_) {
     Slipping friction = slipping(p, accepted.step);
     const bool slips = friction.law.active();
-    // The slip is kept on the ranks of both bodies.
-    if (!p.here || !(p.counted || slips)) continue;
+    // Slip and forces are kept on the ranks of both bodies.
+    if (!p.here) continue;
     const Both now = both(p, accepted);
     BodyFrictionPoints touching;
     if (slips) friction.points = &touching;
@@ -298,6 +299,8 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
     if (slips && accepted.step > 0)
       p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
     p.touching = std::move(touching);
+    p.acts = s.active ? Vec12(s.on.f) : Vec12(Vec12::Zero());
+    p.acted = true;
     if (!p.counted) continue;
     p.depth = std::max(p.depth, s.depth);
     p.potential = s.potential;
@@ -321,6 +324,25 @@ Energy BodyContactTerm::energy(const Kinematics& at) const {
     e.work += p.work;
   }
   return e;
+}
+
+std::vector<std::string> BodyContactTerm::origins(int body) const {
+  for (const Pair& p : pairs_)
+    if (bodies_of_volumes_[p.a].body == body || bodies_of_volumes_[p.b].body == body) return {"contact"};
+  return {};
+}
+
+std::vector<BodyForce> BodyContactTerm::forces_on(int body, const Kinematics& at) const {
+  if (origins(body).empty()) return {};
+  BodyForce sum;
+  for (const Pair& p : pairs_)
+    for (const auto& [volume, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {
+      const PairBody& own = bodies_of_volumes_[volume];
+      if (own.body != body || own.node < 0) continue;
+      sum.force -= p.acts.segment<3>(first);
+      sum.moment -= at.q[own.node] * p.acts.segment<3>(first + 3);
+    }
+  return {sum};
 }
 
 // A spring feels the round-off of places.

@@ -55,6 +55,9 @@ namespace {
 // where Newton's iteration starts from, so that only the way to the equilibrium knows it.
 constexpr double kDrift = 0.01;
 
+// Whether inertia is what the momenta change by: a start has no mean over a step (StepMean).
+bool by_momenta(const Kinematics& at) { return at.step > 0 && at.mean.weight > 1; }
+
 }  // namespace
 
 RigidBodies::RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies)
@@ -134,8 +137,7 @@ RigidBodyResidual RigidBodies::own(const Floating& f, const RigidBodyState& s, c
 void RigidBodies::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Floating& f : list_) {
     const RigidBodyState s = floating_state(trial, f.node);
-    // Of a start the scheme has no mean over a step (StepMean).
-    RigidBodyResidual r = own(f, s, trial, trial.step > 0 && trial.mean.weight > 1);
+    RigidBodyResidual r = own(f, s, trial, by_momenta(trial));
     if (!hold_ || f.rest.found(friction_))
       for (const Load& l : f.loads) add_load(l.at(trial.time), s, r);
     const int blocks[2] = {f.block, f.block + 1};
@@ -156,9 +158,10 @@ std::array<Vec3, 2> RigidBodies::force_on(int body, const Kinematics& at) const 
   for (const Floating& f : list_) {
     if (f.body != body) continue;
     const RigidBodyState s = floating_state(at, f.node);
-    RigidBodyResidual r = rigid_body(at.step > 0 ? without_momentum(f.data) : f.data, s, rest(f, at.time));
+    const bool step = by_momenta(at);
+    RigidBodyResidual r = rigid_body(step ? without_momentum(f.data) : f.data, s, rest(f, at.time));
     for (const Load& l : f.loads) add_load(l.at(at.time), s, r);
-    const Vec6 own = r.f(), momenta = at.step > 0 ? f.momenta.f : Vec6(Vec6::Zero());
+    const Vec6 own = r.f(), momenta = step ? f.momenta.f : Vec6(Vec6::Zero());
     return {own.head<3>() + momenta.head<3>(), s.q * own.tail<3>() + momenta.tail<3>()};
   }
   return {Vec3::Zero(), Vec3::Zero()};

@@ -1,5 +1,5 @@
-"""Accounts of floating bodies that no line holds, by the program: the work of thrusters over an event of something else, and
-the forces by origin, which leave nothing for what is not there."""
+"""Accounts of floating bodies, by the program: the work of thrusters over an event of something else, the forces by origin, which
+leave nothing for what is not there, and momenta of bodies and rope when it is cut, let go of or caught."""
 import os
 import re
 import sys
@@ -7,7 +7,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import h5py
+import numpy as np
 from support import ROOT, run, write
+from test_rigid_bodies import rotation
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post.results import Results  # noqa: E402
@@ -47,6 +50,85 @@ statics: false
 dynamics: {duration: 3, step: 0.2, rho_infinity: 1}
 output: {every: 1, file: run.h5, histories: [{body: sphere}]}
 """
+SPAR = """\
+hawser: 1
+environment:
+  water: {density: 1025, depth: 200}
+  waves: {components: [{height: 3, period: 10, phase_deg: 40}], ramp: 0}
+bodies:
+  sphere:
+    position: [3, 0, 0.5]
+    floating:
+      mass: 28981 t
+      centre_of_mass: [0, 0, -54]
+      inertia: [4.5e10, 4.5e10, 1.5e9]
+      velocity: [0.5, 0, 0.1]
+      hydrodynamics: {wamit: STEM, displaced_volume: 28274, place: [0, 0, 0], quadratic_damping: [1e6, 1e6, 3e5, 1.5e11, 1.5e11, 0]}
+      positioning: {place: [0, 0, 0], proportional: [2e5, 2e5, 1e8], derivative: [4e6, 4e6, 1e9]}
+statics: false
+dynamics: {duration: 2, step: 0.1, rho_infinity: 1}
+output: {every: 1, file: run.h5, histories: [{body: sphere}]}
+"""
+HULL = """\
+hawser: 1
+environment:
+  water: {density: 1025, depth: 100}
+  current: {speed: 0.5, direction_deg: 0}
+  waves: {regular: {height: 1, period: 6}, ramp: 0}
+bodies:
+  sphere:
+    position: [0, 0, 0.3]
+    floating:
+      mass: 60 t
+      centre_of_mass: [0, 0, -6]
+      inertia: [1e6, 1e6, 1e5]
+      hull: {volumes: [spar]}
+      members: [{from: [0, 0, -9.8], to: [0, 0, 0], diameter: 2.8, Cd: 0.8, Ca: 1, axial_Cd: 1, axial_Ca: 1}]
+volumes:
+  spar: {shape: {cylinder: {from: [0, 0, -10], to: [0, 0, 3], radius: 1.4}}, body: sphere}
+statics: false
+dynamics: {duration: 1, step: 0.05, rho_infinity: 1}
+output: {every: 1, file: run.h5, histories: [{body: sphere}]}
+"""
+# Two crates in space, one with a fender in the side of the other already at the start, that meet with friction.
+FENDERED = """\
+hawser: 1
+environment: {gravity: 0}
+bodies:
+  sphere: {position: [0, 0, 0], floating: {mass: 2e4, inertia: [3e4, 5e4, 6e4], velocity: [0.5, 0.1, 0], angular_velocity: [0, 0.1, 0.2]}}
+  other: {position: [4.95, 0.3, 0], floating: {mass: 1e4, inertia: [2e4, 3e4, 3e4]}}
+volumes:
+  fender: {shape: {sphere: {centre: [2, 0, 0], radius: 1}}, body: sphere, normal_stiffness: {per_point: 1e6}, friction: 0.3, relative_damping: 0.1}
+  side: {shape: {box: {centre: [0, 0, 0], size: [4, 4, 4]}}, body: other, friction: 0.3, normal_stiffness: {per_area: 1e7}}
+statics: false
+dynamics: {duration: 0.5, step: 0.005, rho_infinity: 1}
+output: {every: 1, file: run.h5, histories: [{body: sphere}, {body: other}]}
+"""
+# Two bodies in space, that turn and drift apart, and a rope from one to the other.
+ROPED = """\
+hawser: 1
+environment: {gravity: 0}
+line_types:
+  rope: {outer_diameter: 0.1, mass_per_length: 20, EA: 4e5, bending: false, stiffness_damping: 0.1}
+bodies:
+  one:
+    position: [0, 0, 0]
+    floating: {mass: 2e4, inertia: [3e4, 5e4, 6e4], products_of_inertia: [2e3, -1e3, 3e3], centre_of_mass: [0.2, 0, 0.3],
+               velocity: [-0.4, 0.05, 0.1], angular_velocity: [0.3, 0.2, -0.5]}
+  two:
+    position: [22, 1, 0]
+    floating: {mass: 1e4, inertia: [4e4, 8e4, 1e5], velocity: [0.6, 0, 0], angular_velocity: [-0.3, -0.2, 0.1]}
+lines:
+  rope: {sections: [{type: rope, length: 18, elements: 6}], end_a: {body: one, at: [2, 1, 0]}, end_b: END}
+events:
+  - {EVENT, time: 0.53}
+contact: {lines: [], between_lines: false}
+statics: false
+dynamics: {duration: 1, step: STEP, tolerance: 1e-11}
+output: {every: STEP, file: run.h5, histories: [{body: one}, {body: two}]}
+"""
+BODIES = {"one": (2e4, np.array([[3e4, 2e3, 3e3], [2e3, 5e4, -1e3], [3e3, -1e3, 6e4]]), np.array([0.2, 0, 0.3])),
+          "two": (1e4, np.diag([4e4, 8e4, 1e5]), np.zeros(3))}
 
 
 class FreePlatforms(unittest.TestCase):
@@ -63,13 +145,111 @@ class FreePlatforms(unittest.TestCase):
         brought_in = float(re.search(r"brought in (\S+) J", done.stdout)[1])
         self.assertLess(abs(error), 1e-3 * abs(brought_in), done.stdout)
 
-    def test_nothing_is_left_of_the_forces(self):
-        write(self.folder, "case.yaml", SPHERE.replace("STEM", str(ROOT / "tests/data/hemisphere")))
+    def history(self, text):
+        write(self.folder, "case.yaml", text)
         done = run(HAWSER, "run", "-q", self.folder / "case.yaml", "-o", self.folder / "run.h5")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        history = Results(self.folder / "run.h5").series("sphere")
-        other, restoring = history.column("other_force_z")[1:], history.column("hydrostatic_force_z")[1:]
+        return Results(self.folder / "run.h5").series("sphere")
+
+    def test_nothing_is_left_of_the_forces(self):
+        """In the first row, too: of a sphere let go, and of a spar in waves without a ramp with thrusters."""
+        history = self.history(SPHERE.replace("STEM", str(ROOT / "tests/data/hemisphere")))
+        other, restoring = history.column("other_force_z"), history.column("hydrostatic_force_z")
         self.assertLess(abs(other).max(), 1e-6 * abs(restoring).max())
+        self.assertGreater(abs(history.column("radiation_force_z")[0]), 0.1 * abs(restoring[0]))
+        history = self.history(SPAR.replace("STEM", str(ROOT / "docs/tutorial/spar")))
+        for direction in ("force_x", "force_z", "moment_y"):
+            parts = {origin: abs(history.column(f"{origin}_{direction}")) for origin in ("hydrostatic", "radiation", "added", "wave", "thrusters")}
+            left = abs(history.column(f"other_{direction}"))
+            # Later rows: waves meet the slow place of the end of the step, and not where that was expected.
+            self.assertLess(left.max(), 1e-4 * max(part.max() for part in parts.values()), direction)
+            self.assertLess(left[0], 1e-8 * max(part[0] for part in parts.values()), direction)
+            self.assertGreater(parts["radiation"][0], 1e3 * left[0], direction)
+            self.assertGreater(parts["wave"][0], 1e3 * left[0], direction)
+
+    def test_nothing_is_left_of_the_forces_on_a_hull(self):
+        """Its pressure, and drag and added mass of its members, in waves and a current: all that acts."""
+        history = self.history(HULL)
+        for direction in ("force_x", "force_z", "moment_y"):
+            parts = [history.column(f"{origin}_{direction}") for origin in ("buoyancy", "froude_krylov", "morison")]
+            left = abs(history.column(f"other_{direction}"))
+            self.assertLess(left.max(), 1e-5 * max(abs(part).max() for part in parts), direction)
+            for part in parts[1:]:
+                self.assertGreater(abs(part).max(), 1e3 * left.max(), direction)
+
+    def test_contact_is_all_that_acts(self):
+        """Of a crate on a fender, from the first row on, on one and two ranks: equal and opposite, and nothing is left."""
+        for words in ([HAWSER], ["mpirun", "-n", "2", HAWSER]):
+            write(self.folder, "case.yaml", FENDERED)
+            done = run(*words, "run", "-q", self.folder / "case.yaml", "-o", self.folder / "run.h5")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            one, two = (Results(self.folder / "run.h5").series(name) for name in ("sphere", "other"))
+            most = abs(one.column("contact_force_x")).max()
+            self.assertLess(one.column("contact_force_x")[0], -4e4)  # 5 cm, 1 MN/m
+            self.assertGreater(abs(one.column("contact_force_y")).max(), 0.1 * most)  # friction
+            for axis in "xyz":
+                self.assertLess(abs(one.column(f"contact_force_{axis}") + two.column(f"contact_force_{axis}")).max(), 1e-9 * most)
+                for history in (one, two):
+                    self.assertLess(abs(history.column(f"other_force_{axis}")).max(), 1e-6 * most)
+
+    def test_periods_afloat(self):
+        """Those that check prints are those of hawser modes without lines, to the digits printed; roll and pitch go with sway and surge."""
+        case = SPAR.replace("STEM", str(ROOT / "docs/tutorial/spar")).replace("statics: false\n", "")
+        for part in (r", *waves: [^\n]*", r"\n  waves: [^\n]*", r"\n      positioning: [^\n]*", r"\n      velocity: [^\n]*"):
+            case = re.sub(part, "", case)
+        write(self.folder, "case.yaml", case)
+        reported = run(HAWSER, "check", self.folder / "case.yaml").stdout
+        heave, roll, pitch = (float(v) for v in re.search(r"periods afloat without lines: heave (\S+) s, roll (\S+) s, pitch (\S+) s", reported).groups())
+        modes = run(HAWSER, "modes", self.folder / "case.yaml", "-n", "6").stdout
+        self.assertAlmostEqual(float(re.search(r"^ *\d+ +(\S+) .*: heave", modes, re.M)[1]) / heave, 1, delta=5e-4)
+        tilts = [float(v) for v in re.findall(r"^ *\d+ +(\S+) .*: (?:sway, roll|surge, pitch)", modes, re.M)]
+        self.assertEqual(len(tilts), 2, modes)
+        for tilt in tilts:
+            self.assertAlmostEqual(tilt / roll, 1, delta=5e-4)
+            self.assertAlmostEqual(tilt / pitch, 1, delta=5e-4)
+
+    def momenta(self):
+        """Of bodies and rope at each output, by row: momentum, and angular momentum about the origin."""
+        with h5py.File(self.folder / "run.h5") as file:
+            rows = [int(np.argmin(abs(file["series/time"][:] - t))) for t in file["outputs/time"][:]]
+            x, v = file["fields/position"][:], file["fields/velocity"][:]
+            P, L = np.zeros((len(rows), 3)), np.zeros((len(rows), 3))
+            for name, (mass, inertia, centre) in BODIES.items():
+                data = file["series"][name]
+                columns = {c.decode(): data[:, k][rows] for k, c in enumerate(data.attrs["columns"])}
+                place, turn, velocity, rate = (np.array([columns[f"{what}_{axis}"] for axis in "xyz"]).T
+                                               for what in ("position", "rotation_vector", "velocity", "angular_velocity"))
+                for k in range(len(rows)):
+                    R = rotation(turn[k])
+                    p = mass * (velocity[k] + np.cross(rate[k], R @ centre))
+                    P[k] += p
+                    L[k] += np.cross(place[k] + R @ centre, p) + R @ inertia @ R.T @ rate[k]
+            arc = file["nodes/arc_length"][:]
+            for first, nodes in zip(file["lines/first_node"][:], file["lines/nodes"][:]):
+                for i in range(first, first + nodes - 1):
+                    # The mass matrix of a cable is the mean of a linear element's and one of masses at its ends.
+                    mass = 20 * (arc[i + 1] - arc[i])
+                    P += mass / 2 * (v[:, i] + v[:, i + 1])
+                    L += 5 * mass / 12 * (np.cross(x[:, i], v[:, i]) + np.cross(x[:, i + 1], v[:, i + 1]))
+                    L += mass / 12 * (np.cross(x[:, i], v[:, i + 1]) + np.cross(x[:, i + 1], v[:, i]))
+        return P, L
+
+    def test_momenta_over_an_event(self):
+        """Momentum to rounding; angular momentum, which steps keep to their second order, as before and after the event."""
+        tied, free = "{body: two, at: [-2, 0, 1]}", "free"
+        for event, end, bound in (("cut: {line: rope, at: 9}", tied, 5e-6), ("release: {line: rope, end: end_b}", tied, 5e-6),
+                                  ("attach: {line: rope, end: end_b, body: two}", free, 2e-4)):  # an impact
+            off = []
+            for step in (0.01, 0.005):
+                write(self.folder, "case.yaml", ROPED.replace("EVENT", event).replace("END", end).replace("STEP", str(step)))
+                done = run(HAWSER, "run", "-q", self.folder / "case.yaml", "-o", self.folder / "run.h5")
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                P, L = self.momenta()
+                self.assertLess(np.abs(P - P[0]).max(), 1e-11 * np.linalg.norm(P[0]), event)
+                off.append(np.abs(L - L[0]).max() / np.linalg.norm(L[0]))
+            print(f"{event}: momentum kept to {np.abs(P - P[0]).max() / np.linalg.norm(P[0]):.1e}, angular momentum to {off[0]:.1e}, {off[1]:.1e}")
+            self.assertLess(off[1], bound, event)
+            self.assertLess(off[1], 0.35 * off[0], event)
 
 
 if __name__ == "__main__":

@@ -41,6 +41,8 @@ TEST(CaseHulls, WhatIsRefused) {
   const std::string key = ":5: bodies.barge.floating.hull";
   EXPECT_NO_THROW(read(std::string(kHull) + kMember));
   expect_refused(key + ": there is no water", kHull, kBox, "gravity: 9.81");
+  expect_refused(key + ": floats by the weight of the water, and 'environment.gravity' is 0", kHull, kBox,
+                 "gravity: 0, water: {density: 1000}");
   expect_refused(key + ": 'in_water' brings buoyancy as well",
                  std::string(kHull) + ", in_water: {volume: 400, height: 6}");
   expect_refused(key + ": brings the buoyancy of the body, so that its weight acts as well",
@@ -53,6 +55,28 @@ TEST(CaseHulls, WhatIsRefused) {
   expect_refused("bodies.barge.floating.hull.volumes[0]", "hull: {volumes: [sides]}");
   expect_refused("bodies.barge.floating.members[0].to: is the same point as 'from'",
                  std::string(kHull) + ", members: [{from: [0, 0, 1], to: [0, 0, 1], diameter: 8}]");
+}
+
+// With the coefficients of files the waves press by those alone, and members have drag alone, unless the case
+// says otherwise.
+TEST(CaseHulls, BesideCoefficients) {
+  const std::string files = "hydrodynamics: {wamit: " HAWSER_SOURCE_DIR "/docs/tutorial/spar}, ";
+  const auto of = [&](const std::string& more) {
+    return read(files + kHull + ", members: [{from: [0, 0, -4], to: [0, 0, 2], diameter: 8" + more + "}]");
+  };
+  const auto counted_twice = [](const model::Case& c) {
+    int found = 0;
+    for (const std::string& note : advice::input_notes(c))
+      found += note.find("has added mass beside that of 'hydrodynamics'") != std::string::npos;
+    return found;
+  };
+  const model::Case plain = of(""), added = of(", Ca: 1");
+  EXPECT_FALSE(plain.bodies[0].mass->hull->wave_pressure);
+  EXPECT_EQ(plain.bodies[0].mass->members[0].added, 0);
+  EXPECT_EQ(added.bodies[0].mass->members[0].added, 1);
+  EXPECT_EQ(counted_twice(plain), 0);
+  EXPECT_EQ(counted_twice(added), 1);
+  EXPECT_EQ(counted_twice(of(", axial_Ca: 1")), 1);
 }
 
 TEST(CaseHulls, WarningWithoutDragAndAddedMass) {

@@ -228,11 +228,12 @@ TEST_F(HydrodynamicChecks, FirstRowWithAnError) {
 TEST_F(HydrodynamicChecks, WhatCannotFloat) {
   expect("mean that without lines it floats 810 m higher, which is more than its size (65.6 m",
          ", displaced_volume: 282740");
-  with(".hst", [](auto& rows) {
+  const auto top_heavy = [](auto& rows) {
     for (Row& r : rows)
       if (r[0] > 3) r[2] = -1.6e6;
-  });
-  expect("without lines it capsizes: its metacentric height in roll and pitch is -6.59 m");
+  };
+  with(".hst", top_heavy);
+  expect("capsizes: its metacentric height in roll and pitch is -6.59 m; is the centre of mass");
   const auto damping = [](double coupling) {
     return fmt::format(
         ", damping: [[1e4, 0, 0, 0, {0}, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], "
@@ -242,6 +243,15 @@ TEST_F(HydrodynamicChecks, WhatCannotFloat) {
   };
   EXPECT_EQ(reported(damping(0.9e5)), "");
   expect("brings energy in where some velocities are coupled", damping(1.1e5));
+  const auto stiffness = [](double surge, double heave) {
+    return fmt::format(
+        ", stiffness: [[{}, 0, 0, 0, 0, 0], [0, 1e4, 0, 0, 0, 0], [0, 0, {}, 0, 0, 0], [0, 0, 0, 0, 0, 0], "
+        "[0, 0, "
+        "0, 0, 0, 0], [0, 0, 0, 0, 0, 1e7]]",
+        surge, heave);
+  };
+  EXPECT_EQ(reported(stiffness(1e4, -1e3)), "");
+  expect("pushes the body away from its place in surge, sway or yaw", stiffness(-1e4, 0));
   const auto line = [](double x) {
     return fmt::format(
         "line_types: {{chain: {{library: chain-studless, diameter: 100 mm, grade: R4}}}}\nlines: {{mooring: "
@@ -254,6 +264,10 @@ TEST_F(HydrodynamicChecks, WhatCannotFloat) {
       reported("", line(400)).find("lines.mooring.end_b.at: is 401.1 m from the centre of mass of body spar"),
       std::string::npos)
       << reported("", line(400));
+  with(".hst", top_heavy);
+  expect(
+      "without its lines its metacentric height in roll and pitch is -6.59 m; they have to hold it upright",
+      "", line(6));
 }
 
 TEST_F(HydrodynamicChecks, StiffnessTimesTheDensity) {

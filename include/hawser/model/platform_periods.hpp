@@ -5,11 +5,12 @@
 
 namespace hawser::model {
 
-// s, of one freedom each, without lines and coupling; 0: nothing pulls it back.
+// s, afloat without lines, each of the mode in which it has the largest share; 0: nothing pulls it back.
 struct PlatformPeriods {
   double heave = 0, roll = 0, pitch = 0;
 };
-// Of a body with hydrodynamics: T = 2 pi sqrt((M + A(2 pi/T))/C).
+// Of a body with hydrodynamics, without damping and other bodies: (C - omega² (M + A(omega))) x = 0 of all six
+// freedoms.
 PlatformPeriods platform_periods(const Case& c, const Body& b);
 
 }  // namespace hawser::model

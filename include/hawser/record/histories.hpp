@@ -37,7 +37,7 @@ class Histories : public Recording {
   Point point_of(int line, double arc) const;
   std::vector<double> node_row(const Point& p, size_t side, const Snapshot& s) const;
   std::vector<double> line_row(const Point& p, const Snapshot& s) const;
-  std::vector<double> body_row(int body, const Kinematics& at) const;
+  std::vector<double> body_row(int body, const Snapshot& s) const;
   // Of forces on a floating body by what they come from; empty: by nothing that states it.
   std::vector<std::string> origins(int body) const;
   std::vector<double> volume_row(const std::string& volume, const Kinematics& at) const;

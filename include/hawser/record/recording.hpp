@@ -43,10 +43,11 @@ class Rows {
 // An accepted state with what is known of it.
 class Snapshot {
  public:
-  Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, const Values& of_nodes,
-           const Values& of_ends, const EndForces& forces, const Audit& energies)
+  Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, double forces_step,
+           const Values& of_nodes, const Values& of_ends, const EndForces& forces, const Audit& energies)
       : at(state),
         step(info),
+        moving_step(forces_step),
         values(of_nodes),
         ends(of_ends),
         end_forces(forces),
@@ -54,7 +55,8 @@ class Snapshot {
         subject_(subject) {}
 
   const Kinematics& at;
-  const StepInfo step;  // that led to this state; of length 0: none did
+  const StepInfo step;       // that led to this state; of length 0: none did
+  const double moving_step;  // s, of the forces that belong to its accelerations; 0: it is at rest in statics
   const Values &values, &ends;
   const EndForces& end_forces;
   const Audit& audit;

@@ -21,7 +21,8 @@ struct BodyMember;
 class BodiesInWater final : public ForceTerm,
                             public ScalesResiduals,
                             public RestrainedInStatics,
-                            public InCurrent {
+                            public InCurrent,
+                            public ActsOnBodies {
  public:
   // Of the bodies of the case that this rank owns.
   BodiesInWater(const model::Case& c, const LocalMesh& mesh);
@@ -43,6 +44,8 @@ class BodiesInWater final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
+  std::vector<std::string> origins(int body) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
@@ -87,6 +90,7 @@ class BodiesInWater final : public ForceTerm,
 
   Sea sea_;
   std::vector<Wet> list_;
+  std::vector<bool> has_;  // by body of the case
   bool hold_ = false, friction_ = false;
   double start_time_ = 0;  // s
 };

@@ -50,7 +50,8 @@ class BodyContactTerm final : public ForceTerm,
                               public CouplesNodes,
                               public LimitsSteps,
                               public ScalesResiduals,
-                              public HasFriction {
+                              public HasFriction,
+                              public ActsOnBodies {
  public:
   // volumes: all of the case, in its order. Pairs are those of model::body_pairs. comm: of all ranks.
   BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
@@ -71,6 +72,10 @@ class BodyContactTerm final : public ForceTerm,
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
   double round_off(const Kinematics& at, double h) const override;
+  // Of contact with other bodies and with volumes that are fixed or move as prescribed, in the last accepted
+  // state.
+  std::vector<std::string> origins(int body) const override;
+  std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;
   // Collective.
@@ -129,6 +134,8 @@ class BodyContactTerm final : public ForceTerm,
     double met = 0;               // m, largest of that since the two were clear of each other
     double depth = 0;             // m, largest, over the accepted steps
     ActiveContact now;            // in the accepted state
+    Vec12 acts = Vec12::Zero();   // residual there
+    bool acted = false;           // there was an accepted state, of statics or of a step
     BodyFrictionPoints touching;  // likewise, where there is friction
 
     template <class Self, class Each>
