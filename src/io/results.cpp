@@ -49,6 +49,7 @@ struct ResultsFile::Impl {
   ResultCount count;
   long long sequence = 0;  // of the newest checkpoint
   long long clashes = 0;   // that had ended at the last output
+  long long contacts = 0;  // points of the outputs in the file
 
   std::string xdmf_path;
   std::optional<XdmfWriter> xdmf;
@@ -78,7 +79,7 @@ struct ResultsFile::Impl {
     if (root()) {
       file.attempt([&] {
         try {
-          build_results(file.path(), contents, wanted, from, count, clashes, last);
+          build_results(file.path(), contents, wanted, from, count, clashes, contacts, last);
         } catch (const InputError&) {
           input = true;
           throw;
@@ -104,7 +105,7 @@ struct ResultsFile::Impl {
   }
 
   void ensure_room(long long outputs, long long steps_wanted, long long doubles = 0, long long text = 0,
-                   const ClashRoom& clash_rows = {}) {
+                   const ClashRoom& clash_rows = {}, long long contact_rows = 0) {
     ResultRoom wanted = room;
     const auto grow = [](long long& have, long long need, long long spare) {
       if (need > have) have = std::max(2 * have, need + spare);
@@ -115,9 +116,10 @@ struct ResultsFile::Impl {
     grow(wanted.slot_text, text, text);
     grow(wanted.clashes.ended, clash_rows.ended, 0);
     grow(wanted.clashes.open, clash_rows.open, 0);
+    grow(wanted.contacts, contact_rows, 0);
     if (wanted.outputs != room.outputs || wanted.steps != room.steps ||
         wanted.slot_doubles != room.slot_doubles || wanted.slot_text != room.slot_text ||
-        wanted.clashes != room.clashes)
+        wanted.clashes != room.clashes || wanted.contacts != room.contacts)
       build(wanted, file.path());
   }
 
@@ -228,7 +230,9 @@ struct ResultsFile::Impl {
       for (const ClashTables& t : w.clashes) ended += t.ended.size();
       rows = rows_of(ended, w.clashes.back().open.size());
     }
-    ensure_room(row + n, 0, 0, 0, {clashes + rows.ended, rows.open});
+    ContactPlaces points;
+    if (contents.contact_points) points = contact_places(file.comm(), w.contacts, contacts);
+    ensure_room(row + n, 0, 0, 0, {clashes + rows.ended, rows.open}, points.last);
     const long long rows_of_steps = write_steps(w.times.back());
     file.write_rows("outputs/time", H5T_NATIVE_DOUBLE, row, n, root(), w.times.data());
     for (size_t i = 0; i < nodes.size(); ++i)
@@ -243,8 +247,10 @@ struct ResultsFile::Impl {
       if (drawn(contents.volumes[i]))
         file.write_rows(places[i] + "/moved", H5T_NATIVE_FLOAT, row, n, root(), w.moved[i].data());
     if (contents.clashes) write_clashes(row, w.clashes, rows);
+    if (contents.contact_points) write_contacts(file, row, w.contacts, points);
     commit({row + n, count.steps + rows_of_steps});
     clashes += rows.ended;
+    contacts = points.last;
     forget_steps(rows_of_steps);
     if (root())
       for (const double t : w.times) xdmf->add(t);
@@ -259,24 +265,6 @@ struct ResultsFile::Impl {
     file.agree();
   }
 };
-
-namespace {
-
-void check_contents(const ResultContents& c, bool writes) {
-  if (c.fields.empty() || c.fields[0].name != "position" || c.fields[0].components != 3)
-    throw std::logic_error("results: the first field must be position");
-  int next = 0;
-  for (const auto& line : c.lines) {
-    if (line.first_node != next || (writes && line.arc.size() != static_cast<size_t>(line.nodes)))
-      throw std::logic_error("results: the nodes of line " + line.name + " are not in file order");
-    next += line.nodes;
-  }
-  for (const auto& v : c.volumes)
-    if (v.body >= static_cast<int>(c.bodies.size()))
-      throw std::logic_error("results: volume " + v.name + " moves with a body that is not there");
-}
-
-}  // namespace
 
 ResultsFile::Impl::Impl(MPI_Comm comm, const std::string& path, ResultContents what, std::vector<int> nodes)
     : file(comm, path),
@@ -315,7 +303,8 @@ ResultsFile ResultsFile::create(MPI_Comm comm, const std::string& path, ResultCo
                                 std::vector<int> owned) {
   auto impl = std::make_unique<Impl>(comm, path, std::move(contents), std::move(owned));
   auto& m = *impl;
-  m.build({std::max(m.contents.expected_outputs, 1), std::max(m.contents.expected_steps, 1), 0, 0}, "");
+  const ResultContents& c = m.contents;
+  m.build({std::max(c.expected_outputs, 1), std::max(c.expected_steps, 1), 0, 0, {}, contact_room(c)}, "");
   m.save_xdmf(true);
   return ResultsFile(std::move(impl));
 }
@@ -342,12 +331,13 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   MPI_Bcast(&failed, 1, MPI_INT, 0, comm);
   if (failed) throw InputError(rank == 0 ? error : "cannot read " + path);
   const ResultRoom& had = progress.room;
-  long long n[6] = {outputs,       steps, had.slot_doubles,
-                    had.slot_text, 0,     static_cast<long long>(reported.open.size())};
+  long long n[7] = {
+      outputs, steps, had.slot_doubles, had.slot_text, 0, static_cast<long long>(reported.open.size()), 0};
   // A run that failed left with its last output also what ended later; older checkpoints do not know what
   // went to another file.
   if (n[0] > 0 && !progress.clashes.empty()) n[4] = std::min(reported.ended, progress.clashes[n[0] - 1]);
-  MPI_Bcast(n, 6, MPI_LONG_LONG, 0, comm);
+  if (n[0] > 0 && !progress.contacts.empty()) n[6] = progress.contacts[n[0] - 1];
+  MPI_Bcast(n, 7, MPI_LONG_LONG, 0, comm);
   progress.output_times.resize(n[0]);
   MPI_Bcast(progress.output_times.data(), static_cast<int>(n[0]), MPI_DOUBLE, 0, comm);
 
@@ -358,13 +348,15 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
     for (const double t : progress.output_times) m.xdmf->add(t);
   m.sequence = sequence;
   m.clashes = n[4];
+  m.contacts = n[6];
   const ClashTables clashes{{}, reported.open};
   const ResultLast kept{clashes};
   m.build({std::max<long long>(m.contents.expected_outputs, n[0] + 1),
            std::max<long long>(m.contents.expected_steps, n[1] + 1),
            n[2],
            n[3],
-           {std::max<long long>(64, 2 * n[4]), std::max<long long>(64, 2 * n[5])}},
+           {std::max<long long>(64, 2 * n[4]), std::max<long long>(64, 2 * n[5])},
+           std::max(contact_room(m.contents), 2 * n[6])},
           path, &kept);
   m.save_xdmf(true);
   return ResultsFile(std::move(impl));
@@ -385,7 +377,7 @@ void ResultsFile::append_series(double time, const std::vector<std::vector<doubl
 
 void ResultsFile::write_output(double time, const std::vector<std::vector<double>>& fields,
                                std::span<const BodyPose> poses, const ClashTables& clashes,
-                               const std::vector<std::vector<double>>& ends) {
+                               const std::vector<std::vector<double>>& ends, const ContactRows& contacts) {
   auto& m = *impl_;
   const auto& c = m.contents;
   m.file.attempt([&] {
@@ -403,10 +395,12 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   WaitingOutputs& w = m.waiting;
   size_t numbers = w.size();
   for (const auto& f : fields) numbers += f.size();
+  numbers += 10 * contacts.size();
   const bool now = on_any_rank(m.file.comm(), (m.root() && m.output_time.due()) || numbers > kMostWaiting);
   const bool alone = now && w.times.empty();  // it is written from where it is
   w.times.push_back(time);
   w.clashes.push_back(clashes);
+  w.contacts.push_back(contacts);
   m.wait(poses);
   if (!alone) {
     w.fields.resize(fields.size());
@@ -478,7 +472,8 @@ void ResultsFile::finish(const std::vector<SummaryRow>& summary, const ClashTabl
            std::max<long long>(m.count.steps, 1),
            m.room.slot_doubles,
            m.room.slot_text,
-           {m.clashes + rows.ended, rows.open}},
+           {m.clashes + rows.ended, rows.open},
+           m.contacts},
           m.file.path(), &end);
   m.save_xdmf(true);
 }

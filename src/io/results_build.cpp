@@ -125,9 +125,10 @@ void write_description(hid_t file, const ResultContents& c) {
   }
 }
 
-hsize_t rows_in(const RowSet& s, long long outputs, long long steps, const ResultContents& c) {
+hsize_t rows_in(const RowSet& s, long long outputs, long long steps, long long contacts,
+                const ResultContents& c) {
   if (s.by == RowsBy::node) return static_cast<hsize_t>(c.nodes_total());
-  return static_cast<hsize_t>(s.by == RowsBy::step ? steps : outputs);
+  return static_cast<hsize_t>(s.by == RowsBy::step ? steps : s.by == RowsBy::contact ? contacts : outputs);
 }
 
 // What tools beside the program show of a field, and how they call it.
@@ -146,10 +147,11 @@ void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room)
   for (const char* name : {"outputs", "fields", "series"}) h5::group(file, name);
   if (!c.statistics.empty()) h5::group(file, "statistics");
   if (!c.end_fields.empty()) h5::group(file, "ends");
+  if (c.contact_points) h5::group(file, "contact_points");
   if (std::any_of(c.series.begin(), c.series.end(), [](const ResultSeries& s) { return s.by_line; }))
     h5::group(file, "line_series");
   for (const auto& s : row_sets(c)) {
-    h5::Shape shape{rows_in(s, room.outputs, room.steps, c)};
+    h5::Shape shape{rows_in(s, room.outputs, room.steps, room.contacts, c)};
     shape.insert(shape.end(), s.tail.begin(), s.tail.end());
     const h5::Id set = h5::reserve(file, s.name, s.type, shape);
     if (!s.unit.empty()) h5::text_attribute(set, "unit", s.unit);
@@ -157,6 +159,8 @@ void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room)
       h5::texts_attribute(
           set, "columns",
           {"minimum", "time_of_minimum", "maximum", "time_of_maximum", "mean", "standard_deviation"});
+    if (s.name == kContactPairs)
+      h5::texts_attribute(set, "columns", {"line", "other_line", "volume", "other_volume"});
     if (s.name == "outputs/time" || s.name == "series/time") {  // rows not yet there show as NaN
       const std::vector<double> nan(shape[0], std::numeric_limits<double>::quiet_NaN());
       h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nan.data()), s.name);
@@ -260,7 +264,7 @@ void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
 
 // `newest_checkpoint`: only that one, where the run is at its end and it is complete.
 void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, const ResultRoom& room,
-                  const ResultCount& kept, long long clashes, bool newest_checkpoint) {
+                  const ResultCount& kept, long long clashes, long long contacts, bool newest_checkpoint) {
   const h5::Id from = h5::open_read(path);
   const auto differs = [&](const std::string& what) {
     return InputError(path + " cannot be continued: the case does not match its " + what);
@@ -283,13 +287,15 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
             path, name);
   }
   for (const auto& s : row_sets(c)) {
-    // Statistics are made anew from the checkpoint, which older files do not hold.
-    if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
+    // Statistics are made anew from the checkpoint.
+    const bool not_in_older_files =
+        s.by == RowsBy::node || s.by == RowsBy::contact || s.name == kContactCounts;
+    if (not_in_older_files && !h5::exists(from, s.name)) continue;
     if (!h5::exists(from, s.name)) throw differs(s.name);
     const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);
     const h5::Shape shape = h5::shape_of(old);
     if (!std::equal(shape.begin() + 1, shape.end(), s.tail.begin(), s.tail.end())) throw differs(s.name);
-    copy_rows(old, made, s.type, rows_in(s, kept.outputs, kept.steps, c));
+    copy_rows(old, made, s.type, rows_in(s, kept.outputs, kept.steps, contacts, c));
   }
   if (c.clashes) copy_clash_tables(from, to, clashes);
   if (room.slot_doubles == 0) return;
@@ -339,6 +345,20 @@ int ResultContents::nodes_total() const {
   int n = 0;
   for (const auto& line : lines) n += line.nodes;
   return n;
+}
+
+void check_contents(const ResultContents& c, bool writes) {
+  if (c.fields.empty() || c.fields[0].name != "position" || c.fields[0].components != 3)
+    throw std::logic_error("results: the first field must be position");
+  int next = 0;
+  for (const auto& line : c.lines) {
+    if (line.first_node != next || (writes && line.arc.size() != static_cast<size_t>(line.nodes)))
+      throw std::logic_error("results: the nodes of line " + line.name + " are not in file order");
+    next += line.nodes;
+  }
+  for (const auto& v : c.volumes)
+    if (v.body >= static_cast<int>(c.bodies.size()))
+      throw std::logic_error("results: volume " + v.name + " moves with a body that is not there");
 }
 
 std::vector<std::string> volume_places(const ResultContents& c) {
@@ -399,6 +419,12 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
     sets.push_back({statistics_place(f), RowsBy::node, H5T_IEEE_F64LE, tail, f.unit});
   }
   if (c.clashes) sets.push_back({kClashCounts, RowsBy::output, H5T_STD_I64LE, {2}, ""});
+  if (c.contact_points) {
+    sets.push_back({kContactCounts, RowsBy::output, H5T_STD_I64LE, {}, ""});
+    sets.push_back({kContactPairs, RowsBy::contact, H5T_STD_I32LE, {4}, ""});
+    sets.push_back({kContactPositions, RowsBy::contact, H5T_IEEE_F32LE, {3}, "m"});
+    sets.push_back({kContactForces, RowsBy::contact, H5T_IEEE_F32LE, {3}, "N"});
+  }
   sets.push_back({"bodies/position", RowsBy::output, H5T_IEEE_F64LE, {c.bodies.size(), 3}, "m"});
   sets.push_back(
       {"bodies/rotation", RowsBy::output, H5T_IEEE_F64LE, {c.bodies.size(), 4}, "quaternion w x y z"});
@@ -420,7 +446,7 @@ std::vector<RowSet> row_sets(const ResultContents& c) {
 }
 
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
-                   const std::string& from, const ResultCount& kept, long long clashes,
+                   const std::string& from, const ResultCount& kept, long long clashes, long long contacts,
                    const ResultLast* last) {
   const std::string made = path + ".new";
   std::remove(made.c_str());  // it may be a link, and lead to something else
@@ -440,7 +466,8 @@ void build_results(const std::string& path, const ResultContents& contents, cons
       for (const auto& v : contents.volumes) volumes.push_back(v.name);
       make_clash_tables(file, room.clashes, volumes);
     }
-    if (!from.empty()) copy_earlier(from, file, contents, room, kept, clashes, last && last->summary);
+    if (!from.empty())
+      copy_earlier(from, file, contents, room, kept, clashes, contacts, last && last->summary);
     if (last && last->summary) write_summary(file, *last->summary);
     const std::vector<std::string>& messages =
         last && last->messages ? *last->messages : contents.run.messages;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "hawser/base/error.hpp"
+#include "hawser/io/contact_rows.hpp"
 #include "hawser/io/hdf5.hpp"
 
 namespace hawser::io {
@@ -45,17 +46,23 @@ ResultProgress read_progress(const std::string& path) {
   h5::check(H5Dread(count, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &p.count), "counter");
   p.output_times = counted(path, file, "outputs/time", p.count.outputs);
   p.step_times = counted(path, file, "series/time", p.count.steps);
-  if (h5::exists(file, kClashCounts)) {
-    const h5::Array counts = h5::read_array(file, kClashCounts);
-    const hsize_t rows = h5::shape_of(h5::open_dataset(file, kClashesEnded))[0];
+  // The first of `columns` counts the rows of a table at each output.
+  const auto rows_at = [&](const char* of_outputs, size_t columns, const char* table, const char* what) {
+    std::vector<long long> out;
+    if (!h5::exists(file, of_outputs)) return out;
+    const h5::Array counts = h5::read_array(file, of_outputs);
+    const hsize_t rows = h5::shape_of(h5::open_dataset(file, table))[0];
     for (size_t i = 0; i < p.output_times.size(); ++i) {
-      const double n = counts.values[2 * i];
+      const double n = counts.values[columns * i];
       if (n < 0 || n > static_cast<double>(rows))
-        throw damaged(path, fmt::format("at output {} the count is {:g} clashes, but there are {} rows",
-                                        i + 1, n, rows));
-      p.clashes.push_back(static_cast<long long>(n));
+        throw damaged(path, fmt::format("at output {} the count is {:g} {}, but there are {} rows", i + 1, n,
+                                        what, rows));
+      out.push_back(static_cast<long long>(n));
     }
-  }
+    return out;
+  };
+  p.clashes = rows_at(kClashCounts, 2, kClashesEnded, "clashes");
+  p.contacts = rows_at(kContactCounts, 1, kContactPairs, "points of contact");
   if (!h5::exists(file, "checkpoint/1")) return p;
   p.room.slot_doubles =
       static_cast<long long>(h5::shape_of(h5::open_dataset(file, "checkpoint/0/values"))[0]);

@@ -20,7 +20,9 @@ ResultsSize results_size(const ResultContents& c, const ExpectedRows& rows) {
   for (const RowSet& s : row_sets(c)) {
     double row = static_cast<double>(H5Tget_size(s.type));
     for (const hsize_t n : s.tail) row *= static_cast<double>(n);
-    if (s.by == RowsBy::step)
+    if (s.by == RowsBy::contact)
+      row = 0;
+    else if (s.by == RowsBy::step)
       size.histories += row * rows.steps;
     else if (s.by == RowsBy::node)
       size.fields += row * c.nodes_total();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hawser/io/clash_rows.hpp"
+#include "hawser/io/contact_rows.hpp"
 
 namespace hawser::io {
 
@@ -17,10 +18,12 @@ struct WaitingOutputs {
   std::vector<double> position, rotation;         // of bodies
   std::vector<std::vector<float>> moved;          // by volume
   std::vector<ClashTables> clashes;
+  std::vector<ContactRows> contacts;
 
   size_t size() const {
     size_t n = 0;
     for (const auto& f : fields) n += f.size();
+    for (const auto& c : contacts) n += 10 * c.size();
     return n;
   }
   // The first n outputs, which go.
@@ -43,6 +46,7 @@ struct WaitingOutputs {
     part(position, out.position);
     part(rotation, out.rotation);
     part(clashes, out.clashes);
+    part(contacts, out.contacts);
     part(times, out.times);
     return out;
   }

@@ -8,6 +8,7 @@
 
 #include "hawser/base/gather.hpp"
 #include "hawser/model/check.hpp"
+#include "hawser/record/contact_points.hpp"
 #include "hawser/terms/body_contact.hpp"
 #include "hawser/terms/line_pairs.hpp"
 #include "hawser/terms/line_volume_contact.hpp"
@@ -46,10 +47,7 @@ ActiveContact touch_at(const double* v) {
 
 }  // namespace
 
-bool ClashReport::wanted(const Subject& s) {
-  return s.model.output.clashes.enabled &&
-         (s.term<LineVolumeContact>() || s.term<LinePairs>() || s.term<BodyContactTerm>());
-}
+bool ClashReport::wanted(const Subject& s) { return s.model.output.clashes.enabled && can_touch(s); }
 
 ClashReport::ClashReport(const Subject& subject)
     : comm_(subject.comm()),
@@ -59,14 +57,8 @@ ClashReport::ClashReport(const Subject& subject)
       body_contact_(subject.term<BodyContactTerm>()),
       rank_(rank_of(comm_)),
       settings_(settings_of(subject.model)),
-      log_(settings_) {
-  const auto& volumes = subject_.model.volumes;
-  for (int v = 0; contact_ && v < contact_->volumes(); ++v) {
-    const auto at = std::find_if(volumes.begin(), volumes.end(),
-                                 [&](const model::Volume& o) { return o.name == contact_->volume_name(v); });
-    volumes_.push_back(static_cast<int>(at - volumes.begin()));
-  }
-}
+      volumes_(volumes_of_lines(subject)),
+      log_(settings_) {}
 
 void ClashReport::step(const Snapshot& s) {
   ActiveContacts touches;

@@ -95,7 +95,7 @@ void Recorder::stage(size_t place, const Kinematics& at) {
   fill(s, true);
   for (const auto& r : recordings_) r->stage(s);
   const double last = static_cast<double>(subject_.model.stages.size()) - 1;
-  file_->write_output(static_cast<double>(place) - last, s.values, s.poses(), {}, s.ends);
+  write_output(static_cast<double>(place) - last, s, {});
 }
 
 void Recorder::start(const Kinematics& at, const Kinematics& shown, double first_step) {
@@ -164,7 +164,13 @@ void Recorder::output(const Kinematics& at) {
   const Snapshot s = snapshot(at);
   if (!stepped_ || !fields_.complete(at)) fill(s, true);
   for (const auto& r : recordings_) r->output(s);
-  file_->write_output(at.time, s.values, s.poses(), take_clashes(), s.ends);
+  write_output(at.time, s, take_clashes());
+}
+
+void Recorder::write_output(double time, const Snapshot& s, const io::ClashTables& clashes) {
+  io::ContactRows points;
+  for (const auto& r : recordings_) r->points(s, points);
+  file_->write_output(time, s.values, s.poses(), clashes, s.ends, points);
 }
 
 void Recorder::checkpoint(io::Checkpoint c) {

@@ -4,6 +4,7 @@
 
 #include "hawser/record/clash_report.hpp"
 #include "hawser/record/clearances.hpp"
+#include "hawser/record/contact_points.hpp"
 #include "hawser/record/edge_errors.hpp"
 #include "hawser/record/element_errors.hpp"
 #include "hawser/record/histories.hpp"
@@ -39,6 +40,7 @@ std::vector<std::unique_ptr<Recording>> recordings(const Subject& s, const EndFo
   if (c.output.statistics) add(std::make_unique<Statistics>(s));
   add(std::make_unique<WaterErrors>(c, s.system));
   add(std::make_unique<PipeStrength>(s));
+  if (can_touch(s)) add(std::make_unique<ContactPoints>(s));
   if (ClashReport::wanted(s)) add(std::make_unique<ClashReport>(s));
   if (!c.supports.empty()) add(std::make_unique<SupportLog>(s));
   if (c.output.touchdowns && c.environment.seabed.present) add(std::make_unique<TouchdownHistory>(s));

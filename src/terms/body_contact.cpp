@@ -191,6 +191,7 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
         friction.law.active() ? start_of(pair, at, e, q.xi, n > 0 ? &rates : nullptr) : ContactStart();
     const Vec3 z = place(q.xi);
     const AxisContactPoint point = points.add(law, start, q.at, z, e.radius, q.weight);
+    if (friction.eighths) add_resultant(pair, e.place(q.xi), z, e.radius, point, *friction.eighths);
     if (n > 0)
       points.add_moving_ends(law, start, q.at, z, e.radius, point, slope, rates, std::span(moving).first(n));
     if (friction.points && point.elastic_force() > 0)
@@ -217,6 +218,7 @@ BodyContactTerm::Sum BodyContactTerm::contact(const Pair& pair, const Both& at, 
     const ContactStart start = slips ? start_of(pair, at, p, 0, nullptr) : ContactStart();
     const AxisContactPoint at_point =
         points.add({pair.law, friction.law}, start, *s, z, p.radius, pair.share * p.weight);
+    if (friction.eighths) add_resultant(pair, p.from, z, p.radius, at_point, *friction.eighths);
     if (!friction.points || !(at_point.normal_force > 0)) return;
     const BodyFrictionPoint left{0, 0, 0, at_point.weight, at_point.slip, at_point.normal, at_point.friction};
     friction.points->add(volumes_[pair.a].skeleton.features.index(p), {&left, 1});
@@ -294,7 +296,9 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
     if (!p.here) continue;
     const Both now = both(p, accepted);
     BodyFrictionPoints touching;
+    Eighths eighths;
     if (slips) friction.points = &touching;
+    if (p.counted) friction.eighths = &eighths;
     const Sum s = contact(p, now, {accepted.step > 0}, friction);
     if (slips && accepted.step > 0)
       p.dissipated += half_dissipation(p, now, p.touching) + half_dissipation(p, now, touching);
@@ -307,6 +311,7 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
     p.now.force = s.on.f.segment<3>(0).norm();
     p.now.energy = s.potential;
     p.now.depth = s.depth;
+    p.resultants = resultants_of(p, now, eighths);
     if (!(accepted.step > 0)) continue;
     p.damping += 0.5 * accepted.step * (s.damping_power + p.damping_power);
     p.work += 0.5 * accepted.step * (s.work_power + p.work_power);
@@ -362,6 +367,30 @@ void BodyContactTerm::active_contacts(ActiveContacts& out) const {
     t.other_volume = static_cast<int>(std::max(p.a, p.b));
     out.push_back(t);
   }
+}
+
+void BodyContactTerm::add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r,
+                                    const AxisContactPoint& point, Eighths& to) const {
+  const Vec3 from_middle = y - boxes_[pair.a].centre();
+  const size_t eighth = 4 * (from_middle.x() > 0) + 2 * (from_middle.y() > 0) + (from_middle.z() > 0);
+  to[eighth].add(z - (r + point.gap) * point.normal, point, Mat3::Identity());
+}
+
+ContactResultants BodyContactTerm::resultants_of(const Pair& pair, const Both& at,
+                                                 const Eighths& sums) const {
+  ContactResultants out;
+  const double sign = pair.a < pair.b ? 1 : -1;  // the force on the first of the two
+  for (const ResultantSum& sum : sums)
+    if (sum.any())
+      out.push_back({-1, -1, static_cast<int>(std::min(pair.a, pair.b)),
+                     static_cast<int>(std::max(pair.a, pair.b)), at.B.to_space(sum.place()),
+                     sign * (at.B.R * sum.force())});
+  return out;
+}
+
+void BodyContactTerm::resultants(ContactResultants& out) const {
+  for (const Pair& p : pairs_)
+    if (p.counted) out.insert(out.end(), p.resultants.begin(), p.resultants.end());
 }
 
 double BodyContactTerm::largest_penetration() const {

@@ -46,6 +46,25 @@ void LinePairs::active_contacts(ActiveContacts& out) const {
   }
 }
 
+// From the axis of the slave it is r + g/2 against the normal to the middle of what overlaps.
+void LinePairs::resultants(const Kinematics& at, ContactResultants& out) const {
+  for (const Pair& pair : pairs_) {
+    if (!pair.counted || !pair.points) continue;
+    const AxisShape shapes[] = {AxisShape(ends(at, pair.a)), AxisShape(ends(at, pair.b))};
+    const double radii[] = {settings(pair.key.first).radius, settings(pair.key.second).radius};
+    ResultantSum sum;
+    for (size_t k = 0; k < kParts; ++k) {
+      const size_t slave = k < 3 ? 0 : 1;
+      for (const LinePairContactPoint& h : (*pair.points)[k])
+        sum.add(shapes[slave].point(h.xi) - (radii[slave] + 0.5 * h.gap) * h.normal, h, Mat3::Identity(),
+                slave == 0 ? 1 : -1);
+    }
+    if (sum.any())
+      out.push_back(
+          {element(pair.key.first).line, element(pair.key.second).line, -1, -1, sum.place(), sum.force()});
+  }
+}
+
 void LinePairs::fields(FieldRegistry& registry) const {
   add_contact_fields(
       registry,

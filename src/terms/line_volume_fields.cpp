@@ -63,6 +63,23 @@ void LineVolumeContact::active_contacts(ActiveContacts& out) const {
   }
 }
 
+void LineVolumeContact::resultants(const Kinematics& at, ContactResultants& out) const {
+  for (const Pair& pair : pairs_) {
+    if (!local(pair).counted) continue;
+    const AxisShape shape = axis(at, pair.element);
+    const Mat3 turn = volumes_.pose_of(pair.volume, at).rotation.toRotationMatrix();
+    for (size_t i = 0; i < pair.points.size();) {
+      const int group = pair.points[i].group;
+      ResultantSum sum;
+      for (; i < pair.points.size() && pair.points[i].group == group; ++i) {
+        const AxisContactPoint& p = pair.points[i];
+        sum.add(shape.point(p.xi) - (pair.radius + p.gap) * (turn * p.normal), p, turn);
+      }
+      if (sum.any()) out.push_back({element(pair).line, -1, pair.volume, -1, sum.place(), sum.force()});
+    }
+  }
+}
+
 std::vector<Vec3> LineVolumeContact::forces_by_volume(const Kinematics& at) const {
   std::vector<Vec3> out(static_cast<size_t>(volumes()), Vec3::Zero());
   for (const Load& l : loads(at))

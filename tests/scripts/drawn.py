@@ -9,7 +9,7 @@ import numpy as np
 
 import browser
 from support import ROOT
-from synthetic import results_file
+from synthetic import add_contacts, results_file
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post.page import Page  # noqa: E402
@@ -50,7 +50,7 @@ def quaternion(axis, angle):
 
 
 def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, lines=("hose", "rope"), start=0.0):
-    """Two lines that swing beside a turning drum, with a field, contact forces and a history."""
+    """Two lines that swing beside a turning drum, with a field, contacts and a history."""
     t = start + np.arange(outputs) * 0.5
     s = np.linspace(0, 60, nodes)
     x = np.zeros((outputs, nodes * len(lines), 3))
@@ -63,9 +63,7 @@ def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, 
     if hole:
         tension[:, 20:40] = np.nan
         x[:, 50] = x[:, 49]
-    force = np.zeros_like(x)
-    force[:, 10:14] = [0, 1e3, 2e3]
-    fields = {"position": ("m", x), "effective_tension": ("N", tension), "contact_force": ("N", force)}
+    fields = {"position": ("m", x), "effective_tension": ("N", tension)}
     statistics = {"effective_tension": ("N", np.tile(np.mean(tension, axis=0)[:, None], 6))} if outputs > 1 else None
     path = results_file(Path(folder) / name, t, {line: s for line in lines}, fields, case=case, statistics=statistics)
     with h5py.File(path, "r+") as file:
@@ -77,7 +75,16 @@ def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, 
         file["volumes/drum/triangles"] = [[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1], [2, 3, 7], [2, 7, 6]]
         file["volumes/drum"].attrs.update({"name": b"drum", "body": 0})
         file["messages"] = [b"warning: line rope turns sharply at arc length 30 m", b"note: the drum turns"]
+    add_contacts(path, [contacts_of(x, k) for k in range(outputs)])
     return path
+
+
+def contacts_of(x, k):
+    """Points of contact of output k: below some nodes, less with time, none at the last but one; one force is too small to be shown."""
+    nodes = np.arange(10, 10 + max(0, 5 - k))
+    force = np.array([[0, 1e3, 2e3 + node] for node in nodes]).reshape(-1, 3)
+    force[:1] *= 0.01
+    return [(0, -1, 0, -1)] * len(nodes), x[k, nodes] - [0, 0, 0.2], force
 
 
 @unittest.skipIf(libraries.missing(), libraries.missing())

@@ -21,6 +21,14 @@ def as_read(value):
     return {"true": True, "false": False}.get(value, value)
 
 
+def add_contacts(path, outputs):
+    """Points of contact; of each output (pairs, places, forces)."""
+    with h5py.File(path, "r+") as file:
+        file["outputs/contact_points"] = np.cumsum([len(places) for _, places, _ in outputs])
+        for k, (name, kind, columns) in enumerate((("pair", "i4", 4), ("position", "f4", 3), ("force", "f4", 3))):
+            file[f"contact_points/{name}"] = np.concatenate([np.reshape(output[k], (-1, columns)) for output in outputs]).astype(kind)
+
+
 def results_file(path, time=(0.0,), lines=None, fields=None, series=None, statistics=None, case="hawser: 1\n",
                  attributes=None, ended=True, declared=None, stages=()):
     """lines: {name: arc lengths of its nodes}; fields: {name: (unit, outputs x all nodes (x 3))}; statistics: {field:

@@ -10,11 +10,12 @@ import h5py
 import numpy as np
 
 from support import ROOT
-from synthetic import results_file
+from synthetic import add_contacts, results_file
 
 sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post.results import Results  # noqa: E402
 from hawser_post.viewer import blocks, embedded, libraries, notes  # noqa: E402
+from hawser_post.viewer.contacts import MOST, SMALLEST, Contacts  # noqa: E402
 from hawser_post.viewer.model import Model  # noqa: E402
 
 
@@ -69,11 +70,11 @@ def large(folder, outputs=200, nodes=120, name="run.h5"):
     tension = 1e5 + 500 * s + 2e4 * np.sin(0.5 * t[:, None])
     hole = tension.copy()
     hole[:, 1] = np.nan
-    force = np.zeros_like(x)
-    force[:, -1] = [0, 0, 2e3]
     fields = {"position": ("m", x), "effective_tension": ("N", tension), "with_hole": ("N", hole),
-              "nothing": ("m", np.full_like(tension, np.nan)), "contact_force": ("N", force), "velocity": ("m/s", 0.1 * x)}
-    return results_file(Path(folder) / name, t, {"riser": s}, fields)
+              "nothing": ("m", np.full_like(tension, np.nan)), "velocity": ("m/s", 0.1 * x)}
+    path = results_file(Path(folder) / name, t, {"riser": s}, fields)
+    add_contacts(path, [([(0, -1, 0, -1)] * 2, x[k, -2:], [[0, 0, 2e3], [0, 10.0 * k, 1e3]]) for k in range(outputs)])
+    return path
 
 
 class Models(unittest.TestCase):
@@ -125,12 +126,48 @@ class Models(unittest.TestCase):
         self.assertEqual(header["times"][-1], results.time[-1])
         self.assertTrue(any(words.startswith("One in ") for words in header["missing"]), header["missing"])
 
-    def test_contact_forces_stay_in_a_page_that_has_not_all_fields(self):
+    def test_contact_points_stay_in_a_page_that_has_not_all_fields(self):
         # Of `velocity` (three components) there is no figure: it is the first to be excluded.
         results = Results(large(self.folder.name, 60, 300, "some.h5"))
         whole = sum(map(len, embedded.packed_model(results, 1e9)[1].values())) * 4 / 3
         names = set(embedded.packed_model(results, whole - 1)[1])
-        self.assertEqual({"field/contact_force/0", "field/velocity/0"} & names, {"field/contact_force/0"})
+        self.assertEqual({"contact/place/0", "contact/force/0", "field/velocity/0"} & names, {"contact/place/0", "contact/force/0"})
+
+    def test_contact_points_are_those_of_the_file(self):
+        for part, rows in enumerate((range(64), range(64, 128))):
+            model = Model(self.results, per_block=64)
+            place, force = (blocks.unpacked(model.block(f"contact/{what}/{part}")).reshape(64, 3, 2).transpose(0, 2, 1) for what in ("place", "force"))
+            for k, row in enumerate(rows):
+                first = 2 * row
+                np.testing.assert_allclose(place[k] + model.centre, self.results.file["contact_points/position"][first : first + 2], atol=1e-3)
+                np.testing.assert_allclose(force[k], self.results.file["contact_points/force"][first : first + 2], atol=2500 / 9999)
+        self.assertAlmostEqual(self.header["contacts"]["largest"], np.hypot(10 * 199, 1e3), delta=1e-2)
+
+    def test_of_very_many_contact_points_the_largest_forces_are_kept(self):
+        path = large(self.folder.name, 3, 5, "many.h5")
+        random = np.random.default_rng(4)
+        outputs = [(np.zeros((n, 4)), random.normal(size=(n, 3)), random.normal(size=(n, 3)) * np.logspace(0, 4, n)[:, None]) for n in (2000, 0, 40)]
+        with h5py.File(path, "r+") as file:
+            del file["contact_points"], file["outputs/contact_points"]
+        add_contacts(path, outputs)
+        results = Results(path)
+        contacts = Contacts(results.file, [0, 1, 2])
+        sizes = [np.linalg.norm(force, axis=1) for _, _, force in outputs]
+        self.assertAlmostEqual(contacts.largest, sizes[0].max(), delta=1e-3)
+        found = [np.linalg.norm(contacts.at(row)[1], axis=1) for row in range(3)]
+        np.testing.assert_allclose(np.sort(found[0]), np.sort(sizes[0])[-MOST:], rtol=1e-6)
+        self.assertEqual([len(sizes) for sizes in found], [MOST, 0, np.sum(sizes[2] > SMALLEST * contacts.largest)])
+        table = blocks.unpacked(Model(results).block("contact/force/0"))
+        self.assertEqual(list(np.isfinite(table).sum(axis=1) // 3), [len(sizes) for sizes in found])
+
+    def test_results_without_contact_points(self):
+        path = large(self.folder.name, 3, 5, "none.h5")
+        with h5py.File(path, "r+") as file:
+            del file["contact_points"], file["outputs/contact_points"]
+        model = Model(Results(path))
+        self.assertIsNone(model.header()["contacts"])
+        self.assertFalse(any(name.startswith("contact/") for name in model.names()))
+        self.assertIsNone(model.block("contact/place/0"))
 
     def test_a_body_below_the_lines_is_in_the_picture(self):
         path = large(self.folder.name, 3, 5, "load.h5")

@@ -172,13 +172,40 @@ class Drawn(Drawing):
         np.testing.assert_allclose([ball[3:6] for ball in balls], [x[30] - centre, x[60] - centre, x[60] - centre], atol=1e-3)
         self.assertAlmostEqual(balls[0][6], (6 / np.pi) ** (1 / 3), delta=1e-6)
         # Forces of the bed are shown when they are asked for.
-        arrows = "hawserView.scene.marks.arrows.map((a) => [a.kind, a.largest, a.meshes[0].visible, a.meshes[0].count])"
+        arrows = "hawserView.scene.marks.arrows.map((a) => [a.kind, hawserView.model.largestForce(a.kind), a.meshes[0].visible, a.meshes[0].count])"
         self.assertEqual(value(arrows)[1][:3], ["bedForces", 700, False])
         value("[...document.querySelectorAll('.hawser-view label')].find((l) => l.textContent.includes('Bed forces')).querySelector('input').click()")
         self.browser.wait("hawserView.scene.marks.arrows[1].meshes[0].visible && hawserView.scene.marks.arrows[1].meshes[0].count")
         self.assertEqual(value(arrows)[1], ["bedForces", 700, True, 4])
         value("hawserView.scene.shown.parts = false; hawserView.scene.draw()")
         self.assertFalse(any(value("hawserView.scene.marks.balls.map((b) => b.mesh.visible)")))
+        self.no_complaints()
+
+    def test_arrows_stand_at_points_of_contact(self):
+        results = self.show(model(self.folder.name, name="contacts.h5"))
+        value = self.browser.value
+        centre = np.array(value("hawserView.model.header.centre"))
+        ends = results.file["outputs/contact_points"][:]
+        largest = np.linalg.norm(results.file["contact_points/force"][:], axis=1).max()
+        self.assertAlmostEqual(value("hawserView.model.largestForce('forces')"), largest, delta=1e-3)
+        for output, shown in ((0, 4), (3, 1), (7, 0)):
+            value(f"hawserView.player.show({output})")
+            value("hawserView.scene.draw()")
+            found = value("""(() => {
+                const {marks} = hawserView.scene, [shaft] = marks.arrows[0].meshes, m = new THREE.Matrix4(), at = new THREE.Vector3(), turn = new THREE.Quaternion(), scale = new THREE.Vector3();
+                return Array.from({length: shaft.count}, (_, k) => {
+                  shaft.getMatrixAt(k, m);
+                  m.decompose(at, turn, scale);
+                  return [...at.toArray(), ...new THREE.Vector3(0, 1, 0).applyQuaternion(turn).toArray(), scale.y / hawserView.scene.camera.pixelAtTarget()];
+                });
+            })()""")
+            part = slice(ends[output] - max(0, 5 - output), ends[output])
+            place, force = results.file["contact_points/position"][part][1:], results.file["contact_points/force"][part][1:]
+            self.assertEqual(len(found), shown)
+            for row, at, f in zip(found, place[::-1], force[::-1]):  # the largest first
+                np.testing.assert_allclose(np.array(row[:3]) + centre, at, atol=0.04)  # places near x = 400 km in single precision
+                np.testing.assert_allclose(row[3:6], f / np.linalg.norm(f), atol=1e-3)
+                self.assertAlmostEqual(row[6], 80 * np.linalg.norm(f) / largest, delta=0.1)
         self.no_complaints()
 
     def test_elements_of_less_than_a_pixel_are_joined_and_drawn_singly_from_near(self):

@@ -39,6 +39,7 @@ ResultContents contents() {
   static const std::vector<std::array<int, 3>> kTriangle = {{0, 1, 2}};
   c.volumes = {{"drum", 0, kCorners, kTriangle, {1}, nullptr}};
   c.clashes = true;
+  c.contact_points = true;
   c.expected_outputs = 2;  // so that it is often killed while the file is made anew
   c.expected_steps = 5;
   return c;
@@ -79,6 +80,13 @@ ClashTables clashes(int output) {
   for (int i = 0; i < 3 * (output % 40); ++i) t.open.push_back(clash(output, -1 - i));
   return t;
 }
+// Of output k; with some outputs none, and so many that the tables outgrow their room.
+ContactRows contacts(int output) {
+  ContactRows rows;
+  for (int i = 0; i < 400 * (output % 30); ++i)
+    rows.push_back({output, -1, i, -1, Vec3(output, i, 0.5), Vec3(-i, output, 0.25)});
+  return rows;
+}
 bool same(const ClashRow& a, const ClashRow& b) {
   return a.line == b.line && a.volume == b.volume && a.start == b.start && a.impulse == b.impulse;
 }
@@ -112,7 +120,7 @@ void write_for_ever(const std::string& path) {
     for (int i = 0; i < 3 * kNodes; ++i) fields[0].push_back(value(k, i));
     for (int i = 0; i < kNodes * kState; ++i) fields[1].push_back(value(k, -i));
     const BodyPose pose{Vec3(k, 0, 0), Quat::Identity()};
-    file->write_output(k, fields, {&pose, 1}, clashes(k));
+    file->write_output(k, fields, {&pose, 1}, clashes(k), {}, contacts(k));
     std::printf("output %lld\n", file->written() - 1);
     std::fflush(stdout);
     if (k % 3 != 2) continue;  // of some outputs several wait to be written together
@@ -216,6 +224,29 @@ void expect_whole(const std::string& path, const Progress& progress) {
     wrong += moved.values[9 * k + 3] != out + 1;
   }
   EXPECT_EQ(wrong, 0);
+
+  if (n > 0) {
+    const auto counts = h5::read_array(file, kContactCounts), pairs = h5::read_array(file, kContactPairs),
+               at = h5::read_array(file, kContactPositions), force = h5::read_array(file, kContactForces);
+    size_t row = 0;
+    for (size_t k = 0; k < n; ++k) {
+      for (const ContactRow& r : contacts(static_cast<int>(k))) {
+        ASSERT_LT(row, at.shape[0]);
+        wrong += pairs.values[4 * row] != r.line || pairs.values[4 * row + 1] != -1 ||
+                 pairs.values[4 * row + 2] != r.volume || pairs.values[4 * row + 3] != -1;
+        for (int i = 0; i < 3; ++i) {
+          wrong += at.values[3 * row + static_cast<size_t>(i)] != r.position[i];
+          wrong += force.values[3 * row + static_cast<size_t>(i)] != r.force[i];
+        }
+        ++row;
+      }
+      wrong += counts.values[k] != static_cast<double>(row);
+    }
+    EXPECT_EQ(wrong, 0);
+    if (progress.end) {
+      EXPECT_EQ(at.shape[0], row);
+    }
+  }
 
   const int last = static_cast<int>(n) - 1;
   if (last >= 0) {

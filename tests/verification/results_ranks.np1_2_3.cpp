@@ -57,6 +57,7 @@ ResultContents contents() {
   c.volumes = {{"drum", 0, kDrum, kSides, {1, 0, 1, 1}, nullptr},
                {"floor", -1, kFloor, kTriangle, {1}, nullptr}};
   c.clashes = true;
+  c.contact_points = true;
   c.expected_outputs = 3;  // so that the room is made twice over
   c.expected_steps = 4;
   return c;
@@ -76,6 +77,8 @@ double of_line(double t, size_t line, int column) { return t + 100. * static_cas
 double value(int output, int field, int node, int component) {
   return std::sin(1.0 + output) * 1e3 + field * 100 + node + component / 7.0;
 }
+
+constexpr int kPoints = 97;  // so many that their tables outgrow their room
 
 void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned, int from, int to) {
   const auto& c = file.contents();
@@ -101,7 +104,13 @@ void write_rows(ResultsFile& file, MPI_Comm comm, const std::vector<int>& owned,
       clashes.ended.resize(static_cast<size_t>(17 * k));
       clashes.open.resize(2);
     }
-    file.write_output(k, fields, {&pose, 1}, clashes);
+    // Of the points the first rank has some, the other that has nodes the rest.
+    ContactRows contacts;
+    const int others = std::min(size_of(comm), 2) - 1;
+    for (int i = 0; i < kPoints * (k % 3); ++i)
+      if (rank_of(comm) == (i < kPoints ? 0 : others))
+        contacts.push_back({k, -1, i, -1, Vec3(k, i, 0.5), Vec3(-i, k, 0.25)});
+    file.write_output(k, fields, {&pose, 1}, clashes, {}, contacts);
   }
 }
 
@@ -263,6 +272,22 @@ TEST(ResultsRanks, EveryValueIsInItsPlace) {
     // Vertex 1 is (1, 0, 0) in the body frame; about y by 0.7 rad, then moved by 7 along x.
     EXPECT_NEAR(moved.values[7 * 12 + 3], 7 + std::cos(0.7), 1e-6);
     EXPECT_NEAR(moved.values[7 * 12 + 5], -std::sin(0.7), 1e-6);
+    const auto counts = h5::read_array(file, kContactCounts),
+               places = h5::read_array(file, kContactPositions),
+               forces = h5::read_array(file, kContactForces), pairs = h5::read_array(file, kContactPairs);
+    size_t row = 0;
+    for (int k = 0; k < 8; ++k) {
+      for (int i = 0; i < kPoints * (k % 3); ++i, ++row) {
+        ASSERT_LT(row, places.shape[0]);
+        EXPECT_EQ(pairs.values[4 * row], k);
+        EXPECT_EQ(pairs.values[4 * row + 1], -1);
+        EXPECT_EQ(pairs.values[4 * row + 2], i);
+        EXPECT_EQ(places.values[3 * row + 1], i);
+        EXPECT_EQ(forces.values[3 * row + 1], k);
+      }
+      EXPECT_EQ(counts.values[static_cast<size_t>(k)], static_cast<double>(row));
+    }
+    EXPECT_EQ(places.shape[0], row);
     EXPECT_EQ(h5::read_text(file, "case"), c.run.case_text);
     EXPECT_EQ(h5::read_texts(file, "lines/name")[2], "mooring:1");
   }
@@ -309,7 +334,8 @@ TEST(ResultsRanks, ResumedFileIsTheSameAsOneInOneGo) {
     const auto a = h5::open_read(path), b = h5::open_read(straight);
     for (const char* name :
          {"outputs/time", "fields/position", "fields/effective_tension", "series/time", "series/end_A",
-          "series/energy", "line_series/touchdown", "bodies/rotation", "volumes/drum/moved"}) {
+          "series/energy", kContactCounts, kContactPairs, kContactPositions, kContactForces,
+          "line_series/touchdown", "bodies/rotation", "volumes/drum/moved"}) {
       const auto p = h5::read_array(a, name), q = h5::read_array(b, name);
       EXPECT_EQ(p.shape, q.shape) << name;
       EXPECT_EQ(bits(p.values), bits(q.values)) << name;

@@ -15,6 +15,7 @@
 #include "hawser/geometry/coarse_mesh.hpp"
 #include "hawser/io/checkpoint.hpp"
 #include "hawser/io/clash_rows.hpp"
+#include "hawser/io/contact_rows.hpp"
 #include "hawser/math/types.hpp"
 #include "hawser/system/field.hpp"
 
@@ -99,6 +100,7 @@ struct ResultContents {
   ResultWaves waves;
   std::vector<std::string> stages;  // of statics: outputs at times -n + 1, ..., -1 and 0 are their rests
   bool clashes = false;             // there is a clash report; its volumes are `volumes`
+  bool contact_points = false;      // likewise
   bool xdmf = true;
   bool single_precision = false;  // of `fields` and `end_fields`
   int expected_outputs = 100;     // room made at once; it doubles when it runs out
@@ -147,12 +149,12 @@ class ResultsFile {
   // Node fields at `time` [s], owned nodes x components (those of bodies are excluded), in the order of
   // contents.fields (position
   // first), with one pose a body (same on all ranks). ends: likewise, contents.end_fields of the ends whose
-  // nodes this rank owns, ascending. The output and the series rows so far go to the file, from where they
-  // survive the death of the program, at once or with later ones, so that writing takes a twentieth of the
-  // time at most; those before a checkpoint with it.
+  // nodes this rank owns, ascending. contacts: points that this rank counts. The output and the series rows
+  // so far go to the file, from where they survive the death of the program, at once or with later ones, so
+  // that writing takes a twentieth of the time at most; those before a checkpoint with it.
   void write_output(double time, const std::vector<std::vector<double>>& fields,
                     std::span<const BodyPose> poses, const ClashTables& clashes = {},
-                    const std::vector<std::vector<double>>& ends = {});
+                    const std::vector<std::vector<double>>& ends = {}, const ContactRows& contacts = {});
 
   // When it returns, read_checkpoint() gives this one; until then, the one before.
   void write_checkpoint(Checkpoint checkpoint);

@@ -18,6 +18,7 @@ struct ResultRoom {
   long long outputs = 0, steps = 0;
   long long slot_doubles = 0, slot_text = 0;  // of each of the two checkpoint slots; 0: no slots
   ClashRoom clashes = {};
+  long long contacts = 0;  // points of contact
 };
 
 // What the file gets beside the rows it keeps: with the last of them these clashes, and the table of the
@@ -34,8 +35,12 @@ struct ResultCount {
 };
 h5::Id result_count_type();
 
-// A dataset with one row an output, one a step, or one a node.
-enum class RowsBy { output, step, node };
+// Throws std::logic_error where contents contradict themselves. writes: this rank has what rank 0 alone
+// writes.
+void check_contents(const ResultContents& contents, bool writes);
+
+// A dataset with one row an output, one a step, one a node, or one a point of contact.
+enum class RowsBy { output, step, node, contact };
 struct RowSet {
   std::string name;
   RowsBy by = RowsBy::output;
@@ -54,12 +59,12 @@ hsize_t numbers_in_row(const ResultSeries& series);
 std::vector<std::string> volume_places(const ResultContents& contents);
 std::vector<std::string> series_places(const ResultContents& contents);
 
-// Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes` and newest checkpoint
-// are taken over, or empty; one at `path` is then kept (back_up_results). Serial. Throws InputError when
-// `from` does not hold the same things, std::runtime_error when the disk fails; the file at `path` is then as
-// it was.
+// Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes`, `contacts` and newest
+// checkpoint are taken over, or empty; one at `path` is then kept (back_up_results). Serial. Throws
+// InputError when `from` does not hold the same things, std::runtime_error when the disk fails; the file at
+// `path` is then as it was.
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
-                   const std::string& from, const ResultCount& kept, long long clashes,
+                   const std::string& from, const ResultCount& kept, long long clashes, long long contacts,
                    const ResultLast* last);
 
 }  // namespace hawser::io

@@ -14,6 +14,7 @@ struct ResultProgress {
   std::vector<double> output_times, step_times;  // s, of the rows that count
   ResultRoom room;                               // of the checkpoint slots; outputs and steps are left 0
   std::vector<long long> clashes;                // that had ended, at each output
+  std::vector<long long> contacts;               // points so far, at each output
 };
 ResultProgress read_progress(const std::string& path);
 

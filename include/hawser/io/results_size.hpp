@@ -11,7 +11,7 @@ struct ExpectedRows {
   double checkpoint = 0;  // numbers in a checkpoint; 0: there is none
 };
 
-// Bytes of the HDF5 file. Clashes, which nobody knows before, are not in it.
+// Bytes of the HDF5 file. Clashes and points of contact, which nobody knows before, are not in it.
 struct ResultsSize {
   double fields = 0, histories = 0, checkpoints = 0, meshes = 0, rest = 0;
   double total() const { return fields + histories + checkpoints + meshes + rest; }

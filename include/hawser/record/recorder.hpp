@@ -65,6 +65,7 @@ class Recorder {
   double passed_through(double h) const;
   void step(const StepInfo& info, const Kinematics& at, double support_work, const Kinematics& shown,
             double moving_step);
+  void write_output(double time, const Snapshot& s, const io::ClashTables& clashes);
   io::ClashTables take_clashes() { return clashes_ ? clashes_->take() : io::ClashTables{}; }
 
   const Subject subject_;

@@ -101,6 +101,8 @@ class Recording {
   virtual void start(const Snapshot& s) { (void)s; }
   virtual void step(const Snapshot& s) { (void)s; }
   virtual void output(const Snapshot& s) { (void)s; }
+  // Adds the points of contact of an output or stage that this rank counts.
+  virtual void points(const Snapshot&, io::ContactRows&) {}
   // Adds a row for each series that it declared; after step(), of steps that histories keep.
   virtual void rows(const Snapshot&, Rows&) {}
   // Sentences that a user needs before the run ends, since start() or step(); the same on all ranks.

@@ -8,6 +8,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -21,6 +22,7 @@
 #include "hawser/terms/body_friction_points.hpp"
 #include "hawser/terms/body_skeleton.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
+#include "hawser/terms/contact_resultant.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
 #include "hawser/terms/run_roles.hpp"
 
@@ -87,6 +89,8 @@ class BodyContactTerm final : public ForceTerm,
   double largest_penetration() const;
   // Adds what touches in the accepted state, of those pairs; volumes are those of the case.
   void active_contacts(ActiveContacts& out) const;
+  // Likewise, on the surface of what does not lead: one for each eighth of the box of what leads.
+  void resultants(ContactResultants& out) const;
 
  private:
   struct PairBody {
@@ -130,13 +134,14 @@ class BodyContactTerm final : public ForceTerm,
     double energy = 0;              // J, of the motion of the bodies against each other, and potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     Both at;
-    double penetration = 0;       // m, penetration
-    double met = 0;               // m, largest of that since the two were clear of each other
-    double depth = 0;             // m, largest, over the accepted steps
-    ActiveContact now;            // in the accepted state
-    Vec12 acts = Vec12::Zero();   // residual there
-    bool acted = false;           // there was an accepted state, of statics or of a step
-    BodyFrictionPoints touching;  // likewise, where there is friction
+    double penetration = 0;        // m, penetration
+    double met = 0;                // m, largest of that since the two were clear of each other
+    double depth = 0;              // m, largest, over the accepted steps
+    ActiveContact now;             // in the accepted state
+    Vec12 acts = Vec12::Zero();    // residual there
+    bool acted = false;            // there was an accepted state, of statics or of a step
+    ContactResultants resultants;  // likewise
+    BodyFrictionPoints touching;   // likewise, where there is friction
 
     template <class Self, class Each>
     static void quantities(Self& self, Each&& each) {
@@ -165,14 +170,17 @@ class BodyContactTerm final : public ForceTerm,
   bool owned(const PairBody& body) const { return body.node >= 0 && body.node < mesh_.owned; }
   BodyFrame frame(size_t volume, const Kinematics& at) const;
   Both both(const Pair& pair, const Kinematics& at) const;
-  // The law of friction in a step of length h [s], 0 in statics; the contact points go to `points`, if given.
+  using Eighths = std::array<ResultantSum, 8>;  // frame of the surface
+  // The law of friction in a step of length h [s], 0 in statics; the contact points go to `points`, and their
+  // sums to `eighths`, if given.
   struct Slipping {
     FrictionLaw law;
     double step = 0;
     BodyFrictionPoints* points = nullptr;
+    Eighths* eighths = nullptr;
   };
   Slipping slipping(const Pair& pair, double h) const {
-    return {friction_on_ ? pair.friction : FrictionLaw(), h, nullptr};
+    return {friction_on_ ? pair.friction : FrictionLaw(), h};
   }
   // Without friction unless it is given.
   Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const {
@@ -185,6 +193,10 @@ class BodyContactTerm final : public ForceTerm,
   // The state at the start of the step of the place xi of a part that touches in the trial.
   ContactStart start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
                         ContactRates* rates) const;
+  // Adds a point at z, in the frame of the surface, of a part of radius r at y, in the frame of a's volume.
+  void add_resultant(const Pair& pair, const Vec3& y, const Vec3& z, double r, const AxisContactPoint& point,
+                     Eighths& to) const;
+  ContactResultants resultants_of(const Pair& pair, const Both& at, const Eighths& sums) const;
   // J, half of the work that friction at these points takes on the way of the step.
   double half_dissipation(const Pair& pair, const Both& trial, const BodyFrictionPoints& points) const;
   // W, what prescribed motion brings in against the friction at the points of the committed state.

@@ -16,6 +16,7 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
+#include "hawser/terms/contact_resultant.hpp"
 #include "hawser/terms/line_candidates.hpp"
 #include "hawser/terms/run_roles.hpp"
 
@@ -100,6 +101,8 @@ class LinePairs final : public ForceTerm,
   double friction_force() const;
   // Adds the contacts of those pairs in the accepted state.
   void active_contacts(ActiveContacts& out) const;
+  // Likewise, one for each pair, midway between the two surfaces.
+  void resultants(const Kinematics& at, ContactResultants& out) const;
 
  private:
   // Slave and part: first with second's element, its first end, its second end; then second with first's.

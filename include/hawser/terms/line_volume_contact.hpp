@@ -10,6 +10,7 @@
 #include "hawser/system/force_term.hpp"
 #include "hawser/terms/active_contact.hpp"
 #include "hawser/terms/contact_along_axis.hpp"
+#include "hawser/terms/contact_resultant.hpp"
 #include "hawser/terms/contact_work.hpp"
 #include "hawser/terms/line_contact_element.hpp"
 #include "hawser/terms/line_volume_finder.hpp"
@@ -75,6 +76,8 @@ class LineVolumeContact final : public ForceTerm,
   int candidates() const;
   // Adds the contacts of the accepted state that this rank counts; volumes are those of volume_name().
   void active_contacts(ActiveContacts& out) const;
+  // Likewise, on the surface of the volume: one for each pair and facet group.
+  void resultants(const Kinematics& at, ContactResultants& out) const;
   // Forces of each volume on lines in the accepted state that this rank counts [N, space axes].
   std::vector<Vec3> forces_by_volume(const Kinematics& at) const;
   // Force of one volume and its moment about the origin of the volume's body; the force acts at the axis of

@@ -7,7 +7,7 @@ import zlib
 import numpy as np
 
 from . import blocks, libraries
-from .model import ARROWS, Model
+from .model import Model
 
 # Bytes of the blocks of a model: for each output up to so many, and no more in all than the last.
 SMALL, EACH_OUTPUT, LARGE = 1_600_000, 2_500, 13_000_000
@@ -40,7 +40,7 @@ def limit(results):
 def packed_model(results, most=None):
     """The model with as many outputs and fields as the limit allows, its header and its blocks."""
     most = most or limit(results)
-    named = {*results.reported("graph", "table"), *(name for name, kind in ARROWS.items() if kind == "forces")}
+    named = {*results.reported("graph", "table")}
     fields, every = None, 1
     values = results.outputs * len(results.file["nodes/arc_length"]) * (3 + len(results.fields))
     if values > MOST_VALUES:
@@ -59,7 +59,7 @@ def packed_model(results, most=None):
         else:
             every = max(every + 1, int(np.ceil(every * size / most)))
     if fields is not None:
-        model.missing.append("Of the fields those with a figure or a table in the report, and contact forces, are in it.")
+        model.missing.append("Of the fields those with a figure or a table in the report are in it.")
     return header, {name: block for name, block in found.items() if block}
 
 

@@ -9,10 +9,11 @@ from ..layout import text_of
 from ..results import dictionary
 from ..sea import Sea
 from . import blocks, colours, geometry, notes, parts
+from .contacts import Contacts
 
 # Positions are kept to half of a millimetre; of models below 100 m to half of 10^-5 of their size, above 1000 m to half of 10^-6.
 FINEST, SMALL_SHARE, LARGE_SHARE = 1e-3, 1e-5, 1e-6
-ARROWS = {"contact_force": "forces", "line_contact_force": "forces", "seabed_force": "bedForces"}  # that are drawn at their nodes, and with which others
+ARROWS = ("seabed_force",)  # whose components are kept, for arrows at nodes
 NOT_SHOWN = ("position", "axis_1", "axis_2", "mode_shape")
 MOST_WAVES = 200  # components of the surface
 MANY_POSES = 200_000  # numbers, from which on poses have single precision
@@ -30,6 +31,7 @@ class Model:
         self.missing = [] if every == 1 else [f"One in {every} of the {results.outputs} outputs is shown in three dimensions, and the last."]
         self.shown = [name for name in results.ordered(results.fields) if name not in NOT_SHOWN and (fields is None or name in fields)]
         self.sea = Sea(results)
+        self.contacts = Contacts.of(self.file, self.rows) if fields != () else None
 
     @cached_property
     def extent(self):
@@ -91,7 +93,7 @@ class Model:
                 continue
             unit, factor = charts.shown(self.results.unit(name))
             yield {"name": name, "label": self.results.label(name), "unit": unit, "factor": factor, "low": found[0], "high": found[1],
-                   "vector": name in ARROWS and self.vector(name), "arrows": ARROWS.get(name, ""), "statistics": self.with_statistics(name)}
+                   "vector": name in ARROWS and self.vector(name), "statistics": self.with_statistics(name)}
 
     def with_statistics(self, name):
         """Whether the results say of a field what it was at every step."""
@@ -124,6 +126,7 @@ class Model:
             "sea": None if self.sea.level is None else
             {"level": self.sea.level - self.centre[2], "ramp": self.sea.ramp, "waves": not self.sea.still},
             "links": parts.links(results, self.centre), "points": parts.points(results),
+            "contacts": None if self.contacts is None else {"largest": self.contacts.largest},
             "bed": self.bed is not None, "notes": notes.placed(results), "maps": colours.maps(),
             "histories": [{"name": results.series_name(key), "key": key, **self.columns(key)} for key in results.histories],
             "arcLength": "arc length from end A [m]", "missing": self.missing,
@@ -148,6 +151,7 @@ class Model:
         found += [f"volume/{v['key']}/{what}" for v in self.volume_headers() for what in ("vertices", "triangles")]
         moving = ["position"] + [f"field/{name}" for name in self.shown]
         moving += ["pose"] * bool(self.results.bodies) + ["touchdown"] * (self.touchdowns() is not None)
+        moving += ["contact/place", "contact/force"] * bool(self.contacts and self.contacts.largest)
         return found + [f"{name}/{k}" for name in moving for k in parts]
 
     def block(self, name):
@@ -185,6 +189,8 @@ class Model:
             pose = [np.concatenate([self.file["bodies/position"][r] - self.centre, self.file["bodies/rotation"][r]], axis=1) for r in rows]
             pose = np.reshape(pose, (len(rows), -1))
             return blocks.plain(pose, "float32" if pose.size > MANY_POSES else "float64")
+        if what == "contact" and self.contacts and field in ("place", "force"):
+            return self.contacts.block(field, rows, self.centre, self.step)
         if what == "touchdown":
             return self.touchdown(rows)
         return None

@@ -130,16 +130,12 @@ hawser.Controls = class {
     return hawser.make("div", {class: "bar"}, ...boxes);
   }
 
-  // Whether there are forces of a kind.
-  arrows(kind) {
-    return this.view.model.header.fields.some((field) => field.arrows === kind && field.high > 0);
-  }
-
   // Whether the model has what a box would hide.
   there(name) {
-    const {header} = this.view.model;
+    const {model} = this.view;
+    const {header} = model;
     const has = {volumes: header.volumes.length, sea: header.sea, bed: header.bed, touchdowns: header.touchdowns.length,
-                 forces: this.arrows("forces"), bedForces: this.arrows("bedForces"), parts: header.links.length + header.points.length, notes: header.notes.length};
+                 forces: model.largestForce("forces") > 0 || (header.contacts && !header.ended), bedForces: model.largestForce("bedForces") > 0, parts: header.links.length + header.points.length, notes: header.notes.length};
     return name === "names" || Boolean(has[name]);
   }
 

@@ -18,6 +18,7 @@ hawser.follow = function (view, root) {
     const header = await model.source.header();
     for (const field of header.fields) Object.assign(model.field(field.name) || {}, {low: field.low, high: field.high});
     model.header.times = header.times;
+    model.header.contacts = header.contacts;
     model.header.ended = header.ended;
     model.forget(old - 1);
     for (const name of [...model.loaded.keys()]) if (/^(ends|series|statistics)\//.test(name)) model.loaded.delete(name);

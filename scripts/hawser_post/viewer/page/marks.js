@@ -1,4 +1,4 @@
-// Touchdown points, forces of contact and of the bed as arrows at the nodes they act on, buoys, weights and joints.
+// Touchdown points, forces at points of contact and of the bed at nodes as arrows, buoys, weights and joints.
 
 const MOST_ARROWS = 300;      // of each kind, the largest
 const SMALLEST_ARROW = 0.02;  // of the largest force of the run: smaller ones are not drawn
@@ -25,7 +25,7 @@ hawser.Marks = class {
   constructor(model) {
     this.model = model;
     this.root = new THREE.Group();
-    this.arrows = Object.keys(ARROW_COLOURS).map((kind) => this.arrowsOf(kind)).filter((arrows) => arrows.largest > 0);
+    this.arrows = Object.keys(ARROW_COLOURS).map((kind) => this.arrowsOf(kind));
     this.addTouchdowns(model.header.touchdowns.length * 2);
     this.addPoints();
   }
@@ -41,9 +41,8 @@ hawser.Marks = class {
     this.root.add(this.touchdowns);
   }
 
-  // Arrows of the forces of one kind: the fields they are made of, the largest of the run, their drawings, and those of an output.
+  // Arrows of the forces of one kind: their drawings, and those of an output.
   arrowsOf(kind) {
-    const fields = this.model.header.fields.filter((field) => field.vector && field.arrows === kind);
     const paint = new THREE.MeshBasicMaterial({color: ARROW_COLOURS[kind]});
     const shaft = new THREE.CylinderBufferGeometry(0.018, 0.018, 0.75, 6).translate(0, 0.375, 0);
     const head = new THREE.ConeBufferGeometry(0.06, 0.25, 8).translate(0, 0.875, 0);
@@ -54,7 +53,7 @@ hawser.Marks = class {
       this.root.add(mesh);
       return mesh;
     });
-    return {kind, fields, largest: Math.max(0, ...fields.map((field) => field.high)), meshes, found: []};
+    return {kind, meshes, found: []};
   }
 
   // Balls at buoys, weights and joints.
@@ -94,24 +93,41 @@ hawser.Marks = class {
     this.shown = count;
   }
 
-  // Fields whose arrows are shown.
-  fields(shown) {
-    return this.arrows.filter(({kind}) => shown[kind]).flatMap(({fields}) => fields);
+  // Blocks that the arrows shown are made of.
+  blocks(shown) {
+    const names = shown.bedForces ? this.model.header.fields.filter((field) => field.vector).map((field) => `field/${field.name}`) : [];
+    if (shown.forces && this.model.largestForce("forces") > 0) names.push("contact/place", "contact/force");
+    return names;
+  }
+
+  // Forces of a kind at an output, with their nodes or places.
+  forcesAt(kind, output) {
+    const {model} = this;
+    const found = [];
+    const add = (values, where) => {
+      const n = values.length / 3;
+      for (let i = 0; i < n; i++) {
+        const force = [values[i], values[n + i], values[2 * n + i]];
+        found.push({size: Math.hypot(...force), force, ...where(i, n)});
+      }
+    };
+    if (kind === "forces") {
+      const [places, forces] = ["place", "force"].map((what) => model.at(`contact/${what}`, output));
+      if (places && forces) add(forces, (i, n) => ({at: [places[i], places[n + i], places[2 * n + i]]}));
+      return found;
+    }
+    for (const field of model.header.fields.filter(({vector}) => vector)) {
+      const values = model.at(`field/${field.name}`, output);
+      if (values) add(values, (i) => ({node: i}));
+    }
+    return found;
   }
 
   // The largest forces at an output.
   push(output) {
-    const n = this.model.header.nodes;
     for (const arrows of this.arrows) {
-      const found = [];
-      for (const field of arrows.fields) {
-        const f = this.model.at(`field/${field.name}`, output);
-        if (!f) continue;
-        for (let i = 0; i < n; i++) {
-          const size = Math.hypot(f[i], f[n + i], f[2 * n + i]);
-          if (size > SMALLEST_ARROW * arrows.largest) found.push({node: i, size, force: [f[i], f[n + i], f[2 * n + i]]});
-        }
-      }
+      const least = SMALLEST_ARROW * this.model.largestForce(arrows.kind);
+      const found = this.forcesAt(arrows.kind, output).filter(({size}) => size > least);
       found.sort((a, b) => b.size - a.size);
       found.length = Math.min(found.length, MOST_ARROWS);
       arrows.found = found;
@@ -122,13 +138,15 @@ hawser.Marks = class {
   place(lines, pixel, shown) {
     const up = new THREE.Vector3(0, 1, 0);
     const [at, way, turn, scale, matrix] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Quaternion(), new THREE.Vector3(), new THREE.Matrix4()];
-    for (const {kind, meshes, found, largest} of this.arrows) {
+    for (const {kind, meshes, found} of this.arrows) {
+      const largest = this.model.largestForce(kind);
       for (const mesh of meshes) mesh.visible = shown[kind];
       if (!shown[kind]) continue;
-      found.forEach(({node, size, force}, k) => {
+      found.forEach((arrow, k) => {
+        const {size, force} = arrow;
         turn.setFromUnitVectors(up, way.fromArray(force).normalize());
         scale.setScalar(LONGEST_ARROW * pixel * size / largest);
-        matrix.compose(lines.position(node, at), turn, scale);
+        matrix.compose(arrow.at ? at.fromArray(arrow.at) : lines.position(arrow.node, at), turn, scale);
         for (const mesh of meshes) mesh.setMatrixAt(k, matrix);
       });
       for (const mesh of meshes) {

@@ -97,7 +97,7 @@ hawser.Scene = class {
     if (this.field) names.push(`field/${this.field.name}`);
     if (header.bodies.length) names.push("pose");
     if (header.touchdowns.length) names.push("touchdown");
-    names.push(...this.marks.fields(this.shown).map((field) => `field/${field.name}`));
+    names.push(...this.marks.blocks(this.shown));
     return [...new Set(names)];
   }
 
@@ -224,8 +224,9 @@ hawser.Scene = class {
     const when = this.model.header.modes ? `mode ${this.output}` : `t = ${this.time.toFixed(2)} s`;
     overlay.text(when, overlay.width - 14, 22, {align: "right", bold: true, size: 14});
     let below = 40;
-    for (const {kind, found, largest} of this.marks.arrows) {
+    for (const {kind, found} of this.marks.arrows) {
       if (!this.shown[kind] || !found.length) continue;
+      const largest = this.model.largestForce(kind);
       overlay.text(`longest arrow${kind === "forces" ? "" : " of the bed"}: ${hawser.number(largest / 1e3)} kN`, overlay.width - 14, below, {align: "right"});
       below += 16;
     }

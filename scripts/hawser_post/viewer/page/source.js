@@ -119,6 +119,13 @@ hawser.Model = class {
     return this.header.fields.find((field) => field.name === name);
   }
 
+  // The largest force of a kind in the run, N.
+  largestForce(kind) {
+    const {contacts, fields} = this.header;
+    if (kind === "forces") return contacts ? contacts.largest : 0;
+    return Math.max(0, ...fields.filter((field) => field.vector).map((field) => field.high));
+  }
+
   // Scalars of a field at an output, of vectors their size.
   scalars(field, output) {
     const values = this.at(`field/${field.name}`, output);

@@ -1,0 +1,61 @@
+// Points of contact of several outputs and ranks as rows of the tables in a results file.
+#include "hawser/io/contact_rows.hpp"
+
+#include <algorithm>
+
+#include "hawser/base/gather.hpp"
+#include "hawser/io/results.hpp"
+
+namespace hawser::io {
+
+ContactPlaces contact_places(MPI_Comm comm, const std::vector<ContactRows>& outputs, long long before) {
+  std::vector<long long> mine;
+  for (const ContactRows& rows : outputs) mine.push_back(std::ssize(rows));
+  std::vector<long long> of_lower_ranks(mine.size());
+  MPI_Exscan(mine.data(), of_lower_ranks.data(), static_cast<int>(mine.size()), MPI_LONG_LONG, MPI_SUM, comm);
+  if (rank_of(comm) == 0) std::fill(of_lower_ranks.begin(), of_lower_ranks.end(), 0);  // it has left them
+  ContactPlaces out;
+  out.counts = mine;
+  all_reduce(comm, MPI_SUM, out.counts);
+  out.last = before;
+  for (size_t k = 0; k < mine.size(); ++k) {
+    const long long first = out.last + of_lower_ranks[k];
+    out.last += out.counts[k];
+    out.counts[k] = out.last;
+    if (mine[k] == 0) continue;
+    if (out.runs.empty() || out.runs.back().first + out.runs.back().count != first)
+      out.runs.push_back({first, 0});
+    out.runs.back().count += mine[k];
+  }
+  out.any = out.last > before;
+  return out;
+}
+
+void write_contacts(SharedFile& file, long long output, const std::vector<ContactRows>& outputs,
+                    const ContactPlaces& at) {
+  std::vector<int> pairs;
+  std::vector<float> positions, forces;
+  const auto put = [](std::vector<float>& to, const Vec3& v) {
+    for (const double x : v) to.push_back(static_cast<float>(x));
+  };
+  for (const ContactRows& rows : outputs)
+    for (const ContactRow& r : rows) {
+      pairs.insert(pairs.end(), {r.line, r.other_line, r.volume, r.other_volume});
+      put(positions, r.position);
+      put(forces, r.force);
+    }
+  if (at.any) {
+    file.write_runs(kContactPairs, H5T_NATIVE_INT, -1, at.runs, pairs.data());
+    file.write_runs(kContactPositions, H5T_NATIVE_FLOAT, -1, at.runs, positions.data());
+    file.write_runs(kContactForces, H5T_NATIVE_FLOAT, -1, at.runs, forces.data());
+  }
+  const bool here = file.rank() == 0;
+  file.write_rows(kContactCounts, H5T_NATIVE_LLONG, output, std::ssize(at.counts), here, at.counts.data());
+}
+
+long long contact_room(const ResultContents& c) {
+  if (!c.contact_points) return 0;
+  return std::max(64LL, static_cast<long long>(c.expected_outputs) * c.nodes_total());
+}
+
+}  // namespace hawser::io

@@ -1,0 +1,44 @@
+// The class ContactPoints: what the three contact terms show of the accepted state.
+#include "hawser/record/contact_points.hpp"
+
+#include <algorithm>
+
+#include "hawser/terms/body_contact.hpp"
+#include "hawser/terms/line_pairs.hpp"
+#include "hawser/terms/line_volume_contact.hpp"
+
+namespace hawser::record {
+
+bool can_touch(const Subject& s) {
+  return s.term<LineVolumeContact>() || s.term<LinePairs>() || s.term<BodyContactTerm>();
+}
+
+std::vector<int> volumes_of_lines(const Subject& subject) {
+  std::vector<int> out;
+  const auto* term = subject.term<LineVolumeContact>();
+  const auto& volumes = subject.model.volumes;
+  for (int v = 0; term && v < term->volumes(); ++v) {
+    const auto at = std::find_if(volumes.begin(), volumes.end(),
+                                 [&](const model::Volume& o) { return o.name == term->volume_name(v); });
+    out.push_back(static_cast<int>(at - volumes.begin()));
+  }
+  return out;
+}
+
+ContactPoints::ContactPoints(const Subject& subject)
+    : line_volumes_(subject.term<LineVolumeContact>()),
+      line_pairs_(subject.term<LinePairs>()),
+      bodies_(subject.term<BodyContactTerm>()),
+      volumes_(volumes_of_lines(subject)) {}
+
+void ContactPoints::points(const Snapshot& s, io::ContactRows& to) {
+  ContactResultants found;
+  if (line_volumes_) line_volumes_->resultants(s.at, found);
+  for (ContactResultant& r : found) r.volume = volumes_[r.volume];
+  if (line_pairs_) line_pairs_->resultants(s.at, found);
+  if (bodies_) bodies_->resultants(found);
+  for (const ContactResultant& r : found)
+    to.push_back({r.line, r.other_line, r.volume, r.other_volume, r.place, r.force});
+}
+
+}  // namespace hawser::record
