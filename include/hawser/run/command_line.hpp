@@ -17,8 +17,9 @@ namespace hawser::run {
 // One of `text` and `run` is empty.
 struct Command {
   const CLI::App* app = nullptr;
-  std::function<std::string()> text;  // to print; needs neither case nor MPI
-  std::function<int(MPI_Comm)> run;   // exit code; throws InputError, SolveError and WriteError. Collective.
+  std::function<std::string()> text{};  // to print; needs neither case nor MPI
+  // Exit code. Throws InputError, SolveError and WriteError. Collective.
+  std::function<int(MPI_Comm)> run{};
   bool reports_unused_options = false;  // of PETSc
 };
 
