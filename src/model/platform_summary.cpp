@@ -35,8 +35,8 @@ std::string platform_text(const Case& c, const Body& b) {
                    data.infinite_estimated ? ", estimated" : "", added);
   const PlatformPeriods periods = platform_periods(c, b);
   const auto text = [](double T) { return T > 0 ? fmt::format("{:.4g} s", T) : std::string("none"); };
-  s += fmt::format("    periods afloat without lines: heave {}, roll {}, pitch {}\n",
-                   text(periods.heave), text(periods.roll), text(periods.pitch));
+  s += fmt::format("    periods afloat without lines: heave {}, roll {}, pitch {}\n", text(periods.heave),
+                   text(periods.roll), text(periods.pitch));
   s += fmt::format("    coefficients of {} frequencies, {:.4g} to {:.4g} s{}\n", data.omega.size(),
                    2 * M_PI / data.omega.back(), 2 * M_PI / data.omega.front(),
                    data.excitation.empty() ? ", no wave forces"
