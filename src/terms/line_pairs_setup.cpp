@@ -1,4 +1,4 @@
-// What LinePairs is made from, and sums over the pairs that touch.
+// The class LinePairs: construction, contact laws, and sums over the pairs in contact.
 #include <algorithm>
 #include <stdexcept>
 
@@ -54,7 +54,7 @@ LinePairLaw LinePairs::law(int a, int b) const {
       {std::min(m.elements[i].line, m.elements[j].line), std::max(m.elements[i].line, m.elements[j].line)});
   const model::LinePairSettings& s = tuned == options_.tuned.end() ? options_.general : tuned->second;
   const LineContactElement &A = elements_[i], &B = elements_[j];
-  const double diameter = A.radius + B.radius;  // the mean of the two
+  const double diameter = A.radius + B.radius;  // sum of both radii, the mean diameter
   LinePairLaw law;
   law.radii = A.radius + B.radius;
   double share = 1;
@@ -89,7 +89,7 @@ LinePairs::Rod LinePairs::rod(const Kinematics& at, int segment) const {
   return {e.x1, e.x2, AxisShape(e).bezier().sagitta()};
 }
 
-// The neighbour there is on the same line and outside feeders.
+// Whether the element has a neighbour at this end on the same line and outside feeders.
 bool LinePairs::joint(int element, int end) const {
   const LineSpan& l = mesh_.mesh->lines[this->element(element).line];
   if (end ? element + 1 >= l.first_element + l.elements : element <= l.first_element) return false;
