@@ -17,7 +17,7 @@ struct CableSection {
   double free_strain = 0;  // strain without tension (thermal expansion)
   // Derivative of `length` by the length of the chord. It is not 0 at a winch that keeps a tension.
   double length_by_chord = 0;
-  double length_rate = 0;  // m/s, rate of `length`; line that is paid out does not stretch the material
+  double length_rate = 0;  // m/s, rate of `length`; paid-out line does not strain the material
 
   // Tension [N] at a strain, its slope, and the strain energy per length [N].
   ResponseCurve::Value axial(double strain) const {
@@ -46,8 +46,8 @@ struct CableStart {
   Vec3 chord = Vec3::Zero();  // m
   double length = 0;          // m, of the chord
   double strain = 0;          // beyond the free strain; negative: slack
-  double rest = 0;            // m, unstretched; at the end of the step it differs where line is paid out
-  double stretch = 0;         // growth of the taut part of the strain in the step before, see cable_loss
+  double rest = 0;            // m, unstretched; differs at the end of the step if line is paid out
+  double stretch = 0;         // increase of the taut part of the strain in the step before, see cable_loss
   // s, damping in this step: that of the section, reduced so that at the strain rate of the step before the
   // damper does not exceed the spring's tension. 0 if the element is slack at the start.
   double beta = 0;
@@ -65,23 +65,23 @@ struct CableStress {
   double dissipation = 0;    // W
 };
 
-// T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The magnitude of the damper's part is at most
-// the spring's. `force` is T t as in CableTension. `slack`: share of its axial stiffness that a slack element
-// has in k.
+// T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The damper's part is limited in magnitude to
+// the spring's. `force` is T t as in CableTension. `slack`: fraction of its axial stiffness that a slack
+// element has in k.
 Vec3 cable_tension(const CableSection& s, const CableEnds& e);
 void cable_tension(const CableSection& s, const CableEnds& e, double slack, CableTension& out);
 
 CableStress cable_stress(const CableSection& s, const CableEnds& e);
 
-// The mean force of a step, with the sign of CableTension: its work over the displacement of the ends is the
-// change of strain energy, to the last bit, plus the energy taken by damper and filter (Simo & Tarnow 1992,
-// ZAMP 43; Gonzalez 1996, J. Nonlinear Sci. 6): docs/theory/time-integration.md#cables. It is never
-// compressive.
-// stretch: growth of the strain in the step before, which took `last` [s]; 0: there was none.
+// Mean force of a step, with the sign of CableTension. Its work over the displacement of the ends is exactly
+// the change of strain energy plus the energy taken by damper and filter (Simo & Tarnow 1992, ZAMP 43;
+// Gonzalez 1996, J. Nonlinear Sci. 6): docs/theory/time-integration.md#cables. It is never compressive.
+// stretch: increase of the strain in the step before, which took `last` [s]; 0: none.
 CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch, double last);
 Vec3 cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                         const Vec3& x2);
-// The same with its derivative by x2 - x1. c is zero: in a step dampers act through the change of position.
+// The same with its derivative by x2 - x1. c is zero, because in a step dampers act through the change of
+// position.
 void cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                         const Vec3& x2, CableTension& out);
 
