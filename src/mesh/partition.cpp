@@ -1,5 +1,5 @@
-// The graph of nodes, elements and couplings with its weights, lines that stay whole, and the cut of that
-// graph into one part for each rank: stretches of the file, or METIS inside what must be cut.
+// Partition of the mesh: the graph of nodes, elements and couplings with its weights, lines that must not be
+// cut, and the division of the graph among the ranks, into stretches in file order or by METIS.
 #include "hawser/mesh/partition.hpp"
 
 #include <metis.h>
@@ -17,9 +17,9 @@ namespace {
 
 // Relative cost of a node in an implicit step (docs/performance.md): kernels, assembly and factorisation.
 constexpr idx_t kBeamWork = 5, kCableWork = 1;
-// What is cut with an edge: a chain, or a coupling, of which a node of a line in contact has several.
+// Weights of cut edges: of a chain, and of a coupling, of which a node in contact has several.
 constexpr idx_t kChainEdge = 100, kCoupledEdge = 10;
-constexpr double kMostLoad = 1.07;  // of a rank, over its share, rather than cut more
+constexpr double kMostLoad = 1.07;  // largest load over the mean accepted to avoid cuts
 
 idx_t work_of(const Node& n) { return n.rotates ? kBeamWork : kCableWork; }
 
@@ -28,7 +28,7 @@ struct Edge {
   idx_t weight;
 };
 
-// Sorted, edges between the same two as one.
+// Sorted, with duplicate edges merged.
 std::vector<Edge> merged(std::vector<Edge> all) {
   std::sort(all.begin(), all.end(),
             [](const Edge& a, const Edge& b) { return std::pair(a.from, a.to) < std::pair(b.from, b.to); });
@@ -42,7 +42,7 @@ std::vector<Edge> merged(std::vector<Edge> all) {
   return all;
 }
 
-// Between nodes, both ways.
+// Edges between nodes, in both directions.
 std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> coupled) {
   std::vector<Edge> all;
   const auto add = [&](int a, int b, idx_t w) {
@@ -59,7 +59,8 @@ std::vector<Edge> edges(const Mesh& mesh, std::span<const std::pair<int, int>> c
   return all;
 }
 
-// Places of the graph with their weights, in parts of the given shares, by METIS. `all`: sorted, both ways.
+// Part of each vertex of a weighted graph, for parts of the given shares, by METIS. `all`: sorted, both
+// directions.
 std::vector<idx_t> cut_into_parts(std::span<const double> weight, const std::vector<Edge>& all,
                                   const std::vector<double>& share) {
   std::vector<idx_t> start(weight.size() + 1, 0), next, edge, part(weight.size(), 0);
@@ -86,19 +87,19 @@ std::vector<idx_t> cut_into_parts(std::span<const double> weight, const std::vec
   return part;
 }
 
-// The node whose rank owns this one too: that of its position or of the frame that carries it, or itself.
+// Node that determines the owner of node n: the node of its position, the frame that carries it, or itself.
 int carrier(const Mesh& mesh, int n) {
   while (mesh.nodes[n].tied_to >= 0 || mesh.nodes[n].pinned_to >= 0)
     n = mesh.nodes[n].tied_to >= 0 ? mesh.nodes[n].tied_to : mesh.nodes[n].pinned_to;
   return n;
 }
 
-// What is shared out: nodes, and whole lines as one vertex each.
+// Vertices to distribute: nodes, and lines that must not be cut as one vertex each.
 struct Shares {
-  std::vector<int> owner;     // of each node; -1: it is shared out
-  std::vector<int> vertex;    // of each node; -1: it has an owner
+  std::vector<int> owner;     // by node; -1: not yet assigned
+  std::vector<int> vertex;    // by node; -1: already assigned
   std::vector<idx_t> weight;  // of each vertex
-  std::vector<int> at;        // of each vertex: its first node
+  std::vector<int> at;        // by vertex: its first node
   int first = 0;              // rank of the first part
 
   void add(idx_t work, int node) {
@@ -107,7 +108,7 @@ struct Shares {
   }
 };
 
-// A whole line of more work than a rank's fair share of what is left gets a rank of its own.
+// A line that must not be cut, with more work than a rank's fair share of the rest, gets a rank of its own.
 Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
   Shares s;
   s.owner.assign(mesh.nodes.size(), -1);
@@ -160,9 +161,9 @@ Shares share_lines(const Mesh& mesh, int ranks, std::span<const int> whole) {
   return s;
 }
 
-// Vertices in the order in which ranks get them: component by component as edges join them, each by its first
-// node in the file; in it lines in the order of the file, and a body beside the middle one of its lines, so
-// that a cut on either side of it parts few of them from it.
+// Vertices in the order in which they are assigned to ranks: by connected component, each ordered by its
+// first node in the file. Within a component lines are in file order, with a body next to the middle one of
+// its lines, so that a cut on either side separates few lines from it.
 struct Row {
   std::vector<int> vertices, component;
   std::vector<double> weight;
@@ -170,7 +171,7 @@ struct Row {
   std::vector<Edge> edges;  // between places in the row, sorted
 };
 
-// The same number for vertices that edges join.
+// Index of the component of each vertex.
 std::vector<int> components(size_t vertices, const std::vector<Edge>& between) {
   std::vector<int> of(vertices);
   std::iota(of.begin(), of.end(), 0);
@@ -183,7 +184,7 @@ std::vector<int> components(size_t vertices, const std::vector<Edge>& between) {
   return of;
 }
 
-// For each body: the middle one of the nodes of lines that edges join it to, or its own.
+// By body: the middle one of the line nodes that edges connect to it, or its own node.
 std::vector<int> places_of_bodies(const Mesh& mesh, const std::vector<Edge>& all) {
   const int first = mesh.line_nodes();
   std::vector<std::vector<int>> joined(mesh.nodes.size() - static_cast<size_t>(first));
@@ -197,7 +198,7 @@ std::vector<int> places_of_bodies(const Mesh& mesh, const std::vector<Edge>& all
   return out;
 }
 
-// Whether it is the first node of a line that its rank owns for itself.
+// Whether n is the first node of a line that belongs to the line's rank.
 bool begins_line(const Mesh& mesh, int n) {
   if (n >= mesh.line_nodes()) return false;
   const int first = mesh.lines[mesh.nodes[n].line].first_node;
@@ -217,7 +218,7 @@ Row row_of(const Mesh& mesh, const Shares& s, const std::vector<Edge>& all) {
   }
   const std::vector<int> of = components(s.weight.size(), between), bodies = places_of_bodies(mesh, all);
   std::vector<Place> places;
-  std::vector<int> begin(s.weight.size(), static_cast<int>(mesh.nodes.size()));  // of each component: a node
+  std::vector<int> begin(s.weight.size(), static_cast<int>(mesh.nodes.size()));  // first node, by component
   for (size_t v = 0; v < of.size(); ++v) begin[of[v]] = std::min(begin[of[v]], s.at[v]);
   for (int v = 0; v < static_cast<int>(of.size()); ++v) {
     const int n = s.at[v];
@@ -250,8 +251,8 @@ idx_t weight_of_cut(std::span<const Edge> edges, const auto& part) {
   return cut;
 }
 
-// Cuts one component, the places [begin, end) of the row, again by METIS into parts of the same weights. The
-// new cut replaces that of the row if the edges it cuts weigh less and no part gets more work than `most`.
+// Divides one component, the places [begin, end) of the row, again by METIS into parts of the same weights.
+// The new division is used if its cut edges weigh less and no part gets more work than `most`.
 void cut_again(const Row& row, int begin, int end, double most, std::vector<double>& load,
                std::vector<int>& part) {
   const int first = part[begin], parts = part[end - 1] - first + 1;
@@ -277,7 +278,7 @@ void cut_again(const Row& row, int begin, int end, double most, std::vector<doub
   for (int i = begin; i < end; ++i) part[i] = first + static_cast<int>(other[i - begin]);
 }
 
-// The part of each place in the row.
+// Part of each place in the row.
 std::vector<int> share_out(const Row& row, int parts) {
   const std::vector<int> first = cut_into_stretches(row.weight, row.before, parts, kMostLoad);
   const int places = static_cast<int>(row.vertices.size());
@@ -311,7 +312,7 @@ std::vector<int> owners(const Mesh& mesh, int ranks, std::span<const int> whole,
   return owner;
 }
 
-// Nodes that other ranks see, once for each rank that does.
+// Number of ghost nodes over all ranks.
 size_t shared_nodes(const std::vector<Edge>& all, const std::vector<int>& owner) {
   std::vector<std::pair<int, int>> pairs;
   for (const Edge& e : all)
@@ -327,7 +328,7 @@ std::vector<int> partition(const Mesh& mesh, int ranks, std::span<const std::pai
   if (ranks == 1) return std::vector<int>(mesh.nodes.size(), 0);
   std::vector<int> plain = owners(mesh, ranks, whole, edges(mesh, {}));
   if (coupled.empty()) return plain;
-  // METIS looks for few cut edges; what costs is the nodes at them.
+  // METIS minimises cut edges; the cost is that of the nodes at them.
   const std::vector<Edge> all = edges(mesh, coupled);
   std::vector<int> weighed = owners(mesh, ranks, whole, all);
   return shared_nodes(all, weighed) < shared_nodes(all, plain) ? weighed : plain;
