@@ -1,5 +1,5 @@
-// Internal force and exact tangent of the beam element, with stiffness-proportional damping and with a length
-// that follows a force.
+// Internal force and exact tangent of the beam element, with stiffness-proportional damping and a length that
+// may follow a force.
 #include "hawser/kernels/beam.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ inline Mat slope_hessian(const Local& o, double a, Row da) {
   return outer(c * o.d, o.d) - identity(c) - outer(inverse * da, o.g) - outer(inverse * o.g, da);
 }
 
-// Blocks of a 9x9 in (d, theta1, theta2), d in the mean frame, to the 12x12 in space axes.
+// Converts blocks of a 9x9 in (d, theta1, theta2), d in the mean frame, to the 12x12 in space axes.
 struct Blocks {
   Mat dd, d1, d2, one_d, one_one, one_two, two_d, two_one, two_two;
 };
@@ -89,12 +89,13 @@ inline Mat mean_spin_derivative(const Local& o, Row q) {
   return hat((-0.5 * o.tau) * q) + outer((0.5 * o.tau1) * cross(o.psi, q), o.psi);
 }
 
-// The damping metric in (y, psi), and the change of the strain rates with the configuration.
+// Damping metric in (y, psi), and changes of the strain rates with the configuration.
 struct Damping {
   Mat Gyy, Gyp, Gpp, Yd, Y1, Y2, R1, R2;
 };
 
-// Joins the rate terms at fixed strain rates to the Hessian, and gives what the strain rates' change adds.
+// Adds the rate terms at fixed strain rates to the Hessian, and computes the contribution of changing strain
+// rates.
 void damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, const Local& o,
              const Mat& eps_yy, const Mat& h2, const Mat& h3, const Mat& Z1, const Mat& Z2, Mat& Hyy,
              Mat& Hyp, Mat& Hpy, Mat& Hpp, Damping& g) {
@@ -125,26 +126,26 @@ void damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, co
   g.R2 = R * o.Psi2;
 }
 
-// By the unstretched length: the gradients (n, m) of the energy, at fixed chord and rotations.
+// Derivatives by the unstretched length of the gradients (n, m) of the energy, at fixed chord and rotations.
 struct ByLength {
   Row n, m;
 };
 
 ByLength by_length(const BeamSection& s, const Local& o) {
   const double iL = 1 / s.length;
-  // Of 12 EI/(L (1 + P)), over it.
+  // Derivative of 12 EI/(L (1 + P)) divided by it.
   const auto bend = [&](double EI) {
     const double P = flexibility(s, EI);
     return -iL * (1 - P) / (1 + P);
   };
   const double tension = o.N - o.EA * o.l * iL;  // d(N L)/dL
-  if (s.plastic)                                 // bends do not act on the feeder: beam_feed
+  if (s.plastic)                                 // plastic bending does not act on the feeder: beam_feed
     return {tension * o.eps_y - (o.N * iL) * o.d, tension * o.eps_psi - iL * Row{o.mpsi[0], 0, 0, 0}};
   return {tension * o.eps_y - (o.N * iL) * o.d + (bend(s.EI3) * o.m3) * o.da2 + (bend(s.EI2) * o.m2) * o.da3,
           tension * o.eps_psi - iL * o.mpsi};
 }
 
-// The same with what bends plastically, which the feeder does not feel: curvatures fall as 1/L.
+// Adds plastic bending, which does not act on the feeder: curvatures are proportional to 1/L.
 ByLength with_bends(const BeamSection& s, const BeamReference& r, const Local& o, ByLength by) {
   const Bending b = bending_by_law(s, r, o);
   const double q[4] = {o.psi[1] - r.psi[1], o.psi[2] - r.psi[2], o.a3, o.a2};
@@ -217,7 +218,7 @@ HAWSER_CLONES void beam_tangent(const BeamSection& s, const BeamReference& r, co
   Damping g;
   if (damped) damping(s, r, e, o, eps_yy, h2, h3, Z1, Z2, Hyy, Hyp, Hpy, Hpp, g);
 
-  // dn and dm (of the potential's gradients) for each of d, theta1, theta2
+  // dn and dm (gradients of the potential) by d, theta1, theta2
   Mat nd = Hyy, n1 = Hyy * Z1 + Hyp * o.Psi1, n2 = Hyy * Z2 + Hyp * o.Psi2;
   Mat md = Hpy, m1 = Hpy * Z1 + Hpp * o.Psi1, m2 = Hpy * Z2 + Hpp * o.Psi2;
   if (damped) {

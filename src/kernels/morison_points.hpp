@@ -21,7 +21,7 @@ struct Rule<false> {
   static constexpr int points = 2, shapes = 2;
   static constexpr double at[2] = {0.21132486540518711775, 0.78867513459481288225};
   static constexpr double weight[2] = {0.5, 0.5};
-  static constexpr double edge[3] = {0, 0.5, 1};  // of the pieces that the points represent
+  static constexpr double edge[3] = {0, 0.5, 1};  // limits of the pieces that the points represent
   static void shape(double s, double* N) {
     N[0] = 1 - s;
     N[1] = s;
@@ -58,15 +58,15 @@ struct Forces {
   Mat M[n][n];
 };
 
-// Half the height over which a section gets wet, b. Of a beam: that of a circle across the axis,
-// b² = R² (1 - t_z²) + delta² t_z², where a small delta keeps b from 0, and the derivatives finite, where the
-// axis is vertical. Of a cable b = R at any lean. With the lean, buoyancy would have a negative stiffness
+// Half the height over which a section gets wet, b. For a beam that of a circle perpendicular to the axis, b²
+// = R² (1 - t_z²) + delta² t_z², where a small delta keeps b from 0 and the derivatives finite for a vertical
+// axis. For a cable b = R at any inclination. With the inclination, buoyancy would have a negative stiffness
 // against tilting in an element shorter than its diameter, which a slack cable cannot resist. With b = R the
 // potential of a cable is convex.
 template <bool beam>
 struct Band {
-  static constexpr double kSharp = 1e-3;  // delta, of the length
-  double by_lean = 0, b = 1;              // m², derivative of b² by t_z²; m
+  static constexpr double kSharp = 1e-3;  // delta as a fraction of the length
+  double by_lean = 0, b = 1;              // m², derivative of b² by t_z²; m, b
   Band(const WaterSection& s, double lean) {
     const double delta = kSharp * s.length;
     if (beam) by_lean = delta * delta - s.radius * s.radius;
@@ -74,13 +74,13 @@ struct Band {
   }
 };
 
-// The piece of the axis that a Gauss point represents: straight, with the slope of the chord, through the
-// point. The pieces make up the element, so that what is wet of a straight one is exact.
+// Piece of the axis that a Gauss point represents: straight, with the slope of the chord, through the point.
+// The pieces make up the element, so that the wet part of a straight one is exact.
 template <bool beam>
 struct Piece {
-  double from, to;  // of the element's length, from the point
+  double from, to;  // from the point, as fractions of the element's length
   double h1, h2;    // m, height of the surface above its ends
-  // h: above the point; fall: by which that grows from one end of the element to the other
+  // h: height of the surface above the point; fall: its increase from one end of the element to the other
   Piece(int g, double h, double fall)
       : from(Rule<beam>::edge[g] - Rule<beam>::at[g]),
         to(Rule<beam>::edge[g + 1] - Rule<beam>::at[g]),
@@ -118,10 +118,10 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     db[end] = (band.by_lean / band.b) * by_chord_of(t, inverse);
     db[0] = -db[end];
   }
-  // Sums of which blocks are made.
+  // Sums from which the blocks are formed.
   double masses[n][n] = {};
   Mat by_chord[n];  // derivative by x2 (minus that by x1) through the chord
-  Row by_z[n][2];   // through the current
+  Row by_z[n][2];   // through the gradient of the current
   if constexpr (tangent)
     for (int j = 0; j < n; ++j) {
       by_chord[j] = Mat{};
@@ -198,8 +198,8 @@ void evaluate(const WaterSection& s, const Motion<Rule<beam>::shapes>& m, bool c
     const morison_formula::Drag<double, Row> drag(u, t, s.drag_normal, s.drag_axial);
     const double wF = w * share;
     const Row flow = drag.force() + s.displaced_mass * aw;  // with Froude-Krylov, N/m of wet length
-    // Accelerations that belong to each shape: consistent for a beam, the mean of lumped and consistent for a
-    // cable, as its own mass.
+    // Accelerations for each shape function: consistent for a beam; for a cable the mean of lumped and
+    // consistent, as for its own mass.
     double at[n][n];
     Row y[n], q[n];
     Row point{};

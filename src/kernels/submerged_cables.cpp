@@ -1,5 +1,5 @@
-// Buoyancy, drag, added mass and Froude-Krylov force of four submerged cable elements at once in vector
-// arithmetic, with their weighted tangent.
+// Buoyancy, drag, added mass and Froude-Krylov force of four submerged cable elements in vector arithmetic,
+// with their weighted tangent.
 #include "hawser/kernels/submerged_cables.hpp"
 
 #include "morison_formula.hpp"
@@ -19,10 +19,10 @@ Vec operator*(double s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c
 Row dot(const Vec& a, const Vec& b) { return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2]; }
 Vec of(const Row* p) { return {{p[0], p[1], p[2]}}; }
 
-// Gauss's two points.
+// Abscissae of two-point Gauss quadrature.
 constexpr double kAt[2] = {0.21132486540518711775, 0.78867513459481288225};
 
-// A symmetric matrix: xx, yy, zz, xy, xz, yz.
+// Symmetric matrix: xx, yy, zz, xy, xz, yz.
 struct Symmetric {
   Row c[6];
 };
@@ -38,7 +38,7 @@ void evaluate(const WaterSections4& s, const CablesInWater4& m, double wK, doubl
   const Vec t = inverse * chord;
   const Row ma = s.added_axial - s.added_normal;
 
-  // Added mass: the mean of lumped and consistent, as the cable's own. Froude-Krylov and the water's own
+  // Added mass: the mean of lumped and consistent, as for the cable's own mass. Froude-Krylov force and water
   // acceleration are linear along the element.
   Vec y[2], out[2];
   Row ty[2];
@@ -145,7 +145,7 @@ void WaterSections4::set(int lane, const WaterSection& s) {
   drag_axial[lane] = s.drag_axial;
 }
 
-// The section gets wet over its radius above and below the axis; see morison_points.hpp.
+// A section gets wet over its radius above and below the axis; see morison_points.hpp.
 unsigned submerged(const WaterSections4& s, const CablesInWater4& m) {
   const Row h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
   const Row least = h[0] < h[1] ? h[0] : h[1];
