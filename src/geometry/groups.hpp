@@ -1,4 +1,4 @@
-// Members of groups that come together: each names another of its group, the first of a group itself.
+// Disjoint sets (union-find): each member refers to another member of its group, the first one to itself.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 
 namespace hawser::detail {
 
-// n groups of one member.
+// Makes n groups of one member.
 inline void separate(std::vector<int>& group, std::size_t n) {
   group.resize(n);
   std::iota(group.begin(), group.end(), 0);
 }
 
-// The first member of the group of i. Shortens the way to it.
+// First member of the group of i. Shortens the path to it.
 inline int root_of(std::vector<int>& group, int i) {
   while (group[static_cast<std::size_t>(i)] != i) {
     int& next = group[static_cast<std::size_t>(i)];
@@ -29,7 +29,8 @@ inline void unite(std::vector<int>& group, int i, int j) {
   group[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
 }
 
-// The groups' numbers from 0 on, by their first members that are chosen(i); -1 of members that are not.
+// Numbers of the groups from 0, in the order of their first members for which chosen(i) is true; -1 for other
+// members.
 template <class Chosen>
 std::vector<int> numbered(std::vector<int>& group, const Chosen& chosen, int& count) {
   std::vector<int> of_root(group.size(), -1), out(group.size(), -1);
