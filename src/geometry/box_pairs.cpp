@@ -1,4 +1,4 @@
-// Boxes of a list that overlap, found by walking the tree of all of them once for each.
+// Overlapping pairs of boxes, by a walk through the tree of all boxes for each box.
 #include "hawser/geometry/box_pairs.hpp"
 
 #include "hawser/geometry/box_tree.hpp"

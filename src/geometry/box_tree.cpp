@@ -1,4 +1,4 @@
-// The building of a tree of boxes: halves at the median of the centres along the longest side.
+// Construction of a tree of boxes: split at the median of the centres along the longest side.
 #include "hawser/geometry/box_tree.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The nearest point of a segment and of a triangle, in wider numbers where the triangle is a needle or a cap.
-// Among many triangles: facets.cpp; with the sign of the distance: mesh_surface.cpp.
+// Nearest point of a segment and of a triangle, in extended precision if the triangle is a needle or a cap.
+// Search among many triangles is in facets.cpp, the sign of the distance in mesh_surface.cpp.
 #include "hawser/geometry/closest_point.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ template <class T>
 struct Candidate {
   Triple<T> point;
   T squared;
-  int end;  // 0, 1: an end of the segment; -1: between
+  int end;  // 0, 1: an end of the segment; -1: between the ends
 };
 
 template <class T>
@@ -33,9 +33,9 @@ Candidate<T> on_segment(const Triple<T>& p, const Triple<T>& a, const Triple<T>&
   return {c, (p - c).dot(p - c), -1};
 }
 
-// Twice the area vector, from the two edges at the corner of the largest angle: their cross product
-// loses least. `sine2` is the squared sine of that angle, `slender2` the squared ratio of the shortest
-// edge to the longest.
+// Twice the area vector, from the two edges at the corner of the largest angle, whose cross product loses the
+// fewest digits. `sine2`: squared sine of that angle; `slender2`: squared ratio of the shortest edge to the
+// longest.
 template <class T>
 Triple<T> area_vector(const Triple<T> v[3], T& sine2, T& slender2) {
   Triple<T> e[3];
@@ -78,9 +78,9 @@ ClosestPoint on_triangle(const Triple<T>& p, const Triple<T> v[3], const Triple<
   return out;
 }
 
-// Squared sine of the largest angle below which the normal needs more than double, and more than long
-// double, to keep 1e-14; and squared ratio of edges below which the choice between two sides of a needle
-// does.
+// Squared sine of the largest angle below which the normal needs more than double, and more than long double,
+// for an accuracy of 1e-14; and squared ratio of edges below which the choice between two sides of a needle
+// needs it.
 constexpr double kFlat = 0.04, kVeryFlat = 1e-7, kSlender = 1e-5;
 
 template <class T>

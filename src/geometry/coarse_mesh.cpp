@@ -1,4 +1,4 @@
-// Vertex clustering: cells of an even grid, and where the vertex of each goes.
+// Vertex clustering: cells of a regular grid, and the position of the vertex of each cell.
 #include "hawser/geometry/coarse_mesh.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-// A number for the cell of each vertex, in the order in which cells are met.
+// Number of the cell of each vertex, in the order in which cells occur.
 std::vector<int> cells_of(std::span<const Vec3> vertices, double edge) {
   std::map<std::array<double, 3>, int> cells;
   std::vector<int> out;
@@ -22,15 +22,15 @@ std::vector<int> cells_of(std::span<const Vec3> vertices, double edge) {
   return out;
 }
 
-// What triangles that have a corner in a cell say of where its vertex should be: the sum of the squares of
-// its distances from their planes, by the squares of their areas, as x·planes x - 2 x·offset.
+// Quadric of the triangles with a corner in a cell: the sum of the squared distances of the vertex from their
+// planes, weighted with their squared areas, as x·planes x - 2 x·offset.
 struct Cell {
   Mat3 planes = Mat3::Zero();
   Vec3 offset = Vec3::Zero(), sum = Vec3::Zero();
   int members = 0;
 
-  // Its minimum; the mean of the vertices in directions of which the planes say nearly nothing: along a
-  // plane, or along the edge of two.
+  // Minimum of the quadric; in directions with almost no information, along a plane or along the edge of two,
+  // the mean of the vertices.
   Vec3 vertex(double edge) const {
     constexpr double kAgreed = 1e-2;
     const Vec3 mean = sum / members, off = offset - planes * mean;
@@ -49,7 +49,7 @@ struct Cell {
 
 CoarseMesh coarse_mesh(std::span<const Vec3> vertices, std::span<const std::array<int, 3>> triangles,
                        int most) {
-  // Grids start where as many cells as vertices are asked for would cover the surface, and become coarser.
+  // Start with a grid in which `most` cells would cover the surface, and coarsen.
   double area = 0, extent = 0;
   for (const auto& [a, b, c] : triangles)
     area += 0.5 * (vertices[b] - vertices[a]).cross(vertices[c] - vertices[a]).norm();

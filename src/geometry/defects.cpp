@@ -1,5 +1,5 @@
-// The search for holes of a mesh, overlapping pieces and facets within it: where its nearest facet alone does
-// not tell inside from outside.
+// Detection of holes of a mesh, overlapping pieces and internal facets, near which the nearest facet does not
+// determine the inside.
 #include "defects.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace hawser::detail {
 namespace {
 
-// Edges that do not run equally often each way, in sets of corners that they join.
+// Edges that are not used equally often in both directions, as sets of connected corners.
 std::vector<std::vector<int>> boundaries(const MeshView& mesh) {
   const std::vector<EdgeUse> uses = edge_uses(mesh);
   DisjointSets group(mesh.vertices.size());
@@ -35,7 +35,7 @@ std::vector<std::vector<int>> boundaries(const MeshView& mesh) {
 
 Defects::Hole around(const MeshView& mesh, const std::vector<int>& corners) {
   const auto x = [&](int v) -> const Vec3& { return mesh.vertices[static_cast<std::size_t>(v)]; };
-  // Along the two corners farthest from each other, about.
+  // Axis through approximately the two most distant corners.
   const auto farthest = [&](const Vec3& from) {
     return *std::max_element(corners.begin(), corners.end(), [&](int a, int b) {
       return (x(a) - from).squaredNorm() < (x(b) - from).squaredNorm();
@@ -62,12 +62,12 @@ Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTr
   out.straight.assign(n, false);
   out.internal.assign(n, false);
   for (const auto& corners : boundaries(mesh)) out.holes.push_back(around(mesh, corners));
-  if (out.holes.size() > 3000) {  // a soup: everywhere
+  if (out.holes.size() > 3000) {  // no consistent surface: everywhere
     Box box;
     for (const Vec3& v : mesh.vertices) box.add(v);
     out.holes = {{box.centre(), box.centre(), 0.5 * box.diagonal()}};
   }
-  // Pieces may overlap: a facet is sure only where the boxes of the others are not.
+  // Pieces may overlap: a facet is certain only outside the boxes of the other pieces.
   std::vector<Box> piece(static_cast<std::size_t>(topo.components));
   for (std::size_t t = 0; t < n; ++t)
     for (std::size_t i = 0; i < 3; ++i)
@@ -87,10 +87,11 @@ Defects find_defects(const MeshView& mesh, const Topology& topo, const WindingTr
         out.undecided[t] = true;
         break;
       }
-    // On the facet itself, its own angle excluded, the number is half way between those of the two sides.
+    // On the facet itself, without its own solid angle, the winding number is the mean of those on its two
+    // sides.
     const double middle = tree.winding_number(mesh, c, 3, static_cast<int>(t));
     if (std::abs(middle - 0.5) > 0.4) out.undecided[t] = out.straight[t] = true;
-    // Internal only as a whole: at the corners and the middles of the edges too.
+    // A facet is internal only if all of it is: also at the corners and edge midpoints.
     bool internal = middle > 1.05;
     for (std::size_t i = 0; i < 6 && internal; ++i) {
       const Vec3 at =

@@ -1,4 +1,4 @@
-// The edges of a mesh, each with the triangles that use it side by side.
+// Edges of a mesh, with all uses of an edge by triangles adjacent in the list.
 #pragma once
 
 #include <vector>
@@ -7,15 +7,15 @@
 
 namespace hawser::detail {
 
-// Edge i of a triangle, which runs from its vertex i to the next.
+// Edge i of a triangle, from its vertex i to the next.
 struct EdgeUse {
   int low, high;  // vertices
   int triangle, i;
-  bool forward;  // it runs from low to high
+  bool forward;  // from low to high
   bool same_edge(const EdgeUse& o) const { return low == o.low && high == o.high; }
 };
 
-// Of all triangles, in the order of low, high, triangle.
+// Edges of all triangles, sorted by low, high, triangle.
 std::vector<EdgeUse> edge_uses(const MeshView& mesh);
 
 }  // namespace hawser::detail

@@ -1,4 +1,4 @@
-// Nearest points of single facets, and the search among many by the spatial hash or the tree of boxes.
+// Nearest points of single facets, and search among many by the spatial hash or the tree of boxes.
 #include "facets.hpp"
 
 #include <algorithm>
@@ -9,16 +9,17 @@
 namespace hawser::detail {
 namespace {
 
-// A search farther than so many sides of a cube looks at too many of them.
+// Search distance in cube sides beyond which the hash visits too many cubes.
 constexpr double kNearBy = 3;
 
-// Too flat for the short formula of the squared distance.
+// Whether a triangle is too flat for the short formula of the squared distance.
 bool thin(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double l2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
   return !((b - a).cross(c - a).norm() > 1e-4 * l2);
 }
 
-// Squared distance to a triangle of sound shape (Ericson 2005, 5.1.5), corners seen from the point.
+// Squared distance of the origin from a well-shaped triangle (Ericson 2005, 5.1.5), corners relative to the
+// point.
 double squared_distance_to(const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a;
   const double d1 = -ab.dot(a), d2 = -ac.dot(a);
@@ -50,7 +51,7 @@ Facets::Facets(const TriangleMesh& mesh, std::vector<std::array<Eigen::Vector3f,
   bulges_ = std::move(bulges);
 }
 
-// A quadratic patch lies in the hull of its corners and of the middles of its edges bent by c / 2.
+// A quadratic patch lies in the convex hull of its corners and of the edge midpoints moved by c / 2.
 Box Facets::box(int t) const {
   Box b;
   const SmoothPatch q = patch(t);
@@ -77,8 +78,8 @@ double Facets::squared_distance(int t, const Vec3& y) const {
                                             : squared_distance_to(a - y, b - y, c - y);
 }
 
-// Beyond a centre of curvature of a patch the point that is found need not be its nearest; none is farther
-// from the flat facet than it bulges.
+// Beyond a centre of curvature of a patch the point found may be a local minimum. The distance from the flat
+// facet minus the bulge is a lower bound.
 double Facets::least_distance(int t, const Vec3& y) const {
   if (!curved(t) || one_nearest_point(y, patch(t))) return std::sqrt(closest(t, y).squared_distance);
   return std::max(0.0, std::sqrt(squared_distance(t, y)) - bulge(t));

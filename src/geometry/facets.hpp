@@ -1,4 +1,4 @@
-// The facets of a mesh, flat or curved, and the nearest of a chosen part of them to a point.
+// The flat or curved facets of a mesh, and search for the nearest of a subset of them.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ class Facets {
 
   MeshView mesh() const { return {vertices_, triangles_}; }
   bool curved(int t) const { return !bends_.empty() && !patch(t).flat(); }
-  // m, no point of the facet is farther from the flat triangle.
+  // Upper bound of the distance of the facet from the flat triangle, m.
   double bulge(int t) const {
     return bulges_.empty() ? 0 : static_cast<double>(bulges_[static_cast<std::size_t>(t)]);
   }
@@ -38,18 +38,19 @@ class Facets {
     }
     return q;
   }
-  // Holds the facet, bulge and all.
+  // Bounding box of the facet with its bulge.
   Box box(int t) const;
   PatchPoint closest(int t, const Vec3& y) const;
-  // m², from y to the flat facet; what closest() says of it but for rounding, and quicker.
+  // Squared distance of the flat facet from y, m²; equal to that of closest() except for rounding, and
+  // faster.
   double squared_distance(int t, const Vec3& y) const;
-  // False where the facet is certainly farther than `reach` [m] from y: no point of it is farther from the
-  // flat one than it bulges. It takes a fraction of the time of closest().
+  // False if the facet is certainly farther than `reach` [m] from y, from the distance of the flat facet and
+  // the bulge. Much faster than closest().
   bool may_reach(int t, const Vec3& y, double reach) const {
     const double far = reach + bulge(t);
     return !(squared_distance(t, y) > far * far);
   }
-  // m, no point of the facet is nearer to y: the distance itself where it is certain.
+  // Lower bound of the facet's distance from y, m; the distance itself where that is certain.
   double least_distance(int t, const Vec3& y) const;
   bool has(int t) const { return t >= 0 && static_cast<std::size_t>(t) < triangles_.size(); }
   template <class Self, class P>
@@ -66,10 +67,10 @@ class Facets {
   ConstArray<std::array<int, 3>> triangles_;
   ConstArray<std::array<Eigen::Vector3f, 3>> bends_;  // empty: all flat
   ConstArray<float> bulges_;                          // m
-  std::vector<bool> thin_;                            // so much that their distances need care
+  std::vector<bool> thin_;                            // facets so thin that their distances need care
 };
 
-// The nearest of the facets that it is shown, no farther than max_distance [m]. tree: of all facets.
+// Nearest of the visited facets within max_distance [m]. tree: of all facets.
 class NearestFacet {
   const Facets& facets_;
   const Vec3& y_;
@@ -80,27 +81,27 @@ class NearestFacet {
     int triangle = 0;
   };
   NearestFacet(const Facets& facets, const BoxTree& tree, const Vec3& y, double max_distance);
-  // Of facets at equal distance the one of the lowest number stays, in whatever order they are shown.
+  // Of facets at equal distance the one with the lowest index remains, whatever the order.
   void visit(int t);
-  double squared, reach;  // m², m: what is farther does not count; with room for rounding
+  double squared, reach;  // m², m: search limit, with a margin for rounding
   std::optional<Foot> foot;
 
  private:
   double padded() const;
 };
 
-// Search among the facets with their flag set (empty: all): those near by are found by the spatial hash where
-// all are flat, others by the tree of their boxes.
+// Search among the facets with their flag set (empty: all): by the spatial hash for near facets if all are
+// flat, else by the tree of boxes.
 class FacetSearch {
  public:
   using Foot = NearestFacet::Foot;
   FacetSearch() = default;
   FacetSearch(const Facets& facets, const std::vector<bool>& chosen);
 
-  // Nothing when none is within max_distance [m]. `hint`: a facet that is likely to be near. Of facets at
-  // equal distance always the same, whatever the hint and the limit.
+  // Nearest facet within max_distance [m], else nullopt. `hint`: a facet that is probably near. The result
+  // does not depend on the hint and the limit.
   std::optional<Foot> nearest(const Facets& facets, const Vec3& y, double max_distance, int hint) const;
-  // The same of all facets by those about a place near y, or nothing where they do not suffice.
+  // Nearest of all facets from those near a place close to y; nullopt if these do not suffice.
   std::optional<Foot> nearest(const Facets& facets, const Vec3& y, const NearFacets& near) const;
   NearFacets about(const Facets& facets, const Vec3& place) const;
   const BoxTree& tree() const { return tree_; }
@@ -112,7 +113,7 @@ class FacetSearch {
   }
 
  private:
-  SpatialHash hash_;  // empty where facets are curved
+  SpatialHash hash_;  // empty if facets are curved
   BoxTree tree_;
   std::vector<bool> chosen_;
 };

@@ -1,4 +1,4 @@
-// The closing of an open sheet of triangles by walls and a floor, so that what is below it counts as inside.
+// Closes an open sheet of triangles by walls and a floor, so that the space below it counts as inside.
 #include "hawser/geometry/ground.hpp"
 
 #include <algorithm>
@@ -38,7 +38,8 @@ TriangleMesh ground_under(TriangleMesh sheet) {
     for (size_t e = 0; e < 3; ++e) {
       const int other = topo.neighbours[i][e];
       if (other < 0) continue;
-      // Both face up: neighbours run along their edge opposite ways unless one lies over the other.
+      // Both face up: neighbours use their common edge in opposite directions unless the sheet is folded
+      // there.
       const int from = m.triangles[i][e], to = m.triangles[i][(e + 1) % 3];
       const auto& t = m.triangles[static_cast<size_t>(other)];
       for (size_t k = 0; k < 3; ++k)

@@ -1,4 +1,4 @@
-// The bicubic spline through a grid of heights and the signed distance to it by a Newton iteration.
+// Bicubic spline through a grid of heights, and the signed distance to it by Newton's method.
 #include "hawser/geometry/height_grid.hpp"
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 using Mat2 = Eigen::Matrix2d;
 
-// Slopes of the natural cubic spline through values at ascending t: continuous second derivative, none at
-// the ends. get(i), set(i, slope).
+// Slopes of the natural cubic spline through values at ascending t: continuous second derivative, zero at the
+// ends. get(i), set(i, slope).
 template <class Get, class Set>
 void natural_slopes(const std::vector<double>& t, Get&& get, Set&& set) {
   const size_t n = t.size();
@@ -97,7 +97,7 @@ HeightGrid::HeightGrid(std::vector<double> x, std::vector<double> y, const std::
   const auto [low, high] = std::minmax_element(height.begin(), height.end());
   lowest_ = *low;
   highest_ = *high;
-  // The slope of a cell lies between the differences of its Bézier points.
+  // The slope of a cell is bounded by the differences of its Bézier points.
   for (size_t j = 0; j + 1 < ny; ++j)
     for (size_t i = 0; i + 1 < nx; ++i) {
       const double h = (x_[i + 1] - x_[i]) / 3, k = (y_[j + 1] - y_[j]) / 3;
@@ -148,7 +148,7 @@ HeightGrid::Height HeightGrid::at(double x, double y) const {
   return h;
 }
 
-// A cone of the steepest slope below the point straight under y holds no ground nearer.
+// A cone with the steepest slope below the surface point under y contains no ground.
 double HeightGrid::free_radius(const Vec3& y, double distance, int /*hint*/) const {
   return std::min(distance, (y.z() - at(y.x(), y.y()).z) / std::sqrt(1 + steepest_ * steepest_));
 }
@@ -157,7 +157,7 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
   Vec2 p = y.head<2>();
   Height f = at(p.x(), p.y());
   if (y.z() - f.z > max_distance * std::sqrt(1 + steepest_ * steepest_)) return std::nullopt;
-  // Least (|p - y|² + (f(p) - z)²)/2 by Newton, by Gauss and Newton where that is not convex.
+  // Minimum of (|p - y|² + (f(p) - z)²)/2 by Newton's method, by Gauss-Newton where it is not convex.
   const auto square = [&](const Vec2& q, const Height& g) {
     return 0.5 * ((q - y.head<2>()).squaredNorm() + (g.z - y.z()) * (g.z - y.z()));
   };
@@ -175,7 +175,7 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
       const Vec2 next = p + step;
       const Height g = at(next.x(), next.y());
       const double then = square(next, g);
-      // Near the answer the square no longer tells: Newton's step is taken.
+      // Near the solution the square is at round-off, and Newton's step is accepted.
       if (!(then <= now + 1e-14 * now)) continue;
       p = next;
       f = g;
@@ -190,14 +190,14 @@ std::optional<SurfacePoint> HeightGrid::query(const Vec3& y, double max_distance
   s.normal = Vec3(-f.slope.x(), -f.slope.y(), 1).normalized();
   s.distance = s.normal.dot(y - s.point);
   if (s.distance > max_distance) return std::nullopt;
-  // Principal curvatures k (of a hollow > 0) in the tangent plane; those of the distance are -k/(1 - k d).
+  // Principal curvatures k (concave > 0) in the tangent plane; those of the distance are -k/(1 - k d).
   Eigen::Matrix<double, 3, 2> axes;
   axes.col(0) = Vec3(1, 0, f.slope.x()).normalized();
   axes.col(1) = s.normal.cross(Vec3(axes.col(0)));
   const Mat2 plan = axes.topRows<2>();
   const Mat2 bends = plan.transpose() * (s.normal.z() * f.bend) * plan;
-  // That function of the matrix: linear between its eigenvalues. At the centre of curvature and beyond no
-  // point is nearest.
+  // This function of the matrix, by linear interpolation between its eigenvalues. It is bounded at and beyond
+  // the centre of curvature, where the point is not the nearest.
   const auto of_distance = [&](double k) { return k / std::max(1 - k * s.distance, 0.05); };
   const double middle = 0.5 * bends.trace();
   const double half = std::hypot(0.5 * (bends(0, 0) - bends(1, 1)), bends(0, 1)), least = middle - half;

@@ -1,5 +1,5 @@
-// How far the spline through a grid of heights leaves what neighbouring heights span where the ground has a
-// step.
+// Overshoot of the spline through a grid of heights beyond the range of neighbouring heights at steps of the
+// ground.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,8 @@
 namespace hawser {
 namespace {
 
-// Four heights in a row, the middle two `h` apart with slopes `m` and `n`, and a place between these.
+// Four heights in a row, the middle two at the distance `h` with slopes `m` and `n`, and a point between
+// these.
 struct Cell {
   double before, p, q, after, h, m, n;
 
@@ -16,9 +17,8 @@ struct Cell {
     const double v = 1 - u;
     return v * v * (1 + 2 * u) * p + u * u * (3 - 2 * u) * q + h * u * v * (v * m - u * n);
   }
-  // A parabola through a hilltop rises above both points beside it, by an eighth of the smaller descent on
-  // either side where they are equally high: twice that is taken for the shape of the ground. A step has no
-  // descent on one side.
+  // A parabola over a hilltop exceeds two equally high points beside it by an eighth of the smaller descent
+  // on both sides; twice that is attributed to the shape of the ground. A step has no descent on one side.
   double beyond(double z) const {
     constexpr double kOfShape = 0.25;
     const auto above = [&](double sign) {
@@ -27,9 +27,9 @@ struct Cell {
     };
     return std::max(above(1), above(-1));
   }
-  // The place, as a share of h, where the spline is furthest beyond; 0 where nowhere.
+  // Position, as a fraction of h, of the largest overshoot; 0: none.
   double furthest() const {
-    // Its slope a u² + b u + m is zero there.
+    // Roots of the slope a u² + b u + m.
     const double a = 3 * (m + n - 2 * (q - p) / h), b = 2 * (3 * (q - p) / h - 2 * m - n);
     const double root = b * b - 4 * a * m;
     if (root < 0) return 0;

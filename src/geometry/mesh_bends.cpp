@@ -1,5 +1,4 @@
-// Which edges of a mesh are sharp, the common normals of its smooth corners, and the bends of its facets from
-// these.
+// Sharp edges of a mesh, common normals of its smooth corners, and the bends of its facets from these.
 #include "hawser/geometry/mesh_bends.hpp"
 
 #include <algorithm>
@@ -13,8 +12,8 @@
 namespace hawser {
 namespace {
 
-constexpr double kWide = 4;        // widths of planar regions that differ by more are not of one curve
-constexpr double kMostBend = 0.5;  // of the edge's length
+constexpr double kWide = 4;  // planar regions whose widths differ by more do not belong to one curved surface
+constexpr double kMostBend = 0.5;  // fraction of the edge's length
 constexpr int kNone = -1;
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -44,7 +43,7 @@ class Bends {
 
   const Vec3& vertex(int v) const { return mesh_.vertices[at(v)]; }
   int corner_vertex(int t, int i) const { return mesh_.triangles[at(t)][at(i % 3)]; }
-  // The edge of u that joins the same vertices as edge i of t.
+  // Edge of u that joins the same vertices as edge i of t.
   int edge_in(int u, int t, int i) const {
     const int a = corner_vertex(t, i), b = corner_vertex(t, i + 1);
     for (int k = 0; k < 3; ++k) {
@@ -78,7 +77,7 @@ class Bends {
 
   int root(int c) { return group_.smallest(c); }
 
-  // One normal for the corners at a vertex that smooth edges join; zero where it would not serve.
+  // Common normal of the corners at a vertex that smooth edges join; zero if unsuitable.
   void corner_normals() {
     group_.reset(3 * mesh_.triangles.size());
     for (int t = 0; t < static_cast<int>(edge_.size()); ++t)
@@ -103,7 +102,7 @@ class Bends {
       if (scale > 0) group_normal_[at(g)] += e.cross(f) / scale;
     }
     for (Vec3& n : group_normal_) n = n.squaredNorm() > 0 ? Vec3(n.normalized()) : n;
-    // A tip (of a cone) has no tangent plane.
+    // The tip of a cone has no tangent plane.
     std::vector<bool> tip(group_.size(), false);
     for (int c = 0; c < static_cast<int>(group_.size()); ++c)
       if (group_normal_[at(root(c))].dot(normal_[at(c / 3)]) < cosine_) tip[at(root(c))] = true;
@@ -111,14 +110,16 @@ class Bends {
       if (tip[g]) group_normal_[g].setZero();
   }
 
-  // The tangent of a crease at each vertex through which it passes smoothly: that of the circle through the
-  // vertex and its neighbours; along the longer edge if they differ by more than kWide; zero at corners.
+  // Tangent of a crease at each vertex through which it passes smoothly: that of the circle through the
+  // vertex and its neighbours; along the longer edge if their lengths differ by more than kWide; zero at
+  // corners.
   void crease_tangents() {
     std::vector<std::array<int, 2>> along(mesh_.vertices.size(), {kNone, kNone});
     std::vector<int> count(mesh_.vertices.size(), 0);
     for (int e = 0; e < static_cast<int>(ends_.size()); ++e) {
       if (kind_[at(e)] == Kind::smooth) continue;
-      // A straight edge ends a crease, unless it is of a fold of no area: either way no tangent there.
+      // A straight edge ends a crease, unless it belongs to a fold without area: there is no tangent in
+      // either case.
       for (const int v : ends_[at(e)]) {
         if (count[at(v)] < 2) along[at(v)][at(count[at(v)])] = e;
         count[at(v)] += kind_[at(e)] == Kind::sharp ? 1 : 3;
@@ -139,7 +140,7 @@ class Bends {
     }
   }
 
-  // Along a crease: what the end at v, seen from it along the chord r, adds.
+  // Contribution of the end v of a crease edge to its bend; r: chord from v.
   Vec3 from_tangent(int v, const Vec3& r) const {
     const Vec3& t = tangent_[at(v)];
     const double along = t.dot(r);
@@ -164,7 +165,7 @@ class Bends {
     }
     const double most = kMostBend * r.norm(), size = c.norm();
     if (size > most) c *= most / size;
-    // What rounding of the vertices makes of a flat place is no bend.
+    // Rounding of the vertices of a flat place is no bend.
     if (size < 1e-9 * r.norm() || !c.allFinite()) c.setZero();
     bend_[at(e)] = c;
   }
@@ -178,8 +179,8 @@ class Bends {
     return q;
   }
 
-  // Whether the normal, a quadratic polynomial of (u, v), stays within 60 degrees of the facet's and of some
-  // size: by its six Bernstein coefficients.
+  // Whether the normal, a quadratic polynomial of (u, v), stays within 60 degrees of the facet's and is not
+  // too small, from its six Bernstein coefficients.
   bool sound(int t) const {
     const SmoothPatch q = patch(t);
     const Vec3& n = normal_[at(t)];
@@ -200,7 +201,7 @@ class Bends {
     return true;
   }
 
-  // Lessens the bends of triangles that would fold. An edge's bend goes to zero in the fourth round.
+  // Reduces the bends of triangles that would fold. An edge's bend is zero after the fourth reduction.
   void unfold() {
     std::vector<char> rounds(ends_.size(), 0);
     std::vector<int> todo(edge_.size());
@@ -243,8 +244,8 @@ class Bends {
   const std::vector<bool>& straight_;
   double cosine_;
   std::vector<Vec3> normal_;              // of faces, unit
-  std::vector<std::array<int, 3>> edge_;  // number of each triangle's edges
-  std::vector<std::array<int, 2>> ends_;  // of each edge
+  std::vector<std::array<int, 3>> edge_;  // index of each triangle's edges
+  std::vector<std::array<int, 2>> ends_;  // vertices of each edge
   std::vector<int> home_;                 // 3 triangle + edge
   std::vector<Kind> kind_;
   std::vector<Vec3> bend_;

@@ -1,5 +1,5 @@
-// Which of the triangles that a mesh lists more than once belong to its surface, by what their patches
-// enclose, and which pieces are flat.
+// Selection of the duplicate triangles that belong to the surface of a mesh, by the volume their patches
+// enclose, and detection of flat pieces.
 #include "hawser/geometry/mesh_duplicates.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 namespace hawser {
 namespace {
 
-// 1 when the corners are an even permutation of their order by index, -1 when odd.
+// 1 if the corners are an even permutation of their order by index, -1 if odd.
 int parity(const std::array<int, 3>& t) {
   int s = 1;
   for (std::size_t i = 0; i < 3; ++i)
@@ -27,11 +27,11 @@ int parity(const std::array<int, 3>& t) {
   return s;
 }
 
-// All triangles on the same corners.
+// All triangles with the same corners.
 struct Face {
-  std::size_t first, stays;  // the first, and the one that stays if one does
+  std::size_t first, stays;  // first triangle, and the one that stays if one does
   int copies;
-  int patch = -1;  // of an even number of copies
+  int patch = -1;  // for an even number of copies
   bool open() const { return copies % 2 == 0; }
 };
 
@@ -55,7 +55,7 @@ std::vector<Face> faces_of(const TriangleMesh& mesh) {
   return faces;
 }
 
-// The mesh with one triangle for each face that is of no patch or of one kept.
+// Mesh with one triangle for each face that belongs to no patch or to a kept one.
 TriangleMesh once(const TriangleMesh& mesh, const std::vector<Face>& faces, const std::vector<bool>& kept) {
   TriangleMesh out;
   out.vertices = mesh.vertices;
@@ -69,11 +69,11 @@ TriangleMesh once(const TriangleMesh& mesh, const std::vector<Face>& faces, cons
   return out;
 }
 
-// An edge that patches may end at.
+// Edge at which patches may end.
 struct Rim {
   double length;                             // m
   int rest = 0;                              // faces that stay in any case
-  std::vector<std::pair<int, int>> patches;  // and how many of their faces are at it
+  std::vector<std::pair<int, int>> patches;  // patches, and the number of their faces at the edge
 };
 
 class Patches {
@@ -83,7 +83,7 @@ class Patches {
     find(topology(all));
     find_rims();
   }
-  // Which patches stay, once.
+  // Patches that stay, with one copy.
   std::vector<bool> kept() {
     std::vector<bool> kept(count_, true);
     while (drop_some(kept)) {
@@ -92,7 +92,7 @@ class Patches {
   }
 
  private:
-  // The faces are the triangles of the mesh that `topo` is of.
+  // topo: of the mesh whose triangles are the faces.
   void find(const Topology& topo) {
     DisjointSets group(faces_.size());
     for (std::size_t f = 0; f < faces_.size(); ++f)
@@ -137,8 +137,8 @@ class Patches {
     }
   }
 
-  // Of the rim of a patch the length where the others end, less that where they go on without it. Where there
-  // are no others nothing is said.
+  // Length of a patch's rim where the other faces end (needed), and where they continue without it
+  // (superfluous); without other faces neither counts.
   struct Vote {
     double needed = 0, superfluous = 0;
   };
@@ -153,9 +153,9 @@ class Patches {
     return v;
   }
 
-  // Patches the rest goes on without, or does not touch, are asked whether the body ends at them. Where three
-  // sheets meet, all listed twice, it ends at two of them and not at the wall between; a wall in an open hull
-  // may look like an end of the body to the winding number, but what it sees is the same on both sides.
+  // Patches that the rest does not need or does not touch are tested whether the body ends at them. Where
+  // three duplicated sheets meet, it ends at two of them and not at the wall between. A wall in an open hull
+  // may look like an end of the body to the winding number, but both its sides have equal visibility.
   bool drop_some(std::vector<bool>& kept) const {
     constexpr double kAttached = 0.25, kLone = 0.02, kOneSided = 0.25;
     std::vector<std::pair<std::size_t, bool>> asked;  // and whether the rest touches it
@@ -191,7 +191,7 @@ class Patches {
   std::vector<Face>& faces_;
   std::size_t count_ = 0;
   std::vector<Rim> rims_;
-  std::vector<std::vector<std::size_t>> rims_of_;  // of each patch, those it has an odd number of faces at
+  std::vector<std::vector<std::size_t>> rims_of_;  // by patch: rims with an odd number of its faces
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
-// How the facets of a mesh near a place are sorted into facet groups, and the nearest point of one facet
-// group.
+// Grouping of the facets of a mesh near a place, and the nearest point of one facet group.
 #include "mesh_facet_groups.hpp"
 
 #include <algorithm>
@@ -13,9 +12,9 @@
 namespace hawser::detail {
 namespace {
 
-constexpr double kParallel = 0.9;    // cosine: directions nearer than that are of one facet group
-constexpr double kCone = 0.974;      // of half that angle
-constexpr double kConcave = 0.2;     // rad, in all: less makes no second facet group
+constexpr double kParallel = 0.9;    // cosine: nearer directions belong to one facet group
+constexpr double kCone = 0.974;      // cosine of half that angle
+constexpr double kConcave = 0.2;     // rad, total: less does not create a second facet group
 constexpr double kFlatEdge = 1e-10;  // 1 - cosine of an edge that counts as flat
 
 // Whether it is so for any chord of a polyline; of a single place there is one, of no length.
@@ -26,7 +25,7 @@ bool any_chord(std::span<const Vec3> axis, Is&& is) {
   return false;
 }
 
-// The corner of u that is on no edge with t.
+// Corner of u that is not on edge `edge` of t.
 const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
   const auto& triangles = facets.mesh().triangles;
   const auto& mine = triangles[static_cast<std::size_t>(t)];
@@ -38,12 +37,12 @@ const Vec3& beyond(const Facets& facets, int u, int t, int edge) {
   return facets.corner(u, k);
 }
 
-// Whether the facet u rises in front of t, whose normal is n.
+// Whether the facet u rises in front of t with the normal n.
 bool rises(const Facets& facets, const Vec3& n, int t, int edge, int u) {
   return n.dot(beyond(facets, u, t, edge) - facets.corner(t, edge)) > 0;
 }
 
-// Of a facet in a list by triangle; -1: it is not there.
+// Index of a facet in a list sorted by triangle; -1: none.
 template <class F>
 int place_of(const std::vector<F>& facets, int triangle) {
   const auto at = std::ranges::lower_bound(facets, triangle, {}, &F::triangle);
@@ -54,7 +53,7 @@ int place_of(const std::vector<F>& facets, int triangle) {
 
 bool MeshFacetGroups::convex(const Facets& facets, const Pseudonormals& normals, int components) {
   if (components != 1) return false;
-  // Computed up to the last asked for: most meshes turn out not to be convex within a few facets.
+  // Computed only as far as needed, because most meshes prove not convex within a few facets.
   std::vector<Vec3> known;
   const auto normal = [&](int t) {
     while (static_cast<int>(known.size()) <= t)
@@ -83,7 +82,8 @@ FacetGroup::Facet MeshFacetGroups::ball(int t) const {
   return f;
 }
 
-// What may come within reach of the axis, with its normals; true if all of it looks alike.
+// Collects the facets that may come within reach of the axis, with their normals; returns whether all normals
+// are similar.
 bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::vector<Near>& out) const {
   out.clear();
   Vec3 mean = Vec3::Zero();
@@ -107,7 +107,7 @@ bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::ve
       const Vec3 n = normals_.quick_face(facets_, t);
       const double from = n.dot(p - facets_.corner(t, 0)), to = n.dot(q - facets_.corner(t, 0));
       if (std::min(from, to) > off || std::max(from, to) < -off) return false;  // beyond its plane
-      // Long facets have large balls: most of those that meet the axis are of facets that it is far from.
+      // Long facets have large balls, most of which meet the axis although the facet is far from it.
       if (!facets_.may_reach(t, 0.5 * (p + q), reach + 0.5 * (q - p).norm())) return false;
       out.push_back({f, n});
       mean += n;
@@ -118,7 +118,7 @@ bool MeshFacetGroups::parallel(std::span<const Vec3> axis, double reach, std::ve
   return std::all_of(out.begin(), out.end(), [&](const Near& f) { return f.normal.dot(mean) > kCone; });
 }
 
-// Whether facets hang together and are convex, or nearly. Sorts them.
+// Whether facets are connected and nearly convex. Sorts them.
 bool MeshFacetGroups::bulging(std::vector<Near>& near) const {
   thread_local DisjointSets sets;
   if (near.size() < 2) return true;
@@ -150,7 +150,7 @@ bool MeshFacetGroups::one(std::span<const Vec3> axis, double reach) const {
   return parallel(axis, reach, near) || bulging(near);
 }
 
-// Whether the edge is reentrant and sharp. Patches may meet smoothly where their facets do not.
+// Whether the edge is reentrant and sharp. Curved patches may meet smoothly where their facets do not.
 bool MeshFacetGroups::cut(int t, int edge, int other) const {
   const Vec3 n = normals_.quick_face(facets_, t), m = normals_.quick_face(facets_, other);
   if (n.isZero(0) || m.isZero(0) || n.dot(m) > kParallel || !rises(facets_, n, t, edge, other)) return false;
@@ -164,7 +164,7 @@ bool MeshFacetGroups::cut(int t, int edge, int other) const {
              .dot(facets_.patch(other).normal(b[0], b[1]).normalized()) <= kParallel;
 }
 
-// The nearest points of the flat facet and a chord.
+// Nearest points of a flat facet and a chord.
 struct MeshFacetGroups::Approach {
   double distance = std::numeric_limits<double>::infinity();  // m
   Vec3 from = Vec3::Zero();                                   // on the chord
@@ -241,7 +241,7 @@ bool MeshFacetGroups::through(const FacetGroup& group, const FacetSearch::Foot& 
 std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& group, const Vec3& y,
                                                               double within) const {
   NearestFacet best(facets_, tree_, y, within);
-  // The most promising first; then most of the others are out of reach.
+  // Start with the most promising facet, so that most others are out of reach.
   const FacetGroup::Facet* first = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const FacetGroup::Facet& f : group.facets)
@@ -261,7 +261,8 @@ std::optional<MeshFacetGroups::Foot> MeshFacetGroups::nearest(const FacetGroup& 
   return Foot{*best.foot, normal, normal.dot(y - on) >= 0};
 }
 
-// What may come within reach of the axis, by triangle; nothing where all there is one facet group for sure.
+// Facets that may come within reach of the axis, sorted by triangle; empty if there is certainly one facet
+// group.
 std::vector<FacetGroup::Facet> MeshFacetGroups::around(std::span<const Vec3> axis, double reach) const {
   thread_local std::vector<Near> near;
   std::vector<FacetGroup::Facet> out;
@@ -302,11 +303,11 @@ void MeshFacetGroups::join(std::span<const Vec3> axis, double reach,
 struct MeshFacetGroups::Part {
   FacetGroup group;
   double distance = 0;  // m
-  Vec3 direction;       // to where the axis is nearest
-  bool back = false;    // all of the axis is behind it
+  Vec3 direction;       // towards the nearest point of the axis
+  bool back = false;    // the whole axis is behind it
 };
 
-// The nearest facet is number `nearest`, seen from a place on the axis.
+// nearest: triangle of the nearest facet; from: the nearest point on the axis.
 MeshFacetGroups::Part MeshFacetGroups::describe(FacetGroup group, int nearest, const Vec3& from,
                                                 std::span<const Vec3> axis) const {
   Part part;
@@ -352,14 +353,14 @@ void MeshFacetGroups::find(std::span<const Vec3> axis, double reach, FacetGroups
         }
         return f.at.distance == 0;  // none is nearer
       });
-  // Whole facets were taken; those that do not come near are none of it.
+  // Groups contain whole connected facets; groups that are out of reach are removed.
   std::erase_if(found, [&](const Found& f) { return f.at.distance - bulge(f.nearest) > reach; });
   if (found.size() < 2) return;
   std::vector<Part> parts;
   for (Found& f : found) parts.push_back(describe(std::move(f.group), f.nearest, f.at.from, axis));
   std::stable_sort(parts.begin(), parts.end(),
                    [](const Part& a, const Part& b) { return a.distance < b.distance; });
-  parts.front().back = false;  // the nearest is met from either side
+  parts.front().back = false;  // the nearest one can be touched from both sides
   const auto add = [](FacetGroup& to, const FacetGroup& from) {
     to.facets.insert(to.facets.end(), from.facets.begin(), from.facets.end());
   };

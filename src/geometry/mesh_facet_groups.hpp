@@ -1,4 +1,4 @@
-// The facet groups of a mesh near a place (facet_groups.hpp).
+// Facet groups of a mesh near a place (facet_groups.hpp).
 #pragma once
 
 #include <optional>
@@ -14,30 +14,30 @@ namespace hawser::detail {
 
 class MeshFacetGroups {
  public:
-  // `tree`: of the boxes of those facets that can be met.
+  // tree: boxes of the active facets.
   MeshFacetGroups(const Facets& facets, const Pseudonormals& normals, const BoxTree& tree)
       : facets_(facets), normals_(normals), tree_(tree) {}
 
-  // Whether the facets form a convex body, which has no two facet groups anywhere.
+  // Whether the facets form a convex body, which has a single facet group everywhere.
   static bool convex(const Facets& facets, const Pseudonormals& normals, int components);
-  // Whether what is within reach of a polyline is one facet group: its facets all look alike, or hang
-  // together and are convex.
+  // Whether the part within reach of a polyline is one facet group: its facets have similar normals, or are
+  // connected and convex.
   bool one(std::span<const Vec3> axis, double reach) const;
-  // As of Surface::facet groups().
+  // See Surface::facet_groups().
   void find(std::span<const Vec3> axis, double reach, FacetGroups& out) const;
 
-  // Whether a triangle is of a facet group.
+  // Whether a facet group contains a triangle.
   static bool holds(const FacetGroup& group, int triangle);
 
   struct Foot {
     FacetSearch::Foot foot;
-    Vec3 pseudonormal = Vec3::Zero();  // of the facet group alone: beyond its border it goes on as it ends
+    Vec3 pseudonormal = Vec3::Zero();  // of the facet group alone, continued beyond its border
     bool front = false;
   };
   // Nearest point of a facet group within a distance [m] of y.
   std::optional<Foot> nearest(const FacetGroup& group, const Vec3& y, double within) const;
-  // Whether the facet group goes on, where its nearest point is on its border, in what turns its back on y:
-  // then the way to it leads through a body.
+  // Whether the facet group continues, at the border point `foot`, into facets that face away from y: then
+  // the path to it leads through a body.
   bool through(const FacetGroup& group, const FacetSearch::Foot& foot, const Vec3& y) const;
 
  private:

@@ -1,4 +1,4 @@
-// The turning of the patches of a faulty mesh: triangles of a patch agree, and its front sees the outside.
+// Orientation of the patches of a faulty mesh: consistent within a patch, with its front towards the outside.
 #include "hawser/geometry/mesh_repair.hpp"
 
 #include <numeric>
@@ -47,7 +47,7 @@ RepairResult repair(TriangleMesh& mesh) {
   }
   const Topology now = topology(mesh);
   out.closed = now.odd_edges == 0 && now.flipped_edges == 0;
-  // The tree's triangles have been turned: a new one.
+  // The triangles have been turned, so the tree is built again.
   const WindingTree turned(mesh);
   std::vector<int> all(mesh.triangles.size());
   std::iota(all.begin(), all.end(), 0);

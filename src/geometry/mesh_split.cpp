@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-// New vertices in the middle of the edges that are too long, by triangle and edge; -1: the edge is not.
+// New vertices at the midpoints of edges that are too long, by triangle and edge; -1: none.
 std::vector<std::array<int, 3>> middles(TriangleMesh& mesh, double longest, bool& any) {
   const std::vector<detail::EdgeUse> uses = detail::edge_uses(mesh);
   std::vector<std::array<int, 3>> out(mesh.triangles.size(), {-1, -1, -1});
@@ -33,10 +33,10 @@ std::vector<std::array<int, 3>> middles(TriangleMesh& mesh, double longest, bool
   return out;
 }
 
-// The triangle t with middles m of its edges, of which -1 are none, from corner `first` on.
+// Splits the triangle t at the midpoints m of its edges (-1: none).
 void split(const std::array<int, 3>& t, const std::array<int, 3>& m, std::vector<std::array<int, 3>>& out) {
   const auto count = std::count_if(m.begin(), m.end(), [](int v) { return v >= 0; });
-  int first = 0;  // with one or two middles: the edge from corner `first` on has one, the edge before it none
+  int first = 0;  // with one or two midpoints: the edge from corner `first` has one, the edge before it none
   while (count > 0 && count < 3 && !(m[first] >= 0 && m[(first + 2) % 3] < 0)) ++first;
   const int a = t[first];
   const int b = t[(first + 1) % 3];

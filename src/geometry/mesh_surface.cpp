@@ -1,5 +1,5 @@
-// Signed distance to a mesh: the sign by pseudonormals or the winding number, and normal and curvature on
-// facets, edges and corners.
+// Signed distance to a mesh: sign by pseudonormals or the winding number, and normal and curvature on facets,
+// edges and corners.
 #include "hawser/geometry/mesh_surface.hpp"
 
 #include <algorithm>
@@ -19,22 +19,22 @@ using detail::Facets;
 using detail::FacetSearch;
 
 namespace {
-constexpr double kSquare = 1e-9;  // sine of an angle below which directions count as parallel or square
+constexpr double kSquare = 1e-9;  // sine below which directions count as parallel or perpendicular
 }
 
 struct MeshSurface::Data {
-  std::shared_ptr<const std::byte> keep;  // where the arrays are, if not their own
+  std::shared_ptr<const std::byte> keep;  // owner of the arrays, if external
   Facets facets;
   detail::Pseudonormals normals;
-  FacetSearch active, whole;  // whole is empty when all are active
+  FacetSearch active, whole;  // whole: empty if all facets are active
   bool partial = false;
-  std::vector<bool> is_active;      // when partial
-  std::vector<bool> border_vertex;  // when partial: touches active and inactive triangles
+  std::vector<bool> is_active;      // if partial
+  std::vector<bool> border_vertex;  // if partial: touches active and inactive triangles
   ConstArray<detail::Defects::Hole> holes;
   BoxTree hole_tree;  // of boxes around them
   Box bounds;
-  double small = 0;             // m, lengths below are rounding or need a bound
-  WindingTree winding;          // where defects or features without a pseudonormal need it, else empty
+  double small = 0;             // m, smaller lengths are rounding or need a bound
+  WindingTree winding;          // built only if defects or undefined pseudonormals need it
   std::vector<bool> undecided;  // facets near which the winding number decides; empty: none
   int curved = 0, sharp = 0, internal = 0;
   double bulge = 0;
@@ -71,7 +71,7 @@ struct MeshSurface::Data {
   FacetSearch::Foot on_face_or_edge(FacetSearch::Foot best, const Vec3& y) const {
     const int t = best.triangle;
     if (best.feature != Feature::face || normals.has_area(facets, t)) return best;
-    // No area, so no face: the nearest of its edges.
+    // Without area it has no face: the nearest of its edges.
     for (int i = 0; i < 3; ++i) {
       ClosestPoint c = closest_point_on_segment(y, facets.corner(t, i), facets.corner(t, (i + 1) % 3));
       if (i > 0 && !(c.squared_distance < best.squared_distance)) continue;
@@ -81,15 +81,15 @@ struct MeshSurface::Data {
     }
     return best;
   }
-  // m: the body begins nowhere nearer to y than that without an active facet: in a hole, or at an inactive
-  // part, behind which it is less than zero. No farther than `most` is looked.
+  // Lower bound, m, of the distance from y to places where the body begins without an active facet: in a
+  // hole, or at an inactive part, behind which it is negative. Searches up to `most`.
   double closed_within(const Vec3& y, double most, int hint) const;
   std::optional<SurfacePoint> query_foot(const Vec3& y, double max_distance,
                                          const FacetSearch::Foot& c) const;
   SurfacePoint point_at(const Vec3& y, const FacetSearch::Foot& c, const Vec3& pseudonormal,
                         bool behind) const;
   Mat3 curvature_at_vertex(int triangle, int corner, double length, const SurfacePoint& s) const;
-  // Whether y is behind the surface at its closest point c, with the pseudonormal there.
+  // Whether y is behind the surface at its closest point c with this pseudonormal.
   bool behind(const FacetSearch::Foot& c, const Vec3& y, const Vec3& pseudonormal) const {
     if (!undecided.empty() && undecided[static_cast<std::size_t>(c.triangle)])
       return winding.inside(mesh(), over_flat(c, y));
@@ -98,8 +98,8 @@ struct MeshSurface::Data {
     if (pseudonormal.isZero(0)) return winding.inside(mesh(), y);
     return pseudonormal.dot(y - c.point) < 0;
   }
-  // Where y is to the curved facet, there to the flat one, which the winding number knows. Farther away than
-  // facets bulge it is on the same side of both.
+  // Moves y by the offset between the curved facet and the flat one, which the winding number uses. Farther
+  // away than facets bulge, y is on the same side of both.
   Vec3 over_flat(const FacetSearch::Foot& c, const Vec3& y) const {
     if (!facets.curved(c.triangle) || c.squared_distance > bulge * bulge) return y;
     const Vec3 &p0 = facets.corner(c.triangle, 0), &p1 = facets.corner(c.triangle, 1),
@@ -110,7 +110,7 @@ struct MeshSurface::Data {
     const auto c = nearest(whole, y, bound, hint);
     return c && behind(*c, y, normals.at(facets, c->triangle, *c));  // `hint` is within the bound
   }
-  // Of a point behind the border of the active part: does it lie under an active face, to 45 degrees?
+  // Whether a point behind the border of the active part lies below an active face, to within 45 degrees.
   bool under_active(const FacetSearch::Foot& c, const Vec3& y) const;
 };
 
@@ -164,7 +164,7 @@ MeshSurface::MeshSurface(TriangleMesh mesh, std::vector<bool> active, MeshSurfac
   d.normals = detail::Pseudonormals(d.facets, topo);
   if (d.winding.empty() && !d.normals.complete()) d.winding = WindingTree(d.mesh());
   d.undecided = std::move(defects.undecided);
-  // Internal facets are no part of the surface; `met` are the active ones that are.
+  // Internal facets are not part of the surface; `met`: active facets that are.
   std::vector<bool> outer, met = active;
   if (d.internal > 0) {
     outer = std::move(defects.internal);
@@ -224,7 +224,7 @@ std::optional<SurfacePoint> MeshSurface::query(const Vec3& y, double max_distanc
   const Data& d = *data_;
   if (distance(d.bounds, y) > max_distance) return std::nullopt;
   auto foot = d.nearest(d.active, y, max_distance, hint);
-  // What is inside is met however deep.
+  // Points inside are found at any depth.
   if (!foot && d.bounds.contains(y) && (d.winding.empty() || d.winding.inside(d.mesh(), y)))
     foot = d.nearest(d.active, y, std::numeric_limits<double>::infinity(), hint);
   return foot ? d.query_foot(y, max_distance, *foot) : std::nullopt;
@@ -243,7 +243,7 @@ std::optional<SurfacePoint> MeshSurface::query_again(const Vec3& y, double max_d
   return d.query_foot(y, max_distance, d.on_face_or_edge(*foot, y));
 }
 
-// What is seen from y of its nearest point.
+// Result of a query for y from its nearest point c.
 std::optional<SurfacePoint> MeshSurface::Data::query_foot(const Vec3& y, double max_distance,
                                                           const FacetSearch::Foot& c) const {
   const int t = c.triangle;
@@ -271,7 +271,7 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
   if (c.feature == Feature::face) {
     s.normal = pseudonormal;
     s.distance = s.normal.dot(y - (bent ? c.point : d.facets.corner(t, 0)));
-    if ((s.distance < 0) != behind && s.distance != 0) {  // a facet that faces the inside, of no clean mesh
+    if ((s.distance < 0) != behind && s.distance != 0) {  // a facet that faces the inside, in an invalid mesh
       s.normal = -s.normal;
       s.distance = -s.distance;
     }
@@ -279,7 +279,7 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
     return s;
   }
   s.distance = behind ? -length : length;
-  // So near that the direction of r is rounding: any normal between those of the faces is right.
+  // The direction of r is round-off here; any normal between those of the faces is valid.
   if (length > 1e-4 * d.small)
     s.normal = (behind ? -1 : 1) * r.normalized();
   else
@@ -289,7 +289,7 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
     const double at = i == 0 ? c.u : i == 1 ? c.v : 1 - c.v;
     const SmoothPatch patch = d.facets.patch(t);
     const auto parallel = [&](const Vec3& v) { return v.cross(s.normal).norm() <= kSquare * v.norm(); };
-    // Two facets in one plane have no edge between them: the distance is that from the plane.
+    // Coplanar facets have no edge: the distance is that from the plane.
     s.curvature = parallel(patch.normal(c.u, c.v)) && parallel(pseudonormal)
                       ? curvature_over_patch(patch, c.u, c.v, s.normal, s.distance)
                       : curvature_over_edge(patch, i, at, s.normal, s.distance, d.small);
@@ -299,9 +299,9 @@ SurfacePoint MeshSurface::Data::point_at(const Vec3& y, const FacetSearch::Foot&
   return s;
 }
 
-// Second derivative of the distance at a point whose nearest point is a vertex. In general the distance is
-// that from the vertex. Where an edge at the vertex is square to s.normal, as where the vertex divides a
-// straight edge, it is that from the edge; where two such edges are not parallel, that from their plane.
+// Hessian of the distance for a nearest point at a vertex. In general the distance is that from the vertex.
+// If an edge at the vertex is perpendicular to s.normal, as where the vertex divides a straight edge, it is
+// that from the edge; if two such edges are not parallel, that from their plane.
 Mat3 MeshSurface::Data::curvature_at_vertex(int first, int corner, double length,
                                             const SurfacePoint& s) const {
   constexpr int kMost = 64;  // facets about a vertex

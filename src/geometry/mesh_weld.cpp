@@ -1,4 +1,4 @@
-// The merging of corners along open edges whose distance is small beside the edges there.
+// Merging of corners along open edges whose distance is small compared with the edges there.
 #include "hawser/geometry/mesh_weld.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kCrack = 1.0 / 100;  // of the shortest edge
+constexpr double kCrack = 1.0 / 100;  // fraction of the shortest edge
 
 }  // namespace
 
@@ -46,7 +46,7 @@ CrackResult weld_cracks(TriangleMesh& mesh) {
         group.unite(static_cast<int>(v), w);
     });
   }
-  // Of each group the corner of the most triangles, the lowest of those.
+  // In each group the corner with the most triangles, the lowest of equal ones.
   std::vector<int> keeps(n, -1);
   for (std::size_t v = 0; v < n; ++v) {
     int& best = keeps[static_cast<std::size_t>(group.smallest(static_cast<int>(v)))];

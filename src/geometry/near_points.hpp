@@ -1,4 +1,4 @@
-// Points that are near each other, found along a line that no regular mesh lies across.
+// Search for points near each other, sorted along a direction to which no regular mesh is perpendicular.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace hawser::detail {
 
 class NearPoints {
  public:
-  // The points outlive this.
+  // The points must outlive this object.
   explicit NearPoints(std::span<const Vec3> points) : points_(points), order_(points.size()), place_(order_) {
     const Vec3 direction = Vec3(std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0)).normalized();
     for (const Vec3& p : points) along_.push_back(direction.dot(p));
@@ -21,7 +21,7 @@ class NearPoints {
     std::sort(order_.begin(), order_.end(), [&](int a, int b) { return along(a) < along(b); });
     for (size_t k = 0; k < order_.size(); ++k) place_[static_cast<size_t>(order_[k])] = static_cast<int>(k);
   }
-  // what(w) for all other points w no farther from point v than `within` [m].
+  // Calls what(w) for all other points w within the distance `within` [m] of point v.
   template <class What>
   void each(int v, double within, const What& what) const {
     const double rounding = 1e-15 * point(v).norm();

@@ -1,5 +1,4 @@
-// Pieces of a mesh: which way the triangles of one face, and which lie inside which. Shared by the report and
-// the repairs of orientation.
+// Orientation and nesting of the pieces of a mesh, for inspection and repair.
 #pragma once
 
 #include <vector>
@@ -8,15 +7,16 @@
 
 namespace hawser::detail {
 
-// The triangles joined to `first` across edges of two, and in `turn` (-1: not seen yet) 1 for those that are
-// to be turned over so that all agree with it. False: the surface has one side only.
+// Collects the triangles connected with `first` across edges of two triangles. turn: -1 for unvisited
+// triangles; set to 1 for those that must be reversed to agree with `first`, else 0. Returns false if the
+// surface is one-sided.
 bool grow_patch(const MeshView& mesh, const Topology& topo, int first, std::vector<signed char>& turn,
                 std::vector<int>& patch);
 
 // Signed volume [m³] of each component.
 std::vector<double> component_volumes(const MeshView& mesh, const Topology& topo);
 
-// In how many other components each one lies (whatever their orientation).
+// Number of other components that contain each component, regardless of orientation.
 std::vector<int> nesting_depth(const MeshView& mesh, const Topology& topo);
 
 }  // namespace hawser::detail

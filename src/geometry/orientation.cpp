@@ -1,4 +1,4 @@
-// Which triangles of a mesh face which way: patches that agree, volumes of pieces and which lie in which.
+// Orientation of a mesh: consistent patches, volumes of pieces, and nesting of pieces.
 #include <cmath>
 
 #include "hawser/geometry/point_in_polyhedron.hpp"
@@ -45,7 +45,7 @@ bool grow_patch(const MeshView& mesh, const Topology& topo, int first, std::vect
 
 std::vector<double> component_volumes(const MeshView& mesh, const Topology& topo) {
   std::vector<double> volume(static_cast<std::size_t>(topo.components), 0);
-  // From a vertex of the piece itself, so that far-off pieces lose nothing.
+  // Relative to a vertex of the piece, so that distant pieces lose no digits.
   std::vector<int> origin(volume.size(), -1);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto c = static_cast<std::size_t>(topo.component[t]);

@@ -1,4 +1,4 @@
-// Rays from the triangles of a patch that tell its outside, and winding numbers that tell what it encloses.
+// Rays from the triangles of a patch that determine its outside, and winding numbers for what it encloses.
 #include "patch_visibility.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace hawser::detail {
 namespace {
 
-// Directions spread over the sphere (Fibonacci), so turned that none runs along an axis.
+// Directions distributed over the sphere (Fibonacci), rotated so that none is along an axis.
 Vec3 direction(int i, int n) {
   const double z = 1 - (2 * i + 1.0) / n, a = 2.399963229728653 * i + 0.3, r = std::sqrt(1 - z * z);
   return Vec3(r * std::cos(a), r * std::sin(a), z);
@@ -15,8 +15,8 @@ Vec3 direction(int i, int n) {
 
 constexpr int kRays = 9, kVoters = 15;
 
-// Rays both ways from the largest triangles of the patch: `visit` gets what each meets and whether it
-// leaves from the front.
+// Rays in both directions from the largest triangles of the patch. Calls tell(crossings, front): the number
+// of triangles the ray meets, and whether it starts at the front.
 template <class F>
 void each_ray(const MeshView& mesh, const WindingTree& tree, std::vector<int>& patch, F tell) {
   const auto larger = [&](int a, int b) {

@@ -1,4 +1,4 @@
-// What the triangles of a patch see: the outside, and an inside behind them.
+// Visibility of the triangles of a patch: the outside in front, and an inside behind.
 #pragma once
 
 #include <span>
@@ -8,17 +8,17 @@
 
 namespace hawser::detail {
 
-// Rays from the largest triangles of the patch vote. Above 0: its front sees the outside, as they meet an
-// even number of triangles on the way out.
+// Vote of rays from the largest triangles of the patch. > 0: its front faces the outside, because the rays
+// meet an even number of triangles.
 int front_sees_outside(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch);
 
-// Of such rays the share that meets nothing: that of one side less that of the other. 1: the patch has the
-// open before it and none of it behind; 0: the same on both sides, as a fin or a wall.
+// Fraction of such rays that meet nothing on one side, minus that on the other. 1: open space on one side
+// only; 0: equal on both sides, such as a fin or a wall.
 double one_sided_visibility(const MeshView& mesh, const WindingTree& tree, std::vector<int> patch);
 
-// Share of the area of the triangles that has an inside behind it and an outside before it: the winding
-// number on a triangle, its own angle excluded, is above `margin` and below 1 - margin. Of very many some are
-// asked.
+// Fraction of the triangles' area with an inside behind and the outside in front: the winding number on a
+// triangle, without its own angle, is between `margin` and 1 - margin. Of very many triangles only some are
+// sampled.
 double enclosing(const MeshView& mesh, const WindingTree& tree, std::span<const int> triangles,
                  double margin = 0.02);
 

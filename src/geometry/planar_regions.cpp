@@ -1,4 +1,4 @@
-// Planar regions of a mesh grown from triangle to triangle, and their least width.
+// Planar regions of a mesh, grown from triangle to triangle, and their smallest width.
 #include "planar_regions.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace hawser::detail {
 namespace {
 
-// Normals of a region lie within this of its first triangle's.
+// Largest angle between the normals of a region and that of its first triangle.
 constexpr double kFlat = 2e-3;  // rad
 
 double least_extent(const TriangleMesh& mesh, const std::vector<int>& region, const Vec3& normal) {

@@ -1,4 +1,4 @@
-// How wide the planar region around each triangle is.
+// Width of the planar region around each triangle.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,8 @@
 
 namespace hawser::detail {
 
-// Least extent [m] of the region of connected triangles in the plane of each triangle, in its two principal
-// directions. 0 for triangles of no area (`normals`: unit face normals, zero where there is none).
+// Smallest extent [m], of its two principal directions, of the region of connected triangles in the plane of
+// each triangle. 0 for triangles without area (`normals`: unit face normals, zero for these).
 std::vector<double> planar_widths(const TriangleMesh& mesh, const Topology& topo,
                                   const std::vector<Vec3>& normals);
 

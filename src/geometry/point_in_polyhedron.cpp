@@ -1,5 +1,5 @@
-// Three classical tests of a point in a closed mesh, of which that by a ray decides by exact signs, and
-// whether a mesh is convex.
+// Three classical tests for a point in a closed mesh, the one by a ray with exact signs, and a test for
+// convexity.
 #include "hawser/geometry/point_in_polyhedron.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ int exact_sign(const double (&product)[6][2]) {
     e[n++] = b;
   };
   for (const auto& f : product) {
-    volatile double high = f[0] * f[1];  // not to be fused with the sums
+    volatile double high = f[0] * f[1];  // must not be fused with the sums
     add(std::fma(f[0], f[1], -high));
     add(high);
   }
@@ -40,8 +40,8 @@ int exact_sign(const double (&product)[6][2]) {
   return sign(e[n - 1]);
 }
 
-// Side of the 2D point o of the line a -> b: 1 left, -1 right; never 0 unless a = b, as o is thought moved
-// by (eps, eps²).
+// Side of the 2D point o relative to the line a -> b: 1 left, -1 right; 0 only if a = b, because o is
+// considered moved by (eps, eps²).
 int side(const double o[2], const double a[2], const double b[2]) {
   const double ax = a[0] - o[0], ay = a[1] - o[1], bx = b[0] - o[0], by = b[1] - o[1];
   const double l = ax * by, r = ay * bx, det = l - r;
@@ -88,10 +88,10 @@ bool inside_by_ray(const MeshView& mesh, const Vec3& p, int axis) {
       q[i][0] = mesh.corner(t, i)[u];
       q[i][1] = mesh.corner(t, i)[v];
     }
-    // The sign of an edge must come out the same for both its triangles: exact up to reversal.
+    // The sign of an edge must be exactly opposite in its two triangles.
     const int s0 = side(o, q[0], q[1]), s1 = side(o, q[1], q[2]), s2 = side(o, q[2], q[0]);
     if (s0 == 0 || s0 != s1 || s1 != s2) continue;
-    // Seen along the axis the face points forward (s = 1) or back; the crossing is ahead when p is on the
+    // Along the axis the face points forward (s = 1) or backward; the crossing is ahead if p is on the
     // matching side of its plane.
     if (below(p, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)) == s0) crossings += s0;
   }
@@ -118,8 +118,8 @@ bool is_convex(const TriangleMesh& mesh, double tolerance) {
   const MeshView view(mesh);
   const Topology topo = topology(mesh);
   if (topo.components != 1 || topo.odd_edges > 0 || topo.non_manifold_edges > 0) return false;
-  // Locally convex everywhere and closed is convex (van Heijenoort 1952), unless it winds twice, which a
-  // surface without self-intersection cannot.
+  // A closed surface that is locally convex everywhere is convex (van Heijenoort 1952), unless it winds
+  // twice, which is impossible without self-intersection.
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 n = facet_normal(view, t);
     for (const int neighbour : topo.neighbours[t])

@@ -1,4 +1,4 @@
-// Plane and cylinder: distance with its derivatives.
+// Plane and cylinder: distance and its derivatives.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -24,7 +24,7 @@ std::optional<SurfacePoint> PlaneSurface::query(const Vec3& y, double max_distan
 }
 
 Box PlaneSurface::bounds() const {
-  // Only a plane across an axis bounds its half-space.
+  // Only a plane normal to an axis bounds its half-space.
   Box box = Box::everything();
   for (int i = 0; i < 3; ++i) {
     if (normal_[i] == 1) box.hi[i] = point_[i];
@@ -47,7 +47,7 @@ std::optional<SurfacePoint> CylinderSurface::query(const Vec3& y, double max_dis
   const double z = r.dot(axis_);
   const Vec3 radial = r - z * axis_;
   const double rho = radial.norm();
-  // On the axis any radial direction will do.
+  // On the axis any radial direction is valid.
   const Vec3 er = rho > 1e-12 * radius_ ? Vec3(radial / rho) : axis_.unitOrthogonal();
   const Vec3 ez = z < 0 ? Vec3(-axis_) : axis_;
   const double rho_safe = std::max(rho, 1e-6 * radius_);
@@ -76,7 +76,7 @@ std::optional<SurfacePoint> CylinderSurface::query(const Vec3& y, double max_dis
 }
 
 Box CylinderSurface::bounds() const {
-  // Half extent of a disc of radius R across the axis a: R sqrt(1 - a_i²).
+  // Half extent of a disc of radius R normal to the axis a: R sqrt(1 - a_i²).
   const Vec3 h =
       (half_length_ * axis_.cwiseAbs().array() + radius_ * (1 - axis_.array().square()).max(0.0).sqrt())
           .matrix();

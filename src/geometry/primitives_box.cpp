@@ -1,4 +1,4 @@
-// A box, perhaps turned: distance with its derivatives.
+// A rotated box: distance and its derivatives.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -16,7 +16,7 @@ BoxSurface::BoxSurface(const BoxShape& shape)
 std::optional<SurfacePoint> BoxSurface::query(const Vec3& y, double max_distance, int) const {
   const Vec3 p = axes_.transpose() * (y - centre_);
   const Vec3 over = p.cwiseAbs() - half_;
-  Vec3 normal = Vec3::Zero();  // in the box's axes, as the rest
+  Vec3 normal = Vec3::Zero();  // in the box's axes, like the rest
   Mat3 curvature = Mat3::Zero();
   int side[3] = {0, 0, 0};
   SurfacePoint s;
@@ -40,7 +40,7 @@ std::optional<SurfacePoint> BoxSurface::query(const Vec3& y, double max_distance
     }
     s.feature = outside == 1 ? Feature::face : outside == 2 ? Feature::edge0 : Feature::vertex0;
   } else {
-    // The nearest face; of several the first.
+    // Nearest face, the first of equal ones.
     int i = 0;
     for (int k = 1; k < 3; ++k)
       if (over[k] > over[i]) i = k;

@@ -8,16 +8,16 @@
 namespace hawser {
 namespace {
 
-constexpr int kAround = 64;   // facets about an axis; the corners lie on the surface
-constexpr int kQuarter = 12;  // facets along a quarter of a circle of the profile
+constexpr int kAround = 64;   // facets around an axis; the corners lie on the surface
+constexpr int kQuarter = 12;  // facets per quarter circle of the profile
 constexpr double kPi = std::numbers::pi;
 
 struct ProfilePoint {
   double rho, z;
 };
 
-// The profile turned about the axis through `origin`; outward when it runs from low to high z on the
-// outside. Points with rho = 0 are poles. A closed profile has its last point joined to the first.
+// Revolves the profile about the axis through `origin`; outward if it runs from low to high z on the outside.
+// Points with rho = 0 are poles. The last point of a closed profile is joined to the first.
 TriangleMesh revolve(const std::vector<ProfilePoint>& profile, const Vec3& origin, const Vec3& axis,
                      bool closed) {
   const Vec3 ex = axis.unitOrthogonal(), ey = axis.cross(ex);
@@ -98,7 +98,7 @@ struct Facets {
   TriangleMesh operator()(const TorusShape& s) const {
     std::vector<ProfilePoint> profile;
     arc(profile, s.radius, 0, s.tube_radius, 0, 2 * kPi, 2 * kQuarter);
-    profile.pop_back();  // the first again
+    profile.pop_back();  // duplicate of the first point
     return revolve(profile, s.centre, s.axis.stableNormalized(), true);
   }
 };

@@ -1,4 +1,4 @@
-// Sphere, capsule, torus: distance with its derivatives.
+// Sphere, capsule, torus: distance and its derivatives.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -8,8 +8,8 @@
 namespace hawser {
 namespace {
 
-// Below this part of its radius of curvature a distance counts as that: the Hessian stays bounded, and
-// directions stay defined on the medial axis.
+// Smallest distance as a fraction of the radius of curvature, which bounds the Hessian, and the distance
+// below which a point counts as on the medial axis.
 constexpr double kNear = 1e-6, kOnAxis = 1e-12;
 
 void need(bool condition, const char* sentence) {
@@ -18,7 +18,7 @@ void need(bool condition, const char* sentence) {
 
 Mat3 outer(const Vec3& a) { return a * a.transpose(); }
 
-// About the point c: distance |y - c| - radius. On the point itself the normal is `fallback`.
+// Distance |y - c| - radius about the point c. At c itself the normal is `fallback`.
 SurfacePoint about_point(const Vec3& y, const Vec3& c, double radius, const Vec3& fallback) {
   SurfacePoint s;
   const Vec3 r = y - c;
@@ -59,12 +59,13 @@ std::optional<SurfacePoint> CapsuleSurface::query(const Vec3& y, double max_dist
   const double z = (y - from_).dot(axis_);
   const bool side = z > 0 && z < length_;
   const Vec3 foot = side ? Vec3(from_ + z * axis_) : z > 0 ? to_ : from_;
-  // The ends of the axis point outward; between them any direction across it will do.
+  // At the ends of the axis the normal points outward along it; between them any perpendicular direction is
+  // valid.
   const Vec3 fallback = side ? axis_.unitOrthogonal() : z > 0 ? axis_ : Vec3(-axis_);
   SurfacePoint s = about_point(y, foot, radius_, fallback);
   if (s.distance > max_distance) return std::nullopt;
   if (side) {
-    // Rounding of the foot leaves a part along the axis that matters when y is near it.
+    // Rounding of the foot leaves an axial component, which matters if y is near the axis.
     const Vec3 across = s.normal - s.normal.dot(axis_) * axis_;
     s.normal = across.normalized();
     s.point = foot + radius_ * s.normal;
@@ -103,7 +104,7 @@ std::optional<SurfacePoint> TorusSurface::query(const Vec3& y, double max_distan
   SurfacePoint s = about_point(y, middle, tube_, er);
   if (s.distance > max_distance) return std::nullopt;
   const Vec3 et = axis_.cross(er);
-  // about_point's Hessian has 1 / l along the circle too; there the true one is (n er) / rho.
+  // about_point's Hessian has 1 / l along the circle too; the exact value is (n er) / rho.
   const double l = std::max(s.distance + tube_, kNear * tube_);
   s.curvature += (s.normal.dot(er) / std::max(rho, kNear * radius_) - 1 / l) * outer(et);
   return s;

@@ -1,4 +1,4 @@
-// Volumes of primitives, and triangle meshes that have them.
+// Volumes of primitives, and triangle meshes with the same volumes.
 #include <cmath>
 #include <stdexcept>
 
@@ -41,8 +41,8 @@ struct Enlarged {
 
 double volume(const Primitive& shape) { return std::visit(Volume{}, shape); }
 
-// The volume of the mesh is homogeneous in the radius, of a degree between 2 and 3 (0 for a box): each round
-// divides the error by at least three, of 0.2 % in the first.
+// The volume of the mesh is homogeneous in the radius with a degree between 2 and 3 (0 for a box). Each
+// iteration divides the error, initially 0.2 %, by at least three.
 TriangleMesh facets_of_volume(const Primitive& shape) {
   constexpr int kRounds = 40;
   constexpr double kRound = 1e-12;

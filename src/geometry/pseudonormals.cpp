@@ -1,4 +1,5 @@
-// Angle-weighted normals at the corners and edges of a mesh, and where they do not tell inside from outside.
+// Angle-weighted normals at the corners and edges of a mesh, and the features where they do not determine the
+// inside.
 #include "pseudonormals.hpp"
 
 #include <cmath>
@@ -9,7 +10,7 @@
 namespace hawser::detail {
 namespace {
 
-// Vertices whose triangles do not form one fan: the surface touches itself there.
+// Vertices whose triangles do not form a single fan, because the surface touches itself there.
 std::vector<bool> pinched(const MeshView& mesh, const Topology& topo) {
   // Corners (3 t + i) joined across the edges beside them.
   DisjointSets group(3 * mesh.triangles.size());

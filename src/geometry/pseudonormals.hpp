@@ -1,5 +1,5 @@
-// Angle-weighted pseudonormals of a closed oriented mesh (Bærentzen & Aanæs 2005), its facets flat or curved:
-// near a point of a curved surface only its tangent planes count.
+// Angle-weighted pseudonormals of a closed oriented mesh (Bærentzen & Aanæs 2005) with flat or curved facets;
+// near a point of a curved surface only its tangent planes matter.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,12 @@ class Pseudonormals {
   Pseudonormals() = default;
   Pseudonormals(const Facets& facets, const Topology& topo);
 
-  // Unit; zero if no area. Not kept: a search has just read the corners, and a normal of each would be a
-  // sixth of all that is known of a curved mesh.
+  // Unit normal of a face; zero without area. Not stored: a search has just read the corners, and stored
+  // normals would add a sixth to the memory of a curved mesh.
   static Vec3 face(const Facets& facets, int t) {
     return triangle_normal(facets.corner(t, 0), facets.corner(t, 1), facets.corner(t, 2));
   }
-  // face() of a facet of sound shape without the care that others need: to 1e-12.
+  // face() of a well-shaped facet by a fast formula, accurate to 1e-12.
   static Vec3 quick_face(const Facets& facets, int t) {
     const Vec3 n = quick_area(facets, t);
     return n.isZero(0) ? face(facets, t) : Vec3(n / n.norm());
@@ -31,10 +31,11 @@ class Pseudonormals {
   int neighbour(int t, int edge) const {
     return neighbours_[static_cast<std::size_t>(t)][static_cast<std::size_t>(edge)];
   }
-  // At p on facet t. Not unit; zero where it would not give the sign: non-manifold edges and vertices, beside
-  // triangles of no area, and where two faces are folded onto each other.
+  // Pseudonormal at p on facet t, not a unit vector; zero where it would not determine the sign: at
+  // non-manifold edges and vertices, next to triangles without area, and where two faces are folded onto each
+  // other.
   Vec3 at(const Facets& facets, int t, const PatchPoint& p) const;
-  // Whether all are defined at the vertices and edges of facets with area.
+  // Whether all pseudonormals at the vertices and edges of facets with area are defined.
   bool complete() const { return complete_; }
   template <class Self, class P>
   static void pack(Self& self, P& p) {
@@ -44,7 +45,7 @@ class Pseudonormals {
   }
 
  private:
-  // Twice the area, along the normal, of a facet of sound shape; else zero.
+  // Area vector times two of a well-shaped facet; else zero.
   static Vec3 quick_area(const Facets& facets, int t) {
     const Vec3 &a = facets.corner(t, 0), e = facets.corner(t, 1) - a, f = facets.corner(t, 2) - a;
     const Vec3 n = e.cross(f);

@@ -1,4 +1,4 @@
-// The first time that two moving segments are near each other, by conservative advancement.
+// First time at which two moving segments are near each other, by conservative advancement.
 #include "hawser/geometry/segment_ccd.hpp"
 
 #include <algorithm>

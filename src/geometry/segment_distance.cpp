@@ -1,4 +1,4 @@
-// The nearest points of two segments, with the same answer in whichever order they are given.
+// Nearest points of two segments, with the same result for either order of the segments.
 #include "hawser/geometry/segment_distance.hpp"
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace hawser {
 namespace {
 
-// Angle below which two directions are parallel to rounding.
+// Angle below which two directions are parallel to round-off.
 constexpr double kParallel = 1e-15;
-// Squares of squares of lengths beyond these would leave the range of double.
+// Lengths outside this range are scaled, because their fourth powers would leave the range of double.
 constexpr double kSmall = 1e-60, kLarge = 1e60;
 
 bool before(const Vec3& a, const Vec3& b) {
@@ -22,7 +22,7 @@ struct Best {
   Vec3 w = Vec3::Zero();
 };
 
-// |r + s u - t v| over the unit square. The lengths are in range and not all zero.
+// Minimum of |r + s u - t v| over the unit square. The lengths are in range and not all zero.
 Best solve(const Vec3& r, const Vec3& u, const Vec3& v) {
   const double uu = u.squaredNorm(), vv = v.squaredNorm();
   const auto at = [&](double s, double t) {
@@ -33,7 +33,7 @@ Best solve(const Vec3& r, const Vec3& u, const Vec3& v) {
     b.squared = b.w.squaredNorm();
     return b;
   };
-  // Nearest point of one segment to a given one of the other.
+  // Nearest point of one segment to a given point of the other.
   const auto on_v = [&](double s) { return vv > 0 ? std::clamp((r + s * u).dot(v) / vv, 0.0, 1.0) : 0.5; };
   const auto on_u = [&](double t) { return uu > 0 ? std::clamp((t * v - r).dot(u) / uu, 0.0, 1.0) : 0.5; };
 
@@ -47,7 +47,7 @@ Best solve(const Vec3& r, const Vec3& u, const Vec3& v) {
       if (t >= 0 && t <= 1) return at(s, t);
     }
   } else {
-    // Along the longer segment the other covers an interval; where they overlap, its middle.
+    // Parallel: the projection on the longer segment is an interval; if they overlap, its middle.
     const bool along_v = vv >= uu;
     const double p = along_v ? r.dot(v) / vv : -r.dot(u) / uu;
     const double q = along_v ? (r + u).dot(v) / vv : (v - r).dot(u) / uu;
@@ -57,7 +57,7 @@ Best solve(const Vec3& r, const Vec3& u, const Vec3& v) {
       return along_v ? at(on_u(middle), middle) : at(middle, on_v(middle));
     }
   }
-  // On an edge of the square; of equal ones the first.
+  // Minimum on an edge of the square, the first of equal ones.
   Best best = at(0, on_v(0));
   for (const Best& b : {at(1, on_v(1)), at(on_u(0), 0), at(on_u(1), 1)})
     if (b.squared < best.squared) best = b;
@@ -72,7 +72,7 @@ Vec3 point(const Vec3& p0, const Vec3& p1, double s) {
 }  // namespace
 
 SegmentPair closest_points_of_segments(const Vec3& a0, const Vec3& a1, const Vec3& b0, const Vec3& b1) {
-  // In one order always: rounding, which may not treat the two alike, is then the same.
+  // Always in the same order, so that rounding is the same.
   if (before(b0, a0) || (b0 == a0 && before(b1, a1))) {
     SegmentPair p = closest_points_of_segments(b0, b1, a0, a1);
     std::swap(p.s, p.t);
@@ -90,7 +90,7 @@ SegmentPair closest_points_of_segments(const Vec3& a0, const Vec3& a1, const Vec
     p.difference = best.w;
     p.distance = std::sqrt(best.squared);
   } else if (size > 0) {
-    // A power of two leaves the digits alone.
+    // Scaling by a power of two is exact.
     const int e = std::ilogb(size);
     const auto scaled = [](const Vec3& x, int by) {
       return Vec3(std::ldexp(x[0], by), std::ldexp(x[1], by), std::ldexp(x[2], by));

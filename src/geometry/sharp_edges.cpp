@@ -1,4 +1,4 @@
-// The edges of a mesh at which two triangles meet at an angle, or not two.
+// Edges of a mesh at which two triangles meet at an angle, or the number of triangles is not two.
 #include "hawser/geometry/sharp_edges.hpp"
 
 #include "edge_uses.hpp"

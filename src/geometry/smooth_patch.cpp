@@ -1,5 +1,5 @@
-// The nearest point of a quadratic patch by a Newton iteration inside and along its edges, and the curvature
-// of the distance there.
+// Nearest point of a quadratic patch by Newton's method inside and along its edges, and the curvature of the
+// distance there.
 #include "hawser/geometry/smooth_patch.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-// Barycentric coordinates (u, v) of the foot of x on the plane of the flat triangle, brought into it.
+// Barycentric coordinates (u, v) of the foot of x on the plane of the flat triangle, clamped to it.
 std::array<double, 2> flat_coordinates(const SmoothPatch& q, const Vec3& x) {
   const Vec3 e = q.p[1] - q.p[0], f = q.p[2] - q.p[0], r = x - q.p[0];
   const double ee = e.dot(e), ef = e.dot(f), ff = f.dot(f), er = e.dot(r), fr = f.dot(r);
@@ -26,8 +26,8 @@ struct OnCurve {
   double s, squared;
 };
 
-// Nearest point of p + s e + s (1 - s) c, 0 <= s <= 1: half the derivative of the squared distance is a
-// cubic; its root is bracketed from the best of a few places, which finds the nearer of two minima.
+// Nearest point of p + s e + s (1 - s) c, 0 <= s <= 1. Half the derivative of the squared distance is a
+// cubic, whose root is bracketed around the best of a few samples to find the lower of two minima.
 OnCurve nearest_on_curve(const Vec3& y, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 e = b - a;
   const auto at = [&](double s) {
@@ -68,7 +68,7 @@ OnCurve nearest_on_curve(const Vec3& y, const Vec3& a, const Vec3& b, const Vec3
 }  // namespace
 
 double SmoothPatch::bulge() const {
-  // b0 b1 c0 + b1 b2 c1 + b2 b0 c2: at most the largest bend times 1/3; on an edge only its own over 4.
+  // b0 b1 c0 + b1 b2 c1 + b2 b0 c2: at most a third of the largest bend; on an edge a quarter of its own.
   const double largest = std::max({c[0].norm(), c[1].norm(), c[2].norm()});
   const double sum = c[0].norm() + c[1].norm() + c[2].norm();
   return std::min(largest / 3, sum / 4);
@@ -89,7 +89,7 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
   for (int i = 0; i < 30 && !converged; ++i) {
     const Vec3 r = y - q.point(u, v);
     const double now = r.squaredNorm();
-    if (now > squared * (1 + 1e-12)) {  // too far: half the step
+    if (now > squared * (1 + 1e-12)) {  // too far: halve the step
       du *= 0.5;
       dv *= 0.5;
       u -= du;
@@ -106,7 +106,7 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
     muv -= r.dot(uv);
     mvv -= r.dot(vv);
     double det = muu * mvv - muv * muv;
-    // Beyond a centre of curvature the second derivative is not positive: Gauss and Newton's instead.
+    // Beyond a centre of curvature the second derivative is not positive: Gauss-Newton instead.
     if (!(muu > 0 && det > 1e-6 * (iuu * ivv - iuv * iuv))) {
       muu = iuu;
       muv = iuv;
@@ -134,7 +134,8 @@ PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& q) {
   const bool lost = !converged || std::min({b[0], b[1], b[2]}) < -0.25;
   out.squared_distance = found;
   for (int i = 0; i < 3; ++i) {
-    // Edge i lies where the coordinate of the opposite corner is zero; only edges in sight can be nearest.
+    // The coordinate of the opposite corner is zero on edge i; only edges near the foot can contain the
+    // nearest point.
     if (!lost && b[(i + 2) % 3] > 1e-3) continue;
     const std::size_t j = static_cast<std::size_t>(i), k = static_cast<std::size_t>((i + 1) % 3);
     const OnCurve c = nearest_on_curve(y, q.p[j], q.p[k], q.c[j]);
@@ -153,8 +154,8 @@ bool one_nearest_point(const Vec3& y, const SmoothPatch& q) {
   const Vec3 area = (q.p[1] - q.p[0]).cross(q.p[2] - q.p[0]);  // twice
   const double size = area.norm();
   if (!(size > 0)) return false;
-  std::array<double, 3> slope;  // 1/h_i, of barycentric coordinates
-  std::array<Vec3, 6> hull;     // control points from y
+  std::array<double, 3> slope;  // 1/h_i, gradients of the barycentric coordinates
+  std::array<Vec3, 6> hull;     // control points relative to y
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 &a = q.p[(i + 1) % 3], &b = q.p[(i + 2) % 3];
     slope[i] = (b - a).norm() / size;
@@ -176,7 +177,7 @@ Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& 
   const Vec3 a = q.by_u(u, v), b = q.by_v(u, v);
   const double aa = a.dot(a), ab = a.dot(b), bb = b.dot(b), area2 = aa * bb - ab * ab;
   if (!(area2 > 0)) return Mat3::Zero();
-  // In the orthonormal basis (e, f) of the tangent plane the curvatures are a symmetric 2 x 2 matrix.
+  // In the orthonormal basis (e, f) of the tangent plane the curvature is a symmetric 2 x 2 matrix.
   const double length = std::sqrt(aa), height = std::sqrt(area2) / length, shear = ab / length;
   const Vec3 e = a / length, f = (b - shear * e) / height;
   const double uu = 2 * n.dot(q.c[0]), uv = n.dot(q.c[0] + q.c[2] - q.c[1]), vv = 2 * n.dot(q.c[2]);
@@ -188,7 +189,7 @@ Mat3 curvature_over_patch(const SmoothPatch& q, double u, double v, const Vec3& 
     return k / std::copysign(std::max(std::abs(stretch), 1e-3), stretch);
   };
   const double most = carried(mean + half), least = carried(mean - half);
-  // The matrix with the same axes whose own values are those two.
+  // Matrix with the same axes and these two eigenvalues.
   const double middle = 0.5 * (most + least), ratio = half > 0 ? 0.5 * (most - least) / half : 0;
   const double across = ratio * ef;
   return (middle + ratio * (ee - mean)) * e * e.transpose() +

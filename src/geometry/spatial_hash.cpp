@@ -1,4 +1,4 @@
-// The building of a spatial hash: the size of its cubes, and which items come into each.
+// Construction of a spatial hash: size of the cubes, and items in each.
 #include "hawser/geometry/spatial_hash.hpp"
 
 #include <bit>
@@ -30,7 +30,7 @@ SpatialHash::SpatialHash(std::span<const Box> boxes, const std::vector<bool>& ch
     const Box& b = boxes[static_cast<std::size_t>(item)];
     return std::pair{cell_of(b.lo), cell_of(b.hi)};
   };
-  // Larger cubes until there are not too many to an item.
+  // Enlarge the cubes until there are not too many per item.
   for (fit();; side_ *= 1.5, fit()) {
     double sum = 0;
     for (const int i : which) {
@@ -40,7 +40,7 @@ SpatialHash::SpatialHash(std::span<const Box> boxes, const std::vector<bool>& ch
     if (sum <= kCubesOfItem * static_cast<double>(which.size())) break;
   }
   places_ = std::bit_ceil(2 * which.size());
-  // Counted first, then put one behind the other.
+  // Count the items, then store them contiguously.
   std::vector<std::uint32_t> first(places_ + 1, 0);
   const auto each = [&](auto&& what) {
     for (const int i : which) {

@@ -1,4 +1,4 @@
-// The sign of the distance to a mesh by a test of points in polyhedra or by the winding number.
+// Sign of the distance to a mesh from a point-in-polyhedron test or the winding number.
 #include "hawser/geometry/tested_surface.hpp"
 
 #include <limits>
@@ -31,7 +31,7 @@ bool TestedSurface::inside(const Vec3& y) const {
 
 std::optional<SurfacePoint> TestedSurface::query(const Vec3& y, double max_distance, int hint) const {
   const bool in = inside(y);
-  // What is inside is met however deep; under an inactive part it is not.
+  // A point inside is found at any depth, except below an inactive part.
   const bool deep = in && !partial_;
   auto p = mesh_->query(y, deep ? std::numeric_limits<double>::infinity() : max_distance, hint);
   if (!p) return p;

@@ -1,5 +1,4 @@
-// The topology of a mesh by its sorted edges, what is wrong with it in words, and the merging of equal
-// corners.
+// Topology of a mesh from its sorted edges, its inspection, and merging of equal corners.
 #include "hawser/geometry/triangle_mesh.hpp"
 
 #include <algorithm>
@@ -18,7 +17,7 @@
 namespace hawser {
 namespace {
 
-// For each vertex the lowest one it merges with.
+// Lowest vertex with which each vertex merges.
 std::vector<int> representatives(const std::vector<Vec3>& vertices, double tolerance) {
   const detail::NearPoints near(vertices);
   std::vector<int> same(vertices.size());

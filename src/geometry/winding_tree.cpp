@@ -1,4 +1,5 @@
-// Winding numbers and crossings of rays by a tree of clusters of triangles, far ones taken as dipoles.
+// Winding numbers and ray crossings from a tree of clusters of triangles, distant ones approximated by
+// dipoles.
 #include "hawser/geometry/winding_tree.hpp"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ double WindingTree::winding_number(const MeshView& mesh, const Vec3& p, double a
 
 bool WindingTree::inside(const MeshView& mesh, const Vec3& p) const {
   double w = 0;
-  // Margins twice the errors found on hulls and more (tests/unit/geometry_winding.cpp).
+  // Margins of twice the errors measured on hulls and more (tests/unit/geometry_winding.cpp).
   for (const auto& [accuracy, margin] :
        {std::pair{1.5, 0.3}, std::pair{3.0, 0.1}, std::pair{10.0, 3e-3}, std::pair{1e9, 0.0}}) {
     w = winding_number(mesh, p, accuracy);
@@ -90,7 +91,7 @@ int WindingTree::crossings(const MeshView& mesh, const Vec3& p, const Vec3& u, i
         const Vec3 a = mesh.corner(t, 0) - p, b = mesh.corner(t, 1) - p, c = mesh.corner(t, 2) - p;
         const double x = u.dot(a.cross(b)), y = u.dot(b.cross(c)), z = u.dot(c.cross(a));
         if (!((x > 0 && y > 0 && z > 0) || (x < 0 && y < 0 && z < 0))) return;
-        // Ahead when the volume and the side of passing agree.
+        // Ahead if the signs of the volume and of the side of passing agree.
         met += (a.dot(b.cross(c)) > 0) == (x > 0);
       });
   return met;

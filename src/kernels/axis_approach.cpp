@@ -1,5 +1,5 @@
-// Bisection of two moving element axes, with continuous collision detection of the chords of their pieces, by
-// which a step of contact between lines is judged.
+// Bisection of two moving element axes, with continuous collision detection of the chords of their pieces,
+// for the check of a step of contact between lines.
 #include "hawser/kernels/axis_approach.hpp"
 
 #include <algorithm>
@@ -10,26 +10,26 @@
 namespace hawser {
 namespace {
 
-// Chords are good to the first part of the distance in question; the search for the time to the second.
+// Relative accuracy of the chords and of the search for the time, as fractions of the distance in question.
 constexpr double kChord = 0.1, kSearch = 0.05;
 constexpr double kBelow = 0.75;
-// Of whatever the axes were apart, so that it never is the limit.
+// Any fraction of the initial distance, so that it is never the limit.
 constexpr double kAnyPart = 1e9;
-// Halvings of an axis, at most: its chords are then within rounding of it.
+// Largest number of halvings of an axis, after which chords are within rounding of it.
 constexpr int kMost = 14;
 
-// An axis at either end of the step.
+// Axis at both ends of the step.
 struct Moving {
   const AxisShape &from, &to;
-  double bend;  // m, the largest |d²x/dxi²| on the way
+  double bend;  // m, largest |d²x/dxi²| during the step
 
   Moving(const AxisShape& f, const AxisShape& t)
       : from(f), to(t), bend(std::max(f.bend_bound(), t.bend_bound())) {}
 };
 
 struct Piece {
-  double xi = 0;  // where it begins
-  int level = 0;  // it is 2^-level of the axis
+  double xi = 0;  // start
+  int level = 0;  // length is 2^-level of the axis
 
   double span() const { return 1.0 / (1 << level); }
   Piece half(int which) const { return {xi + 0.5 * which * span(), level + 1}; }
@@ -37,7 +37,7 @@ struct Piece {
     const double end = xi + span();
     return {m.from.point(xi), m.from.point(end), m.to.point(xi), m.to.point(end)};
   }
-  // m, how far the axis is from its chord, at most.
+  // m, upper bound of the axis's distance from its chord
   double error(const Moving& m) const { return 0.125 * span() * span() * m.bend; }
 };
 
@@ -79,7 +79,8 @@ Sides sides_kept(const AxisShape& a0, const AxisShape& a1, const AxisShape& b0, 
   const Moving a(a0, a1), b(b0, b1);
   const Sides kept = Search(a, b, limits).look({}, {});
   if (kept != Sides::near || !(limits.floor > 0)) return kept;
-  // Those that were nearer already, by more than what chords leave open, keep to the other limits.
+  // Axes that were already nearer, by more than the error of the chords, only need to satisfy the other
+  // limits.
   const Moving still_a(a0, a0), still_b(b0, b0);
   const ApproachLimits below{kBelow * limits.floor, kAnyPart, 0, -1};
   if (Search(still_a, still_b, below).look({}, {}) == Sides::kept) return kept;

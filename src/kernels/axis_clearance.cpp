@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostIterations = 30, kMostHalvings = 8, kMostLevels = 20;
 
-// A piece of an axis: where it begins, how much of the whole it is.
+// Piece of an axis: start and fraction of the whole.
 struct Piece {
   BezierAxis axis;
   double from = 0, share = 1;
@@ -37,7 +37,7 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
     double g = r.dot(a1), h = -r.dot(b1);
     double gg = a1.squaredNorm() + r.dot(a.bend(at.xi)), hh = b1.squaredNorm() - r.dot(b.bend(at.eta)),
            gh = -a1.dot(b1);
-    // At a side of the square that it would leave, along the side.
+    // At a side of the square that the step would leave, it follows the side.
     const bool no_xi = (at.xi <= 0 && g > 0) || (at.xi >= 1 && g < 0);
     const bool no_eta = (at.eta <= 0 && h > 0) || (at.eta >= 1 && h < 0);
     if (no_xi) {
@@ -52,7 +52,7 @@ AxisApproach polish(const BezierAxis& a, const BezierAxis& b, AxisApproach at) {
     }
     const double scale = std::max(a1.squaredNorm(), b1.squaredNorm());
     if (!(gg > 1e-12 * scale) || !(hh > 1e-12 * scale) || !(gg * hh - gh * gh > 1e-12 * gg * hh)) {
-      // Not convex here, or parallel: the slopes alone, a little stiffer.
+      // Not convex here, or parallel: Gauss-Newton, slightly stiffened.
       gg = no_xi ? 1 : a1.squaredNorm() + 1e-9 * scale;
       hh = no_eta ? 1 : b1.squaredNorm() + 1e-9 * scale;
       gh = no_xi || no_eta ? 0 : -a1.dot(b1);
@@ -89,7 +89,7 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
   bool found = false;
   struct Work {
     Piece a, b;
-    double least;  // a lower bound of their distance
+    double least;  // lower bound of the distance
     SegmentPair chords;
     int level;
   };
@@ -123,7 +123,7 @@ std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b,
       const auto h = halved(w.b);
       return std::array<Work, 2>{make(w.a, h[0], w.level + 1), make(w.a, h[1], w.level + 1)};
     }();
-    // The nearer one is looked at first.
+    // The nearer half is examined first.
     if (next[0].least < next[1].least) std::swap(next[0], next[1]);
     for (const Work& n : next)
       if (n.least < best.distance) stack.push_back(n);
@@ -147,7 +147,7 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
     Place p;
     p.xi = xi;
     Vec3 normal;
-    // A place further away than this has nothing nearer than the best in the pieces beside it.
+    // A farther point shows that the neighbouring pieces have nothing nearer than the best.
     if (const auto d = field(axis.point(xi), best.distance + piece, normal)) {
       p.distance = *d;
       p.slope = normal.dot(axis.slope(xi));
@@ -167,7 +167,7 @@ std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& a
     last = next;
     if (!lo.known || !hi.known || !(lo.slope < 0) || !(hi.slope > 0)) continue;
     if (0.5 * (lo.distance + hi.distance - piece) >= best.distance) continue;
-    // The root of the slope, by halves and false position in turn.
+    // Root of the slope, alternating between bisection and false position.
     for (int i = 0; i < 60 && hi.xi - lo.xi > 1e-14; ++i) {
       double xi = 0.5 * (lo.xi + hi.xi);
       if (i % 2 == 0) xi = lo.xi - lo.slope * (hi.xi - lo.xi) / (hi.slope - lo.slope);

@@ -1,5 +1,4 @@
-// The projection of a point onto an element axis by a bracketed Newton iteration, which gives contact of
-// lines with lines its nearest point.
+// Projection of a point onto an element axis by a bracketed Newton iteration, for contact between lines.
 #include "hawser/kernels/axis_closest_point.hpp"
 
 #include <algorithm>
@@ -20,7 +19,7 @@ AxisProjection point_at(const AxisShape& axis, double eta, const Vec3& x) {
   f.distance = f.away.norm();
   if (f.distance > 0)
     f.normal = f.away / f.distance;
-  else  // on the axis: no direction is nearer than another
+  else  // on the axis all normal directions are equivalent
     f.normal = axis.slope(eta).unitOrthogonal();
   return f;
 }

@@ -9,7 +9,8 @@
 namespace hawser {
 
 // With q = q1 q0^-1 = (w, v) and the tangents t0, t1: angle = 2 atan(v.t0 / w), the twist of the swing-twist
-// decomposition; it grows by g.dtheta, g = (t0 + t1)/(1 + t0.t1), dtheta a small turn in fixed axes.
+// decomposition. Its derivative is g.dtheta, g = (t0 + t1)/(1 + t0.t1), for a small rotation dtheta in fixed
+// axes.
 AxisRoll axis_roll(const Quat& q0, const Quat& q1, const Vec3& c) {
   const Vec3 t0 = q0 * c, t1 = q1 * c;
   const Quat q = q1 * q0.conjugate();

@@ -1,4 +1,4 @@
-// An element axis, cubic for beams and straight for cables, from its nodes, and how it is attached to them.
+// Axis of an element, cubic for beams and straight for cables, and its attachment to the nodes.
 #include "hawser/kernels/axis_shape.hpp"
 
 namespace hawser {

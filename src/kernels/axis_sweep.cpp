@@ -1,5 +1,5 @@
-// The bisection in space and time of the region that an element axis sweeps over in a step, which tells
-// whether the axis has passed through a thin body.
+// Bisection in space and time of the region that an element axis sweeps in a step, to detect passage through
+// a thin body.
 #include "hawser/kernels/axis_sweep.hpp"
 
 #include <algorithm>
@@ -8,12 +8,12 @@
 namespace hawser {
 namespace {
 
-constexpr double kDeep = 0.25, kClear = 0.75;  // of the radius, from the axis to the surface
+constexpr double kDeep = 0.25, kClear = 0.75;  // fractions of the radius, from axis to surface
 
-// A stretch of the axis, on a part of its way.
+// Piece of the axis during part of the step.
 struct Piece {
-  std::array<BezierAxis, 2> b;  // at the start and at the end of that part
-  double from = 0, to = 1;      // of the axis
+  std::array<BezierAxis, 2> b;  // at the start and end of that part
+  double from = 0, to = 1;      // interval of the axis
 };
 
 std::array<Piece, 2> halves(const Piece& p) {

@@ -1,5 +1,5 @@
-// Internal force and exact tangent of the beam element, with stiffness-proportional damping and with a length
-// that follows a force.
+// Internal force and exact tangent of the beam element, with stiffness-proportional damping and a length that
+// may follow a force.
 #include "hawser/kernels/beam.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ inline Mat slope_hessian(const Local& o, double a, Row da) {
   return outer(c * o.d, o.d) - identity(c) - outer(inverse * da, o.g) - outer(inverse * o.g, da);
 }
 
-// Blocks of a 9x9 in (d, theta1, theta2), d in the mean frame, to the 12x12 in space axes.
+// Converts blocks of a 9x9 in (d, theta1, theta2), d in the mean frame, to the 12x12 in space axes.
 struct Blocks {
   Mat dd, d1, d2, one_d, one_one, one_two, two_d, two_one, two_two;
 };
@@ -114,26 +114,26 @@ inline ByChord second_by_chord(const BeamSection& s, const Local& o) {
               identity(c) - outer(c * o.d, o.d)};
 }
 
-// By the unstretched length: the gradients (n, m) of the energy, at fixed chord and rotations.
+// Derivatives by the unstretched length of the gradients (n, m) of the energy, at fixed chord and rotations.
 struct ByLength {
   Row n, m;
 };
 
 ByLength by_length(const BeamSection& s, const Local& o) {
   const double iL = 1 / s.length;
-  // Of 12 EI/(L (1 + P)), over it.
+  // Derivative of 12 EI/(L (1 + P)) divided by it.
   const auto bend = [&](double EI) {
     const double P = flexibility(s, EI);
     return -iL * (1 - P) / (1 + P);
   };
   const double tension = o.N - o.EA * o.l * iL;  // d(N L)/dL
-  if (s.plastic)                                 // bends do not act on the feeder: beam_feed
+  if (s.plastic)                                 // plastic bending does not act on the feeder: beam_feed
     return {tension * o.eps_y - (o.N * iL) * o.d, tension * o.eps_psi - iL * Row{o.mpsi[0], 0, 0, 0}};
   return {tension * o.eps_y - (o.N * iL) * o.d + (bend(s.EI3) * o.m3) * o.da2 + (bend(s.EI2) * o.m2) * o.da3,
           tension * o.eps_psi - iL * o.mpsi};
 }
 
-// The same with what bends plastically, which the feeder does not feel: curvatures fall as 1/L.
+// Adds plastic bending, which does not act on the feeder: curvatures are proportional to 1/L.
 ByLength with_bends(const BeamSection& s, const BeamReference& r, const Local& o, ByLength by) {
   const Bending b = bending_by_law(s, r, o);
   const double q[4] = {o.psi[1] - r.psi[1], o.psi[2] - r.psi[2], o.a3, o.a2};

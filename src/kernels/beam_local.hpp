@@ -1,5 +1,5 @@
-// What the force, the tangent and the stresses of a beam element share: the co-rotational frame, the strains
-// and stresses in it, bending that is not linear.
+// Common parts of force, tangent and stresses of a beam element: the co-rotational frame, strains and
+// stresses in it, and nonlinear bending.
 #pragma once
 
 #include <cmath>
@@ -10,9 +10,9 @@
 
 namespace hawser::beam_local {
 
-using namespace wide;  // rows and matrices of the local element; hat and the rest are theirs
+using namespace wide;  // rows, matrices and hat() of the local element
 
-// tan(t/4)/t and (d/dt)/t of it: the skew part of the mean spin.
+// tan(t/4)/t and its (d/dt)/t: the skew part of the mean spin.
 inline void mean_spin_coefficient(double t2, double& tau, double& tau1) {
   if (t2 < 0.05) {
     tau = 0.25 + t2 * (1.0 / 192 + t2 * (1.0 / 7680 + t2 * (17.0 / 5160960)));
@@ -24,7 +24,7 @@ inline void mean_spin_coefficient(double t2, double& tau, double& tau1) {
   }
 }
 
-// Everything of the local element that force and tangent share, in element axes.
+// Quantities of the local element that force and tangent share, in element axes.
 struct Local {
   Mat Rm;          // element axes to space
   Row y, psi;      // chord in the mean frame, relative rotation
@@ -33,7 +33,7 @@ struct Local {
   double tau, tau1, eta, eta1;
   double l, a2, a3;     // |y|, 2 y2/(l + y1), 2 y3/(l + y1)
   Row d, da2, da3;      // gradients of l, a2, a3
-  Row g;                // of l + y1
+  Row g;                // gradient of l + y1
   Row eps_y, eps_psi;   // gradients of the strain
   double strain;        // from the stress-free state
   double k2, k3;        // 12 EI/(L (1 + P))
@@ -57,12 +57,12 @@ inline void spins(const BeamReference& r, const BeamEnds& e, Row& w1, Row& w2) {
   }
 }
 
-// Bending that is not linear: gradient and Hessian of its energy in (psi2, psi3, a3, a2).
+// Nonlinear bending: gradient and Hessian of its energy in (psi2, psi3, a3, a2).
 struct Bending {
   double energy = 0, g[4] = {}, H[4][4] = {};
 };
 
-// M(kappa) in the direction of the curvature: by kappa M' along it and M/kappa across it.
+// Moment M(kappa) in the direction of the curvature; stiffness M' along it and M/kappa across it.
 inline BendingMoment by_table(const BeamSection& s, double c2, double c3) {
   const double c = std::hypot(c2, c3), linear = s.EI2 - s.moment->initial();
   const ResponseCurve::Value v = s.moment->at(c);
@@ -79,7 +79,7 @@ inline BendingMoment by_table(const BeamSection& s, double c2, double c3) {
   return o;
 }
 
-// On top of it what EI2 = EI3 is above its first slope, elastic: a bend stiffener.
+// Plastic moment plus the excess of EI2 = EI3 over the initial slope, which is elastic: a bend stiffener.
 inline BendingMoment with_memory(const BeamSection& s, double c2, double c3, const double* set) {
   BendingMoment o = s.plastic->at(c2, c3, set);
   const double linear = s.EI2 - s.plastic->initial();
@@ -91,8 +91,8 @@ inline BendingMoment with_memory(const BeamSection& s, double c2, double c3, con
   return o;
 }
 
-// The curvature is linear along the element, (psi2 + 6 xi a3, psi3 - 6 xi a2)/L with xi from -1 to 1: what
-// the cubic deflection has, and for a constant EI the energy of the linear law.
+// The curvature is linear along the element, (psi2 + 6 xi a3, psi3 - 6 xi a2)/L with xi from -1 to 1: that of
+// the cubic deflection, which for a constant EI has the energy of the linear law.
 inline constexpr double kGauss[kBendingPlaces] = {-0.7745966692414834, 0, 0.7745966692414834};
 inline constexpr double kWeight[kBendingPlaces] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
 
@@ -114,7 +114,7 @@ inline Bending bending_by_law(const BeamSection& s, const BeamReference& r, cons
     const BendingMoment m =
         s.plastic ? with_memory(s, c.about2, c.about3, set) : by_table(s, c.about2, c.about3);
     b.energy += kWeight[k] * s.length * m.energy;
-    // By which of the two curvatures each variable is, and how much.
+    // Curvature component and factor of each variable.
     const int of[4] = {0, 1, 0, 1};
     const double by[4] = {1, 1, z, -z};
     for (int i = 0; i < 4; ++i) {
@@ -208,7 +208,7 @@ inline void kinematics(const BeamSection& s, const BeamReference& r, const BeamE
   o.m = (o.N * s.length) * o.eps_psi + o.mpsi;
 }
 
-// P: 12 EI/(GA L²).
+// P = 12 EI/(GA L²).
 inline double flexibility(const BeamSection& s, double EI) {
   return s.GA > 0 ? 12 * EI / (s.GA * s.length * s.length) : 0;
 }

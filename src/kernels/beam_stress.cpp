@@ -1,5 +1,5 @@
-// What is read off a beam element: section moments and energy, the force at a feeder, what plastic bending
-// remembers, the stress-free reference.
+// Evaluation of a beam element: section moments and energy, force on a feeder, plastic history, stress-free
+// reference.
 #include <cmath>
 
 #include "beam_local.hpp"
@@ -41,8 +41,8 @@ HAWSER_CLONES BeamStress beam_stress(const BeamSection& s, const BeamReference& 
     at(1, out.moment2, out.curvature2);
     return out;
   }
-  // The chord turns by +y3/l about axis 2 and by -y2/l about axis 3 against the mean frame. Of plastic
-  // bending, which is remembered inside the element, the linear moments that do the same work.
+  // The chord turns by +y3/l about axis 2 and by -y2/l about axis 3 relative to the mean frame. For plastic
+  // bending, whose history is inside the element, these are the linear moments that do the same work.
   const Vec3 bend(0, 0.5 * o.m2, -0.5 * o.m3), mean = vec(o.mpsi);
   out.moment1 = mean - bend;
   out.moment2 = mean + bend;

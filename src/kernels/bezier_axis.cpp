@@ -20,7 +20,7 @@ Vec3 BezierAxis::bend(double z) const {
 double BezierAxis::slope_bound() const {
   return 3 * std::max({(b[1] - b[0]).norm(), (b[2] - b[1]).norm(), (b[3] - b[2]).norm()});
 }
-// The two inner Bernstein polynomials never sum to more than 3/4.
+// The two inner Bernstein polynomials sum to at most 3/4.
 double BezierAxis::sagitta() const {
   return 0.75 * std::max((b[1] - (2 * b[0] + b[3]) / 3).norm(), (b[2] - (b[0] + 2 * b[3]) / 3).norm());
 }
@@ -39,7 +39,7 @@ std::array<BezierAxis, 2> BezierAxis::halves() const {
   const Vec3 pq = 0.5 * (p + q), qr = 0.5 * (q + r), m = 0.5 * (pq + qr);
   return {BezierAxis{{b[0], p, pq, m}}, BezierAxis{{m, qr, r, b[3]}}};
 }
-// De Casteljau's: the polar form of the cubic at all choices of the two ends.
+// De Casteljau's algorithm: the polar form of the cubic for all combinations of the two ends.
 BezierAxis BezierAxis::part(double from, double to) const {
   const auto blossom = [this](double r, double s, double t) {
     std::array<Vec3, 4> p = b;

@@ -1,4 +1,4 @@
-// Force of wind or current on a body by coefficients of its direction, with its exact derivatives.
+// Force of wind or current on a body from coefficients by direction, with exact derivatives.
 #include "hawser/kernels/body_flow.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ void FlowCoefficients::at(double direction, Vec3& C, Vec3& by_direction) const {
   if (p.low != p.high) by_direction = change / all_round(direction_[p.high] - direction_[p.low]);
 }
 
-// With U² = c_x² + c_y²: d U² = 2 (c_x, c_y)·dc and U² da = (-c_y, c_x)·dc, so that nothing is divided by U.
+// With U² = c_x² + c_y²: d U² = 2 (c_x, c_y)·dc and U² da = (-c_y, c_x)·dc, which avoids division by U.
 FlowForce flow_force(const BodyFlow& b, double cx, double cy) {
   FlowForce out;
   Vec3 C, by_direction;
@@ -53,8 +53,8 @@ Vec3 relative_flow(const BodyFlow& b, const RigidBodyState& s, const Vec3& veloc
   return s.q.conjugate() * (velocity - s.v) - s.w.cross(b.arm);
 }
 
-// With u' = R^T (u - v), c = u' - w x arm and the height of the point z:
-//   dc = u'^ dphi - R^T dv + arm^ dw + R^T u_z dz,   dz = e_z·dx - (R^T e_z x arm)·dphi ... of -R arm^ dphi
+// With u' = R^T (u - v), c = u' - w x arm and the height z of the point:
+//   dc = u'^ dphi - R^T dv + arm^ dw + R^T u_z dz,   dz = e_z·dx - (R^T e_z x arm)·dphi
 //   d (R F) = R (dF - F^ dphi)
 BodyFlowResidual body_flow(const BodyFlow& b, const RigidBodyState& s, const FlowVelocity& flow) {
   BodyFlowResidual out;

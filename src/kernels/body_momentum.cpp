@@ -1,4 +1,4 @@
-// Momenta of a rigid body over a step: forces, exact matrices, what is carried to the next step.
+// Momenta of a rigid body over a step: forces, exact matrices, and state for the next step.
 #include "hawser/kernels/body_momentum.hpp"
 
 #include "hawser/kernels/coupled_mass.hpp"
@@ -15,7 +15,7 @@ Vec6 rates_in_body(const RigidBodyState& s) {
   return rates;
 }
 
-// The same force and moment about a point that is d away.
+// Force and moment about a point at the distance d.
 Wrench about(const Wrench& of, const Vec3& d) {
   Wrench out = of;
   out.tail<3>() -= d.cross(of.head<3>());
@@ -54,12 +54,12 @@ Wrench momentum_rate(const RigidBodyData& body, const RigidBodyState& s) {
   return out;
 }
 
-// With k the weight of the mean over h, d the way of the centre of mass, and what is carried (F, M) about its
-// start:
+// With k the weight of the mean divided by h, d the displacement of the centre of mass, and the carried part
+// (F, M) about its start:
 //   f = k (P - P0) + F,   t = R^T [k (L - L0 + d x P0) + M - d x F] = k R^T L + R^T y
 //   y = -k L0 + M + d x g,   g = k P0 - F
-// since the change of angular momentum about the start is L + d x P - L0, and the moment about the end is
-// less by d x f.
+// because the change of angular momentum about the start is L + d x P - L0, and the moment about the end is
+// smaller by d x f.
 void add_momentum(const Mat6& N, const MeanWeights& scheme, double h, const RigidBodyState& start,
                   const MomentumForces& from, const RigidBodyState& s, RigidBodyResidual& to) {
   const double k = scheme.weight() / h;
@@ -71,7 +71,7 @@ void add_momentum(const Mat6& N, const MeanWeights& scheme, double h, const Rigi
   to.inertia.head<3>() += k * (R * p) - g;
   to.inertia.tail<3>() += k * own.tail<3>() + y;
 
-  // dU = U^ phi + R^T dv, d(R p) = R (dp - p^ phi), d(R^T y) = y^ phi - R^T g^ dx in axes of the body.
+  // dU = U^ phi + R^T dv, d(R p) = R (dp - p^ phi), d(R^T y) = y^ phi - R^T g^ dx, in body axes.
   const Mat3 U = hat(Vec3(rates.head<3>()));
   const Mat3 A = N.topLeftCorner<3, 3>(), B = N.topRightCorner<3, 3>(), D = N.bottomRightCorner<3, 3>();
   to.K.topRightCorner<3, 3>() += k * R * (A * U - hat(p));

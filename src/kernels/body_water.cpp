@@ -1,5 +1,5 @@
-// Buoyancy, drag and inertia of the water on a rigid body: force, exact matrices by position, rotation, their
-// velocities and accelerations, and the potential of buoyancy.
+// Buoyancy, drag and inertia of the water on a rigid body: force, exact matrices by position, rotation and
+// their rates, and the potential of buoyancy.
 #include "hawser/kernels/body_water.hpp"
 
 #include <cmath>
@@ -14,13 +14,13 @@ double depth(const BodyInWater& b, const RigidBodyState& s, double surface) {
   return (surface - s.x.z() - (s.q * b.centre).z()) / (0.5 * b.height);
 }
 
-// Both forces of a body that is wholly wet, in its axes.
+// Forces on a fully submerged body, body axes.
 struct Whole {
   Vec3 at_centre, at_drag;
-  Vec3 steady;    // of at_centre: what does not turn with the body
-  Vec3 relative;  // m/s², acceleration of the water less that of the body
-  Vec3 flow;      // m/s, velocity of the water less that of the body
-  Vec3 g;         // m/s², acceleration of the centre less that of the centre of mass
+  Vec3 steady;    // part of at_centre that does not turn with the body
+  Vec3 relative;  // m/s², acceleration of the water minus that of the body
+  Vec3 flow;      // m/s, velocity of the water minus that of the body
+  Vec3 g;         // m/s², acceleration of the centre minus that of the centre of mass
 };
 
 Whole whole(const BodyInWater& b, const RigidBodyState& s, const Water& centre, const Water& drag) {
@@ -43,8 +43,8 @@ Vec3 body_drag(const BodyInWater& b, const Vec3& u) {
   return b.drag.cwiseProduct(Vec3(across * u.x(), across * u.y(), std::abs(u.z()) * u.z()));
 }
 
-// d(|u| c o u) = (|u| diag(c) + (c o u) u'/|u|) du, of the velocity across likewise; d(|u_z| u_z) = 2 |u_z|
-// du_z.
+// d(|u| c o u) = (|u| diag(c) + (c o u) u'/|u|) du, likewise for the transverse velocity; d(|u_z| u_z) = 2
+// |u_z| du_z.
 Mat3 body_drag_by_velocity(const BodyInWater& b, const Vec3& u) {
   const Vec3 counts = b.cross_flow ? Vec3(u.x(), u.y(), 0) : u;
   const double speed = counts.norm();
@@ -78,8 +78,8 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
       -wet.share * (b.centre.cross(o.at_centre) + b.drag_centre.cross(o.at_drag));
   if (!tangent) return;
   const Mat3 R = s.q.toRotationMatrix(), c = hat(b.centre), d = hat(b.drag_centre);
-  const Vec3 up = R.row(2);  // in the body's axes
-  // The wet share by position and rotation: less where the centre rises.
+  const Vec3 up = R.row(2);  // body axes
+  // Derivative of the wet share by position and rotation: it decreases as the centre rises.
   Vec6 rise;
   rise << Vec3::UnitZ(), b.centre.cross(up);
   const Vec6 shares = -wet.slope / (0.5 * b.height) * rise;
@@ -91,10 +91,10 @@ void body_water(const BodyInWater& b, const RigidBodyState& s, const Water& cent
         (Mat3::Identity() - b.centre * b.centre.transpose() / std::max(b.centre.squaredNorm(), 1e-300));
     return;
   }
-  // Drag by the velocity of the water.
+  // Derivative of drag by the water velocity.
   const Mat3 D = body_drag_by_velocity(b, o.flow);
   const Mat3 A = b.added.asDiagonal();
-  // Of the two forces in the body's axes, by (x, theta), (v, w), (a, alpha).
+  // Derivatives of the two forces in body axes by (x, theta), (v, w), (a, alpha).
   Columns centre_K = Columns::Zero(), centre_C = Columns::Zero(), centre_M = Columns::Zero();
   Columns drag_K = Columns::Zero(), drag_C = Columns::Zero();
   centre_K.rightCols<3>() = hat(o.steady) + A * hat(o.relative + o.g);

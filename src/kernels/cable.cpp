@@ -109,7 +109,7 @@ Mean mean_of(const CableSection& s, const CableStart& from, const CableStep& ste
   const double strain_change = strain - from.strain;
   o.slope = e.slope;
   if (strain > 0) o.slope += s.EA * (beta / step.h + step.filter);
-  // Where only a part of the change is taut, the share depends on the strain at the end.
+  // If only a part of the change is taut, the share depends on the strain at the end.
   if (e.share < 1 && strain_change != 0)
     o.slope -= step.filter * s.EA * from.strain_increment * ((strain > 0 ? 1 : 0) - e.share) / strain_change;
   return o;
@@ -156,7 +156,7 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
                      const Vec3& x2) {
   const Mean m = mean_of(s, from, step, x2 - x1);
   // If the unstretched length changes, the change of the chord has two parts: the mean length times the
-  // change of strain, on which the material's forces do work, and the mean stretch times the length let out
+  // change of strain, on which the material's forces do work, and the mean stretch times the paid-out length
   // (docs/theory/feeders.md#energy). `elongation` is the first part.
   const double fed_length = s.length - from.unstretched_length,
                stretch =
@@ -167,8 +167,8 @@ CableLoss cable_loss(const CableSection& s, const CableStart& from, const CableS
                             : 0.5 * (s.axial(std::max(from.strain, 0.0)).energy +
                                      s.axial(std::max(m.l / s.length - 1 - s.free_strain, 0.0)).energy);
   const double fed = (energy - m.tension * stretch) * fed_length;
-  // The element would push, so its tension is set to 0. The work of the spring is then counted as loss of the
-  // damper, or of the filter where there is no damper.
+  // The element would push, so its tension is 0. The work of the spring is then counted as loss of the
+  // damper, or of the filter if there is no damper.
   if (m.tension == 0) {
     const double spent = -m.elastic * elongation;
     return from.beta > 0 ? CableLoss{spent, 0, 0, fed} : CableLoss{0, spent, 0, fed};

@@ -1,5 +1,5 @@
-// Parabolas through what is remembered at Gauss points, their projection onto other stretches of the
-// material, and the work of a feeder on bends that enter and leave.
+// Parabolas through the plastic history at Gauss points, their projection onto other stretches of the
+// material, and the work of a feeder on plastic bending that enters and leaves.
 #include "hawser/kernels/carried_bends.hpp"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ void remember_cells(std::span<const RememberedCell> cells, std::size_t n, double
   }
 }
 
-// dU/dL = w at the feeder + the integral of M times the change of the curvature of the material with L.
+// dU/dL = w at the feeder + the integral of M times the derivative of the material's curvature by L.
 double fed_bending_work(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool at_b,
                         const double* entering) {
   Local o;
@@ -48,7 +48,7 @@ double fed_bending_work(const BeamSection& s, const BeamReference& r, const Beam
     const Curvature c = curvature_at(s, r, o, xi);
     const BendingMoment m =
         with_memory(s, c.about2, c.about3, r.set ? r.set + static_cast<size_t>(k) * n : nullptr);
-    // The label s = (1 + side xi) L/2 stays: xi falls with L by (side + xi)/L.
+    // At constant label s = (1 + side xi) L/2, xi decreases with L by (side + xi)/L.
     const double turn = -6 * (side + xi) / s.length;
     sum += kWeight[k] * (m.m[0] * (turn * o.a3 - c.about2) - m.m[1] * (turn * o.a2 + c.about3));
   }

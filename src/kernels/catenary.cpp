@@ -1,5 +1,5 @@
-// The chord and the compliance of one elastic catenary section in closed form, and Newton's method for the
-// end tension of a line of several sections.
+// Chord and compliance of one elastic catenary section in closed form, and Newton's method for the end
+// tension of a line of several sections.
 #include "hawser/kernels/catenary.hpp"
 
 #include <algorithm>
@@ -8,10 +8,11 @@
 
 namespace hawser {
 
-// T(s) = tension - load s, r' = n T/|T| + T/EA, n = 1 + free strain. With e = load/w, T = tau e + p, tau from
-// c to c1 = c - w L: r(L) = n (A p + (|T0| - |T1|)/w e) + (mean tension) L/EA, A = ∫ds/|T| = (asinh(c/h) -
-// asinh(c1/h))/w, h = |p|.
-// Written without the cancellations that come as w -> 0 or h -> 0.
+// T(s) = tension - load s, r' = n T/|T| + T/EA, n = 1 + free strain. With e = load/w and T = tau e + p, tau
+// from c to c1 = c - w L, h = |p|:
+//   r(L) = n (A p + (|T0| - |T1|)/w e) + (mean tension) L/EA
+//   A = ∫ds/|T| = (asinh(c/h) - asinh(c1/h))/w
+// Written without the cancellations for w -> 0 or h -> 0.
 Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double EA, Mat3* derivative,
                     double free_strain) {
   const double natural = 1 + free_strain;
@@ -25,7 +26,7 @@ Vec3 catenary_chord(const Vec3& tension, const Vec3& load, double length, double
   const Vec3 e = w > 0 ? Vec3(load / w) : Vec3(tension / t0);
   const double c = w > 0 ? tension.dot(e) : 0, c1 = c - w * length;
   const Vec3 p = w > 0 ? Vec3(tension - c * e) : tension;
-  // A fold with no transverse force has infinite compliance; keep it finite.
+  // A fold without transverse force has infinite compliance; this bounds it.
   const double h = std::max(p.norm(), 1e-14 * (t0 + t1));
 
   const double along = length * (c + c1) / (t0 + t1);  // ∫tau/|T| ds
@@ -81,7 +82,7 @@ Vec3 CatenaryShape::tension(double s) const {
 namespace {
 
 struct Totals {
-  double length = 0, compliance = 0;  // without tension; sum of L/EA
+  double length = 0, compliance = 0;  // unstretched length including free strain; sum of L/EA
   bool loaded = false;
   Vec3 load = Vec3::Zero();  // weight of the line and its point loads, without the last end load
 };
@@ -113,7 +114,7 @@ Vec3 whole_chord(const Vec3& tension_a, const std::vector<CatenarySection>& sect
   return chord;
 }
 
-// Jonkman (2007), after Peyrot & Goulois: the parabola's lambda for a line of the mean load.
+// Jonkman (2007), after Peyrot & Goulois: the parabola's lambda for a line with the mean load.
 Vec3 first_tension(const Vec3& span, const Totals& t) {
   const double W = t.load.norm(), distance = span.norm();
   Vec3 tension = Vec3::Zero();
@@ -153,7 +154,7 @@ CatenaryShape catenary(const Vec3& end_a, const Vec3& end_b, const std::vector<C
     const Vec3 step = -stiffness.ldlt().solve(error);
     const double slope = error.dot(step);
     if (!(slope < 0)) break;
-    // The energy along the step is convex: stop where its slope has halved or not yet changed sign.
+    // The energy along the step is convex: stop when its slope has halved without changing sign.
     double low = 0, high = 0, a = 1, slope_a = 0;
     for (int search = 0; search < 100; ++search) {
       error = whole_chord(x + a * step, sections, &stiffness) - span;

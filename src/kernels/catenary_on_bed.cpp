@@ -1,4 +1,4 @@
-// Newton's method for the horizontal and vertical end tension of a catenary that lies in part on the seabed,
+// Newton's method for the horizontal and vertical end tension of a catenary that lies partly on the seabed,
 // and position and tension along its grounded part.
 #include "hawser/kernels/catenary_on_bed.hpp"
 
@@ -28,26 +28,26 @@ Vec3 CatenaryOnBed::tension(double s) const {
 
 namespace {
 
-// In the vertical plane through the ends.
+// Point in the vertical plane through the ends.
 struct Plane {
   double x = 0, z = 0;
 };
 
-// Where end B comes to when it is pulled by (H, V), and its derivatives.
+// Position of end B under the pull (H, V), and its derivatives.
 struct EndB {
   Plane at;
   double xx = 0, xz = 0, zz = 0;  // d at / d (H, V), symmetric
-  size_t lowest = 0;              // section that hangs lowest, in part or as a whole
-  double hanging = 0;             // m of it that hangs
+  size_t lowest = 0;              // section that hangs lowest, in part or in full
+  double hanging = 0;             // m, hanging length of that section
   double V = 0;                   // N, vertical tension at its lower end
 };
 
-// With a line that is pulled down to the bed, its lower end follows the pull and what lies grows by what
-// hangs less: but for stretch these cancel, and so does not stand in the derivatives.
+// When the line is lowered to the bed, the touchdown point moves and the grounded length grows by what the
+// hanging length loses. Except for stretch these effects cancel and are absent from the derivatives.
 EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double friction, double slope, double H,
                      double V) {
   EndB r;
-  const double lies = H * slope;  // the vertical tension of what runs along the bed
+  const double lies = H * slope;  // vertical tension of the line along the bed
   const double along = std::hypot(1, slope);
   size_t i = sections.size();
   bool down = false;
@@ -81,7 +81,7 @@ EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double fricti
     r.V = start.z();
     top = bottom;
   }
-  // What lies.
+  // The grounded part.
   double T = H * along;
   for (size_t k = r.lowest + 1; k-- > 0;) {
     const CatenarySection& s = sections[k];
@@ -100,13 +100,14 @@ EndB end_b_pulled_by(const std::vector<CatenarySection>& sections, double fricti
   return r;
 }
 
-// A pull at end B, N, and where it brings that.
+// Pull at end B, N, and the position of end B.
 struct Pull {
   double H = 0, V = 0;
   EndB end;
 };
 
-// By the parabola of a line of this length [m] and weight [N] between the ends, or by its stretch.
+// Estimate from the parabola of a line of this length [m] and weight [N] between the ends, or from its
+// stretch.
 Pull first_guess(const std::vector<CatenarySection>& sections, double length, double weight,
                  const Plane& to) {
   double lambda = 0.2;
@@ -115,7 +116,7 @@ Pull first_guess(const std::vector<CatenarySection>& sections, double length, do
   lambda = std::max(lambda, 0.2);
   const double w = weight / length;
   double H = w * to.x / (2 * lambda), V = 0.5 * w * (to.z / std::tanh(lambda) + length);
-  // What the ends' distance is beyond the length stretches the line.
+  // The excess of the ends' distance over the length stretches the line.
   if (std::hypot(to.x, to.z) > length) {
     double compliance = 0;
     for (const CatenarySection& s : sections) compliance += s.length / s.EA;
@@ -126,7 +127,7 @@ Pull first_guess(const std::vector<CatenarySection>& sections, double length, do
   return {H, V, {}};
 }
 
-// The pull that brings end B to a place, by Newton's method; `scale` [m] is what the distance is measured by.
+// Pull that brings end B to a position, by Newton's method; `scale` [m] is the reference of the distance.
 std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double friction, double slope,
                             const Plane& to, double scale, const Pull& first) {
   double H = first.H, V = first.V;
@@ -136,7 +137,7 @@ std::optional<Pull> pull_to(const std::vector<CatenarySection>& sections, double
     const double ex = r.at.x - to.x, ez = r.at.z - to.z, det = r.xx * r.zz - r.xz * r.xz;
     if (!(det > 0)) return {};
     double dH = -(r.zz * ex - r.xz * ez) / det, dV = -(r.xx * ez - r.xz * ex) / det;
-    // Neither changes its sign; then down the slope of the convex complementary energy.
+    // Neither component changes its sign; within this limit, descent of the convex complementary energy.
     double most = 1;
     if (dH < 0) most = std::min(most, 0.9 * H / -dH);
     if (dV < 0) most = std::min(most, 0.9 * V / -dV);

@@ -1,5 +1,5 @@
-// Lower bounds of the distance between an element axis and a volume from distances already known, which spare
-// most searches for contact.
+// Lower bounds of the distance between an element axis and a volume from known distances, which save most
+// searches for contact.
 #include "hawser/kernels/clearance_tube.hpp"
 
 #include <algorithm>
@@ -18,10 +18,10 @@ double least_between(double w, double a, double b, double slope, double bend) {
   const double span = slope * w, straight = 0.5 * (a + b - span);
   if (!(a > 0 && b > 0)) return straight;
   const double p = a * a, q = b * b;
-  // Half the second derivative of the square is at most |x'|² + distance |x''|.
+  // Half the second derivative of the squared distance is at most |x'|² + distance |x''|.
   const double c = span * span + (std::max(a, b) + span) * bend * w * w;
   if (!(c > 0)) return std::min(a, b);
-  // Least of (1 - t) p + t q - c t (1 - t).
+  // Minimum of (1 - t) p + t q - c t (1 - t).
   const double t = std::clamp(0.5 - (q - p) / (2 * c), 0.0, 1.0);
   const double square = (1 - t) * p + t * q - c * t * (1 - t);
   return square > 0 ? std::max(straight, std::sqrt(square)) : straight;

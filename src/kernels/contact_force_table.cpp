@@ -1,4 +1,4 @@
-// Contact force given as a table over penetration: its rows begin at zero, and the cubic through them gives
+// Contact force from a table by penetration: the rows begin at zero, and the cubic through them defines
 // force, stiffness and potential.
 #include "hawser/kernels/contact_force_table.hpp"
 

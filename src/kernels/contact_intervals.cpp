@@ -1,5 +1,5 @@
-// The search along an element axis for intervals with a negative gap, where they are split and cut, and the
-// Gauss points of the integral over them.
+// Search along an element axis for intervals with a negative gap, their division into panels, and the Gauss
+// points of the integral over them.
 #include "hawser/kernels/contact_intervals.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-// Of the ends, in xi. The contact force is zero there, so an error of an end enters the integral squared.
+// Error of interval ends in xi. The contact force is zero there, so the error enters the integral squared.
 constexpr double kRoot = 1e-10;
 constexpr int kMost = 100;
 constexpr int kFiner = 4;  // further halvings where contact is not excluded
@@ -43,15 +43,15 @@ class Scan {
   }
 
  private:
-  // No contact between two points out of contact.
+  // Whether there is certainly no contact between two points out of contact.
   bool apart(double w, double A, double B) const {
     const double far = bounds_.contact_distance;
     return A + B >= slope_bound_ * w ||
            (far > 0 && least_between(w, A + far, B + far, slope_bound_, bounds_.bend) > far);
   }
 
-  // Whether the gap is neither convex nor concave (then its mean slope were between those at the ends) where
-  // that may matter: the cubic through the ends, off their chord by at most `off`, might change its sign
+  // Whether the gap is neither convex nor concave (else its mean slope would be between those at the ends)
+  // where that may matter: the cubic through the ends, at most `off` from their chord, might change its sign
   // twice.
   bool mixed(double w, const AxisGap& A, const AxisGap& B) const {
     const double mean = (B.gap - A.gap) / w, slack = 1e-9 * slope_bound_;
@@ -69,8 +69,8 @@ class Scan {
       out_.push_back(s);
   }
 
-  // Both ends touch. The gap may rise from an end above zero and fall again, over a kink even within a small
-  // part of the piece: looked for as long as the tangents at the ends, which no concave gap exceeds, allow
+  // Both ends are in contact. The gap may rise above zero and fall again, at a kink even within a small part
+  // of the piece. The search continues as long as the tangents at the ends, which bound a concave gap, allow
   // it.
   void arch(double a, const AxisGap& A, double b, const AxisGap& B) {
     const double first = a, last = b, wide = slope_bound_ * (b - a);
@@ -103,12 +103,12 @@ class Scan {
     add({first, last, false, false});
   }
 
-  // Neither end touches and the gap falls from both: contact if the minimum is below zero.
+  // Neither end is in contact, and the gap decreases inwards from both: contact if the minimum is below zero.
   void dip(double a, AxisGap A, double b, AxisGap B) {
     const double first = a, last = b;
     const AxisGap F = A, L = B;
     for (int i = 0; i < kMost && b - a > kRoot; ++i) {
-      // Where the two tangents meet: no convex gap goes below.
+      // Intersection of the two tangents, a lower bound of a convex gap.
       const double z = (B.gap - A.gap - B.slope * (b - a)) / (A.slope - B.slope);
       if (A.gap + A.slope * z >= 0) return;
       double m = a + (b - a) * A.slope / (A.slope - B.slope);  // root of the slope, by the secant
@@ -131,7 +131,7 @@ class Scan {
     }
   }
 
-  // The root between `in`, where the gap is negative, and `out`.
+  // Root between `in`, where the gap is negative, and `out`.
   double root(double in, AxisGap I, double out, AxisGap O) {
     const double wide = slope_bound_ * std::abs(out - in);
     if (O.gap == 0) return out;
@@ -142,7 +142,7 @@ class Scan {
       const AxisGap X = gap_(x, wide);
       (X.gap < 0 ? in : out) = x;
       double next = x - X.gap / X.slope;
-      // Newton must stay inside and at least halve its step; else the bracket is halved.
+      // A Newton step must stay inside and at least halve the previous step; otherwise bisection.
       const bool inside = (next - in) * (next - out) < 0 && std::abs(next - x) < 0.5 * last;
       if (std::isfinite(next) && std::abs(next - x) <= kRoot) return std::clamp(next, 0.0, 1.0);
       if (!inside) next = 0.5 * (in + out);

@@ -1,5 +1,5 @@
-// Derivatives along an element axis of the contact force with a volume and of the elastic slip, by automatic
-// differentiation: what moving ends of a contact interval add to the tangent.
+// Derivatives along an element axis of the contact force with a volume and of the elastic slip by automatic
+// differentiation, for the contribution of moving interval ends to the tangent.
 #include "hawser/kernels/contact_rates.hpp"
 
 #include <unsupported/Eigen/AutoDiff>
@@ -20,7 +20,7 @@ Vec3 rate(const Vector3<Dual>& v) {
   return {v[0].derivatives()[0], v[1].derivatives()[0], v[2].derivatives()[0]};
 }
 
-// turn, turn_rate: of the surface at the arm trial.lever.
+// turn, turn_rate: rotation of the surface at the arm trial.lever, and its derivative.
 Vec3 force_along(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                  const ContactRates& by, const Vec3& turn, const Vec3& turn_rate) {
   const Vec3& n = trial.normal;

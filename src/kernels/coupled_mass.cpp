@@ -1,4 +1,4 @@
-// Kirchhoff's equations of a body with a full matrix of mass: forces, exact matrices, kinetic energy.
+// Kirchhoff's equations of a body with a full mass matrix: forces, exact matrices, kinetic energy.
 #include "hawser/kernels/coupled_mass.hpp"
 
 #include "hawser/math/so3.hpp"
@@ -25,7 +25,7 @@ void add_coupled_mass(const Mat6& N, const RigidBodyState& s, RigidBodyResidual&
   to.applied.head<3>() += R * other.head<3>();
   to.applied.tail<3>() += other.tail<3>();
 
-  // By changes of (U, w) at fixed accelerations, and of (U', alpha).
+  // Derivatives by (U, w) at fixed accelerations, and by (U', alpha).
   Mat6 by_rate;
   const Mat3 w = hat(s.w);
   by_rate << w * N.topRows<3>(), w * N.bottomRows<3>() + hat(U) * N.topRows<3>();
@@ -35,7 +35,7 @@ void add_coupled_mass(const Mat6& N, const RigidBodyState& s, RigidBodyResidual&
   // dU' = dA - w x dU + U x dw.
   by_rate.leftCols<3>() -= N.leftCols<3>() * w;
   by_rate.rightCols<3>() += N.leftCols<3>() * hat(U);
-  Mat6 turn = Mat6::Identity();  // of forces back to space
+  Mat6 turn = Mat6::Identity();  // rotates forces to space axes
   turn.topLeftCorner<3, 3>() = R;
   Mat6 K = Mat6::Zero();
   K.rightCols<3>() = by_rate.leftCols<3>() * hat(U) + N.leftCols<3>() * hat(A);

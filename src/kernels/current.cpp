@@ -1,4 +1,4 @@
-// Current velocity by depth, from a table or a power law, with its derivative; its factor by time.
+// Current velocity by depth from a table or a power law, with its derivative, and its time factor.
 #include "hawser/kernels/current.hpp"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ void CurrentProfile::at(double depth, Vec3& velocity, Vec3& by_depth) const {
   if (exponent_ > 0) {
     velocity = rows_.front().velocity;
     if (depth <= 0) return;
-    // Near the bed its slope has no limit: a straight line over the last thousandth of the depth.
+    // The slope is unbounded near the bed: linear over the last thousandth of the depth.
     constexpr double kLast = 1e-3;
     const double up = 1 - depth / water_depth_;
     const double r = std::max(up, kLast), p = std::pow(r, exponent_);

@@ -1,6 +1,5 @@
-// The implicit speed law of a winch or tensioner: a scalar equation whose left side grows with its unknown,
-// solved by Newton's method between bounds. Which law an end has, and how it acts on the line:
-// terms/feeders.cpp.
+// Implicit speed law of a winch or tensioner: a scalar equation with a monotone left side, solved by Newton's
+// method between bounds. The choice of the law and its effect on the line are in terms/feeders.cpp.
 #include "hawser/kernels/feeder_law.hpp"
 
 #include <algorithm>
@@ -8,11 +7,10 @@
 
 namespace hawser {
 
-// g(L) = (L - from) / (h k) - (T(L) - T0), without the first part where the tension is kept exactly, grows
-// with L.
+// g(L) = (L - from) / (h k) - (T(L) - T0) increases with L; the first part is absent for an exact tension.
 FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, double from, double h) {
   constexpr int kMost = 200;          // iterations
-  constexpr double kShortest = 1e-6;  // of the length at the start
+  constexpr double kShortest = 1e-6;  // fraction of the length at the start
   if (!(h > 0)) return {from, 0};
   if (law.resting) {
     const double T = pull(from).force;
@@ -55,7 +53,7 @@ CableFeed cable_feed(const CableSection& s, double chord, double length, double 
   const double viscous = h > 0 ? s.EA * s.beta / h : 0, damper = viscous * (strain - std::max(from, 0.0));
   if (damper <= -axial.force) return {};
   const bool limited = damper >= axial.force && viscous > 0;
-  const double slope = limited ? 2 * axial.slope : axial.slope + viscous;  // N, by the strain
+  const double slope = limited ? 2 * axial.slope : axial.slope + viscous;  // N, derivative by the strain
   CableFeed out;
   out.force = limited ? 2 * axial.force : axial.force + damper;
   out.slope = -slope * chord / (length * length);

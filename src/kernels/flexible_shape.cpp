@@ -9,13 +9,13 @@
 namespace hawser {
 namespace {
 
-// Stages, each a factor of ten stiffer and less rounded than the one before.
+// Number of stages, each a factor of ten stiffer and less smoothed than the one before.
 constexpr int kStages = 4;
-constexpr double kSoft = 30, kStage = 10;  // EA over load in the first
-constexpr double kRound = 0.1;             // pull of an element without strain, of the load, in the first
-constexpr double kFirstSink = 0.02;        // share of its length that it sinks in at first
-constexpr double kSink = 0.01;             // share of a piece that the line may assembler into the bed
-constexpr double kTolerance = 1e-3;        // of the loads
+constexpr double kSoft = 30, kStage = 10;  // EA over load in the first stage; factor per stage
+constexpr double kRound = 0.1;       // tension of an unstrained element over the load, in the first stage
+constexpr double kFirstSink = 0.02;  // fraction of the length by which the line sinks into the bed at first
+constexpr double kSink = 0.01;       // fraction of a piece by which the line may sink into the bed
+constexpr double kTolerance = 1e-3;  // fraction of the loads
 constexpr int kMostIterations = 200;
 constexpr size_t kCoarsest = 12;  // pieces
 
@@ -51,7 +51,7 @@ class Shape {
       lift_[i] += line_.points[i].buoyancy;
       size_ += line_.points[i].load.norm() + line_.points[i].buoyancy;
     }
-    // What the ends' distance is beyond the length stretches the line.
+    // The excess of the ends' distance over the length stretches the line.
     if (line_.held_a && line_.held_b) {
       double compliance = 0;
       for (const auto& p : line_.pieces) compliance += p.length / p.EA;
@@ -75,14 +75,14 @@ class Shape {
   }
 
  private:
-  // Wet share of what is at height z, and its derivative.
+  // Wet share at height z, and its derivative.
   double wet(double z, double& slope) const {
     const double h = 0.5 - (z - line_.surface) / (2 * width_);
     slope = h > 0 && h < 1 ? -0.5 / width_ : 0;
     return std::clamp(h, 0.0, 1.0);
   }
 
-  // Gradient of the energy at x, and, when wanted, its Hessian: blocks on the diagonal and, minus, between a
+  // Gradient of the energy at x, and on request its Hessian: diagonal blocks, and minus the blocks between a
   // node and the next.
   void gradient(const std::vector<Vec3>& x, std::vector<Vec3>& g, bool hessian) {
     const size_t n = x.size();
@@ -107,7 +107,7 @@ class Shape {
       const auto& p = line_.pieces[i];
       const Vec3 d = x[i + 1] - x[i];
       const double l = d.norm(), strain = l / p.length - 1;
-      // max(0, strain), rounded: still convex, and a slack element knows its way.
+      // max(0, strain), smoothed: still convex, and with a descent direction for slack elements.
       const double root = std::hypot(strain, round_), pull = 0.5 * (strain + root), rise = pull / root;
       const Vec3 t = d / l;
       const double tension = share_ * p.EA * pull * rise;
@@ -195,9 +195,9 @@ class Shape {
   std::vector<char> free_;
   std::vector<double> lift_, press_, radius_;  // N, m, m by node
   double length_ = 0, size_ = 0, EA_ = 0, width_ = 0;
-  double bed_ = 0, soft_bed_ = 0;     // N/m², at the end and at the start
-  double share_ = 1, stiffness_ = 0;  // of EA; of the bed, N/m²
-  double round_ = 0;                  // strain
+  double bed_ = 0, soft_bed_ = 0;     // N/m², final and initial
+  double share_ = 1, stiffness_ = 0;  // fraction of EA; stiffness of the bed, N/m²
+  double round_ = 0;                  // smoothing strain
   std::vector<Vec3> gradient_, trial_gradient_, step_, trial_;
   std::vector<Mat3> diagonal_, between_, up_;
 };
@@ -222,7 +222,7 @@ std::vector<Vec3> flexible_shape(const FlexibleLine& line, std::vector<Vec3> sta
   const size_t pieces = line.pieces.size();
   if (pieces < 1) return start;
   if (pieces <= kCoarsest) return Shape(line, std::move(start)).run(0);
-  // Coarse first: a few long pieces come far in a step, where many short ones would creep.
+  // Coarse first: a few long pieces advance far in a step, many short ones slowly.
   FlexibleLine coarse = line;
   coarse.pieces.clear();
   coarse.points.clear();

@@ -1,4 +1,4 @@
-// Pressure of the water on the wetted part of a surface of triangles, with its exact tangent and potential.
+// Water pressure on the wetted part of a triangulated surface, with exact tangent and potential.
 #include "hawser/kernels/hull_pressure.hpp"
 
 #include <algorithm>
@@ -8,15 +8,16 @@
 namespace hawser {
 namespace {
 
-// J of the corner i of a triangle that the line s = 0 cuts off: the triangle of the corner and the points at
-// the shares a and b of the edges to the corners j and k. Over a triangle of the corners p_k, of the share A
-// of the area, the mean of lambda lambda' is A/12 (sum_k p_k sum_k p_k' + sum_k p_k p_k').
+// J of the part of a triangle at its corner i that the line s = 0 cuts off: the triangle of this corner and
+// the points at the fractions a and b of the edges to the corners j and k. Over a triangle with the corners
+// p_k and the fraction A of the area, the integral of lambda lambda' divided by the full area is A/12 (sum_k
+// p_k sum_k p_k' + sum_k p_k p_k').
 Mat3 corner_moments(const Vec3& s, int i) {
   const int j = (i + 1) % 3;
   const int k = (i + 2) % 3;
   const double a = s[i] / (s[i] - s[j]);
   const double b = s[i] / (s[i] - s[k]);
-  Mat3 p = Mat3::Zero();  // corners by columns
+  Mat3 p = Mat3::Zero();  // corners in columns
   p(i, 0) = 1;
   p(i, 1) = 1 - a;
   p(j, 1) = a;
@@ -26,24 +27,24 @@ Mat3 corner_moments(const Vec3& s, int i) {
   return a * b / 12 * (sum * sum.transpose() + p * p.transpose());
 }
 
-// J where some corners are wet and others are not.
+// J of a partly wet triangle.
 Mat3 partly_wet_moments(const Vec3& s) {
   const bool one = (s.array() > 0).count() == 1;
-  int i = 0;  // the corner that is alone
+  int i = 0;  // corner that differs from the other two
   while ((s[i] > 0) != one) ++i;
   const Mat3 corner = corner_moments(s, i);
   if (one) return corner;
   return (Mat3::Ones() + Mat3::Identity()) / 12 - corner;
 }
 
-// J times something by corners; where all is wet (sum + each)/12.
+// J times rows by corner; for a fully wet triangle (sum + each)/12.
 template <class Rows>
 Rows mean_by_corner(const Mat3* J, const Rows& rows) {
   if (J) return *J * rows;
   return (rows.colwise().sum().replicate(3, 1) + rows) / 12;
 }
 
-// Heads of the corners, of which the upward vertical in body axes is n.
+// Pressure heads at the corners; n: upward vertical in body axes.
 std::vector<double> corner_heads(const HullSurface& hull, double level, std::span<const double> heads,
                                  const RigidBodyState& s, const Vec3& n) {
   std::vector<double> out(hull.corners.size());
@@ -52,8 +53,8 @@ std::vector<double> corner_heads(const HullSurface& hull, double level, std::spa
   return out;
 }
 
-// Calls visit(corners y by columns, area vector, heads, J) for the triangles that the water wets; without J
-// where all of one is wet.
+// Calls visit(corners y in columns, area vector, heads, J) for the wet triangles; J is null for fully wet
+// ones.
 template <class Visit>
 void for_each_wet(const HullSurface& hull, const std::vector<double>& heads, const Visit& visit) {
   for (std::size_t t = 0; t < hull.triangles.size(); ++t) {
@@ -118,9 +119,9 @@ Vec3 displaced_volumes(const HullSurface& hull, double level, const RigidBodySta
   const std::vector<double> heads = corner_heads(hull, level, {}, s, R.row(2).transpose());
   Vec3 out = Vec3::Zero();
   for_each_wet(hull, heads, [&](const Mat3& y, const Vec3& area, const Vec3&, const Mat3* J) {
-    const Vec3 share = mean_by_corner(J, Vec3(Vec3::Ones()));  // means of lambda over the wet part
+    const Vec3 share = mean_by_corner(J, Vec3(Vec3::Ones()));  // of lambda over the wet part, per area
     const Vec3 from_level(0, 0, level - s.x.z());
-    // z counts from the level, so that the waterplane has no flux.
+    // z is relative to the level, so that the waterplane has no flux.
     const Vec3 flux = (R * y - from_level.replicate<1, 3>()) * share;
     out += flux.cwiseProduct(R * area);
   });

@@ -1,5 +1,5 @@
-// When there is an impact within a step, what energy a time step may then create or lose, and the longest
-// step that every line can bear.
+// Impacts within a step, the energy that a step may then create or lose, and the longest step that is
+// acceptable for every line.
 #include "hawser/kernels/impact.hpp"
 
 #include <algorithm>
@@ -10,27 +10,28 @@ namespace hawser {
 namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
-constexpr double kSteps = 22;        // in a period: with fewer what bounces fast makes energy
-constexpr double kAbove = 1 + 1e-6;  // rounding of a step
-constexpr double kShort = 0.02;      // of such a step: nearer than that is there
-constexpr double kRounding = 1e-12;  // of the energy of what moves as a whole
+constexpr double kSteps = 22;        // per period: with fewer, fast rebounds create energy
+constexpr double kAbove = 1 + 1e-6;  // rounding of a step length
+constexpr double kShort = 0.02;      // fraction of such a step: nearer contacts count as present
+constexpr double kRounding = 1e-12;  // fraction of the kinetic energy of the rigid motion
 
-// Time until something `away` [m], which comes at `speed` [m/s, > 0] and is pushed back by `acceleration`
-// [m/s²], is there; infinite: it turns before.
+// Time until a mass at the distance `away` [m] with the speed `speed` [m/s, > 0] arrives, with `acceleration`
+// [m/s²] away; infinite: it turns before.
 double until_contact(double away, double speed, double acceleration) {
   const double root = speed * speed - 2 * acceleration * away;
   if (root < 0) return kNever;
   return 2 * away / (speed + std::sqrt(root));
 }
 
-// Over the energy tolerance of its line; of two lines over the smaller one.
+// 1 over the energy tolerance of the line; of two lines the smaller tolerance.
 double weight(int line, int other, std::span<const double> energy_tolerance) {
   double least = energy_tolerance[line];
   if (other >= 0) least = std::min(least, energy_tolerance[other]);
   return least > 0 ? 1 / least : 1 / std::numeric_limits<double>::min();
 }
 
-// Largest argument up to `most` where what(), which never falls and is summed over the ranks, is at most 1.
+// Largest argument up to `most` for which what(), monotonically increasing and summed over the ranks, is at
+// most 1.
 template <class What>
 double largest(double most, const Sum& sum, const What& what) {
   constexpr int kParts = 16, kRounds = 6;
@@ -73,14 +74,15 @@ std::optional<ImpactEvent> impact_event(double inverse_frequency, double signifi
   s.crossing_ = kNever;
   s.resolved_ = kAbove * step;
   if (at.gap < 0) {
-    // The contact pushes at the start of that step and no more at its end: the trapezoid sees half of it.
+    // The contact pushes at the start of that step but not at its end, so the trapezoidal rule includes half
+    // of it.
     if (at.last && at.closing < 0) s.crossing_ = until_contact(-at.gap, -at.closing, -0.5 * at.acceleration);
   } else if (at.closing > 0) {
-    // Accelerations change on the way.
+    // Bounded, because accelerations change during the step.
     s.crossing_ = std::min(until_contact(at.gap, at.closing, at.acceleration), 2 * at.gap / at.closing);
     s.resolved_ += s.crossing_;
   } else if (!(by_acceleration > significant_depth)) {
-    return {};  // it leaves; else it shakes as fast as the contact would
+    return {};  // it separates; else it vibrates at the frequency of the contact
   }
   if (s.crossing_ < kShort * step) s.crossing_ = kNever;
   return s;
@@ -89,13 +91,13 @@ std::optional<ImpactEvent> impact_event(double inverse_frequency, double signifi
 double ImpactEvent::crossed(double h) const {
   if (!(h > crossing_)) return 0;
   const double speed = std::abs(at_.closing);
-  h = std::min(h, resolved_ + 2 * M_PI / kSteps * inverse_frequency_);  // longer ones: unresolved()
+  h = std::min(h, resolved_ + 2 * M_PI / kSteps * inverse_frequency_);  // longer steps: unresolved()
   if (at_.gap < 0) {
     const double out = at_.gap + speed * h + 0.25 * at_.acceleration * h * h;
     return std::min(-half_ * at_.gap * std::max(out, 0.0), energy_);
   }
   const double z = 0.5 * h / inverse_frequency_;
-  // If it would turn before, it is counted on as it comes.
+  // If the mass would turn before, it is assumed to continue at its speed.
   const double root = speed * speed - 2 * at_.acceleration * at_.gap;
   const double in =
       -at_.gap + speed * h - (root < 0 ? speed * crossing_ - at_.gap : 0.5 * at_.acceleration * h * h);
@@ -125,7 +127,7 @@ std::vector<double> energy_tolerance(std::span<const LineMotion> lines) {
 
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
                            double share, double last) {
-  double rate = 0;  // 1/s², over the energy tolerance of the line
+  double rate = 0;  // 1/s², relative to the energy tolerance of the line
   for (size_t l = 0; l < stored.size(); ++l)
     if (const double held = share * stored[l].energy(); held > 0)
       rate = std::max(rate, held / std::max(energy_tolerance[l], std::numeric_limits<double>::min()));
@@ -153,7 +155,7 @@ StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<co
   double all = total([](const ImpactEvent& s) { return s.energy(); });
   sum({&all, 1});
   if (!(all > 1)) return limit;
-  // Those longer than that make no step shorter.
+  // Longer periods do not shorten any step.
   const double longest = kSteps * most;
   limit.period = largest(longest, sum, [&](double period) {
     return total([&](const ImpactEvent& s) { return s.period() < period ? s.energy() : 0; });
@@ -161,7 +163,7 @@ StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<co
   if (limit.period >= longest) limit.period = kNever;
   const double step = largest(
       most, sum, [&](double h) { return total([&](const ImpactEvent& s) { return s.unresolved(h); }); });
-  // Where one step does not get there but two do, each goes half the way.
+  // If contact is not reached in one step but in two, each covers half of the time.
   const double until = largest(
       2 * step, sum, [&](double h) { return total([&](const ImpactEvent& s) { return s.crossed(h); }); });
   limit.longest = until <= step ? until : 0.5 * until;

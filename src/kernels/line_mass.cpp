@@ -1,5 +1,5 @@
 // Consistent mass matrices of beam and cable elements, gyroscopic terms and rotary inertia, weight and dead
-// loads, with exact tangents, kinetic energy and work. Added mass is water's: morison_points.hpp.
+// loads, with exact tangents, kinetic energy and work. Added mass is in morison_points.hpp.
 #include "hawser/kernels/line_mass.hpp"
 
 #include "hawser/math/clones.hpp"
@@ -22,7 +22,7 @@ constexpr double kLoad[4] = {0.5, 1. / 12, 0.5, -1. / 12};
 struct Local {
   Mat R[2];
   Row c;                        // tangent in node axes
-  Row g[2];                     // t'' in node axes: alpha x c + w x (w x c); unused when it is given
+  Row g[2];                     // t'' in node axes: alpha x c + w x (w x c); unused if directors are given
   Row A[4];                     // accelerations of (x1, L t1, x2, L t2)
   Row F[4];                     // forces conjugate to them
   Row back[2];                  // Q' F of the tangents

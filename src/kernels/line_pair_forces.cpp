@@ -1,6 +1,6 @@
-// The part of LinePairPass that sums forces and couples over the Gauss points, with their exact tangent. A
-// pass integrates along one line and looks for the nearest points on the other; the second pass does so with
-// the lines exchanged. The law at a pair of points is in line_pair_law.cpp.
+// The class LinePairPass: forces and couples summed over the Gauss points, with their exact tangent. A pass
+// integrates along one line and finds the nearest points on the other; the second pass exchanges the lines.
+// The law at a pair of points is in line_pair_law.cpp.
 #include <cmath>
 #include <limits>
 
@@ -11,8 +11,8 @@ namespace hawser {
 namespace {
 
 constexpr size_t kTurns = AttachedForces::kPositions, kMost = AttachedForces::kMost;
-constexpr int kByX = 3 * kTurns;             // columns, by positions
-using Column = Eigen::Matrix<double, 6, 1>;  // of force and couple
+constexpr int kByX = 3 * kTurns;             // columns, by position
+using Column = Eigen::Matrix<double, 6, 1>;  // force and couple
 using Six = Eigen::Matrix<double, 6, 3>;
 using Gradient = Eigen::Matrix<double, 1, kByX>;
 
@@ -28,14 +28,14 @@ Mat3 section_turn_by_chord(const PairAxis& cable, const Vec3& v) {
   return by_t * ((Mat3::Identity() - t * t.transpose()) / length);
 }
 
-// Adds column times gradient to rows of m from `row` on. Row by row, as they lie in m: a product of Eigen's
-// would be made one coefficient at a time.
+// Adds column times gradient to rows of m from `row`. Row by row, the storage order of m, because Eigen would
+// evaluate the product by coefficient.
 template <int n, class Matrix>
 void add_product(const Eigen::Matrix<double, n, 1>& column, const Gradient& gradient, Matrix& m, int row) {
   for (int i = 0; i < n; ++i) m.row(row + i).template head<kByX>() += column[i] * gradient;
 }
 
-// The columns that belong to a position or a turn.
+// Columns of a position or a rotation.
 template <class Matrix>
 auto of(Matrix& m, size_t position) {
   return m.template middleCols<3>(3 * static_cast<Eigen::Index>(position));
@@ -43,11 +43,11 @@ auto of(Matrix& m, size_t position) {
 
 }  // namespace
 
-// The rows of F that there are, and which share of the force or of the couple at a point each gets.
+// Rows of F in use, and the share of each in the force or couple at a point.
 struct LinePairPass::Rows {
   std::array<size_t, kMost> used;
   size_t count = 0;
-  std::array<double, kMost> share{}, by_xi{}, by_eta{};  // and how the share moves along slave and master
+  std::array<double, kMost> share{}, by_xi{}, by_eta{};  // derivatives of the shares along slave and master
 
   void add(size_t row, double s, double along_slave, double along_master) {
     used[count++] = row;
@@ -78,19 +78,19 @@ LinePairPass::Rows LinePairPass::rows(const Point& p) const {
   return r;
 }
 
-// The derivatives of force and couple at a point.
+// Derivatives of force and couple at a point.
 struct LinePairPass::Slopes {
-  Eigen::Matrix<double, 6, 3 * kMost, Eigen::RowMajor> by;  // of what the rows are conjugate to
-  Column by_xi, by_rate;   // by the place on the slave, and by the rate of the gap
+  Eigen::Matrix<double, 6, 3 * kMost, Eigen::RowMajor> by;  // by the quantities conjugate to the rows
+  Column by_xi, by_rate;   // by the position on the slave; by the rate of the gap
   bool slides_on = false;  // the nearest point moves along the master:
   Gradient eta_by;         // d eta by the positions
   double eta_by_xi = 0;
 };
 
-// With the slave's place xi given, everything depends on D = x - y and T = y' at a given eta, on the
-// sections' turns and on eta, which follows from D . y' = 0:
+// At a fixed position xi on the slave, everything depends on D = x - y and T = y' at a given eta, on the
+// rotations of the sections and on eta, which follows from D . y' = 0:
 //   d eta = ((dx - dy) . y' + D . dy') / (y' . y' - D . y'').
-// flatten: else products of small matrices are calls.
+// flatten: otherwise products of small matrices are function calls.
 [[gnu::flatten]] LinePairPass::Slopes LinePairPass::slopes(const Point& p, const Start& from,
                                                            const LinePairForce& c, const Rows& rows) const {
   using F = LinePairForce;
@@ -150,7 +150,7 @@ struct LinePairPass::Slopes {
     const PairAxis& axis = of_master ? master_ : slave_;
     const size_t turn = of_master ? turn_master_ : turn_slave_, position = of_master ? at_master_ : at_slave_;
     if (axis.beam()) {
-      // - w N d(turn was), with d(turn) v = dphi x (turn v)
+      // - w N d(old turn), with d(turn) v = dphi x (turn v)
       for (size_t i = 0; i < 2; ++i)
         of(s.by, turn + i) = rows.share[turn + i] * by_moved * hat(axis.turn[i] * p.before);
     } else {
@@ -162,12 +162,11 @@ struct LinePairPass::Slopes {
   return s;
 }
 
-// An end of a panel that moves, and what the forces of the panel change by as it takes the Gauss points
-// along.
+// Moving end of a panel, and the change of the panel's forces as its Gauss points move along.
 struct LinePairPass::MovingEnd {
   bool moves = false;
-  Gradient by;                    // of its place, by the positions
-  std::array<Vec3, kMost> force;  // of the rows, by its place
+  Gradient by;                    // derivative of its position by the positions
+  std::array<Vec3, kMost> force;  // derivative of the rows by its position
 };
 
 LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
@@ -198,7 +197,7 @@ LinePairPass::MovingEnd LinePairPass::moving_end(double xi, End end) const {
   return m;
 }
 
-// Where negative stiffness is excluded: as if nearest points and normals stayed.
+// Tangent without negative stiffness: nearest points and normals are taken as constant.
 void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows& rows, double weight,
                               AttachedForces& g) const {
   const Vec3& nrm = p.foot.normal;
@@ -210,7 +209,7 @@ void LinePairPass::add_convex(const Point& p, const LinePairForce& c, const Rows
                              (c.normal.by_gap * nrm * nrm.transpose() + by_moved.topRows<3>());
 }
 
-// The tangent is exact.
+// The tangent includes moving ends.
 void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& g,
                        std::vector<LinePairContactPoint>* points) const {
   const bool rubs = set_.law.friction.active(), exact = derivatives && !set_.convex;
@@ -234,7 +233,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
       if (!exact) continue;
 
       const Slopes s = slopes(p, from, c, rows);
-      Gradient rate = Gradient::Zero();  // of the gap, by the velocities of the positions
+      Gradient rate = Gradient::Zero();  // derivative of the gap rate by the velocities of the positions
       for (size_t m = 0; m < g.positions; ++m) of(rate, m) = rows.share[m] * p.foot.normal.transpose();
       for (const size_t r : rows) {
         const Vec3& v = vector(r);
@@ -244,7 +243,7 @@ void LinePairPass::add(const std::vector<Panel>& panels, bool derivatives, Attac
           if (set_.moves) g.C.row(row + i) -= w * rows.share[r] * s.by_rate[first + i] * rate;
         }
         if (s.slides_on && rows.by_eta[r] != 0) add_product<3>(-w * rows.by_eta[r] * v, s.eta_by, g.K, row);
-        // Moving ends take the Gauss points along: the derivative along xi does the rest.
+        // The Gauss points move with the ends of the panel, which adds the derivative along xi.
         const Vec3 along =
             (rows.by_xi[r] + rows.by_eta[r] * s.eta_by_xi) * v + rows.share[r] * s.by_xi.segment<3>(first);
         for (const bool last : {false, true}) {

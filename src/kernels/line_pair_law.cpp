@@ -1,5 +1,5 @@
-// Normal force, friction and friction couple at one pair of points of two lines, with the return of the
-// trial slip to the friction limit; derivatives by automatic differentiation.
+// Normal force, friction and friction couple at a pair of points of two lines, with the return of the trial
+// slip to the friction limit; derivatives by automatic differentiation.
 #include "hawser/kernels/line_pair_law.hpp"
 
 #include <unsupported/Eigen/AutoDiff>
@@ -15,7 +15,7 @@ template <class S>
 struct Local {
   Vector3<S> away, along, moved;
   S force, slip[2];
-  Vector3<S> away_before, slope, slope_before, along_before;  // where that matters
+  Vector3<S> away_before, slope, slope_before, along_before;  // for new material
 };
 
 template <class S>
@@ -31,7 +31,7 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   const S d = sqrt(S(v.away.squaredNorm()));
   const Vector3<S> n = v.away / d;
   Vector3<S> b = v.along - n * S(n.dot(v.along));
-  if (!(b.squaredNorm() > 1e-12 * v.along.squaredNorm())) {  // beyond an end, on the other's axis
+  if (!(b.squaredNorm() > 1e-12 * v.along.squaredNorm())) {  // beyond an end, on the axis of the other line
     const Vec3 any = Vec3::Unit(std::abs(at.along.x()) < 0.9 * at.along.norm() ? 0 : 1);
     b = any.cast<S>() - n * S(n.dot(any.cast<S>()));
   }
@@ -39,7 +39,7 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   const Vector3<S> l = n.cross(b);
   Vector3<S> slip = v.moved - n * S(n.dot(v.moved));
   if (at.is_new) {
-    // What closed by less than the ramp is wide was there.
+    // Material that closed by less than the width of the ramp was in contact before.
     const double ramp = law.normal.smoothing;
     const S deep = S(law.radii + ramp) - d;
     const S closing =
@@ -58,7 +58,7 @@ Tangential<S> tangential(const LinePairLaw& law, const LinePairPoint& at, const 
   return r;
 }
 
-// With the derivatives by the first `Inputs`, which go to r.by.
+// Derivatives by the first `Inputs` variables, stored in r.by.
 template <int Inputs>
 Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Force& r) {
   using Row = Eigen::Matrix<double, Inputs, 1>;
@@ -97,7 +97,7 @@ Tangential<double> derived(const LinePairLaw& law, const LinePairPoint& at, Forc
 
 }  // namespace
 
-// flatten: else most operations on numbers with derivatives are calls.
+// flatten: otherwise most operations on dual numbers are function calls.
 [[gnu::flatten]] Force line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives) {
   Force r;
   if (derivatives) r.by.setZero();

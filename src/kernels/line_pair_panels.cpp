@@ -1,6 +1,5 @@
-// The part of LinePairPass that finds where an element touches another and what a point of it brings from the
-// start of the step, and keeps the contact points of an accepted step; forces and tangent are in
-// line_pair_forces.cpp.
+// The class LinePairPass: contact intervals of two elements, state of their points at the start of the step,
+// and contact points of an accepted step. Forces and tangent are in line_pair_forces.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +10,7 @@ namespace hawser {
 namespace {
 
 // A panel is cut where the master's nearest point reaches an end, unless the slave crosses so steeply that
-// the place would run away: then the integrand changes gently anyway.
+// the cut would move fast; the integrand is then smooth anyway.
 constexpr double kSteep = 0.5;
 constexpr double kRoot = 1e-15;
 
@@ -55,7 +54,8 @@ LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, Projec
   turn_master_ = AttachedForces::kPositions + (set_.swapped ? 0 : 2);
 }
 
-// Where the nearest point passes the master's end `eta` between two places of the slave; none: it does not.
+// Position on the slave between lo and hi where the nearest point passes the master's end `eta`; nullopt:
+// none.
 std::optional<double> LinePairPass::crossing_of(double eta, double lo, double hi) const {
   const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
   const auto beyond = [&](double xi) { return (slave_.now.point(xi) - V).dot(t); };
@@ -74,8 +74,8 @@ std::optional<double> LinePairPass::crossing_of(double eta, double lo, double hi
   return xi;
 }
 
-// Those places: the gap has a kink there, on one side of which it may fall slowly and on the other rise
-// steeply, and to a scan that does not know of it a contact about there may seem to be none.
+// These positions, where the gap has a kink: it may decrease slowly on one side and increase steeply on the
+// other, so that a scan without them may miss contact nearby.
 std::vector<double> LinePairPass::kinks(int levels) const {
   std::vector<double> out;
   if (part_ != ProjectOn::element) return out;
@@ -88,7 +88,7 @@ std::vector<double> LinePairPass::kinks(int levels) const {
 }
 
 std::vector<LinePairPass::Panel> LinePairPass::panels() const {
-  // Along the slave, less the smoothing.
+  // Gap along the slave minus the smoothing.
   const auto gap = [this](double xi, double) -> AxisGap {
     const AxisProjection f = projection(master_.now, part_, slave_.now.point(xi));
     return {f.distance - contact_distance(), f.normal.dot(slave_.now.slope(xi))};
@@ -125,7 +125,7 @@ void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
     const Vec3 x1 = slave_.now.slope(*xi), t = master_.now.slope(eta);
     if (std::abs(x1.dot(t)) < kSteep * x1.norm() * t.norm()) continue;
     if ((slave_.now.point(*xi) - master_.now.point(eta)).norm() >= contact_distance())
-      continue;  // another bend
+      continue;  // contact is at another bend
     cuts[n].from = *xi;
     cuts[n++].at_from = eta == 0 ? End::first_joint : End::second_joint;
   }
@@ -139,10 +139,10 @@ void LinePairPass::split(const Panel& panel, std::vector<Panel>& out) const {
   out.push_back(rest);
 }
 
-// Slip is interpolated between the Gauss points of one interval. Material that did not touch has none.
+// Slip is interpolated between the Gauss points of an interval. New material has none.
 LinePairPass::Start LinePairPass::start(double xi) const {
   Start s;
-  // Points lie in the order of their places: if a panel has xi, one of those beside xi is in it.
+  // Points are sorted by position: if a panel contains xi, one of the points next to xi is in it.
   const auto after = std::partition_point(previous_.begin(), previous_.end(),
                                           [xi](const LinePairContactPoint& h) { return h.xi <= xi; });
   const LinePairContactPoint* b = after != previous_.end() ? &*after : nullptr;
@@ -151,7 +151,7 @@ LinePairPass::Start LinePairPass::start(double xi) const {
   s.is_new = !has(a) && !has(b);
   if (s.is_new) return s;
   if (a && b && a->from != b->from && a->to != b->from) (xi <= a->to ? b : a) = nullptr;
-  // Outside the outermost point: down to nothing where contact ends, for beyond there is none.
+  // Beyond the outermost point slip decreases to zero where contact ends.
   const double x0 = a ? a->xi : b->from, x1 = b ? b->xi : a->to;
   for (int c = 0; c < 2; ++c) {
     const double v0 = a          ? a->slip[c]

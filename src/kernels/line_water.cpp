@@ -38,12 +38,12 @@ CableInWater in_place(const WaterEnds& e) {
   return {e.x1, e.x2, r.v1, r.v2, r.a1, r.a2, e.water1, e.water2};
 }
 
-// With the matrices that take rotations to the tangents' motion, as in beam_mass_tangent.
+// Motion with the matrices from rotations to the tangents' motion, as in beam_mass_tangent.
 struct BeamMotion {
   Motion<4> m;
   Mat Q[2];
   Row c, w[2], rate[2];  // node axis along the line, angular velocity, w x c
-  Row g[2];              // acceleration of the tangent in node axes; unused when it is given
+  Row g[2];              // acceleration of the tangent in node axes; unused if given
   bool given;
 };
 
@@ -228,7 +228,7 @@ Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam
     evaluate<false, false, Part::flow>(s, c, false, o);
     return -vec(o.f[0] + o.f[1]);
   }
-  // Hermite's cubics are linear where the tangents are the chord and change as it does.
+  // Hermite's cubics are linear if the tangents equal the chord and change with it.
   Motion<4> m;
   for (int i = 0; i < 2; ++i) {
     m.X[2 * i] = c.X[i];

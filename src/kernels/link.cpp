@@ -1,5 +1,5 @@
-// Tension of a spring and a damper, linear or by tables, slack or not, and its force and exact tangent
-// between two points.
+// Tension of a spring and a damper, linear or from tables, with or without slack, and its force and exact
+// tangent between two points.
 #include "hawser/kernels/link.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ Spring spring(const LinkLaw& law, double elongation) {
   if (!law.spring)
     return {law.stiffness * elongation, law.stiffness, 0.5 * law.stiffness * elongation * elongation};
   const MonotoneCubic::Value v = law.spring->at(elongation);
-  // The integral counts from the first row on; below it a link goes slack where the straight line meets zero.
+  // The integral starts at the first row; below it a link goes slack where the linear continuation is zero.
   double zero = law.spring->at(0).integral;
   if (law.tension_only) {
     const double first = law.spring->rows().front().first;

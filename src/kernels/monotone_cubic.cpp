@@ -1,5 +1,5 @@
-// The slopes at the rows that make a piecewise cubic monotone, and its value, derivatives and integral: the
-// curve below tables of force and of stiffness.
+// Slopes at the rows that make a piecewise cubic monotone, and its value, derivatives and integral, for
+// tables of force and stiffness.
 #include "hawser/kernels/monotone_cubic.hpp"
 
 #include <algorithm>
@@ -14,13 +14,13 @@ MonotoneCubic::MonotoneCubic(std::vector<Row> rows, std::optional<double> first,
     width[i] = rows_[i + 1].first - rows_[i].first;
     secant[i] = (rows_[i + 1].second - rows_[i].second) / width[i];
   }
-  // Inside by the weighted harmonic mean: monotone by construction.
+  // Inside: weighted harmonic mean, monotone by construction.
   slope_.assign(n, 0);
   for (size_t i = 1; i + 1 < n; ++i) {
     const double a = 2 * width[i] + width[i - 1], b = width[i] + 2 * width[i - 1];
     if (secant[i - 1] > 0 && secant[i] > 0) slope_[i] = (a + b) / (a / secant[i - 1] + b / secant[i]);
   }
-  // At the ends as if that piece were a parabola, within what keeps it monotone.
+  // At the ends: slope of a parabola, limited to what keeps the curve monotone.
   const auto parabola = [least](double chord, double other) {
     return std::clamp(2 * chord - other, least * chord, 3 * chord);
   };

@@ -1,6 +1,5 @@
-// Morison's equation for a metre of line that is wholly wet, of one element (Scalar: double, Vector:
-// wide::Row) or of four at once (a number and a vector of each). Symbols as in docs/theory/water.md. Internal
-// to the kernels.
+// Morison's equation per metre of a fully wet line, for one element (Scalar: double, Vector: wide::Row) or
+// four at once (vectors of four). Symbols as in docs/theory/water.md. Internal to the kernels.
 #pragma once
 
 #include <cmath>
@@ -9,9 +8,9 @@
 
 namespace hawser::morison_formula {
 
-// Drag by the relative velocity u = u_water - v and the unit tangent t: with u_t = u.t and u_n = u - u_t t
+// Drag for the relative velocity u = u_water - v and the unit tangent t: with u_t = u.t and u_n = u - u_t t
 //   f = c_n |u_n| u_n + c_t |u_t| u_t t,   c_n = ½ρ Cd D,   c_t = ½ρ Cd_t πD   [N/m],
-// and with P = I - t t' its derivatives by u and by a turn of t
+// and with P = I - t t' its derivatives by u and by a rotation of t
 //   D = c_n/|u_n| u_n u_n' + c_n |u_n| I + (2 c_t |u_t| - c_n |u_n|) t t',
 //   T = ((2 c_t |u_t| - c_n |u_n|) t - c_n u_t/|u_n| u_n) u_n' + u_t (c_t |u_t| - c_n |u_n|) P.
 template <class Scalar, class Vector>
@@ -20,7 +19,7 @@ struct Drag {
   Scalar along;          // u_t
   Vector across;         // u_n
   Scalar normal, axial;  // c_n |u_n|, c_t |u_t|
-  Scalar over_speed;     // c_n / |u_n|; 0 where u_n is
+  Scalar over_speed;     // c_n / |u_n|; 0 if u_n = 0
 
   Drag(const Vector& u, const Vector& tangent, Scalar c_n, Scalar c_t) : t(tangent) {
     using std::abs, std::sqrt, wide::abs, wide::dot, wide::sqrt;
@@ -32,12 +31,12 @@ struct Drag {
     over_speed = speed > 0 ? c_n / speed : Scalar{};
   }
   Vector force() const { return normal * across + (axial * along) * t; }
-  Scalar lengthwise() const { return 2 * axial - normal; }                               // of t t' in D
-  Vector by_across() const { return lengthwise() * t - (along * over_speed) * across; }  // of u_n' in T
-  Scalar by_turn() const { return along * (axial - normal); }                            // of P in T
+  Scalar lengthwise() const { return 2 * axial - normal; }  // factor of t t' in D
+  Vector by_across() const { return lengthwise() * t - (along * over_speed) * across; }  // of t t' in D
+  Scalar by_turn() const { return along * (axial - normal); }                            // of u_n' in T
 };
 
-// Added mass on an acceleration y, (c_n P + c_t t t') y, with c_n and c_t - c_n [kg/m].
+// Added mass times the acceleration y, (c_n P + c_t t t') y, with c_n and c_t - c_n [kg/m].
 template <class Scalar, class Vector>
 Vector added_mass(Scalar c_n, Scalar difference, const Vector& t, const Vector& y) {
   using wide::dot;

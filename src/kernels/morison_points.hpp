@@ -22,7 +22,7 @@ struct Rule<false> {
   static constexpr int points = 2, shapes = 2;
   static constexpr double at[2] = {0.21132486540518711775, 0.78867513459481288225};
   static constexpr double weight[2] = {0.5, 0.5};
-  static constexpr double edge[3] = {0, 0.5, 1};  // of the pieces that the points represent
+  static constexpr double edge[3] = {0, 0.5, 1};  // limits of the pieces that the points represent
   static void shape(double s, double* N) {
     N[0] = 1 - s;
     N[1] = s;
@@ -59,15 +59,15 @@ struct Forces {
   Mat M[n][n];
 };
 
-// Half the height over which a section gets wet, b. Of a beam: that of a circle across the axis,
-// b² = R² (1 - t_z²) + delta² t_z², where a small delta keeps b from 0, and the derivatives finite, where the
-// axis is vertical. Of a cable b = R at any lean. With the lean, buoyancy would have a negative stiffness
+// Half the height over which a section gets wet, b. For a beam that of a circle perpendicular to the axis, b²
+// = R² (1 - t_z²) + delta² t_z², where a small delta keeps b from 0 and the derivatives finite for a vertical
+// axis. For a cable b = R at any inclination. With the inclination, buoyancy would have a negative stiffness
 // against tilting in an element shorter than its diameter, which a slack cable cannot resist. With b = R the
 // potential of a cable is convex.
 template <bool beam>
 struct Band {
-  static constexpr double kSharp = 1e-3;  // delta, of the length
-  double by_lean = 0, b = 1;              // m², derivative of b² by t_z²; m
+  static constexpr double kSharp = 1e-3;  // delta as a fraction of the length
+  double by_lean = 0, b = 1;              // m², derivative of b² by t_z²; m, b
   Band(const WaterSection& s, double lean) {
     const double delta = kSharp * s.length;
     if (beam) by_lean = delta * delta - s.radius * s.radius;
@@ -75,8 +75,8 @@ struct Band {
   }
 };
 
-// The piece of the axis that a Gauss point represents: straight, with the slope of the chord, through the
-// point. The pieces make up the element, so that what is wet of a straight one is exact.
+// Piece of the axis that a Gauss point represents: straight, with the slope of the chord, through the point.
+// The pieces make up the element, so that the wet part of a straight one is exact.
 template <bool beam>
 struct Piece {
   double from = 0, to = 0;  // of the element's length, from the point

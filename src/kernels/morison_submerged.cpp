@@ -20,10 +20,10 @@ Vec operator*(double s, const Vec& a) { return {{s * a.c[0], s * a.c[1], s * a.c
 Row dot(const Vec& a, const Vec& b) { return a.c[0] * b.c[0] + a.c[1] * b.c[1] + a.c[2] * b.c[2]; }
 Vec of(const Row* p) { return {{p[0], p[1], p[2]}}; }
 
-// Gauss's two points.
+// Abscissae of two-point Gauss quadrature.
 constexpr double kAt[2] = {0.21132486540518711775, 0.78867513459481288225};
 
-// A symmetric matrix: xx, yy, zz, xy, xz, yz.
+// Symmetric matrix: xx, yy, zz, xy, xz, yz.
 struct Symmetric {
   Row c[6];
 };
@@ -172,7 +172,7 @@ void WaterSections4::set(int lane, const WaterSection& s) {
   drag_axial[lane] = s.drag_axial;
 }
 
-// The section gets wet over its radius above and below the axis; see morison_points.hpp.
+// A section gets wet over its radius above and below the axis; see morison_points.hpp.
 unsigned submerged(const WaterSections4& s, const CablesInWater4& m) {
   const Row h[2] = {m.surface[0] - m.x[0][2], m.surface[1] - m.x[1][2]};
   const Row least = h[0] < h[1] ? h[0] : h[1];

@@ -1,5 +1,5 @@
-// Prescribed motion as functions of time: smooth ramp, curves through the rows of a table, harmonics and
-// drift; angular velocity and acceleration from a rotation vector; the pose of a body.
+// Prescribed motion as a function of time: smooth ramp, curves through the rows of a table, harmonics and
+// drift; angular velocity and acceleration from a rotation vector; pose of a body.
 #include "hawser/kernels/motion.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ void angular_rates(const VectorMotion& psi, Vec3& omega, Vec3& alpha) {
   const Vec3 &p = psi.value, &d = psi.rate, &dd = psi.second;
   const double t2 = p.squaredNorm(), t = std::sqrt(t2);
   double a, b, a1, b1;  // a1 = (da/dp)/p, b1 = (db/dp)/p
-  if (t2 < 0.09) {      // the closed forms lose digits like p⁻⁴
+  if (t2 < 0.09) {      // the closed forms lose digits as p⁻⁴
     a = 0.5 - t2 * (1.0 / 24 - t2 * (1.0 / 720 - t2 * (1.0 / 40320 - t2 / 3628800)));
     b = 1.0 / 6 - t2 * (1.0 / 120 - t2 * (1.0 / 5040 - t2 * (1.0 / 362880 - t2 / 39916800)));
     a1 = -1.0 / 12 + t2 * (1.0 / 180 - t2 * (1.0 / 6720 - t2 * (1.0 / 453600 - t2 / 47900160)));
@@ -70,8 +70,8 @@ void RowCurve::bend_spline() {
   for (size_t i = 0; i + 1 < n; ++i) bend_[i] = {m[i], m[i + 1]};
 }
 
-// Slopes at the rows: the weighted harmonic mean of the secants, none where they differ in sign; at the ends
-// as if that piece were a parabola, within what keeps it monotone.
+// Slopes at the rows: weighted harmonic mean of the secants, zero where they differ in sign; at the ends that
+// of a parabola, limited to what keeps the curve monotone.
 void RowCurve::bend_monotone() {
   const size_t n = time_.size();
   std::vector<double> h(n - 1);
@@ -115,8 +115,8 @@ VectorMotion RowCurve::at(double t) const {
   return r;
 }
 
-// The rate is a parabola in each interval, its square a quartic, for which Gauss's rule with three points is
-// exact; the second derivative is linear.
+// The rate is a parabola in each interval and its square a quartic, for which Gauss's rule with three points
+// is exact; the second derivative is linear.
 RowCurve::Activity RowCurve::activity() const {
   Activity out;
   if (time_.size() < 2) return out;
@@ -150,7 +150,7 @@ std::vector<RowCurve::Overshoot> RowCurve::overshoots(double share) const {
     for (int c = 0; c < 3; ++c) {
       const double h = time_[i + 1] - time_[i], p = value_[i][c], q = value_[i + 1][c];
       const double m = bend_[i].first[c], n = bend_[i].second[c];
-      // Where the slope a v² + b v + d is zero, 0 < v < 1.
+      // Roots 0 < v < 1 of the slope a v² + b v + d.
       const double a = 0.5 * h * (n - m), b = h * m, d = (q - p) / h - h / 6 * (2 * m + n);
       const double root = b * b - 4 * a * d;
       if (root < 0) continue;
@@ -224,7 +224,7 @@ void RigidMotion::set_drift(DriftLaw drift) {
 
 namespace {
 
-// `pose` about `origin`, carried by the frame that moves by `moved` and turns by `turned` about it.
+// `pose` about `origin`, carried by a frame with the displacement `moved` and the rotation `turned` about it.
 void carry(const Vec3& origin, const VectorMotion& moved, const VectorMotion& turned, bool rests,
            RigidPose& pose) {
   const Quat D = exp_so3(turned.value);

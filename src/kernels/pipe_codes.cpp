@@ -1,4 +1,4 @@
-// The formulas of the codes for pipes, with the symbols of docs/theory/pipe-codes.md.
+// Formulas of pipe codes, with the symbols of docs/theory/pipe-codes.md.
 #include "hawser/kernels/pipe_codes.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace hawser {
 namespace {
 
 constexpr double kResistance = 1.15;    // gamma_m
-constexpr double kRelieving = 1 / 1.1;  // the functional factor where functional loads make the sum smaller
+constexpr double kRelieving = 1 / 1.1;  // functional factor where functional loads reduce the sum
 // Combinations a (system) and b (local), table 4-4.
 struct Combination {
   double functional, environmental;
@@ -20,8 +20,8 @@ double elastic_collapse(const PipeSteel& s) {
   return 2 * s.modulus * std::pow(s.wall / s.outer, 3) / (1 - s.poisson * s.poisson);
 }
 
-// The smallest positive root of (p - p_el)(p² - p_p²) = p p_el p_p f_0 D/t: the difference of the sides falls
-// from p_el p_p² at 0 to below 0 at the smaller of p_el and p_p.
+// Smallest positive root of (p - p_el)(p² - p_p²) = p p_el p_p f_0 D/t: the difference of the sides decreases
+// from p_el p_p² at 0 to a negative value at the smaller of p_el and p_p.
 double collapse_pressure(const PipeSteel& s) {
   const double elastic = elastic_collapse(s),
                plastic = 2 * s.smys * s.material_factor * s.fabrication * s.wall / s.outer,
@@ -34,7 +34,8 @@ double collapse_pressure(const PipeSteel& s) {
   return 0.5 * (low + high);
 }
 
-// The checks rise with the size of each load: the larger of both factors of functional loads is the worse.
+// The utilisation increases with the magnitude of each load, so the larger result of both functional factors
+// governs.
 double larger(const Combination& c, double condition, const auto& size) {
   return std::max(size(c.functional * condition, c.environmental),
                   size(kRelieving * condition, c.environmental));

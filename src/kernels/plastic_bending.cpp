@@ -1,5 +1,5 @@
-// The class PlasticBending: springs from the slopes of a broken line, their radial return, and where to put
-// the rows of a smooth curve.
+// The class PlasticBending: springs from the slopes of a polyline, their radial return, and placement of the
+// rows on a smooth curve.
 #include "hawser/kernels/plastic_bending.hpp"
 
 #include <algorithm>
@@ -46,7 +46,7 @@ BendingMoment PlasticBending::at(double c2, double c3, const double* set) const 
       o.energy += 0.5 * s.stiffness * e * e;
       continue;
     }
-    // On the yield circle only what is across the direction resists.
+    // On the yield circle only the component normal to the direction has stiffness.
     const double secant = s.stiffness * s.yield / e, n2 = e2 / e, n3 = e3 / e;
     o.m[0] += secant * e2;
     o.m[1] += secant * e3;
@@ -88,15 +88,15 @@ std::vector<PlasticBending::Row> ramberg_osgood(double EI, double yield_moment, 
   const double yield = yield_moment / EI;  // 1/m
   const auto curvature = [&](double m) {
     return yield * (m + A * std::pow(m, B));
-  };  // m: of the yield moment
+  };  // m: relative to the yield moment
   double most = 1;
   while (curvature(most) < last) most *= 2;
   for (double low = 0; most - low > 1e-12 * most;) {
     const double middle = 0.5 * (low + most);
     (curvature(middle) < last ? low : most) = middle;
   }
-  // A chord of a length h misses a curve of second derivative M'' by M'' h²/8: equal shares of the integral
-  // of sqrt(M''/M) make equal shares of the moment.
+  // A chord of length h has the error M'' h²/8 for a curve with the second derivative M'': equal parts of the
+  // integral of sqrt(M''/M) give equal relative errors of the moment.
   constexpr int kFine = 4000;
   std::vector<double> at, sum;
   for (int k = 0; k <= kFine; ++k) {

@@ -1,4 +1,5 @@
-// Motion of a point of a rigid body in axes that stay, its derivatives, and forces with a potential of it.
+// Motion of a point of a rigid body in fixed axes, its derivatives, and forces with a potential of its
+// displacement.
 #include "hawser/kernels/platform_frame.hpp"
 
 #include <cmath>
@@ -41,7 +42,7 @@ Heading heading_of(const Quat& q) {
   out.angle = std::atan2(bow.y(), bow.x());
   // d bow = R (dphi x e_x) = R (0, dphi_z, -dphi_y).
   const Vec3 by_z = q * Vec3::UnitY(), by_y = -(q * Vec3::UnitZ());
-  // A body whose bow points straight up or down has no heading; it then keeps its direction.
+  // A body whose bow points vertically has no heading; this bounds the derivative.
   const double square = std::max(bow.head<2>().squaredNorm(), 1e-6);
   const auto slope = [&](const Vec3& d) { return (bow.x() * d.y() - bow.y() * d.x()) / square; };
   out.by_turn = Vec3(0, slope(by_y), slope(by_z));

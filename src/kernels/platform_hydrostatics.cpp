@@ -1,4 +1,4 @@
-// Hydrostatic force on a rigid body by its heave and tilt, with its exact tangent.
+// Hydrostatic force on a rigid body from its heave and tilt, with its exact tangent.
 #include "hawser/kernels/platform_hydrostatics.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ struct AngleOverSine {
   double value = 1, first = 0, second = 0;
 };
 
-// With c = cos alpha, (1 - c²) f' = c f - 1 and (1 - c²) f'' = f + 3 c f'. For small alpha by the series
+// With c = cos alpha, (1 - c²) f' = c f - 1 and (1 - c²) f'' = f + 3 c f'. For small alpha the series
 //   f = 1 + u/3 (1 + 2 u/5 (1 + 3 u/7 (1 + ...))),   u = 1 - c
 AngleOverSine angle_over_sine(double sine, double cosine) {
   constexpr double kSmall = 0.1;  // of u
@@ -38,11 +38,12 @@ AngleOverSine angle_over_sine(double sine, double cosine) {
 
 }  // namespace
 
-// By y = (z_O, n), with d z_O = e_z . dx + (r x n) . phi and dn = n x phi at a material rotation phi:
+// Derivatives by y = (z_O, n), with d z_O = e_z . dx + (r x n) . phi and dn = n x phi for a material rotation
+// phi:
 //   U' = E^T C eta - buoyancy (1, arm_x, arm_y, 0),   E = d eta/dy
 //   U'' = E^T C E + sum_k (C eta)_k eta_k''
-//   f = L^T U',   K = L^T U'' L + (the change of L^T at fixed U'),   L = dy/d (x, phi)
-// The moment is g x n with g = U_z r + U_n, so that the change of L^T is hat(g) hat(n) on the rotations.
+//   f = L^T U',   K = L^T U'' L + (derivative of L^T at fixed U'),   L = dy/d (x, phi)
+// The moment is g x n with g = U_z r + U_n, so the derivative of L^T is hat(g) hat(n) on the rotations.
 PlatformPull hydrostatic_pull(const PlatformHydrostatics& V, const Vec3& r, const RigidBodyState& s) {
   const Vec3 n = s.q.conjugate() * Vec3::UnitZ();
   const AngleOverSine f = angle_over_sine(std::hypot(n.x(), n.y()), n.z());

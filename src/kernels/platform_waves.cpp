@@ -11,7 +11,7 @@
 namespace hawser {
 namespace {
 
-// Between rows and columns of a table of so many columns.
+// Bilinear interpolation in a table with this number of columns.
 ComplexVec6 bilinear(const std::vector<ComplexVec6>& values, size_t columns, const TablePlace& row,
                      const TablePlace& column) {
   const auto along = [&](size_t r) -> ComplexVec6 {
@@ -104,8 +104,8 @@ PlatformWaves::MeanDrift PlatformWaves::mean_drift(double heading) const {
   return out;
 }
 
-// Newman (1974) in the form of Standing, Brendling and Wilson (1987): F_ij = sqrt(D_i D_j) where both have
-// the same sign, else 0, is the difference of two squares.
+// Newman (1974) in the form of Standing, Brendling and Wilson (1987): F_ij = sqrt(D_i D_j) if both have the
+// same sign, else 0. The sum is a difference of two squares.
 void PlatformWaves::add_newman(const Eigen::MatrixXd& drift) {
   for (int freedom = 0; freedom < 6; ++freedom)
     for (const double sign : {1.0, -1.0}) {
@@ -120,8 +120,9 @@ void PlatformWaves::add_newman(const Eigen::MatrixXd& drift) {
     }
 }
 
-// sum_ij z_i conj(z_j) F_ij with z_i = a_i exp(i phase_i), F Hermitian: by its eigenvalues and -vectors
-// F = sum_m weight_m v_m v_m^H it is sum_m weight_m |sum_i v_mi z_i|². Modes that are small are excluded.
+// sum_ij z_i conj(z_j) F_ij with z_i = a_i exp(i phase_i) and F Hermitian. With its eigenvalues and
+// eigenvectors, F = sum_m weight_m v_m v_m^H, it equals sum_m weight_m |sum_i v_mi z_i|². Small modes are
+// excluded.
 void PlatformWaves::add_full() {
   constexpr double kNegligible = 1e-4;
   const auto n = static_cast<Eigen::Index>(components_.size());

@@ -1,6 +1,5 @@
 // Trial slip and friction of a point of a line against a volume or the seabed. Both are templates of the
-// scalar, so that the same source has the derivatives by the point and those along the line. The law is in
-// friction_law.hpp.
+// scalar, for derivatives by the point and along the line. The law is in friction_law.hpp.
 #pragma once
 
 #include "hawser/kernels/surface_contact_law.hpp"

@@ -9,21 +9,21 @@
 namespace hawser {
 namespace {
 
-// The memory ends where K is below this share of K(0), and its integral below this share of its largest
-// value: what is cut off is then less than about 1e-4 of the peak of B, which counts where a body oscillates
+// The memory ends where K is below this fraction of K(0), and its integral below this fraction of its
+// maximum. The error is then less than about 1e-4 of the peak of B, which matters for bodies that oscillate
 // at a frequency with little damping.
 constexpr double kNegligible = 2e-4;
-// Points of the table in a period of the highest frequency.
+// Points of the table per period of the highest frequency.
 constexpr double kPointsPerPeriod = 12;
 constexpr double kLongest = 400;  // s
-// K is over where it has been small for so many times as long as it was not, and for so many periods of the
-// highest frequency.
+// K has ended where it has been small for kSmallFor times as long as it was not, and for at least
+// kLeastPeriods periods of the highest frequency.
 constexpr size_t kSmallFor = 4, kLeastPeriods = 40;
 constexpr double kMostPoints = 20000;
 
 double sinc(double x) { return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x; }
 
-// Abscissae and weights of Gauss and Legendre on 0 to 1.
+// Abscissae and weights of Gauss-Legendre quadrature on 0 to 1.
 constexpr double kAt[] = {0.06943184420297371, 0.33000947820757187, 0.66999052179242813, 0.93056815579702629};
 constexpr double kWeight[] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
                               0.17392742256872693};
@@ -42,7 +42,7 @@ RadiationMemory::RadiationMemory(const std::vector<double>& omega, const Eigen::
   tabulate();
 }
 
-// Between omega_k and omega_k+1, B = B_k + s_k (omega - omega_k), by parts:
+// Between omega_k and omega_k+1, B = B_k + s_k (omega - omega_k); integration by parts:
 //   K = (2/pi) [B_N sin(omega_N t)/t + sum_k s_k (cos omega_k+1 t - cos omega_k t)/t²]
 // where the difference of cosines is -(b² - a²)/2 t² sinc((a + b) t/2) sinc((b - a) t/2).
 Eigen::RowVectorXd RadiationMemory::retardation(double t) const {
@@ -124,9 +124,9 @@ void RadiationMemory::integrals(double t, double* S, double* rate) const {
                          dcurve1 * K1[i];
 }
 
-// On an interval B = c + s u, and B/(u² - w²) has the integral
+// On an interval B = c + s u, the integral of B/(u² - w²) is
 //   [(c + s w) ln|u - w| - (c - s w) ln(u + w)]/(2 w).
-// At a row, u = w, c + s w is B of that row on both sides: the logarithms cancel.
+// At a row with u = w, c + s w is B of that row on both sides: the logarithms cancel.
 Eigen::RowVectorXd added_mass_by_damping(const std::vector<double>& omega, const Eigen::MatrixXd& damping,
                                          double at) {
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(damping.cols()), from = sum;
@@ -150,7 +150,7 @@ Eigen::RowVectorXd RadiationMemory::added_mass_by_damping(double omega) const {
   return hawser::added_mass_by_damping(omega_, damping_, omega);
 }
 
-// Each interval of the table by the rule of Gauss and Legendre.
+// Gauss-Legendre quadrature on each interval of the table.
 Eigen::RowVectorXd RadiationMemory::added_mass_below_infinite(const std::vector<double>& omega) const {
   Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(entries());
   const auto intervals = static_cast<size_t>(std::lround(length_ / spacing_));

@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kSame = 1e-9;  // rad and rad/s: one direction or frequency
+constexpr double kSame = 1e-9;  // rad and rad/s: equal directions or frequencies
 
 }  // namespace
 
@@ -55,7 +55,7 @@ Response RaoTable::at(double omega, double direction) const {
 }
 
 std::vector<RaoTable::Turn> RaoTable::turns(double omega, double direction) const {
-  constexpr double kSmall = 0.1;  // of the largest amplitude in the table
+  constexpr double kSmall = 0.1;  // fraction of the largest amplitude in the table
   std::vector<Turn> out;
   const auto [i, next, z] = frequency_place(omega_, omega);
   if (omega - omega_[i] < kSame || omega_[next] - omega < kSame) return out;
@@ -67,7 +67,7 @@ std::vector<RaoTable::Turn> RaoTable::turns(double omega, double direction) cons
       const std::complex<double> p = row(d, i)[k], q = row(d, next)[k];
       const double small = std::min(std::abs(p), std::abs(q));
       if (!(small > kSmall * largest_[k]) || !((p * std::conj(q)).real() < 0)) continue;
-      // The distance of the straight line from zero.
+      // Distance of the straight line from zero.
       const double least = std::abs((p * std::conj(q)).imag()) / std::abs(q - p);
       out.push_back({k, direction_[d], omega_[i], omega_[next], std::abs(std::arg(q / p)), small, least});
     }
@@ -95,7 +95,7 @@ RaoMotion::RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& 
     const Response r = table.at(w.omega, std::atan2(w.y, w.x) - heading - yaw);
     // Elevation at the origin a cos(omega t - psi); motion a Re(r exp(i (omega t - psi))).
     const double psi = w.number * (w.x * origin.x() + w.y * origin.y()) + w.phase;
-    double in[6], out[6];  // of cos and sin omega t
+    double in[6], out[6];  // coefficients of cos and sin omega t
     for (size_t k = 0; k < 6; ++k) {
       const std::complex<double> z = w.amplitude * r[k] * std::polar(1.0, -psi);
       in[k] = z.real();
@@ -121,8 +121,8 @@ void RaoMotion::at(double t, Vec3& offset, Vec3& rotation, const Vec3& drifted) 
 
 void RaoMotion::rows(double first, double step, size_t count, const Vec3& drifted, std::vector<Vec3>& offset,
                      std::vector<Vec3>& rotation) const {
-  // From row to row an angle grows by omega step: exp(i angle) is multiplied by a number of its own, whose
-  // rounding adds up to the next row that begins with cosines.
+  // A phase increases by omega step per row: exp(i phase) is multiplied by a constant factor, whose rounding
+  // errors accumulate until the next row that is computed with cosines.
   constexpr size_t kCosines = 256;
   const auto n = static_cast<Eigen::Index>(terms_.size());
   Eigen::Matrix<double, 6, Eigen::Dynamic> in(6, n), out(6, n);

@@ -1,5 +1,5 @@
-// The cubic through the rows of a stiffness table and the origin: force, tangent stiffness and strain energy
-// for the cable and beam elements.
+// Cubic through the rows of a stiffness table and the origin: force, tangent stiffness and strain energy for
+// cable and beam elements.
 #include "hawser/kernels/response_curve.hpp"
 
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-// A tangent below this share of a secant would make a line limp beyond its table.
+// Smallest tangent as a fraction of the secant; a smaller one would make a line limp beyond its table.
 constexpr double kLeast = 0.1;
 
 std::vector<ResponseCurve::Row> through_zero(std::span<const ResponseCurve::Row> rows, bool odd) {

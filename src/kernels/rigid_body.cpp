@@ -55,7 +55,7 @@ std::array<Vec3, 2> load_in_body(const RigidBodyLoad& load, const RigidBodyState
 
 }  // namespace
 
-// d (R^T y) = hat(R^T y) d phi of what stays in space; d (R F) = -R hat(F) d phi of what follows.
+// d (R^T y) = hat(R^T y) d phi for y fixed in space; d (R F) = -R hat(F) d phi for F fixed to the body.
 void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResidual& to) {
   const auto [F, moment] = load_in_body(load, s);
   to.applied.head<3>() -= s.q * F;
@@ -70,7 +70,7 @@ double load_potential(const RigidBodyLoad& load, const RigidBodyState& s) {
   return load.body_fixed ? 0 : -load.force.dot(s.x + s.q * load.arm);
 }
 
-// F·(dx + dR arm) + M·theta, theta the rotation vector of the way in space.
+// F·(dx + dR arm) + M·theta, with theta the rotation vector of the displacement in space.
 double load_work(const RigidBodyLoad& load, const RigidBodyState& start, const RigidBodyState& s) {
   const Vec3 theta = start.q * log_so3(start.q.conjugate() * s.q);
   const Vec3 way = s.x - start.x + s.q * load.arm - start.q * load.arm;

@@ -1,4 +1,4 @@
-// The low-pass filter of a body's place and heading.
+// Low-pass filter of a body's position and heading.
 #include "hawser/kernels/slow_pose.hpp"
 
 #include <cmath>
@@ -11,7 +11,7 @@ SlowPose SlowPose::at(const Vec3& pose) {
   return out;
 }
 
-// y'' + 2 c y' + c² (y - x) = 0, z' = c (y' - z) and the slow place y + 2 z/c, with x = x_0 + s t:
+// y'' + 2 c y' + c² (y - x) = 0, z' = c (y' - z), slow pose y + 2 z/c, with x = x_0 + s t:
 //   y = x - 2 s/c + (a + b t) exp(-c t),   z = s + (z_0 - s + c (b - c a) t - c² b t²/2) exp(-c t)
 SlowPose SlowPose::after(const Vec3& pose, double h, double period) const {
   const double c = 2 * M_PI / period;
@@ -29,7 +29,7 @@ SlowPose SlowPose::after(const Vec3& pose, double h, double period) const {
   return out;
 }
 
-// Of the same with s = pose/h and all else zero: a = 2 s/c, b = s.
+// The same with s = pose/h and everything else zero: a = 2 s/c, b = s.
 SlowPose::Share SlowPose::share(double h, double period) {
   const double c = 2 * M_PI / period, ch = c * h, decay = std::exp(-ch);
   const double rest = decay * (2 / c + h), rate = 1 + decay - c * rest;

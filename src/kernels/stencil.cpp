@@ -1,4 +1,4 @@
-// The chain rule from attached positions and rotations to the blocks of nodes.
+// Chain rule from attached positions and rotations to the blocks of nodes.
 #include "hawser/kernels/stencil.hpp"
 
 #include "hawser/math/wide3.hpp"
@@ -6,8 +6,8 @@
 namespace hawser {
 namespace {
 
-// A block that a row of forces acts on: increments of the block move what the row is conjugate to by E, and
-// its velocity by D (FramePoint::by_turn(), velocity_by_turn()).
+// Block on which a row of forces acts: increments of the block change the quantity conjugate to the row by E,
+// and its velocity by D (FramePoint::by_turn(), velocity_by_turn()).
 struct Part {
   int block = -1;
   bool turns = false;
@@ -28,7 +28,7 @@ struct Row {
   auto end() const { return parts.begin() + static_cast<std::ptrdiff_t>(count); }
 };
 
-// Of a row-major matrix in blocks of three: one of them.
+// 3x3 block of a row-major matrix.
 template <class Matrix>
 wide::Mat block_at(const Matrix& m, size_t row, size_t column) {
   constexpr size_t kWidth = Matrix::ColsAtCompileTime;
@@ -97,7 +97,7 @@ void Stencil::to_blocks(const AttachedForces& g, bool turning, double* f, double
           put(K, p.block, q.block, k);
         }
       if (!p.turns || !turning) continue;
-      // Arm and couple, in material axes, turn with the node.
+      // Arm and couple, in material axes, rotate with the node.
       const FramePoint& point = row.of->point;
       put(K, p.block, p.block,
           wide::load(row.couple ? Mat3(hat(point.R.transpose() * F)) : point.moment_by_turn(F)));

@@ -1,5 +1,5 @@
 // Coefficients of Fenton's fifth-order theory, solution of its dispersion relation with a current, limits of
-// its validity, and surface elevation and motion of the water.
+// validity, surface elevation and water motion.
 #include "hawser/kernels/stokes_wave.hpp"
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 namespace hawser {
 namespace {
 
-// Deeper than this over k nothing moves, to round-off.
+// Below this depth, in 1/k, the motion is zero to round-off.
 constexpr double kDeep = 20;
 
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, 1, 1>>;
 
-// Table 1 of Fenton (1985) that the wave number depends on. S = sech 2kd.
+// Coefficients of Table 1 of Fenton (1985) in the dispersion relation. S = sech 2kd.
 template <class T>
 struct Dispersion {
   T C0, C2, C4, D2, D4;
@@ -32,7 +32,7 @@ struct Dispersion {
   }
 };
 
-// Eqs 21 (Euler's mean velocity known) and 24 (Stokes' known), zero at the wave number.
+// Eqs 21 (Eulerian mean velocity known) and 24 (Stokes' known), zero at the wave number.
 template <class T>
 T dispersion(const StokesInput& in, const T& k) {
   using std::sqrt;
@@ -54,7 +54,7 @@ T dispersion(const StokesInput& in, const T& k) {
 double solve(const StokesInput& in) {
   const double omega = 2 * M_PI / in.period;
   double k = wave_number(omega, in.depth, in.gravity);
-  // Of small waves on the current first: that of the resting water may be far off.
+  // First small waves on the current, because the wave number of still water may be far off.
   for (const double height : {0.0, in.height}) {
     StokesInput now = in;
     now.height = height;
@@ -66,7 +66,7 @@ double solve(const StokesInput& in) {
       k += step;
       found = std::abs(step) <= 4e-16 * k || f.value() == 0;
       if (i > 40) found |= std::abs(step) <= 1e-13 * k;
-      if (!(slope > 0) || !std::isfinite(k)) break;  // beyond what can run against the current
+      if (!(slope > 0) || !std::isfinite(k)) break;  // no wave can run against this current
     }
     if (!found)
       throw std::invalid_argument("no wave of this height and period can run against a current of " +
@@ -75,7 +75,7 @@ double solve(const StokesInput& in) {
   return k;
 }
 
-// The rest of Table 1, of the surface and the potential.
+// Remaining coefficients of Table 1, for surface and potential.
 struct Shape {
   double A11, A22, A31, A33, A42, A44, A51, A53, A55;
   double B22, B31, B42, B44, B53, B55, E2, E4;
@@ -171,7 +171,7 @@ double StokesWave::at_phase(double theta) const {
   return sum;
 }
 
-// With theta the angle and y the height over the bed; w_x = u_z, w_z = -u_x.
+// theta: phase; y: height above the bed; w_x = u_z, w_z = -u_x.
 StokesWave::Flow StokesWave::flow(double theta, double y) const {
   Flow f;
   f.u = drift_;
@@ -189,7 +189,7 @@ StokesWave::Flow StokesWave::flow(double theta, double y) const {
   return f;
 }
 
-// From the bed; in deep water nothing moves below.
+// Height above the bed; in deep water above a depth without motion.
 double StokesWave::over_bed(double z, double surface) const {
   return std::max(0.0, std::min(z, surface) + depth_);
 }

@@ -7,7 +7,7 @@
 namespace hawser {
 namespace {
 
-// From `p` on, s along one segment.
+// Point at the distance s from `p` along one segment.
 PathPoint beyond(const PathPoint& p, const PathSegment& segment, double s) {
   PathPoint out = p;
   if (!(segment.radius > 0)) {
@@ -29,7 +29,7 @@ Vec3 across(const Vec3& along) { return (Vec3::UnitZ() - along.z() * along).norm
 Vec3 direction_at(const std::vector<Vec3>& points, size_t i) {
   const size_t n = points.size();
   if (n == 2) return (points[1] - points[0]).normalized();
-  const size_t m = std::clamp<size_t>(i, 1, n - 2);  // in the middle of three
+  const size_t m = std::clamp<size_t>(i, 1, n - 2);  // middle point of the parabola
   const Vec3 first = points[m] - points[m - 1], second = points[m + 1] - points[m];
   const double a = first.norm(), b = second.norm();
   const Vec3 before = first / a, after = second / b;

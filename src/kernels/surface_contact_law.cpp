@@ -11,14 +11,14 @@
 namespace hawser {
 namespace {
 
-// The rotation `turn` [rad] is along `by`, a column each.
+// Rotation `turn` [rad] in the directions of the columns of `by`.
 template <int kTurns>
 struct Rotation {
   Vec3 turn;
   Eigen::Matrix<double, 3, kTurns> by;
 };
 
-// Derivatives are by point, velocity and rotation.
+// Derivatives by point, velocity and rotation.
 constexpr int kVelocity = 3, kTurn = 6;
 template <int kTurns>
 using Dual = Eigen::AutoDiffScalar<Eigen::Matrix<double, kTurn + kTurns, 1>>;
@@ -50,7 +50,7 @@ PointState<Dual<kTurns>> dual(const ContactTrial& t, const NormalForce& n, const
   return s;
 }
 
-// Adds friction to the normal force; by_turn: the derivative of the force by the rotation.
+// Adds friction to the normal force; by_turn: derivative of the force by the rotation.
 template <int kTurns>
 void add_friction(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                   const Rotation<kTurns>& rotation, bool derivatives, PointContact& r,
@@ -78,8 +78,8 @@ void add_friction(const ContactLaw& law, const ContactStart& start, const Contac
   r.force += r.friction;
 }
 
-// F = N(g, g') n, with n = n(y), dn/dy = H and g' = n.u (docs/theory/contact.md). By y: n (N_g n + N_g' H u)'
-// + N H, by u: N_g' n n'.
+// F = N(g, g') n, with n = n(y), dn/dy = H and g' = n.u (docs/theory/contact.md). Derivative by y: n (N_g n +
+// N_g' H u)' + N H; by u: N_g' n n'.
 PointContact without_friction(const ContactLaw& law, const ContactTrial& trial, bool derivatives) {
   PointContact r;
   const Vec3& n = trial.normal;

@@ -1,4 +1,4 @@
-// The search of frequencies and directions in tables, all round between directions.
+// Search for frequencies and directions in tables, periodic in direction.
 #include "hawser/kernels/table_places.hpp"
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kSame = 1e-9;  // rad: one direction
+constexpr double kSame = 1e-9;  // rad: equal directions
 
 }  // namespace
 
@@ -32,7 +32,7 @@ TablePlace direction_place(const std::vector<double>& directions, double x) {
   const auto above = std::upper_bound(directions.begin(), directions.end(), within);
   const std::size_t after = above - directions.begin(), a = (after + n - 1) % n, b = after % n;
   if (a == b) return {a, b, 0};
-  // From the one below; of x - directions[a] rounding could make a whole turn.
+  // Counted from the direction below; rounding of x - directions[a] could add a full turn.
   const double way = within - directions[a];
   return {a, b, (way < 0 ? way + 2 * M_PI : way) / all_round(directions[b] - directions[a])};
 }

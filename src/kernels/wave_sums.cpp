@@ -1,6 +1,6 @@
-// The sums over the components of a sea, as loops over arrays without branches. This file is compiled with
-// -ffast-math, without which neither are sums put in another order nor are sin, cos and exp those of the C
-// library for vectors (four units in the last place).
+// Sums over the components of a sea, as loops over arrays without branches. This file is compiled with
+// -ffast-math, which is necessary for reordering of sums and for the vector versions of sin, cos and exp in
+// the C library (four units in the last place).
 #include "hawser/kernels/wave_sums.hpp"
 
 #include <algorithm>
@@ -13,14 +13,14 @@ namespace hawser {
 namespace {
 
 constexpr std::size_t kVector = 8;
-// At a depth d motion has exp(-k d) + exp(-k (2 h - d)) of what it has, less the second, in the mean water
-// level: at most 2 exp(-k d), a component's with k d above this less than kNegligible of it.
+// At a depth d the motion is exp(-k d) + exp(-k (2 h - d)) times that at the mean water level without its
+// term exp(-2 k h): at most 2 exp(-k d). For k d above this value it is less than kNegligible.
 const double kNegligibleExponent = std::log(2 / WaveSums::kNegligible);
-// exp of minus it is below rounding.
+// exp(-kNothing) is below rounding.
 constexpr double kNothing = 37;
 
-// Sine and cosine of an angle in quarter turns, whose reduction to an eighth of a turn is exact in them. By
-// Taylor's series to below (pi/4)^15/15! = 2e-14, beside which kNegligible is large.
+// Sine and cosine of an angle in quarter turns, for which the reduction to an eighth of a turn is exact.
+// Taylor series with an error below (pi/4)^15/15! = 2e-14, much less than kNegligible.
 struct SineCosine {
   double sine, cosine;
 };
@@ -39,7 +39,7 @@ inline SineCosine sine_cosine(double quarters) {
   return {quadrant & 2 ? -first : first, (quadrant + 1) & 2 ? -second : second};
 }
 
-// Parameters, since the compiler believes __restrict only of those.
+// Parameters, because the compiler uses __restrict only for those.
 double elevation(std::size_t n, const double* phase, const double* per_time, double t, const double* along_x,
                  double x, const double* along_y, double y, const double* amplitude, double* __restrict sine,
                  double* __restrict cosine) {
@@ -64,7 +64,7 @@ WaveSums::WaveSums(std::vector<WaveComponent> components, double depth) : depth_
   }
   for (const WaveComponent& c : components) {
     const double bottom = depth > 0 ? std::exp(-2 * c.number * depth) : 0;
-    constexpr double kQuarters = 2 / M_PI;  // in a radian
+    constexpr double kQuarters = 2 / M_PI;  // per radian
     number_.push_back(c.number);
     omega_.push_back(c.omega);
     amplitude_.push_back(c.amplitude);
@@ -89,7 +89,7 @@ std::size_t WaveSums::up_to(double most) const {
 }
 
 std::size_t WaveSums::components_over_bed(double z) const {
-  const double above = std::max(depth_ + z, 0.0);  // the bed
+  const double above = std::max(depth_ + z, 0.0);  // above the bed
   return depth_ > 0 ? up_to(kNothing / std::max(2 * above, 1e-9)) : 0;
 }
 
@@ -104,8 +104,8 @@ HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n,
                           amplitude_.data(), out.sine.data(), out.cosine.data());
 }
 
-// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both are exp kz where the bed does
-// not matter.
+// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both equal exp kz where the bed has no
+// effect.
 HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
                                         Vec3& acceleration) const {
   const std::size_t n = std::min(significant_components(z), at.sine.size());
@@ -122,7 +122,7 @@ HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& veloci
     az -= omega_[i] * up * cosine[i];
   };
   for (std::size_t i = 0; i < shallow; ++i) {
-    // A vector that begins with what is significant may end with waves so short that both are zero.
+    // A vector with significant components may also contain waves so short that both are zero.
     const double e = std::exp(number_[i] * z),
                  back = bottom_[i] / std::max(e, std::numeric_limits<double>::min());
     add(i, speed_[i] * (e + back), speed_[i] * (e - back));

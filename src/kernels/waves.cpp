@@ -1,5 +1,5 @@
-// Airy waves: dispersion relation, stretching, and the random
-// components of a JONSWAP or tabulated spectrum with directional spreading.
+// Airy waves: dispersion relation, stretching, and random components of a JONSWAP or tabulated spectrum with
+// directional spreading.
 #include "hawser/kernels/waves.hpp"
 
 #include <algorithm>
@@ -35,16 +35,15 @@ WaveField::WaveField(std::vector<WaveComponent> components, double depth, double
 WaveField::WaveField(std::shared_ptr<const StokesWave> wave)
     : components_{wave->component()}, depth_(wave->depth()), stokes_(std::move(wave)) {}
 
-// How many components, the longest waves first, are summed for a place at the height z. At the bed those that
-// are significant there are enough: the motion depends on the elevation eta only by Wheeler's stretching,
-// which moves the place by h (h + z)/(h + eta)² d eta when eta changes by d eta, and the motion exp(kz) of
-// any component then changes by at most 1/(e |z|) times that. This is bounded by WaveSums::kNegligible for
-// what is excluded. Everywhere else all components are summed, since a tall body below needs the elevation
-// above it.
+// Number of components, longest waves first, that are summed at the height z. Near the bed the significant
+// ones suffice: the motion depends on the elevation eta only through Wheeler's stretching, which moves the
+// point by h (h + z)/(h + eta)² d eta, and the motion exp(kz) of a component changes by at most 1/(e |z|)
+// times that. This bound must not exceed WaveSums::kNegligible for the excluded components. Elsewhere all
+// components are summed, because a tall body below needs the elevation above it.
 std::size_t WaveField::components_summed(double z) const {
   const double height = sums_.height_beyond(0), h = depth_;
   if (stretching_ != Stretching::wheeler || !(h > height) || !(z < -height)) return sums_.size();
-  const double highest = h * (z + height) / (h - height);  // under the deepest trough
+  const double highest = h * (z + height) / (h - height);  // below the deepest trough
   const double moves = h * std::abs(h + z) / ((h - height) * (h - height));
   const std::size_t n = sums_.significant_components(highest);
   const double change = moves * sums_.height_beyond(n) / (M_E * -highest);
@@ -53,12 +52,12 @@ std::size_t WaveField::components_summed(double z) const {
 
 WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) const {
   if (stokes_) return stokes_->at(x, t, factor, rate);
-  thread_local WaveSums::Phases phases;  // room that is used again
+  thread_local WaveSums::Phases phases;  // reused memory
   sums_.phases(x.x(), x.y(), t, components_summed(x.z()), phases);
   WaveMotion m;
   m.surface = factor * phases.surface;
   double z = x.z();
-  if (z > m.surface) z = m.surface;  // only what is partly wet is asked for above it
+  if (z > m.surface) z = m.surface;  // points above the surface belong to partly wet elements
   if (stretching_ == Stretching::none && z > 0) return m;
   Vec3 u = Vec3::Zero(), a = Vec3::Zero();
   sums_.add_motion(phases, stretched(z, m.surface), u, a);
@@ -67,7 +66,7 @@ WaveMotion WaveField::at(const Vec3& x, double t, double factor, double rate) co
   return m;
 }
 
-// The height at which linear theory is asked for what there is at z.
+// Height at which linear theory is evaluated for the height z.
 double WaveField::stretched(double z, double surface) const {
   if (stretching_ != Stretching::wheeler) return std::min(z, 0.0);
   return depth_ > 0 ? depth_ * (z - surface) / (depth_ + surface) : z - surface;
@@ -75,7 +74,7 @@ double WaveField::stretched(double z, double surface) const {
 
 double WaveField::head(const Vec3& x, double t, double factor) const {
   if (stokes_) return stokes_->head_at(x, t, factor);
-  thread_local WaveSums::Phases phases;  // room that is used again
+  thread_local WaveSums::Phases phases;  // reused memory
   sums_.phases(x.x(), x.y(), t, components_summed(x.z()), phases);
   const double surface = factor * phases.surface;
   return factor * sums_.head(phases, stretched(std::min(x.z(), surface), surface));
@@ -90,7 +89,7 @@ double shape(double omega, double peak, double gamma) {
          std::pow(gamma, std::exp(-0.5 * off * off));
 }
 
-// Integral of the shape up to omega_i, by Simpson on a fine grid of log omega.
+// Integral of the shape up to omega_i, by Simpson's rule on a fine grid of log omega.
 struct Grid {
   std::vector<double> omega, sum;
   Grid(double peak, double gamma, double from, double to, int cells) {
@@ -106,7 +105,8 @@ struct Grid {
   }
 };
 
-// The angle off the mean direction that a share of the waves is to the right of, by cos^2s of half the angle.
+// Angle from the mean direction to the right of which a given fraction of the waves lies, for cos^2s of half
+// the angle.
 class Spreading {
  public:
   explicit Spreading(double s) : below_(kCells + 1, 0) {
@@ -117,7 +117,7 @@ class Spreading {
     for (int i = 0; i < kCells; ++i) below_[i + 1] = below_[i] + density(i) + density(i + 1);
   }
   double angle(double share) const {
-    const double sum = std::min(share, 1 - 1e-12) * below_.back();  // a share of 1 has no angle of its own
+    const double sum = std::min(share, 1 - 1e-12) * below_.back();  // a fraction of 1 has no unique angle
     const auto above = std::upper_bound(below_.begin() + 1, below_.end() - 1, sum);
     const auto i = above - below_.begin() - 1;
     return first_ + step_ * (static_cast<double>(i) + (sum - below_[i]) / (below_[i + 1] - below_[i]));
@@ -129,9 +129,9 @@ class Spreading {
   double first_ = 0, step_ = 0;
 };
 
-// Most of the energy of a sea is in a few dozen components, too few for directions drawn at random: their
-// mean would be off by several degrees. So the components lie side by side in random order, each as wide as
-// its energy, and have the direction that belongs to their middle.
+// Most of the energy of a sea is in a few dozen components, too few for random directions: their mean would
+// be off by several degrees. Instead the components are arranged in random order, each with a width equal to
+// its energy, and have the direction of their middle.
 void spread(std::vector<WaveComponent>& components, double mean, double spreading, Random& random) {
   std::vector<size_t> order(components.size());
   std::iota(order.begin(), order.end(), 0);
@@ -150,8 +150,8 @@ void spread(std::vector<WaveComponent>& components, double mean, double spreadin
   }
 }
 
-// A bin of a spectrum as a component: its energy [m²] exactly, a frequency [rad/s] in the middle half of it.
-// Anywhere in it two neighbours could come so near to each other that three hours are short for their beat.
+// Component for a bin of a spectrum: its exact energy [m²], and a random frequency [rad/s] in its middle
+// half. In the full bin two neighbours could be so close that three hours are short for their beat.
 WaveComponent component_of(double energy, double from, double to, double direction, Random& random) {
   WaveComponent c;
   c.amplitude = std::sqrt(2 * energy);
@@ -176,7 +176,7 @@ std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, 
   std::vector<WaveComponent> out;
   for (int i = 0; i < count; ++i) {
     const size_t from = kFine * i, to = from + kFine;
-    // What the range excludes goes to all bins.
+    // The energy excluded by the range is distributed to all bins.
     const double energy = (g.sum[to] - g.sum[from]) / g.sum.back() * spectrum.height * spectrum.height / 16;
     out.push_back(component_of(energy, g.omega[from], g.omega[to], direction, random));
   }
@@ -186,7 +186,7 @@ std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, 
 
 std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, double direction, int count,
                                      std::uint64_t seed, double spreading) {
-  // Energy below a frequency, exact for straight lines.
+  // Energy below a frequency, exact for linear interpolation.
   const auto below = [&rows](double omega) {
     double sum = 0;
     for (size_t i = 1; i < rows.size() && rows[i - 1].omega < omega; ++i) {
@@ -199,7 +199,7 @@ std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, doubl
   const double last = rows.back().omega, first = std::max(rows.front().omega, last / 50);
   Random random = random_of(seed);
   std::vector<WaveComponent> out;
-  double from = first, so_far = 0;  // what is below the first bin goes into it
+  double from = first, so_far = 0;  // the energy below the first bin is added to it
   for (int i = 1; i <= count; ++i) {
     const double to = i < count ? first * std::pow(last / first, static_cast<double>(i) / count) : last;
     const double sum = below(to);

@@ -1,4 +1,4 @@
-// The class RootSearch: the walk outward, and Chandrupatla's choice between its two steps.
+// The class RootSearch: outward search, and Chandrupatla's choice between interpolation and bisection.
 #include "hawser/math/root_search.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace hawser {
 namespace {
 
 constexpr double kGrowth = 2;     // of steps outward
-constexpr int kMostFailures = 6;  // before what lies beyond is left alone: each halves the step
+constexpr int kMostFailures = 6;  // in one direction; each halves the step
 
 }  // namespace
 
@@ -56,7 +56,7 @@ void RootSearch::add(double value) {
     f_[2] = f_[1];
     return;
   }
-  // The other way first, if this one leads away.
+  // Changes the direction if the function moves away from zero in this one.
   const bool away = count_ == 2 && std::abs(value) > std::abs(w.f) && !way_[1 - going_].ended;
   w.x = next_;
   w.f = value;
@@ -81,7 +81,7 @@ void RootSearch::fail() {
   outward();
 }
 
-// What was looked for on the way here, where the start has none, lies behind.
+// The search for a first value has already covered the side from which it came.
 void RootSearch::begin(double value) {
   Way &there = way_[going_], &back = way_[1 - going_];
   if (failures_at_start_ > 0) {
@@ -98,7 +98,7 @@ void RootSearch::begin(double value) {
   outward();
 }
 
-// The start has no value: ever farther from it on either side.
+// The start has no value: search at increasing distances on both sides.
 void RootSearch::extend_range() {
   if (failures_at_start_++ > 0) {
     way_[going_].x = next_;
@@ -124,7 +124,7 @@ void RootSearch::outward() {
   }
   const double x = w.x + w.step;
   next_ = (w.step > 0) == (x < w.limit) ? x : w.limit;
-  // What failed is not asked for again.
+  // A point that failed is not requested again.
   if (w.failures > 0 && next_ == w.limit) next_ = 0.5 * (w.x + w.limit);
 }
 

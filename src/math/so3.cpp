@@ -1,10 +1,10 @@
-// The smallest rotation between two directions, the one function on rotations that is not inline.
+// Smallest rotation between two directions, the only function on rotations that is not inline.
 #include "hawser/math/so3.hpp"
 
 namespace hawser {
 
-// Not inline: what Eigen does for opposite vectors is a singular value decomposition, and each file that saw
-// it would compile it again, for twice as long as all the rest of the file.
+// Not inline: Eigen computes a singular value decomposition for opposite vectors, which would dominate the
+// compile time of each file that includes it.
 Quat minimal_rotation(const Vec3& from, const Vec3& to) { return Quat::FromTwoVectors(from, to); }
 
 }  // namespace hawser

@@ -1,4 +1,4 @@
-// Which node of a fed line is the first outside, by the length of its stock.
+// First node outside the feeder of a fed line, from the length of its stock.
 #include "hawser/mesh/fed_start.hpp"
 
 namespace hawser {

@@ -1,5 +1,5 @@
-// How a rank's part of the mesh is made: numbering of blocks over all ranks, ghost nodes of its elements,
-// shared positions at joints, and further ghosts for contact.
+// Construction of a rank's part of the mesh: block numbers over all ranks, ghost nodes of its elements,
+// shared positions at joints, and further ghosts for couplings.
 #include "hawser/mesh/local_mesh.hpp"
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 namespace hawser {
 namespace {
 
-// Local blocks of a node whose first one of the parallel numbering is `first`.
+// Adds local blocks of a node whose first block in the parallel numbering is `first`.
 int add_blocks(LocalMesh& l, int first, int width) {
   const int at = l.blocks();
   for (int k = 0; k < width; ++k) l.global_block.push_back(first + k);
   return at;
 }
 
-// The block of a node that has another's position is that one's, or where that is no local node the one that
-// has come for the same joint already.
+// A node that shares another's position uses its block; if that node is not local, the block already added
+// for the same joint.
 void pin(LocalMesh& l, int local) {
   const int g = l.global[local], other = l.mesh->nodes[g].pinned_to;
   if (other < 0) return;
@@ -61,7 +61,7 @@ LocalMesh local_mesh(const Mesh& mesh, const std::vector<int>& owner, int rank, 
     if (a && !b) ghosts.push_back(e.second);
     if (b && !a) ghosts.push_back(e.first);
     if (a == b) continue;
-    for (const int n : {e.first, e.second})  // with the frames that carry them
+    for (const int n : {e.first, e.second})  // and the frames that carry them
       if (const int frame = mesh.nodes[n].tied_to; frame >= 0 && owner[frame] != rank)
         ghosts.push_back(frame);
   }

@@ -1,4 +1,4 @@
-// From the case to nodes and elements: elements of the lengths of model/line_nodes.cpp, joints, ends tied to
+// Nodes and elements of a case: elements with the lengths of model/line_nodes.cpp, joints, ends tied to
 // floating bodies, nodes where tension may jump, and bodies that ride on lines.
 #include "hawser/mesh/mesh.hpp"
 
@@ -14,7 +14,7 @@
 namespace hawser {
 namespace {
 
-// Whether an event lets this end go.
+// Whether an event releases this end.
 bool released(const model::Case& c, const model::Line& line, bool at_b) {
   return std::any_of(c.events.begin(), c.events.end(), [&](const model::Event& e) {
     return e.action.kind == model::Action::Kind::release && e.action.line == line.name &&
@@ -22,9 +22,9 @@ bool released(const model::Case& c, const model::Line& line, bool at_b) {
   });
 }
 
-// An end that rotates, or else the first, lends its position to the others of a joint; of a rigid one it
-// carries the others that rotate. One that stays carries those that are released, which have unknowns of
-// their own then.
+// The first end of a joint that rotates, or else the first one, shares its position with the other ends; in a
+// rigid joint it carries the others that rotate. An end that stays carries those that are released later,
+// which then have unknowns of their own.
 void join(const model::Case& c, Mesh& m) {
   std::unordered_map<std::string, std::vector<std::pair<size_t, bool>>> ends_of;  // by joint: line, its end B
   for (size_t l = 0; l < c.lines.size(); ++l)
@@ -49,7 +49,7 @@ void join(const model::Case& c, Mesh& m) {
   }
 }
 
-// Ends at bodies that move by their own equations, or that events attach to one.
+// Ties ends to floating bodies, including ends that events attach to one.
 void tie(const model::Case& c, Mesh& m) {
   for (const model::Event& e : c.events) {
     const model::Action& a = e.action;
@@ -78,7 +78,7 @@ void mark_two_sided(const model::Case& c, Mesh& m) {
     };
     for (const model::PointMass& p : c.lines[l].masses) attach(p.at);
     for (const model::PointLoad& p : c.lines[l].point_loads) attach(p.at);
-    for (const model::Event& e : c.events)  // whose tension is waited for there
+    for (const model::Event& e : c.events)  // events that depend on the tension there
       if (e.cause.kind == model::Cause::Kind::tension && e.cause.line == c.lines[l].name) attach(e.cause.arc);
   }
 }

@@ -1,4 +1,4 @@
-// Cuts of a row of weights: how heavy the heaviest stretch must be, the reach of each cut, and its choice.
+// Division of a row of weights: smallest weight of the heaviest stretch, reach of each cut, and its choice.
 #include "hawser/mesh/stretches.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ bool fits(const std::vector<double>& sums, int parts, double limit) {
   return at + 1 == std::ssize(sums);
 }
 
-// The least weight that the heaviest stretch can have, by bisection between the mean and all.
+// Smallest possible weight of the heaviest stretch, by bisection between the mean and the total.
 double least_limit(const std::vector<double>& sums, int parts) {
   double low = sums.back() / parts, high = sums.back();
   while (high - low > kRounding * sums.back()) {
@@ -79,8 +79,7 @@ std::vector<int> cut_into_stretches(std::span<const double> weight, std::span<co
   const int last = static_cast<int>(p.at.size()) - 1;
   std::vector<int> cuts(static_cast<size_t>(parts) + 1, last), least(cuts);
   cuts[0] = 0;
-  // least[k]: the first place at which part k may begin, so that what follows fits into part k and those
-  // after it.
+  // least[k]: first place at which part k may begin, so that the rest fits into part k and those after it.
   for (int k = parts - 1; k > 0; --k) least[k] = earliest(p.sums, least[k + 1], limit);
   for (int k = 1; k < parts; ++k) {
     const int before_it = cuts[k - 1], low = std::max(least[k], before_it);

@@ -1,4 +1,4 @@
-// Static condensation onto a body: its six columns by solutions with the tangent in which it is held.
+// Static condensation onto a body: its six columns by solutions with the tangent of the held body.
 #include "hawser/solve/body_stiffness.hpp"
 
 #include <petscksp.h>
@@ -30,7 +30,7 @@ Vec6 values(MPI_Comm comm, Vec v, const std::vector<PetscInt>& rows) {
   return Eigen::Map<const Vec6>(x.data());
 }
 
-// Sets what is held to zero.
+// Sets the held components to zero.
 void clear_held(const System& system, Vec v) {
   const auto& held = system.tied_nodes().held();
   PetscScalar* x = nullptr;
@@ -103,8 +103,8 @@ BodyStiffness body_stiffness(System& system, const Kinematics& at, int body_node
   return out;
 }
 
-// With the residual f, m (m in axes of the body) at the centre of mass c, p = c + r: f_p = f, m_p = R m - r x
-// f. dx_c = dx_p + r x dtheta and dphi = R^T dtheta; d(R m) = dtheta x R m + R dm, dr = dtheta x r.
+// With the residual f, m (m in body axes) at the centre of mass c and p = c + r: f_p = f, m_p = R m - r x f.
+// dx_c = dx_p + r x dtheta, dphi = R^T dtheta, d(R m) = dtheta x R m + R dm, dr = dtheta x r.
 BodyStiffness about_point(const BodyStiffness& s, const Vec3& r, const Mat3& R) {
   const Vec3 force = s.f.head<3>(), moment = R * s.f.tail<3>();
   Mat6 to_centre, to_point;

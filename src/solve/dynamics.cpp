@@ -1,6 +1,5 @@
-// The class Dynamics: Newton's iteration of one time step, the rule by which it keeps an old tangent, the
-// accelerations at the start, and what an accepted step commits. Whether a step is accepted is decided in
-// step_decision.cpp.
+// The class Dynamics: Newton's iteration of a time step, reuse of old tangents, accelerations at the start,
+// and commitment of an accepted step. Acceptance is decided in step_decision.cpp.
 #include "hawser/solve/dynamics.hpp"
 
 #include <petscdm.h>
@@ -177,8 +176,8 @@ int Dynamics::try_step(double h) {
   h_ = h;
   if (h != expected_) system_.expect(committed_.s.view(last_step_), h);
   expected_ = h;
-  // trial_ takes over what a step does not change (rotations of cable nodes). After the first copy it has
-  // that from the step before.
+  // trial_ needs the values that a step does not change (rotations of cable nodes). After the first copy it
+  // has those of the previous step.
   if (!copied_) trial_ = committed_;
   copied_ = true;
   alpha_mean_carried(alpha_, mean_, carried_);

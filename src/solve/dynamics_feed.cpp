@@ -1,4 +1,4 @@
-// The class Dynamics: how the motion continues after a feeder has released or caught a node.
+// The class Dynamics: continuation of the motion after a feeder has released or caught a node.
 #include <Eigen/LU>
 #include <cmath>
 
@@ -18,8 +18,8 @@ constexpr double kFarthest = 0.1;
 
 void Dynamics::transfer_node(const std::function<std::optional<Moved>()>& change,
                              const std::function<std::vector<TiedNode>()>& nodes) {
-  // Directly after an event there is no last step. Then the forces are those that the next step begins with
-  // (see start), not those of statics.
+  // Directly after an event there is no last step. The forces are then those at the beginning of the next
+  // step (see start), not those of statics.
   const double h = last_step_ > 0 ? last_step_ : control_.proposal();
   const auto forces = [this, h] {
     State s = committed_.s;

@@ -1,5 +1,5 @@
-// The class Dynamics: how the motion continues when other nodes are tied, because ends were released or
-// caught (docs/theory/events.md).
+// The class Dynamics: continuation of the motion with other nodes tied, after ends were released or caught
+// (docs/theory/events.md).
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace hawser {
 namespace {
 
-// Time before the event at which velocities are taken: this share of the time, at least of 1 s.
+// Time before the event at which velocities are taken, as a fraction of the time, at least of 1 s.
 constexpr double kJustBefore = 1e-9;
 
 bool holds(const TiedNodes& tied, int node) {
@@ -50,7 +50,7 @@ void Dynamics::match_tied_velocities(const TiedNodes& before, State& s) {
   committed_.s = s;
   last_step_ = 0;
   prepare(h);
-  s = committed_.s;  // The copy has the ghosts that prepare() has made.
+  s = committed_.s;  // the copy has the ghosts that prepare() has created
   VecHandle rest;
   check(VecDuplicate(r_.get(), rest.out()));
   system_.residual(s.view(h), rest.get());

@@ -15,7 +15,7 @@ namespace {
 
 using Blocks = std::vector<PetscInt>;
 
-// The local rows of A: own columns, columns of other ranks and the global numbers of the latter, in blocks.
+// Local rows of A: own columns, columns of other ranks and the global numbers of the latter, in blocks.
 struct LocalRows {
   explicit LocalRows(Mat A) {
     check(MatMPIBAIJGetSeqBAIJ(A, &own, &other, &ghosts));
@@ -44,7 +44,7 @@ void for_each_block(Mat m, const Visit& visit) {
   check(MatRestoreRowIJ(m, 0, PETSC_FALSE, PETSC_TRUE, &rows, &starts, &columns, &done));
 }
 
-// The group of each local block (own ones, then ghosts) of those that the pattern connects: its first block.
+// Group of each local block (own ones, then ghosts) that the pattern connects: its first block.
 Blocks connected(const LocalRows& local) {
   Blocks group(static_cast<size_t>(local.owned + local.others));
   std::iota(group.begin(), group.end(), 0);
@@ -66,8 +66,8 @@ Blocks connected(const LocalRows& local) {
   return group;
 }
 
-// The smallest global number of what each local block is connected with, over all ranks. blocks: from each
-// block to its ghosts. Collective.
+// Smallest global number connected with each local block, over all ranks. blocks: from each block to its
+// ghosts. Collective.
 Blocks labels(MPI_Comm comm, const LocalRows& local, PetscSF blocks) {
   const Blocks group = connected(local);
   Blocks least(group.size());
@@ -89,14 +89,14 @@ Blocks labels(MPI_Comm comm, const LocalRows& local, PetscSF blocks) {
   return least;
 }
 
-// Where an unknown block stands at the rank that solves its part: its place among all that this rank solves,
-// the first place of its part, the size of the part, and where the part's matrix begins there.
+// Place of an unknown block at the rank that solves its part: its index among all blocks solved there, the
+// first index and size of its part, and the offset of the part's matrix.
 struct Place {
   PetscInt at = 0, first = 0, size = 0, matrix = 0;
 };
 constexpr int kPlace = sizeof(Place) / sizeof(PetscInt);
 
-// A committed type of n values in a row.
+// A committed MPI type of n contiguous values.
 class Row {
  public:
   Row(int n, MPI_Datatype of) {
@@ -112,10 +112,10 @@ class Row {
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
 };
 
-// Brings lists of blocks to other ranks and back a Place for each block. Collective.
+// Sends lists of blocks to other ranks, and returns a Place for each block. Collective.
 class Questions {
  public:
-  // lists: by rank; each is the label of a part, the number of its blocks, the blocks, and so on.
+  // lists: by rank; each consists of the label of a part, the number of its blocks, the blocks, and so on.
   Questions(MPI_Comm comm, PetscMPIInt tag, const std::map<int, Blocks>& lists) : comm_(comm), tag_(tag) {
     std::vector<PetscMPIInt> to;
     Blocks lengths;
@@ -133,7 +133,7 @@ class Questions {
     exchange(lists, received_, MPIU_INT);
   }
   const std::map<int, Blocks>& received() const { return received_; }
-  // answers: of the ranks of `received`; out: of those that were asked, with room.
+  // answers: to the ranks of `received`; out: from the ranks that were asked, of the right size.
   void answer(const std::map<int, std::vector<Place>>& answers,
               std::map<int, std::vector<Place>>& out) const {
     const Row place(kPlace, MPIU_INT);
@@ -168,7 +168,7 @@ void for_each_asked(const Blocks& list, const Visit& visit) {
   }
 }
 
-// A star forest of `leaves`, which stand one after another, with `roots` on this rank. Collective.
+// Star forest with contiguous `leaves` and `roots` on this rank. Collective.
 SfHandle forest(MPI_Comm comm, PetscInt roots, std::vector<PetscSFNode> leaves) {
   SfHandle sf;
   check(PetscSFCreate(comm, sf.out()));

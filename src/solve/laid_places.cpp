@@ -1,5 +1,5 @@
-// Computes where the nodes of lines were laid on the bed, from the ends of lines onwards, and which end a
-// line was laid from.
+// Positions where the nodes of lines were laid on the bed, starting from the ends of lines, and the choice of
+// the end from which a line was laid.
 #include "hawser/solve/laid_places.hpp"
 
 #include <algorithm>

@@ -14,7 +14,7 @@
 namespace hawser {
 namespace {
 
-// Newton iterations of a step: limit; at most so many let the mass shrink
+// Newton iterations of a step: limit; number up to which the mass decreases
 constexpr int kMostIterations = 12, kEasyIterations = 4;
 constexpr double kReduction = 1e-4;  // of the imbalance, for a step to count as solved
 constexpr double kHopeless = 1e6;    // growth of the imbalance beyond which Newton's iteration has diverged
@@ -116,7 +116,7 @@ class Relaxation : StaticTrial {
     left_ = report.norms.relative();
     return stuck;
   }
-  // SolveError where a body slides or falls on and on.
+  // Throws SolveError if a body slides or falls without end.
   void check_bodies() const {
     const LocalMesh& m = system_.mesh();
     struct {

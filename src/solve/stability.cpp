@@ -1,4 +1,4 @@
-// Whether an equilibrium is stable: counts the negative eigenvalues of its tangent by a factorisation.
+// Stability of an equilibrium: number of negative eigenvalues of its tangent by a factorisation.
 #include "hawser/solve/stability.hpp"
 
 #include <Eigen/Cholesky>

@@ -1,6 +1,6 @@
-// Start shapes at crossings: which of two lines that cross near the bed lies over the other, and lines over
-// volumes on the bed. If a start shape passes through another line, or through a volume with no room for the
-// line under it, it is raised over that.
+// Start shapes at crossings: determines which of two lines that cross near the bed is the upper one, and
+// raises lines whose start shape passes through another line or through a volume on the bed without room
+// below it.
 #pragma once
 
 #include <memory>

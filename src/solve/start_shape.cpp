@@ -1,5 +1,5 @@
-// Start positions of every line from start_line.hpp, rotations with least twist along it, what holds and
-// carries the ends of lines from then on (hold_ends, also tied ones), and the start of floating bodies.
+// Start positions of every line from start_line.hpp, rotations with least twist along it, ties of the ends of
+// lines (hold_ends), and start of floating bodies.
 #include "hawser/solve/start_shape.hpp"
 
 #include <algorithm>
@@ -110,7 +110,7 @@ void turn(const model::Case& c, const model::Line& line, const Bodies& bodies, L
   }
 }
 
-// The part of the uncut line's shape that belongs to a part of it.
+// Shape of a part of an uncut line.
 LineStart part_of(const StartedLine& whole, const model::Line& line, int nodes) {
   LineStart shape = whole.shape;
   const auto first = whole.mesh->nearest_node(0, line.from), last = first + nodes;

@@ -1,5 +1,5 @@
-// Newton's method with a line search on the energy, which begins with soft lines and leaves unstable
-// equilibria.
+// The class StaticSearch: Newton's method with a line search on the energy, which begins with soft lines and
+// leaves unstable equilibria.
 #include "static_search.hpp"
 
 #include <algorithm>
@@ -175,8 +175,8 @@ bool StaticSearch::advance(Vec y) {
       bracket = {0, slope, factor, slope_there};
     else if (factor < bracket.beyond)
       bracket = {factor, slope_there, bracket.beyond, bracket.rises};
-    // Forces without a potential may raise the energy near the solution. The residual is then smaller than
-    // any before, so that the search cannot go round in a circle.
+    // Forces without a potential may raise the energy near the solution. The residual must then be smaller
+    // than any before, which prevents cycles.
     taken = down || (close && n.relative() < least_) || n.small(tolerance_);
     if (taken) report_.norms = n;
   }

@@ -1,6 +1,5 @@
-// The class StepControl: how Newton iterations, local error, failures and impacts change the length of the
-// next step. The time to the next output is divided into equal steps. Whether a step is accepted is decided
-// in step_decision.cpp.
+// The class StepControl: length of the next step from Newton iterations, local error, failures and impacts.
+// The time to the next output is divided into equal steps. Acceptance is decided in step_decision.cpp.
 #include "hawser/solve/step_control.hpp"
 
 #include <algorithm>

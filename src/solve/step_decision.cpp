@@ -1,5 +1,5 @@
-// The class Dynamics: whether a step that was tried is accepted, tried again or fails. StepControl
-// (step_control.cpp) proposes lengths; begin_step() and next_try() pass it the limits by terms, outputs and
+// The class Dynamics: decision whether a trial step is accepted, repeated or fails. StepControl
+// (step_control.cpp) proposes lengths; begin_step() and next_try() provide the limits by terms, outputs and
 // events.
 #include <algorithm>
 #include <cmath>
@@ -38,10 +38,9 @@ std::string folded_element(const System& system, const Kinematics& at) {
                                  .sufficient = worst.length * kKept / worst.turn});
 }
 
-// First end of a beam element whose ends turned past half a turn against each other in the step, -1 if there
-// is none on this rank. Such an element measures that turn from then on in the other direction, and so its
-// strain jumps. The quaternions of the turns, of q and -q the one with w >= 0, are then more than a right
-// angle apart.
+// First end of a beam element whose relative end rotation passed half a turn in the step; -1: none on this
+// rank. The element then measures the rotation in the other direction, so that its strain jumps. The
+// quaternions of the rotations, with w >= 0 of q and -q, are then more than a right angle apart.
 int turned_over(const LocalMesh& mesh, const Kinematics& before, const Kinematics& after) {
   const auto turn = [](const Kinematics& at, const LocalElement& e) -> Quat {
     const Quat q = at.q[e.first].conjugate() * at.q[e.second];

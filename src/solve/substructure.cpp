@@ -1,5 +1,5 @@
 // The substructuring solver as a preconditioner: factorises a rank's own block and the dense systems of the
-// parts of the interface that it solves, and solves with both.
+// interface parts that it solves, and solves with both.
 #include "hawser/solve/substructure.hpp"
 
 #include <Eigen/LU>
@@ -19,13 +19,13 @@ using KspHandle = Handle<KSP, KSPDestroy>;
 
 struct Substructure {
   bool coupled = false;
-  int most = 0;  // unknowns of a part
+  int most = 0;  // largest number of unknowns of a part
   std::optional<InterfaceParts> interface;
-  Handle<PC, PCDestroy> whole;                              // MUMPS, where a part is too large
+  Handle<PC, PCDestroy> whole;                              // MUMPS, if a part is too large
   KspHandle chains;                                         // LU of this rank's diagonal block
   VecHandle ghost, x, y;                                    // sequential: ghost unknowns, work vectors
-  std::vector<Eigen::MatrixXd> Z;                           // of each part: its rows of Ad^-1 Ao
-  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> small;  // of each part that this rank solves
+  std::vector<Eigen::MatrixXd> Z;                           // by part: its rows of Ad^-1 Ao
+  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> small;  // by part that this rank solves
   std::vector<double> shared, solved, ghosts;               // values of the unknowns of the interface
 };
 
@@ -60,7 +60,7 @@ PetscErrorCode make_chains(Mat Ad, PetscInt ghosts, Substructure& s) {
   PetscFunctionReturn(0);
 }
 
-// Z of every part. A solution has one column of each part, as parts do not share rows.
+// Z of every part. A solution has one column of each part, because parts do not share rows.
 PetscErrorCode find_columns(Mat Ao, Substructure& s) {
   PetscFunctionBegin;
   const std::vector<InterfacePart>& parts = s.interface->parts();
@@ -91,7 +91,7 @@ PetscErrorCode find_columns(Mat Ao, Substructure& s) {
   PetscFunctionReturn(0);
 }
 
-// I + Z_G of the parts that this rank solves.
+// Factorises I + Z_G of the parts that this rank solves.
 void factorise_parts(Substructure& s) {
   using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
   std::vector<double> mine, solved;
@@ -141,7 +141,7 @@ PetscErrorCode setup(PC pc) {
   PetscFunctionReturn(0);
 }
 
-// What the unknowns of other ranks add to x, which holds Ad^-1 b.
+// Adds the contribution of other ranks' unknowns to x, which contains Ad^-1 b.
 void correct(Substructure& s, PetscScalar* x) {
   const std::vector<InterfacePart>& parts = s.interface->parts();
   s.shared.clear();

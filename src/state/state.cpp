@@ -1,5 +1,4 @@
-// How an increment of the unknowns moves positions and rotations, and the constant velocities that lead from
-// one state to another.
+// Retraction of positions and rotations by an increment, and constant velocities from one state to another.
 #include "hawser/state/state.hpp"
 
 #include "hawser/math/so3.hpp"
@@ -11,7 +10,7 @@ void retract(const LocalMesh& mesh, const State& from, const double* u, State& t
     const double* p = u + 3 * mesh.block[n];
     to.x[n] = from.x[n] + Eigen::Map<const Vec3>(p);
     if (mesh.rotates(static_cast<int>(n))) {
-      // Normalised every time: round-off never builds up over many turns.
+      // Normalised every time, so that round-off does not accumulate over many turns.
       to.q[n] = (from.q[n] * exp_so3(Eigen::Map<const Vec3>(p + 3))).normalized();
     }
   }

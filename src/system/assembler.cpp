@@ -1,5 +1,5 @@
-// The class Assembler: it adds forces and weighted derivatives of a term to residual and tangent, and takes
-// account of rotation increments, held components, ties to frames and rows of other ranks.
+// The class Assembler: adds forces and weighted derivatives of a term to residual and tangent, with rotation
+// increments, held components, ties to frames and rows of other ranks.
 #include "hawser/system/assembler.hpp"
 
 #include <Eigen/Core>
@@ -41,8 +41,7 @@ inline void add_transposed(const double* J, int m, double* to) {
   to[8] += r2[2];
 }
 
-// J = w A or J += w A. The usual numbers of entries, of 2 x 2 and 4 x 4 blocks, have loops of constant
-// length.
+// J = w A or J += w A. The usual sizes, of 2 x 2 and 4 x 4 blocks, have loops of constant length.
 template <bool first>
 void weigh(int entries, double w, const double* A, double* J) {
   const auto all = [=](int count) {
@@ -133,7 +132,7 @@ void Assembler::put(std::span<const int> rows, std::span<const int> columns, dou
   const int stride = static_cast<int>(m);
   for (size_t i = 0; i < n; ++i) {
     const int row = rows[i];
-    if (row >= owned_blocks_) {  // its rank computes it, or gets it from here while sending_
+    if (row >= owned_blocks_) {  // the row's owner computes it, or receives it from here while sending_
       const bool none = !sending_ || std::all_of(J + 3 * i * m, J + 3 * (i + 1) * m,
                                                  [](double entry) { return entry == 0; });
       for (size_t j = 0; j < columns.size() && !none; ++j)

@@ -1,11 +1,11 @@
-// The class FedLines: which elements are at a feed point or inside a feeder.
+// The class FedLines: search for elements at a feed point or inside a feeder.
 #include "hawser/system/fed_lines.hpp"
 
 #include <algorithm>
 
 namespace hawser {
 
-// Feeders are in the order of lines and, of a line, of its ends A and B, so their elements ascend.
+// Feeders are sorted by line and end, so their elements ascend.
 std::vector<FedLine>::const_iterator FedLines::first_from(int element) const {
   return std::lower_bound(fed_.begin(), fed_.end(), element,
                           [](const FedLine& f, int e) { return f.element < e; });

@@ -1,5 +1,5 @@
-// The class GhostExchange: the nodes that each rank sends to each other rank, and the messages that carry
-// numbers, vectors, quaternions or matrices to the ghosts.
+// The class GhostExchange: nodes that each rank sends to each other rank, and messages with numbers, vectors,
+// quaternions or matrices to the ghosts.
 #include "hawser/system/ghost_exchange.hpp"
 
 #include <algorithm>

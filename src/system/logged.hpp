@@ -6,7 +6,7 @@
 
 namespace hawser {
 
-// The time a scope takes, for -log_view.
+// Measures the time of a scope for -log_view.
 class Logged {
  public:
   explicit Logged(PetscLogEvent event) : event_(event) {

@@ -1,5 +1,5 @@
-// The class OwnBlocks: it takes the stored blocks of a rank's diagonal part of the tangent from PETSc and
-// returns them when assembly is done.
+// The class OwnBlocks: obtains the stored blocks of a rank's diagonal part of the tangent from PETSc and
+// returns them after assembly.
 #include "hawser/system/own_blocks.hpp"
 
 #include "hawser/base/handle.hpp"

@@ -1,5 +1,5 @@
-// The class System: assembly of residual and tangent from all force terms, the norms that decide on
-// convergence, and calls that it passes on to the terms.
+// The class System: assembly of residual and tangent from all force terms, convergence norms, and calls
+// forwarded to the terms.
 #include "hawser/system/system.hpp"
 
 #include <petscvec.h>
@@ -197,7 +197,7 @@ void System::tangent(const Kinematics& trial, Weights weights, const std::vector
 }
 
 ResidualNorms System::norms(Vec r) const {
-  // Of each line the sums of squares of residual forces and moments, then of their contributions.
+  // By line: sums of squares of residual forces and moments, then of their contributions.
   std::vector<double> s(4 * lines_, 0);
   const PetscScalar* p = nullptr;
   check(VecGetArrayRead(r, &p));
@@ -210,7 +210,7 @@ ResidualNorms System::norms(Vec r) const {
   sum_cut_lines({s});
   std::vector<ResidualNorms> worst(1);
   double most = -1;
-  int line = 0;  // with the worst
+  int line = 0;  // index of the worst line
   for (const int l : own_lines_) {
     const double* sum = s.data() + 4 * static_cast<size_t>(l);
     const ResidualNorms n{rank_independent(std::sqrt(sum[0])),
@@ -232,8 +232,8 @@ ResidualNorms System::norms(Vec r) const {
   return worst[0];
 }
 
-// all: arrays with as many numbers of each line. Of the lines that the partition cuts every rank gets the
-// sums of what the ranks have; the numbers of others stay.
+// all: arrays with equally many numbers for each line. For lines that the partition cuts, every rank gets the
+// sum over the ranks; numbers of other lines are unchanged.
 void System::sum_cut_lines(std::initializer_list<std::span<double>> all) const {
   if (cut_.empty()) return;
   std::vector<double> sums;

@@ -1,4 +1,4 @@
-// The class System: checks of states that solve the equations and are still no valid results.
+// The class System: checks of states that solve the equations but are not valid results.
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
@@ -27,7 +27,7 @@ std::optional<advice::Overstretched> System::overstretched(const Kinematics& at)
                                .EA = worst.EA};
 }
 
-// Without dead loads the tension may be zero, and then nothing but round-off.
+// Without dead loads the tension may be zero to round-off.
 std::optional<advice::LostInRounding> System::lost_in_rounding(const Kinematics& at) const {
   const double load = dead_load();
   if (load == 0) return std::nullopt;

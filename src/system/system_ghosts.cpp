@@ -61,8 +61,8 @@ void System::spread(State& s) const {
   if (!s.directors.empty()) exchange_.spread(s.directors);
 }
 
-// Held nodes of other ranks that are ghosts here must be moved with what they are tied to, and their columns
-// of the tangent are zero. So their owners send the ties of new ghosts.
+// Held nodes of other ranks that are ghosts here must move with their ties, and their columns of the tangent
+// are zero. Therefore their owners send the ties of new ghosts.
 void System::reghost_ties() {
   constexpr int kWidth = 12;  // first whether the node is tied
   std::vector<TiedNode> kept;

@@ -1,4 +1,4 @@
-// The class System: limits of a step by impacts, and the verdict of the terms on a trial, with whether it
+// The class System: step limits by impacts, and the verdict of the terms on a trial, including whether it
 // resolved its impacts.
 #include <algorithm>
 #include <utility>
@@ -40,7 +40,7 @@ StepLimit System::longest_step(const Kinematics& committed, const StoredMotion& 
     for (const LimitsSteps* t : listed<LimitsSteps>()) t->limit_step(committed, impacts);
   }
   const std::vector<LineMotion> shares = motions(committed, stored);
-  // The tolerance is also set if there is no impact yet: impacts that only the end of the step shows are
+  // The tolerance is also set without impacts, because unpredicted impacts found at the end of the step are
   // compared with it.
   const auto growth_limit = [&](std::span<LineMotion> lines) {
     energy_tolerance_ = energy_tolerance(lines.first(lines_));
@@ -80,7 +80,7 @@ Verdict System::check_step(const Kinematics& trial, bool impacts, std::span<doub
     const Logged logged(limit_event_);
     for (LimitsSteps* t : listed<LimitsSteps>()) t->unresolved(trial, found);
   }
-  // One reduction for all that every trial asks of the ranks.
+  // A single reduction for all quantities of a trial.
   enum : size_t { kKind, kTooDeep, kImpacts, kFirst };
   std::vector<double> most{static_cast<double>(worst.kind), found.too_deep ? 1.0 : 0.0,
                            found.list.empty() ? 0.0 : 1.0};
@@ -96,7 +96,7 @@ Verdict System::check_step(const Kinematics& trial, bool impacts, std::span<doub
   const Verdict not_resolved{Verdict::Kind::shorter, advice::ImpactNotResolved{}};
   if (most[kTooDeep] > 0) return not_resolved;
   if (most[kImpacts] == 0) return {};
-  all_reduce(comm_, MPI_MAX, energy_tolerance_);  // of lines of other ranks as well
+  all_reduce(comm_, MPI_MAX, energy_tolerance_);  // also of lines of other ranks
   const auto over_ranks = [this](std::span<double> values) { sum(values); };
   return within_tolerance(found.list, energy_tolerance_, over_ranks) ? Verdict{} : not_resolved;
 }

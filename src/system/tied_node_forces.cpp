@@ -1,4 +1,4 @@
-// The class TiedNodeForces: it converts forces at tied nodes, and their derivatives, to those at the frames.
+// The class TiedNodeForces: converts forces at tied nodes, and their derivatives, to the frames.
 #include "hawser/system/tied_node_forces.hpp"
 
 #include <algorithm>

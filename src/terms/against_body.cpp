@@ -1,5 +1,5 @@
-// How force and tangent on the nodes of a line are extended to the floating body that bears the opposite
-// force, for contact with volumes.
+// Extends residual and tangent of contact from the nodes of a line to the floating body that bears the
+// reaction.
 #include "hawser/terms/against_body.hpp"
 
 #include <array>
@@ -38,7 +38,7 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
     Matrix by_body = -KL * G;
     Matrix turned = Matrix::Zero(6, n + 6);
     if (turning) {
-      Vec3 sum = Vec3::Zero();  // moment about the body, its axes
+      Vec3 sum = Vec3::Zero();  // moment about the body, body axes
       for (size_t i = 0; i < line.size(); ++i) {
         const LineBlock& l = line[i];
         const Eigen::Index at = 3 * static_cast<Eigen::Index>(i);
@@ -74,7 +74,7 @@ AgainstBody against_body(std::span<const LineBlock> line, const FloatingFrame& b
   return out;
 }
 
-// Rows of the line by all who own some, those of the body once.
+// Every rank that owns some of the line's rows adds those; one rank adds the body's rows.
 void add_against_body(Assembler& assembler, std::span<const LineBlock> line, const FloatingFrame& body,
                       bool counted, const double* f, const double* K, const double* C) {
   const AgainstBody all = against_body(line, body, !assembler.convex(), f, K, C);

@@ -1,6 +1,7 @@
-// Formulas for automatic contact stiffness, of a line on a volume and of lines that cross. Chosen for volumes
-// at the start in run/simulation.cpp (choose_stiffness), for pairs of lines in run/line_pairs.cpp; raised
-// during a run: line_volume_automatic_stiffness.cpp asks, contact_volumes_automatic_stiffness.cpp raises.
+// Formulas for automatic contact stiffness of a line on a volume and between lines. run/simulation.cpp
+// (choose_stiffness) and run/line_pairs.cpp choose the initial values. During a run
+// line_volume_automatic_stiffness.cpp requests more for volumes, contact_volumes_automatic_stiffness.cpp
+// raises it.
 #include "hawser/terms/automatic_stiffness.hpp"
 
 #include <algorithm>
@@ -11,20 +12,19 @@
 namespace hawser {
 namespace {
 
-constexpr double kLeast = 1, kMost = 10;  // m, of the radius of bending
-// Of lines on lines: a strain that few survive, and the part of the radius that a line which is stretched by
-// it and bent to its own radius is pressed in by.
+constexpr double kLeast = 1, kMost = 10;  // m, limits of the bending radius
+// For lines on lines: a strain close to failure, and the fraction of the radius by which a line with this
+// strain, bent to its own radius, penetrates.
 constexpr double kBreaking = 0.01, kDeepest = 0.25;
 
-// m, by which an automatic stiffness lets a line press in
+// Penetration allowed with an automatic stiffness, m.
 double allowed_penetration(const StiffnessDemand& d) {
   return d.allowed_penetration > 0 ? d.allowed_penetration : kAllowedPenetration * d.radius;
 }
 
 }  // namespace
 
-// k δ = w + T/R with T the weight of the line, or 1e-4 EA of a line without weight, and R no less than 2
-// sqrt(EI/T)
+// k δ = w + T/R, R >= 2 sqrt(EI/T)
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d) {
   using Bend = advice::StiffnessReason::Bend;
   const bool hangs = d.line_weight > 0;
@@ -52,7 +52,7 @@ double most_stiffness(const StiffnessDemand& d) {
 }
 
 double stiffness_by_weight(double mass_per_length, double radius) {
-  constexpr double kStandardGravity = 9.80665;  // m/s²; where there is none lines touch as well
+  constexpr double kStandardGravity = 9.80665;  // m/s²; also used without gravity, where lines touch as well
   return mass_per_length * kStandardGravity / (kAllowedPenetration * radius);
 }
 

@@ -1,6 +1,5 @@
-// Points and directions that are fixed to a node, a body or space: where they are, and the exact force and
-// tangent of what acts between two of them (links, end springs). Ends of lines on bodies:
-// system/tied_nodes.hpp.
+// Points and directions fixed to a node, a body or space: their positions, and exact residual and tangent of
+// forces between two of them (links, end springs). Ends of lines on bodies are in system/tied_nodes.hpp.
 #include "hawser/terms/between_points.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The class Bodies: where a body is, from its prescribed motion, from the state of its own node or from the
-// line it rides on, and how all ranks learn it. Ends of lines on bodies: system/tied_nodes.hpp.
+// The class Bodies: poses from prescribed motion, from the state of a body's own node or from the line it
+// rides on, and their exchange between ranks. Ends of lines on bodies are in system/tied_nodes.hpp.
 #include "hawser/terms/bodies.hpp"
 
 #include "hawser/base/gather.hpp"
@@ -10,7 +10,7 @@
 namespace hawser {
 namespace {
 
-constexpr size_t kPose = 13;  // numbers of a pose and its rates
+constexpr size_t kPose = 13;  // doubles of a pose and its rates
 
 }  // namespace
 
@@ -37,7 +37,7 @@ void Bodies::fix_drawn(MPI_Comm comm, const model::Case& c, const Kinematics& st
   for (size_t b = 0; b < frames_.size(); ++b)
     if (c.bodies[b].on && c.bodies[b].on->drawn) drawn.push_back(b);
   if (drawn.empty()) return;
-  // From the rank that has the node: others may come to see it later.
+  // Only the rank that owns the node contributes; other ranks may need the result later.
   std::vector<double> places(7 * drawn.size(), 0);
   for (size_t i = 0; i < drawn.size(); ++i) {
     const int body = static_cast<int>(drawn[i]), node = local_node(body);

@@ -1,4 +1,4 @@
-// The class BodiesInFlow: wind and current at floating bodies, their forces and their work.
+// The class BodiesInFlow: forces of wind and current on floating bodies, and their work.
 #include "hawser/terms/bodies_in_flow.hpp"
 
 #include <cmath>
@@ -125,7 +125,7 @@ void BodiesInFlow::commit(const Kinematics& accepted) {
   }
 }
 
-// In statics forces without a potential are given the work they do on the way from the last iteration.
+// In statics, forces without a potential are given the work since the last iteration as potential.
 Energy BodiesInFlow::energy(const Kinematics& at) const {
   Energy e;
   for (const Flow& f : list_) {
@@ -159,7 +159,7 @@ std::vector<CheckpointRecord> BodiesInFlow::records(NodeRange of) const {
   return out;
 }
 
-// prepare() evaluates the forces of the restored state again.
+// prepare() evaluates the forces of the restored state.
 void BodiesInFlow::restore(const std::vector<CheckpointRecord>& records) {
   for (Flow& f : list_) {
     f.work = 0;

@@ -1,5 +1,5 @@
-// The class BodiesInWater: the sea at floating bodies, its forces and their work, the potential of buoyancy
-// and what a checkpoint keeps of it.
+// The class BodiesInWater: Morison forces on floating bodies and their work, the potential of buoyancy,
+// checkpoint records.
 #include "hawser/terms/bodies_in_water.hpp"
 
 #include <algorithm>
@@ -43,8 +43,8 @@ BodiesInWater::BodiesInWater(const model::Case& c, const LocalMesh& mesh) : sea_
   }
 }
 
-// In pieces of half a diameter, but of at most a quarter and at least a 50th of its length, each wet over the
-// height that it has in a body that is not tilted. Each has its share of what acts along the member:
+// Divides a member into pieces of half a diameter, at least 4 and at most 50. Each piece gets wet over the
+// height that it has in the untilted body, and bears its share of the member's forces:
 //   rho/2 Cd D L across, rho/2 Cd pi D²/4 along;   rho Ca pi D²/4 L across, rho Ca pi D³/12 along
 void BodiesInWater::add_member(const model::Body& body, const model::BodyMember& m, Wet piece) {
   const Vec3 along = m.to - m.from;
@@ -147,7 +147,7 @@ void BodiesInWater::prepare(const Kinematics& committed, double h) {
     b.known = false;
   }
   start_time_ = committed.time;
-  // Where no step went before, waves act from here on, and accelerations have jumped.
+  // At the first step waves start to act, and accelerations jump.
   Kinematics now = committed;
   if (!(now.step > 0)) now.step = h;
   for (Wet& b : list_)
@@ -166,7 +166,7 @@ void BodiesInWater::evaluate(const Kinematics& trial, Assembler& assembler) {
     const Places at = places(b, s);
     body_water(b.data, s, water(b, trial, at.centre, &Wet::centre), water(b, trial, at.drag, &Wet::drag),
                tangent, assembler.convex(), r);
-    // Moments and rotations in the axes of the body.
+    // To the axes of the body.
     const Mat3 turn = b.axes.toRotationMatrix();
     r.f.tail<3>() = turn * r.f.tail<3>().eval();
     for (Mat6* m : {&r.K, &r.C, &r.M}) {
@@ -193,8 +193,8 @@ void BodiesInWater::commit(const Kinematics& accepted) {
   start_time_ = accepted.time;
 }
 
-// As of lines: in statics forces without a potential are given the work they do on the way from the last
-// iteration, and what waves do is work.
+// As for lines: in statics, forces without a potential are given the work since the last iteration as
+// potential. The force of waves does work.
 Energy BodiesInWater::energy(const Kinematics& at) const {
   Energy e;
   for (const Wet& b : list_) {
@@ -269,7 +269,7 @@ std::vector<CheckpointRecord> BodiesInWater::records(NodeRange of) const {
   return out;
 }
 
-// A state that is gone on from has been looked at already.
+// The waves of a restored state are those at the stored positions.
 void BodiesInWater::restore(const std::vector<CheckpointRecord>& records) {
   for (Wet& b : list_) {
     b.work = 0;

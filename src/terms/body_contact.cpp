@@ -1,5 +1,5 @@
-// The part of BodyContactTerm that acts: pairs of volumes, forces and tangent summed over points and edges,
-// energies; slip and history are in body_contact_friction.cpp, steps in body_contact_step_limits.cpp.
+// The class BodyContactTerm: pairs of volumes, contact forces and tangent summed over points and edges,
+// energies. Slip and history are in body_contact_friction.cpp, step limits in body_contact_step_limits.cpp.
 #include "hawser/terms/body_contact.hpp"
 
 #include <algorithm>
@@ -16,10 +16,10 @@
 namespace hawser {
 namespace {
 
-constexpr double kSmoothing = 1e-3;      // of the size of what leads, m/m
+constexpr double kSmoothing = 1e-3;      // fraction of the size of the leading volume
 constexpr double kMostSmoothing = 0.01;  // m
-constexpr double kDeepestAtOnce = 0.05;  // of that size, m/m; less where it would get through something thin
-constexpr int kEdgeLevels = 5;           // an edge is looked at in pieces of 1/32
+constexpr double kDeepestAtOnce = 0.05;  // fraction of that size; further limited by thin volumes
+constexpr int kEdgeLevels = 5;           // resolution of an edge: 1/32 of its length
 
 AxisShape chord(const BodyFrame& body, const Vec3& from, const Vec3& to) {
   AxisEnds e;
@@ -57,7 +57,7 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
     pair.share = p.share;
     pair.hides = p.hides;
     pair.mass = 1 / (1 / bodies_of_volumes_[p.a].mass + 1 / bodies_of_volumes_[p.b].mass);
-    pair.size = boxes_[p.a].extent().maxCoeff();  // no plane leads
+    pair.size = boxes_[p.a].extent().maxCoeff();  // a plane never leads
     pair.round = std::min(kSmoothing * pair.size, kMostSmoothing);
     pair.most_depth = kDeepestAtOnce * pair.size;
     for (const auto& [i, first] : {std::pair(p.a, 0), std::pair(p.b, 6)}) {
@@ -68,16 +68,16 @@ BodyContactTerm::BodyContactTerm(MPI_Comm comm, const model::Case& c, const Loca
       pair.root.block<3, 3>(first, first) = Mat3::Identity() / std::sqrt(body.mass);
       pair.root.block<3, 3>(first + 3, first + 3) = Mat3(body.inertia.inverse()).llt().matrixL();
     }
-    // The mass that belongs to a unit of length or area is that over the whole of it.
+    // Effective mass per point, per length or per area: the whole mass divided by the size or its square.
     const double units = v.basis == model::StiffnessBasis::per_point    ? 1
                          : v.basis == model::StiffnessBasis::per_length ? pair.size
                                                                         : pair.size * pair.size;
-    // Where the other volume is softer the stiffness of the two is that one's.
+    // If the other volume is softer, the stiffness of the pair is that of the other volume.
     pair.law = normal_law(v, p.stiffness / v.normal_stiffness, pair.round, pair.mass / units);
     pair.friction = friction_law(p.friction, 1, pair.size);
     if (p.friction.mobilisation_length == 0 && p.friction.shear_stiffness == 0)
       pair.friction.stiffness = pair.law.stiffness;
-    // c = 2 zeta sqrt(k m) along the surface as normal to it.
+    // Tangential damping c = 2 zeta sqrt(k m), like the normal damping.
     pair.friction.damping = pair.law.damping / std::sqrt(pair.law.stiffness);
     if (!pairs_.empty() && pairs_.back().a == pair.b && pairs_.back().b == pair.a) {
       pair.other = static_cast<int>(pairs_.size()) - 1;
@@ -162,7 +162,8 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
                    [&](double xi) { return surface.query(place(xi), contact_distance); });
   const Vec3 slope = place(1) - place(0);
-  // An end of a panel that moves with the bodies; it has no by_motion where the edge is along the surface.
+  // Derivative of a panel's end by the motion of the bodies; nullopt where the edge is parallel to the
+  // surface.
   const auto moving_end = [&](double xi) -> std::optional<Vec6> {
     const Vec3 z = place(xi);
     const auto p = surface.query(z, contact_distance + 1e-9);
@@ -256,7 +257,7 @@ void BodyContactTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
     const bool tangent = assembler.needs_tangent();
     const Sum s = contact(p, both(p, trial), {trial.step > 0, tangent, false}, slipping(p, trial.step));
     if (!s.active) continue;
-    // Rows and columns of bodies with unknowns.
+    // Only bodies with unknowns have rows and columns.
     const Eigen::Index first = a.global < 0 ? 6 : 0, count = a.global < 0 || b.global < 0 ? 6 : 12;
     const std::array<int, 4> blocks{a.block, a.block + 1, b.block, b.block + 1};
     const Eigen::VectorXd f = s.on.f.segment(first, count);
@@ -318,7 +319,7 @@ void BodyContactTerm::commit(const Kinematics& accepted) {
   }
 }
 
-// In dynamics of the committed state, in statics of trials.
+// In dynamics the energy of the committed state, in statics that of the trial.
 Energy BodyContactTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Pair& p : pairs_) {
@@ -358,7 +359,7 @@ double BodyContactTerm::round_off(const Kinematics&, double) const {
   return sum;
 }
 
-// Of a pair of which both lead it is one contact, reported by two.
+// If both volumes lead, their contact is reported as two entries.
 void BodyContactTerm::active_contacts(ActiveContacts& out) const {
   for (const Pair& p : pairs_) {
     if (!p.counted || !(p.now.force > 0)) continue;

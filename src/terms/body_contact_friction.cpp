@@ -1,5 +1,5 @@
-// The part of BodyContactTerm that remembers: where the slip of friction starts from in a step, the work of
-// friction over it, and the history in a checkpoint.
+// The class BodyContactTerm: friction. Slip at the start of a step, work of friction over the step, and the
+// history in a checkpoint.
 #include <mpi.h>
 
 #include "hawser/base/gather.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 enum Kind { kSums, kSlip };
 
-// A contact point of a feature, in a checkpoint.
+// Contact point of a feature in a checkpoint.
 struct FeaturePoint {
   int feature = 0;
   BodyFrictionPoint point;
@@ -57,7 +57,7 @@ ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, cons
   if (rates) rates->start_point = slope;
   const auto known = pair.touching.of(volumes_[pair.a].skeleton.features.index(part));
   if (previous_slip(known, xi, s, rates)) return s;
-  // What touches now was no farther away than it has moved since.
+  // Bound of the gap at the start for a point that touches in the trial, from its displacement.
   const double within =
       (trial.across(y) - s.point).norm() + part.radius + pair.law.smoothing + 1e-6 * pair.size;
   const auto q = volumes_[pair.b].surface->query(s.point, within);
@@ -66,8 +66,8 @@ ContactStart BodyContactTerm::start_of(const Pair& pair, const Both& trial, cons
   return s;
 }
 
-// Of the trapezoidal rule: friction on the displacement z1 - z0 of the point against the surface, with that
-// of the surface of a ball by its rotation phi, -r phi x n.
+// Trapezoidal rule: friction times the displacement z1 - z0 of the point relative to the surface. The surface
+// of a ball also moves by -r phi x n due to its rotation phi.
 double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
                                          const BodyFrictionPoints& points) const {
   const SkeletonParts& parts = volumes_[pair.a].skeleton.features;
@@ -84,8 +84,8 @@ double BodyContactTerm::half_dissipation(const Pair& pair, const Both& trial,
   return sum;
 }
 
-// The force F on A and -F on B act at z - r n: a body with prescribed motion is held by the opposite of what
-// acts on it.
+// The forces F on A and -F on B act at z - r n. The power of a prescribed body is that of the force that
+// holds it, which is opposite to the contact force.
 double BodyContactTerm::friction_power(const Pair& pair) const {
   const bool by_a = bodies_of_volumes_[pair.a].global < 0, by_b = bodies_of_volumes_[pair.b].global < 0;
   if (!by_a && !by_b) return 0;
@@ -105,7 +105,7 @@ double BodyContactTerm::friction_power(const Pair& pair) const {
   return sum;
 }
 
-// Both are kept with the node of the first floating body of a pair.
+// Both records are stored with the node of the first floating body of a pair.
 std::vector<CheckpointKind> BodyContactTerm::checkpoint_kinds() const {
   return {checkpoint_kind<Pair>("sums of a pair"), checkpoint_kind<FeaturePoint>("friction of a pair")};
 }
@@ -143,7 +143,7 @@ void BodyContactTerm::restore(const std::vector<CheckpointRecord>& records) {
   share_slip();
 }
 
-// All ranks take the pairs in one order, so that each message meets the one who waits for it.
+// All ranks process the pairs in the same order, so that sends and receives match.
 void BodyContactTerm::share_slip() {
   const int rank = rank_of(comm_);
   for (Pair& p : pairs_) {

@@ -1,7 +1,8 @@
-// Corners and edges do not see everything: two boxes whose sides are flush go into each other with all their
-// edges in the sides of the other, where the distance is nothing. What gets far deeper than they have met
-// since the two were clear of each other ends the run with a sentence; for a moment, edges that slide over
-// others may meet little of what they have stopped.
+// The class BodyContactTerm: detection of overlap that contact of corners and edges does not resist. Two
+// boxes with flush sides penetrate each other with all edges in the sides of the other box, where the
+// distance is zero. A penetration far deeper than the features showed since the volumes were last apart ends
+// the run with a message. The largest value of that period counts, because edges that slide over others may
+// for a moment show little penetration.
 #include <algorithm>
 
 #include "hawser/advice/contact_stiffness.hpp"
@@ -12,14 +13,14 @@
 namespace hawser {
 namespace {
 
-constexpr double kAllowed = 0.01;  // of the smaller volume, m/m
-constexpr double kBeyond = 2;      // times what was met: that may be of another place
+constexpr double kAllowed = 0.01;  // fraction of the size of the smaller volume
+constexpr double kBeyond = 2;      // factor on the penetration of the features, which may be at another place
 
 }  // namespace
 
 double BodyContactTerm::deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const {
   const auto across = [&](const Vec3& y) { return there.to_body(of.to_space(y)); };
-  double depth = 0;  // no nearer is deeper
+  double depth = 0;  // only deeper points are of interest
   volumes_[volume].skeleton.faces.walk(
       [&](const Vec3& y, double r) { return near(in, across(y), r, -depth); },
       [&](const SkeletonPart& p) {
@@ -43,10 +44,10 @@ void BodyContactTerm::check_overlap(double time) {
   for (size_t i = 0; i < pairs_.size(); ++i) {
     Pair& p = pairs_[i];
     watched = watched || p.hides;
-    const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two
+    const bool again = p.other >= 0 && static_cast<size_t>(p.other) < i;  // the same two volumes
     if (!p.hides || !p.counted || again) continue;
     const double depth = std::max(deepest(p.a, p.at.A, p.b, p.at.B), deepest(p.b, p.at.B, p.a, p.at.A));
-    // Of two that both lead the other may see it.
+    // If both volumes lead, the penetration may show in the other pair.
     const double penetration = std::max(p.penetration, p.other < 0 ? 0 : pairs_[p.other].penetration);
     p.met = depth > 0 ? std::max(p.met, penetration) : 0;
     double size = HUGE_VAL;

@@ -1,4 +1,4 @@
-// The sum of contact forces over points of a body: of each the law, and its derivatives by a motion of the
+// Sum of contact forces over points of a body: the law at each point and its derivatives by a motion of the
 // body. See docs/theory/body-contact.md.
 #include "body_contact_points.hpp"
 
@@ -35,11 +35,11 @@ ContactTrial BodyContactPoints::trial(const SurfacePoint& at, const Vec3& z, dou
   return t;
 }
 
-// A motion (d, t) of the body, in axes of the surface, moves the point at the arm b by d + t x b, changes its
-// velocity by t x (w x b) and the velocity of that motion, and the rotation vector phi since the start of the
-// step by J_l(phi)^-1 t. The force acts at the arm c = b - r n, where a ball touches:
+// A motion (d, t) of the body, in axes of the surface, moves the point with the arm b by d + t x b, changes
+// its velocity by t x (w x b) and by the velocity of that motion, and the rotation vector phi since the start
+// of the step by J_l(phi)^-1 t. The force acts at the arm c = b - r n, where a ball touches:
 //   m = c x f,   dm = dc x f + c x df,   dc = t x b - r H (d + t x b),
-// less t x m, since the moment is taken in axes of the body.
+// minus t x m, because the moment is expressed in body axes.
 AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStart& start,
                                         const SurfacePoint& at, const Vec3& z, double radius, double weight) {
   const Vec3 arm = z - centre_;
@@ -86,13 +86,13 @@ AxisContactPoint BodyContactPoints::add(const ContactLaw& law, const ContactStar
   return point;
 }
 
-// The gap g(z(xi)) stays where it is: n . (d + t x b + z' dxi) = 0.
+// The end stays at the same gap g(z(xi)): n . (d + t x b + z' dxi) = 0.
 Vec6 BodyContactPoints::end_by_motion(const Vec3& z, const Vec3& normal, const Vec3& slope) const {
   return (Vec6() << normal, (z - centre_).cross(normal)).finished() / -normal.dot(slope);
 }
 
-// The sum of the panel changes with the end e by d(w)/de (f, c x f) + w d(xi)/de d/dxi (f, c x f), where
-// c = b - r n, c' = z' - r H z'.
+// With the end e, the sum of the panel changes by d(w)/de (f, c x f) + w d(xi)/de d/dxi (f, c x f), where c =
+// b - r n, c' = z' - r H z'.
 void BodyContactPoints::add_moving_ends(const ContactLaw& law, const ContactStart& start,
                                         const SurfacePoint& at, const Vec3& z, double radius,
                                         const AxisContactPoint& point, const Vec3& slope, ContactRates rates,
@@ -110,7 +110,7 @@ void BodyContactPoints::add_moving_ends(const ContactLaw& law, const ContactStar
     K_ += (end.weight * here + end.place * change) * end.by_motion.transpose();
 }
 
-// Positions are in space axes, rotations in those of the body.
+// Positions are in space axes, rotations in body axes.
 void BodyContactPoints::to_body(double* f, double* K, double* C) const {
   Mat6 T = Mat6::Zero();
   T.topLeftCorner<3, 3>() = to_axes_;

@@ -1,6 +1,6 @@
-// Forces of a surface, with friction, on points, balls and the Gauss points of edges and bars fixed to a body
-// that moves against it, summed into one force and one moment on that body with their exact tangent. Faces
-// are cut into thousands of such points, so all is summed in the axes of the surface, and brought to the
+// Contact forces, with friction, of a surface on points, balls and Gauss points fixed to a moving body,
+// summed into one force and moment on that body with their exact tangent. Faces consist of thousands of
+// points, so the sums are formed in axes of the surface and transferred to the body's unknowns once.
 // body's unknowns once.
 #pragma once
 
@@ -15,34 +15,34 @@ namespace hawser {
 
 class BodyContactPoints {
  public:
-  // What a Gauss point of an edge has of an end of its panel that moves: the derivative of that end's place
-  // xi by a motion of the body, and of the weight and place of the point by it, the latter times the weight.
+  // Contribution of a moving end of a panel to a Gauss point: derivative of the end's position xi by a motion
+  // of the body, and derivatives by xi of the point's weight, and of its position times the weight.
   struct MovingEnd {
     Vec6 by_motion = Vec6::Zero();
     double weight = 0, place = 0;
   };
 
-  // The body with the points, and the body that the surface belongs to; they outlive it. turned: rotation
-  // vector of the former against the latter since the start of the step, rad, axes of the surface. step: its
-  // length, s; 0: statics.
+  // body: the body with the points; surface: the body of the surface; both must outlive this object. turned:
+  // rotation vector of the former relative to the latter since the start of the step, rad, axes of the
+  // surface. step: its length, s; 0: statics.
   BodyContactPoints(const BodyFrame& body, const BodyFrame& surface, const Vec3& turned, double step,
                     const AxisContactMode& mode);
 
-  // The point in the frame of the surface, of one of the body.
+  // Converts a point of the body to the frame of the surface.
   Vec3 place(const Vec3& y) const { return centre_ + turn_ * (y - body_.centre); }
-  // Adds what acts on the body at z, a place in the frame of the surface, `weight` times the law. The body
-  // has the given radius there. Returns the contact point; its normal force is zero where nothing touches.
+  // Adds `weight` times the contact force at z, frame of the surface, where the body has the given radius.
+  // Returns the contact point, with zero normal force if there is no contact.
   AxisContactPoint add(const ContactLaw& law, const ContactStart& start, const SurfacePoint& at,
                        const Vec3& z, double radius, double weight);
-  // Adds to the tangent what the point that add() returned has of the ends of its panel. slope: m, of the
-  // edge, per unit of xi, frame of the surface; rates: of `start` along the edge.
+  // Adds the contribution of moving panel ends to the tangent for the point that add() returned. slope: of
+  // the edge, m per unit of xi, frame of the surface; rates: of `start` along the edge.
   void add_moving_ends(const ContactLaw& law, const ContactStart& start, const SurfacePoint& at,
                        const Vec3& z, double radius, const AxisContactPoint& point, const Vec3& slope,
                        ContactRates rates, std::span<const MovingEnd> ends);
-  // The place xi of an end of a panel, at z, where the gap is constant, by a motion of the body.
+  // Derivative of the position xi of a panel end at z, where the gap is constant, by a motion of the body.
   Vec6 end_by_motion(const Vec3& z, const Vec3& normal, const Vec3& slope) const;
-  // Adds the sums to the residual f[6] of the body's position and rotation, K and C [6x6], row-major; null:
-  // not asked for.
+  // Adds the sums to the residual f[6] of the body's position and rotation, and to K and C [6x6], row-major,
+  // if not null.
   void to_body(double* f, double* K, double* C) const;
 
   bool active() const { return active_; }
@@ -55,15 +55,15 @@ class BodyContactPoints {
 
   const BodyFrame& body_;
   const AxisContactMode mode_;
-  Mat3 turn_;     // body axes to those of the surface
-  Mat3 to_axes_;  // space axes to those of the surface
-  Vec3 centre_;   // m, of the body, frame of the surface
-  // In axes of the surface: velocity of the body's centre and rate of turn against the surface, rate of turn
-  // of the body and of the surface.
+  Mat3 turn_;     // body axes to surface axes
+  Mat3 to_axes_;  // space axes to surface axes
+  Vec3 centre_;   // m, centre of the body, frame of the surface
+  // In axes of the surface: velocity of the body's centre and angular velocity relative to the surface,
+  // angular velocities of the body and of the surface.
   Vec3 velocity_, turning_, own_turning_, surface_turning_;
   Vec3 turned_;
   double step_;
-  Mat3 turned_by_turn_;  // its derivative by a small rotation of the body
+  Mat3 turned_by_turn_;  // derivative of turned_ by a small rotation of the body
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();
   Mat6 K_ = Mat6::Zero(), C_ = Mat6::Zero();  // by motions in axes of the surface
   double potential_ = 0, damping_power_ = 0, depth_ = 0;

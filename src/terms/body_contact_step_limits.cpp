@@ -1,6 +1,6 @@
-// How long a step may be where bodies meet, touch and part; and what a step that was taken made of energy.
-// Bodies have few contacts with few, large masses: the motion on their springs is known exactly, and what is
-// ahead is found by moving the bodies on. See docs/theory/body-contact.md, "Steps".
+// The class BodyContactTerm: step length when bodies approach, touch and separate, and check of the energy
+// error of a step. Bodies have few contacts and large masses: the motion on their springs is known exactly,
+// and coming contact is found by moving the bodies ahead. See docs/theory/body-contact.md, "Steps".
 #include <algorithm>
 #include <cmath>
 
@@ -15,12 +15,12 @@ namespace hawser {
 namespace {
 
 constexpr double kStepsAPeriod = 20;
-constexpr double kShortest = 200;      // no more steps a period are asked for
-constexpr double kEnergyError = 3e-4;  // of the energy of the motion against each other, in a step
-constexpr int kLevels = 3;             // of an edge: in each eighth the gap has one minimum
+constexpr double kShortest = 200;      // largest number of steps per period that is requested
+constexpr double kEnergyError = 3e-4;  // per step, fraction of the energy of the relative motion
+constexpr int kLevels = 3;             // of an edge: the gap has one minimum in each eighth
 constexpr int kHalvings = 12;
-// Of a frequency: where the stiffness does not change on the way, the one at the end of the longest step
-// differs from that of its start by rounding only.
+// Relative tolerance of a frequency: with constant stiffness, the frequency at the end of the longest step
+// differs from that at its start only by rounding.
 constexpr double kRounding = 1e-9;
 
 }  // namespace
@@ -54,7 +54,7 @@ std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pai
                                                                  double within) const {
   const Surface& surface = *volumes_[pair.b].surface;
   auto field = distance_to(surface);
-  Vec3 y = Vec3::Zero();  // of A
+  Vec3 y = Vec3::Zero();  // point of A
   double gap = within, distance = -HUGE_VAL;
   volumes_[pair.a].skeleton.features.walk(
       [&](const Vec3& centre, double radius) { return near(pair.b, at.across(centre), radius, gap); },
@@ -76,8 +76,8 @@ std::optional<BodyContactTerm::Nearest> BodyContactTerm::nearest(const Pair& pai
   return out;
 }
 
-// The stiffness grows with what gets into touch on the way: a twentieth of the period that the springs have
-// at the end of the step.
+// The stiffness increases with the features that come into contact during the step, so the criterion is a
+// twentieth of the period at the end of the step.
 double BodyContactTerm::followed(const Pair& pair, const Both& at, double most) const {
   const auto resolves_contact = [&](double h) {
     Both there = at;
@@ -99,7 +99,7 @@ void BodyContactTerm::limit_by(const Pair& p, ImpactEvents& to) const {
   const double speed = fastest(p, p.at), reach = std::isfinite(to.most) ? speed * to.most : HUGE_VAL;
   if (!near(p.b, p.at.across(leads.centre()), leads.radius(), p.law.smoothing + reach)) return;
   const double time_to_depth = speed > 0 ? std::max(p.most_depth / speed, 1e-6) : HUGE_VAL;
-  to.limit(time_to_depth);  // it must not go deeper at once than a first touch would
+  to.limit(time_to_depth);  // not deeper in one step than at a first touch
   const double most = std::min(to.most, time_to_depth);
   if (p.frequency > 0) {
     const double period = 2 * M_PI / p.frequency;
@@ -137,8 +137,8 @@ void BodyContactTerm::limit_step(const Kinematics&, ImpactEvents& to) const {
     if (p.here) limit_by(p, to);
 }
 
-// What the trapezoidal rule takes for the work of the springs, against what they hold. A step that makes or
-// loses too much is one that went too deep: it is taken again.
+// Compares the trapezoidal work of the springs with the energy that they store. A step with too large a
+// difference went too deep and is repeated.
 void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   for (const Pair& p : pairs_) {
     if (!p.here) continue;
@@ -157,8 +157,8 @@ void BodyContactTerm::unresolved(const Kinematics& trial, UnresolvedImpacts& to)
   }
 }
 
-// Corners, edges and balls, in the frame of the other body; a corner is taken for as round as the ramp of its
-// law is wide, or that of a law without one by default.
+// Tests corners, edges and balls in the frame of the other body. The radius of a corner is taken as the width
+// of the law's ramp, at least its default.
 bool BodyContactTerm::tunnels(const Pair& pair, const Kinematics& trial) const {
   const Both &before = pair.at, now = both(pair, trial);
   auto field = distance_to(*volumes_[pair.b].surface);

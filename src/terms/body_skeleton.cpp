@@ -1,5 +1,5 @@
-// How corners, sharp edges, pieces of faces and rings are taken from a volume for contact of bodies, and
-// which places on its faces are watched.
+// Extracts corners, sharp edges, pieces of faces and rings from a volume for contact of bodies, and the
+// points at which the penetration of faces is monitored.
 #include "hawser/terms/body_skeleton.hpp"
 
 #include <algorithm>
@@ -16,13 +16,13 @@ namespace {
 constexpr int kLeaf = 32;         // parts
 constexpr int kMostPieces = 400;  // along a side of a triangle
 constexpr int kRing = 64;
-constexpr double kWatched = 4000;  // places
+constexpr double kWatched = 4000;  // points
 
 using Triangle = std::array<Vec3, 3>;
 
 Triangle corners(const MeshView& m, size_t t) { return {m.corner(t, 0), m.corner(t, 1), m.corner(t, 2)}; }
 
-// Edges of the active part, or their ends.
+// Sharp edges of the active part, or their end points.
 void sharp(const MeshView& m, const std::vector<bool>& active, bool edges, std::vector<SkeletonPart>& parts) {
   std::vector<char> corner(m.vertices.size(), 0);
   for (const auto& [first, second] : sharp_edges(m, active)) {
@@ -34,7 +34,7 @@ void sharp(const MeshView& m, const std::vector<bool>& active, bool edges, std::
     if (corner[v]) parts.push_back(SkeletonPart::point(m.vertices[v]));
 }
 
-// The middles of the pieces of a triangle cut into n² equal ones.
+// Centres of the n² equal pieces of a triangle.
 void faces(const Triangle& t, double piece, std::vector<SkeletonPart>& points) {
   const double area = 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm();
   const double side = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
@@ -110,7 +110,7 @@ void watch_faces(const MeshView& mesh, const std::vector<bool>& active, BodySkel
   };
   each([&](const Triangle& t) { area += 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); });
   if (!(area > 0)) return;
-  // Of small triangles one in each cell as large.
+  // Of small triangles, only one point in each cell of the size of a piece is kept.
   const double piece = std::sqrt(area / kWatched);
   std::set<std::array<long, 3>> taken;
   std::vector<SkeletonPart> points, places;

@@ -1,5 +1,5 @@
-// The class BuriedTerm: resistance of the soil at each buried node of a line, force and tangent, stored
-// energy and friction work, output field and history. The law of the soil: kernels/buried_soil.hpp.
+// The class BuriedTerm: soil resistance at each buried node of a line, force and tangent, stored energy and
+// friction work, output field and history. The soil law is in kernels/buried_soil.hpp.
 #include "hawser/terms/buried.hpp"
 
 #include <algorithm>
@@ -11,11 +11,11 @@
 namespace hawser {
 namespace {
 
-// Turn of the line, rad, that statics leaves between the directions of the springs and those of the line: a
-// force changes by that part of itself, which is the tolerance of statics.
+// Angle [rad] between the directions of the springs and the line at which statics stops. It changes a force
+// by this fraction, which is the tolerance of statics.
 constexpr double kTurned = 1e-8;
 
-// Of an owned node, what its halves of the elements have in the soil.
+// Sums the soil springs of the buried parts of the half elements at each owned node.
 std::vector<BuriedTerm::Place> places_of(const LocalMesh& mesh, const model::Case& c,
                                          const std::vector<int>& held) {
   std::vector<BuriedSoil> soil(static_cast<size_t>(mesh.owned));
@@ -85,15 +85,15 @@ double BuriedTerm::turn_to(const Kinematics& at, double share) {
   for (Point& p : points_) {
     const Vec3 now = line_.tangent(at, p.node);
     const Vec3 turn = now - p.tangent;
-    // To the bit where the line is now, whatever the direction was before.
+    // Assigned directly for a full turn, so that the result does not depend on the old direction.
     p.tangent = share < 1 ? Vec3((p.tangent + share * turn).normalized()) : now;
     most = std::max(most, turn.norm());
   }
   return most;
 }
 
-// Where the line turns back with its springs, so that less than a quarter of what was to be gained is, it
-// goes half as far.
+// If the line turns back with its springs, so that the turn decreases by less than a quarter of what was
+// expected, the next turns are half as large.
 bool BuriedTerm::raise_stiffness(const Kinematics& equilibrium) {
   if (equilibrium.step > 0) return false;
   double turn = turn_to(equilibrium, share_);
@@ -113,7 +113,7 @@ void BuriedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-// What yields in a step is the work of the trapezoid less what the springs keep.
+// The work of the trapezoidal rule that the springs do not store is friction work.
 void BuriedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     const BuriedForce s = pull(p, accepted);
@@ -126,10 +126,10 @@ void BuriedTerm::commit(const Kinematics& accepted) {
   }
   share_ = 1;
   turn_ = HUGE_VAL;
-  if (accepted.step == 0) turn_to(accepted);  // statics with friction on the way commits its steps
+  if (accepted.step == 0) turn_to(accepted);  // statics with friction commits its stages
 }
 
-// In statics of trials: the line search goes down this.
+// In statics the energy of the trial, which the line search reduces.
 Energy BuriedTerm::energy(const Kinematics& at) const {
   Energy e;
   for (const Point& p : points_) {

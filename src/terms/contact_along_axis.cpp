@@ -1,6 +1,6 @@
-// Forces of contact on an axis and their tangent: the law at the Gauss points of each panel (a part of an
-// interval in contact), what the ends of panels add as they move with the unknowns, and the roll of a beam
-// about its own axis.
+// Contact forces on an axis and their tangent: the law at the Gauss points of each panel (a part of an
+// interval in contact), the contribution of panel ends that move with the unknowns, and the roll of a beam
+// about its axis.
 #include "hawser/terms/contact_along_axis.hpp"
 
 #include <algorithm>
@@ -16,8 +16,8 @@ constexpr size_t kTurns = AttachedForces::kPositions;
 
 }  // namespace
 
-// Ends of a panel that move with the unknowns: s is where gap(s, X) = smoothing, so ds = -n . dx(s) / (n .
-// x'(s)), and the places and weights of the Gauss points follow it.
+// End of a panel that moves with the unknowns. s is where gap(s, X) = smoothing, so ds = -n . dx(s) / (n .
+// x'(s)). The positions and weights of the Gauss points change with s.
 struct AxisContact::Moving {
   bool on = false;
   AxisShape::Weights H{};
@@ -65,17 +65,17 @@ std::array<AxisContact::Moving, 2> AxisContact::moving_ends(const ContactPanel& 
   return ends;
 }
 
-// The law at a Gauss point. H: the shape functions there; force: on the line, space axes, N/m.
+// Contact at a Gauss point. H: shape functions; force: on the line, space axes, N/m.
 struct AxisContact::Sample {
   double xi = 0, weight = 0;
   AxisShape::Weights H{};
   ContactTrial trial;
   ContactStart begin;
-  ContactRates rates;  // of `begin`, where ends of the panel move
+  ContactRates rates;  // of `begin`, if ends of the panel move
   PointContact contact;
   Vec3 force = Vec3::Zero();
 
-  // m, by which the surface of the line moves for a unit of its roll; body frame.
+  // Displacement of the line's surface per unit roll, m, body frame.
   Vec3 arm() const { return -trial.lever * begin.tangent.cross(trial.normal); }
   double torque() const { return -arm().dot(contact.force); }  // N m/m
 };
@@ -89,7 +89,7 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
   p.trial.point = pose_.to_body(x);
   p.trial.gap = q.at.distance - radius_;
   p.trial.normal = q.at.normal;
-  // -N H is the negative geometric stiffness of contact.
+  // The term -N H is the negative geometric stiffness of contact.
   if (!mode_.convex) p.trial.curvature = q.at.curvature;
   // Relative velocity in the body frame: u = R'(v - V) - omega x y.
   if (mode_.moves) p.trial.velocity = R_inverse_ * (shape_.velocity(p.xi) - pose_.velocity_at(x));
@@ -105,7 +105,7 @@ AxisContact::Sample AxisContact::sample(const QuadraturePoint& q, const ContactP
   return p;
 }
 
-// The tangent is exact, moving ends included.
+// The tangent includes the moving ends.
 void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const Pair& pair,
                             std::vector<AxisContactPoint>* points) {
   const ContactPanel& s = found.panels[panel];
@@ -114,7 +114,7 @@ void AxisContact::add_panel(const ContactQuadrature& found, size_t panel, const 
   std::array<Moving, 2> ends;
   if (mode_.tangent && !mode_.convex) ends = moving_ends(s, pair);
   const bool ends_move = ends[0].on || ends[1].on;
-  // Points lie by panel.
+  // Points are sorted by panel.
   auto q = std::partition_point(found.quadrature.begin(), found.quadrature.end(),
                                 [&](const QuadraturePoint& p) { return p.panel < panel; });
   for (; q != found.quadrature.end() && q->panel == panel; ++q) {
@@ -159,8 +159,8 @@ void AxisContact::add_sample(const Sample& p) {
     }
 }
 
-// What the force and torque of a point change with the ends of its panel, which has the length `span` in xi:
-// its weight w = L span part changes, and its place xi = from + along span.
+// Changes of force and torque of a point with the ends of its panel, which has the length `span` in xi,
+// through the weight w = L span part and the place xi = from + along span.
 void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const QuadraturePoint& q, double span,
                                      std::array<Moving, 2>& ends) const {
   const double L = length_;
@@ -186,7 +186,7 @@ void AxisContact::add_to_moving_ends(const ContactLaw& law, Sample& p, const Qua
   }
 }
 
-// A roll by da moves the line's surface by arm da: its work is the torque's. The ends roll about `about_`.
+// A roll by da moves the line's surface by arm da, so the torque is -arm . f. The ends roll about `about_`.
 void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
   const double w = p.weight, torque = p.torque();
   const AxisShape::Weights& H = p.H;
@@ -214,7 +214,7 @@ void AxisContact::add_rolling(const Sample& p, const Mat3& by_point) {
   }
 }
 
-// The axis of a roll turns with the node otherwise than a vector of its material does: by_turn_turn.
+// The roll axis does not turn with the node like a material vector; by_turn_turn is its derivative.
 void AxisContact::to_blocks(const Stencil& stencil, double* f, double* K, double* C) {
   for (size_t i = 0; i < 2 && rolls_ && K && !mode_.convex; ++i) {
     const AxisRoll& roll = rolls_->ends[i];

@@ -1,4 +1,4 @@
-// The output fields of contact, for all terms that have some.
+// Output fields of contact, shared by all contact terms.
 #include "hawser/terms/contact_fields.hpp"
 
 #include <algorithm>

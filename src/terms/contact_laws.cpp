@@ -1,5 +1,5 @@
-// From the settings of a volume to the normal and friction laws of contact with it, and how deep a step may
-// go.
+// Normal and friction laws of contact with a volume from its settings, and the limit on the penetration in a
+// step.
 #include "hawser/terms/contact_laws.hpp"
 
 namespace hawser {
@@ -30,7 +30,8 @@ FrictionLaw friction_law(const model::Friction& f, double share, double diameter
 
 ContactLaw contact_law(const model::Volume& v, double share, double diameter, double mass) {
   ContactLaw law;
-  // A fifth of the penetration the automatic stiffness allows: the ramp stays small beside it.
+  // Two fifths of the penetration that the automatic stiffness allows, so that the ramp is small compared
+  // with it.
   law.normal = normal_law(v, share, 0.001 * diameter, mass);
   law.friction = friction_law(v.friction, share, diameter);
   return law;

@@ -1,5 +1,5 @@
-// The class ContactVolumes: its checks at construction and the intervals at ends of lines that have no
-// contact; poses and stiffness are in contact_volumes_bodies.cpp and _stiffness.cpp.
+// The class ContactVolumes: checks at construction, and intervals at ends of lines without contact. Poses are
+// in contact_volumes_bodies.cpp, stiffness in contact_volumes_automatic_stiffness.cpp.
 #include "hawser/terms/contact_volumes.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ ContactShare ContactVolumes::takes_part(int line, int volume, double from, doubl
                        [](const ExcludedEnds& l, auto k) { return std::pair(l.line, l.volume) < k; });
   if (found == excluded_ends_.end() || std::pair(found->line, found->volume) != key) return {};
   const double end = mesh_.mesh->lines[line].length - found->end_b, span = to - from;
-  // A single place, or an interval.
+  // A single point, or an interval.
   if (!(span > 0)) return from >= found->end_a && from <= end ? ContactShare{} : ContactShare{1, 0};
   return {std::max(0.0, (found->end_a - from) / span), std::min(1.0, (end - from) / span)};
 }

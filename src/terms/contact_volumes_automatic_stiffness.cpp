@@ -1,6 +1,6 @@
-// By how much the automatic stiffness of a volume is raised, until lines are no deeper than they may be. How
-// deep they are: line_volume_automatic_stiffness.cpp. See docs/theory/contact.md, "Stiffness that follows
-// the run".
+// The class ContactVolumes: raises the automatic stiffness of a volume until lines penetrate no deeper than
+// allowed. The penetration is computed in line_volume_automatic_stiffness.cpp. See docs/theory/contact.md,
+// "Stiffness that follows the run".
 #include <algorithm>
 #include <cmath>
 
@@ -11,25 +11,27 @@
 namespace hawser {
 namespace {
 
-// Of the radius, deeper than which an automatic stiffness is raised (below the 0.005 it is chosen for, so
-// that a raise begins before that is reached); how often that in motion; to what of it.
+// kAllowed: penetration, as a fraction of the radius, beyond which an automatic stiffness is raised; less
+// than the 0.005 of the initial choice, so that a raise begins before that is reached. kMoving: factor on it
+// in motion. kRaisedTo: fraction of the allowed penetration for which the new stiffness is computed.
 constexpr double kAllowed = 0.004, kMoving = 2, kRaisedTo = 0.25;
-// Of the radius: what an impact may take it in by, with all of its mass at all of its speed.
+// Penetration of an impact with all of its mass and speed, as a fraction of the radius.
 constexpr double kImpactDepth = 0.5;
-// Of the period of the mass on its spring: shorter steps follow an impact, and what is deep in them is the
-// impact's.
+// Steps shorter than this many periods of the mass on its spring follow an impact; penetration in them may be
+// due to the impact.
 constexpr double kFollowing = 2;
-// In such steps the stiffness is raised only where the line is kDeepInAnImpact times deeper than allowed and
-// the part kPressed of the contact force at least is not due to inertia.
+// In such steps the stiffness is raised only if the penetration exceeds kDeepInAnImpact times the allowed one
+// and at least the fraction kPressed of the contact force is not due to inertia.
 constexpr double kDeepInAnImpact = 10, kPressed = 0.99;
-// In motion, of what is allowed in the mean over a straight element: what is allowed at its deepest point,
-// over an edge. At rest the deepest point decides, since the tension of a line between fixed ends depends on
-// it.
+// In motion, the allowed penetration at the deepest point of a straight element (at an edge) is kDeepest
+// times the allowed mean over the element. At rest the deepest point decides, because the tension of a line
+// between fixed ends depends on it.
 constexpr double kDeepest = 10;
-// Most that what presses raises a stiffness in a step: what grows faster is an impact.
+// Largest factor on the stiffness per step for static loads; faster growth is due to an impact.
 constexpr double kMostInAStep = 4;
 
-// A raise is solved again with, and what it is for moves with it: less than this is left.
+// kWorthIt: smallest factor for which the stiffness is raised, because the solution must be repeated.
+// kLeastInAStep: smallest limit of the factor in a step that resolves an impact.
 constexpr double kWorthIt = 1.05, kLeastInAStep = 1.06;
 
 }  // namespace
@@ -52,7 +54,7 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
   const double allowed = given > 0 ? given : kAllowed * p.radius;
   if (p.held) return;
   double want = 0;
-  // Of the stiffness that the step began with.
+  // Period with the stiffness at the start of the step.
   const double period = contact_period(law.stiffness * committed_[k] / now, p.mass);
   const bool resolves_impact = step > 0 && p.mass > 0 && step < kFollowing * period;
   const bool pressed = !resolves_impact || p.static_share > kPressed;
@@ -64,12 +66,12 @@ void ContactVolumes::require(int volume, const NormalLaw& law, const PressedPoin
     want = now * p.static_share * depth / (kRaisedTo * allowed);
     if (step > 0) want = std::min(want, most * committed_[k]);
   }
-  // u sqrt(m/k) is how deep an impact goes. What is in the spring already comes out of it no faster than in a
-  // part of the period: to raise the stiffness then would only load the spring.
+  // The penetration of an impact is u sqrt(m/k). A spring that is already loaded releases its energy only
+  // within a part of its period; raising its stiffness would only load it further.
   const bool loaded = resolves_impact && p.depth > 0;
   if (step > 0 && !loaded)
     want = std::max(want, now * p.mass * std::pow(p.speed / (kImpactDepth * p.radius), 2) / law.stiffness);
-  // The run would end.
+  // A deeper penetration would end the run.
   if (p.depth > p.radius) want = std::max(want, now * std::pow(2 * p.depth / p.radius, 2));
   wanted[k] = std::max(wanted[k], want);
 }

@@ -1,4 +1,4 @@
-// Where the bodies of the volumes are, and which of those that float lines may meet.
+// The class ContactVolumes: poses of the volumes' bodies, and the floating bodies that lines may meet.
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
@@ -8,7 +8,7 @@
 namespace hawser {
 namespace {
 
-constexpr double kStaticsWay = 0.15;  // of the line: Newton's iteration of statics goes no farther at once
+constexpr double kStaticsWay = 0.15;  // of the line: largest displacement in a Newton iteration of statics
 
 }  // namespace
 
@@ -24,7 +24,7 @@ std::vector<RigidPose> ContactVolumes::poses(const Kinematics& at) const {
   return poses;
 }
 
-// Of a body that is met on this rank.
+// Valid for a body that a line on this rank may touch.
 RigidPose ContactVolumes::pose_of(int volume, const Kinematics& at) const {
   return bodies_->pose(this->at(volume).body, at);
 }
@@ -34,8 +34,8 @@ FloatingFrame ContactVolumes::floating_frame(int volume, const Kinematics& at) c
   return {mesh_.block[local], at.x[local], at.v[local], at.q[local].toRotationMatrix()};
 }
 
-// Elements are listed with room to spare, so that the list holds for many steps; it is made anew where one
-// comes near that is not in it.
+// Elements are listed with a margin, so that the list remains valid for many steps. It is rebuilt when an
+// element outside the list comes near.
 bool ContactVolumes::recouple(const Kinematics& committed, double h, double thickest) {
   const auto moving = [this](const ContactVolume& v) { return bodies_->floats(v.body); };
   if (std::none_of(volumes_.begin(), volumes_.end(), moving)) return false;

@@ -1,5 +1,5 @@
-// Work of friction, damping and prescribed bodies at one contact point over a step, from the motion relative
-// to the body and the motion of the body itself.
+// Work of friction, damping and prescribed bodies at a contact point over a step, from the motion relative to
+// the body and the motion of the body.
 #include "hawser/terms/contact_work.hpp"
 
 namespace hawser {

@@ -1,5 +1,5 @@
-// The class EndSprings: moment and exact tangent of a rotational spring at the end of a line, its reaction on
-// a floating body, and the work of bodies with prescribed motion.
+// The class EndSprings: moment and exact tangent of a rotational spring at the end of a line, reaction on a
+// floating body, and work of bodies with prescribed motion.
 #include "hawser/terms/end_springs.hpp"
 
 #include <algorithm>
@@ -24,7 +24,7 @@ Angle angle(double sine, double cosine) {
     return {0.5 * phi * phi, -(1 + u * (1.0 / 3 + u * (2.0 / 15 + u * (2.0 / 35)))),
             1.0 / 3 + u * (4.0 / 15 + u * (6.0 / 35))};
   }
-  const double s = std::max(sine, 1e-6);  // at phi = pi every direction turns back equally: a finite one
+  const double s = std::max(sine, 1e-6);  // bounded at phi = pi, where the direction is undefined
   return {0.5 * phi * phi, -phi / s, (1 - phi * cosine / s) / (s * s)};
 }
 
@@ -54,7 +54,7 @@ EndSprings::EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodi
       driven_.push_back(i);
 }
 
-// The tangent of the line at its end, and the direction towards which the spring turns it.
+// Tangent of the line at its end, and the direction towards which the spring turns it.
 std::array<AttachedNow, 2> EndSprings::directions(const EndSpring& s, const Kinematics& at) const {
   const Attached tangent{mesh_.global[s.node], -1, Vec3::UnitX(), true};
   return {attached_now(tangent, at, mesh_, *bodies_),
@@ -74,8 +74,8 @@ void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
     apart.topRightCorner<3, 3>().setIdentity();
     apart.bottomLeftCorner<3, 3>().setIdentity();
     K += s.stiffness * a.first * apart;
-    // Far from a solution W(c) may be concave: the tangent is that of k |t - d|²/2, which is convex, at t =
-    // d, where it has no force.
+    // Far from a solution W(c) may be concave. The tangent is then that of the convex k |t - d|²/2 at t = d,
+    // where it has no force.
     if (assembler.convex()) {
       f.setZero();
       K = s.stiffness * (Mat6::Identity() - apart);
@@ -84,7 +84,7 @@ void EndSprings::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-// The body turns the direction and so changes c = d.t: W' t.(theta x d) = W' theta.(d x t).
+// The body turns the direction and changes c = d.t: W' t.(theta x d) = W' theta.(d x t).
 void EndSprings::holds(const Kinematics& at, std::vector<Hold>& out) const {
   out.clear();
   for (const size_t i : driven_) {
@@ -98,7 +98,7 @@ void EndSprings::holds(const Kinematics& at, std::vector<Hold>& out) const {
 
 void EndSprings::prepare(const Kinematics& committed, double) { holds(committed, before_); }
 
-// The work by the trapezoidal rule in the body's axes, like that of clamped ends.
+// Trapezoidal rule in body axes, as for clamped ends.
 void EndSprings::commit(const Kinematics& accepted) {
   if (before_.empty()) return;
   holds(accepted, now_);

@@ -1,6 +1,6 @@
-// The class Feeders: the forces of winches, tensioners and reels. It determines which elements are inside a
-// feeder, the length of the one at its feed point, the momentum of the line that flows through it, and the
-// work of the feeder.
+// The class Feeders: forces of winches, tensioners and reels. Determines the elements inside a feeder, the
+// length of the element at the feed point, the momentum of the line that flows through it, and the work of
+// the feeder.
 #include "hawser/terms/feeders.hpp"
 
 #include <fmt/format.h>
@@ -321,18 +321,18 @@ double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement&
          mass * m.speed * at.v[i].dot(v - at.v[i]);
 }
 
-// Whether the feeder rests at the end of a step in which the feed point came to m: it stops where the tension
-// meets the one asked for, and starts again beyond its band.
+// Whether the feeder rests at the end of a step with the feed point m. It stops where the tension reaches the
+// target, and restarts beyond the dead band.
 bool Feeders::rests(const Feeder& f, const FeedPoint& m, const Kinematics& accepted,
                     const LocalElement& e) const {
-  constexpr double kThere = 0.01;  // of the part of the band on this side
+  constexpr double kThere = 0.01;  // of the band's part on this side of the target
   if (f.resting) return m.speed == 0;
   const double off = pull(f, accepted, e, m.length).force - f.feed.tension;
   const double band = off > 0 ? f.feed.most - f.feed.tension : f.feed.tension - f.feed.least;
   return f.speed * m.speed < 0 || std::abs(off) < kThere * band;
 }
 
-// Work of a step of h seconds, in which the element at the feed point has got longer than `before`, J.
+// Work of a step of h [s] in which the length of the element at the feed point changed from `before`, J.
 double Feeders::work_of_step(size_t k, const Kinematics& accepted, const LocalElement& e, double h,
                              double before) const {
   const Feeder& f = feeders_[k];

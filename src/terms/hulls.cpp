@@ -1,5 +1,4 @@
-// The class Hulls: surfaces from the volumes of the case, pressure of the sea on them, its work and
-// potential.
+// The class Hulls: hull surfaces from the volumes of the case, sea pressure on them, its work and potential.
 #include "hawser/terms/hulls.hpp"
 
 #include <algorithm>
@@ -16,12 +15,12 @@
 namespace hawser {
 namespace {
 
-// The head is linear along edges: one of the length L underestimates the mean head of a wave of the number k
-// by (k L)²/12, which is 0.2 % where the wave is this many edges long.
+// The head is linear along edges. An edge of length L underestimates the mean head of a wave of wave number k
+// by (k L)²/12, which is 0.2 % if the wave is this many edges long.
 constexpr double kEdgesInWave = 40;
 constexpr std::size_t kMostTriangles = 200000;
 
-// 1/m, mean of the sea by energy.
+// Mean wave number, weighted by energy, 1/m.
 double mean_number(const WaveField& waves) {
   double sum = 0, energy = 0;
   for (const WaveComponent& c : waves.components()) {
@@ -98,7 +97,7 @@ HullPressure Hulls::pressure(const Hull& hull, const Kinematics& at, bool waves,
                        floating_state(at, hull.node), tangent);
 }
 
-// Commit, energy and outputs need the forces of the same accepted state: the last ones are kept.
+// Commit, energy and outputs need the forces of the same accepted state, so the last result is kept.
 const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& at) const {
   const RigidBodyState s = floating_state(at, hull.node);
   Forces& known = hull.forces;
@@ -114,7 +113,7 @@ const Hulls::Forces& Hulls::forces(const Hull& hull, const Kinematics& at) const
 void Hulls::prepare(const Kinematics& committed, double h) {
   start_time_ = committed.time;
   Kinematics now = committed;
-  // Where no step went before, waves act from here on.
+  // At the first step waves start to act.
   if (!(now.step > 0)) now.step = h;
   for (Hull& hull : list_) {
     hull.start = floating_state(committed, hull.node);
@@ -165,7 +164,7 @@ double Hulls::dead_load() const {
   return sum;
 }
 
-// Of a sum over the triangles, each with a pressure of up to that of the whole hull under water.
+// Round-off of a sum over the triangles, each with a pressure force of at most the full buoyancy.
 double Hulls::round_off(const Kinematics&, double) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;

@@ -1,5 +1,5 @@
-// The class LineCandidates: whether the list of near element pairs still holds, prediction of paths, the
-// narrow test of a pair, exclusions along a line, and couplings of nodes.
+// The class LineCandidates: validity of the list of near element pairs, prediction of paths, narrow test of a
+// pair, exclusions along a line, and couplings of nodes.
 #include "hawser/terms/line_candidates.hpp"
 
 #include <algorithm>
@@ -16,19 +16,19 @@
 namespace hawser {
 namespace {
 
-// The length without contact near a shared place may shrink. The list excludes pairs only within this part of
-// it, so that it need not be made again at once.
+// The length without contact near a shared place may shrink. The list excludes pairs only within this
+// fraction of it, so that it remains valid for some time.
 constexpr double kShared = 0.8;
 
-// Data of an axis half way along its path, for the narrow test.
+// Data of an axis at the middle of its path, for the narrow test.
 struct Middle {
   Vec3 a, b;   // chord
   Vec3 shift;  // mean displacement of its points from the middle to the end of the path
-  // m, distance of the axis from the middle of its chord, at most: half the chord and the bulge
+  // m, largest distance of the axis from the middle of its chord: half the chord and the bulge
   double around = 0;
   double bulge = 0;      // m, distance of the axis from its chord
-  double spread = 0;     // m, deviation of the points' displacements from their mean
-  double thickness = 0;  // m, radius and skin
+  double spread = 0;     // m, deviation of the displacements from their mean
+  double thickness = 0;  // m, sum of radius and skin
 };
 
 Middle middle(const SweptAxis& s) {
@@ -50,7 +50,7 @@ Middle middle(const SweptAxis& s) {
   return m;
 }
 
-// Whether two axes, anywhere on their paths, may come nearer than both thicknesses.
+// Whether two axes anywhere on their paths may come nearer than the sum of both thicknesses.
 bool near(const Middle& p, const Middle& q) {
   const double reach = p.thickness + q.thickness + p.spread + q.spread + (p.shift - q.shift).norm();
   const double around = reach + p.around + q.around;
@@ -77,7 +77,7 @@ LineCandidates::LineCandidates(MPI_Comm comm, const LocalMesh& mesh, ContactRadi
   gather();
 }
 
-// Whether the list excludes pairs near a shared place that may touch by now.
+// Whether the list excludes pairs near a shared place that may touch in the present state.
 bool LineCandidates::shares_less() const {
   for (size_t k = 0; k < within_.size(); ++k)
     if (settings_.shared->within(static_cast<int>(k)) < within_[k]) return true;
@@ -111,7 +111,7 @@ bool LineCandidates::set_elements_in_feeders(std::vector<std::array<int, 2>> ins
   return true;
 }
 
-// The first and the last element of a line that are outside feeders.
+// First and last element of a line outside feeders.
 std::array<int, 2> LineCandidates::outside(int line) const {
   const LineSpan& l = mesh_.mesh->lines[line];
   const std::array<int, 2> inside = inside_.empty() ? std::array{0, 0} : inside_[line];
@@ -138,7 +138,7 @@ double LineCandidates::skin(int element) const {
                   settings_.skin_lengths * mesh_.mesh->elements[element].length);
 }
 
-// All members but the positions.
+// Sets all members except the positions.
 SweptAxis LineCandidates::at_rest(int element) const {
   const Element& e = mesh_.mesh->elements[element];
   const auto arc = [&](int n) { return mesh_.mesh->nodes[n].arc; };
@@ -146,7 +146,7 @@ SweptAxis LineCandidates::at_rest(int element) const {
           radius(element), skin(element), {},      {}};
 }
 
-// The axis, Hermite's cubic (kernels/axis_shape.hpp), after a time h at the present rates.
+// Bézier points of the axis, Hermite's cubic (kernels/axis_shape.hpp), after a time h at the present rates.
 std::array<Vec3, 4> LineCandidates::axis(const LocalElement& e, const Kinematics& at, double h) const {
   const size_t i = e.first, j = e.second;
   const Element& element = mesh_.element(e);
@@ -264,14 +264,14 @@ std::vector<std::pair<int, int>> LineCandidates::search() const {
     if (i >= own) continue;  // pairs are ordered, so the second one is of another rank, too
     if (j - i <= excluded_after_[i]) continue;
     const SweptAxis *p = axis_of(i), *q = axis_of(j);
-    if (p->element > q->element) std::swap(p, q);  // so that every rank computes the same to the last bit
+    if (p->element > q->element) std::swap(p, q);  // so that all ranks compute identical results
     if (!excluded(*p, *q) && near(middle(*p), middle(*q))) out.emplace_back(p->element, q->element);
   }
   std::sort(out.begin(), out.end());
   return out;
 }
 
-// Whether two elements are excluded however they move.
+// Whether two elements are excluded regardless of their motion.
 bool LineCandidates::never(const SweptAxis& p, const SweptAxis& q) const {
   if (!settings_.excluded.empty() &&
       std::binary_search(settings_.excluded.begin(), settings_.excluded.end(), ordered(p.line, q.line)))

@@ -1,6 +1,6 @@
-// The class LineCandidates: elements of other ranks that may touch those of this one. All ranks learn of each
-// the few regions that its elements are in; ranks whose regions overlap exchange boxes of chunks of elements,
-// and then the elements that are in reach of such a chunk.
+// The class LineCandidates: elements of other ranks that may touch those of this rank. All ranks exchange a
+// few bounding regions of their elements. Ranks with overlapping regions exchange bounding boxes of chunks of
+// elements, then the elements near such a chunk.
 #include <algorithm>
 #include <array>
 
@@ -27,7 +27,7 @@ std::vector<Box> boxes_of(std::span<const double> numbers) {
   return out;
 }
 
-// Boxes of elements that follow each other; each ends with its line at the latest.
+// Bounding boxes of up to kChunk successive elements of one line.
 std::vector<Box> chunks_of(const std::vector<SweptAxis>& own, std::span<const Box> of) {
   std::vector<Box> out;
   for (size_t i = 0, first = 0; i < own.size(); ++i) {
@@ -40,7 +40,7 @@ std::vector<Box> chunks_of(const std::vector<SweptAxis>& own, std::span<const Bo
   return out;
 }
 
-// A few boxes with all of these in them: the largest nodes of their tree are halved.
+// At most kRegions boxes that contain all chunks: the largest nodes of their tree are split.
 std::vector<Box> regions_of(const std::vector<Box>& chunks) {
   const BoxTree tree(chunks, {}, 1);
   const auto nodes = tree.nodes();
@@ -63,7 +63,7 @@ bool overlaps_any(const Box& box, std::span<const Box> others) {
   return std::any_of(others.begin(), others.end(), [&](const Box& b) { return box.overlaps(b); });
 }
 
-// To and from each of these ranks, which do the same.
+// Exchanges data with each of these ranks, which make the matching call.
 std::vector<std::vector<double>> exchange(MPI_Comm comm, int tag, const std::vector<int>& ranks,
                                           const std::vector<std::vector<double>>& out) {
   std::vector<MPI_Request> requests(ranks.size());
@@ -96,7 +96,7 @@ std::vector<SweptAxis> LineCandidates::from_others(std::span<const Box> of) cons
   constexpr int kNumbers = static_cast<int>(kBox * kRegions);
   MPI_Allgather(mine.data(), kNumbers, MPI_DOUBLE, all.data(), kNumbers, MPI_DOUBLE, comm_);
 
-  // Ranks with regions that overlap those of this one, and of each the chunks of this one that are near.
+  // Ranks with regions that overlap those of this rank, and for each the chunks of this rank that are near.
   std::vector<int> ranks;
   std::vector<std::vector<double>> out;
   for (int r = 0; r < size; ++r) {

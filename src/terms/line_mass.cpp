@@ -1,5 +1,5 @@
-// The class LineMassTerm: masses and distributed loads of the case by element, their assembly by
-// kernels/line_mass.hpp, work of ramped loads, momentum of lines.
+// The class LineMassTerm: masses and distributed loads of the case by element, assembled by
+// kernels/line_mass.hpp; work of ramped loads, momentum of lines.
 #include "hawser/terms/line_mass.hpp"
 
 #include <algorithm>
@@ -192,7 +192,7 @@ Energy LineMassTerm::energy(const Kinematics& at) const {
     e.kinetic += p.beam ? beam_kinetic_energy(p.section, ends(p, at))
                         : cable_kinetic_energy(p.section, at.v[i], at.v[j]);
     e.potential -= load_work(p, at, p.load);
-    // In statics a ramped load is a constant too; in dynamics its work is accumulated.
+    // In statics a ramped load is constant too; in dynamics its work is accumulated.
     if (p.ramped && at.step == 0) e.potential -= load_work(p, at, ramped_load(p, at.time));
   }
   e.work = work_;

@@ -1,6 +1,6 @@
-// Forces, tangent, energy and accepted steps of LinePairs, of the pairs in the candidate list. Closest
-// points: kernels/axis_closest_point.cpp; the law of two lines: kernels/line_pair_law.cpp, its sum along
-// them: kernels/line_pair_forces.cpp; the rest is in line_pairs_*.cpp.
+// The class LinePairs: forces, tangent, energy and accepted steps of the pairs in the candidate list. Closest
+// points are in kernels/axis_closest_point.cpp, the law of two lines in kernels/line_pair_law.cpp, its sum
+// along the lines in kernels/line_pair_forces.cpp; other parts of the class in line_pairs_*.cpp.
 #include "hawser/terms/line_pairs.hpp"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ bool LinePairs::recouple(const Kinematics& committed, double h) {
   }
   shared_.update(committed, settles_);
   if (!candidates_.update(committed, h) && listed_) return false;
-  // Histories go by element until the new list is there.
+  // Histories are stored by element until the new list is available.
   for (Pair& p : pairs_)
     if (p.points) kept_[p.key] = std::move(p.points);
   pairs_.clear();
@@ -57,7 +57,7 @@ void LinePairs::update_ghosts() {
 }
 
 void LinePairs::prepare(const Kinematics& committed, double) {
-  // Where nothing can touch nothing is asked of an element.
+  // Without pairs, no element data are needed.
   const size_t n = pairs_.empty() ? 0 : candidates_.segments().size();
   start_.resize(n);
   fed_end_.assign(n, -1);
@@ -81,7 +81,7 @@ std::vector<LinePairs::Rod> LinePairs::rods(const Kinematics& at) const {
   return out;
 }
 
-// Whether the surfaces, which were `clear` apart, may have met since the start of the step.
+// Whether the surfaces may have met since the start of the step, where their distance was at least `clear`.
 bool LinePairs::met(const Pair& p, const std::vector<Rod>& moved) const {
   const auto path = [&](int segment) {
     return std::max((moved[segment].x1 - rods_[segment].x1).norm(),
@@ -105,7 +105,7 @@ void LinePairs::each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B
   LinePairPass::Settings s;
   s.law = pair.law;
   if (!friction_on_) s.law.friction = {};
-  s.moves = moves && pair.law.normal.damping > 0;  // nothing else depends on velocities
+  s.moves = moves && pair.law.normal.damping > 0;  // only damping depends on velocities
   s.convex = convex;
   for (size_t k = 0; k < kParts; ++k) {
     const bool swapped = k >= 3;
@@ -208,11 +208,11 @@ void LinePairs::commit(const Kinematics& accepted) {
   }
 }
 
-// The work that is done on the lines in the step by the trapezoid rule, half by the forces at its start on
-// the material that they acted on, half by those at its end on theirs: each on the whole way that this
-// material has gone relative to what it touched, however far it slid. Friction has the way of the surfaces, a
-// pair that turns as one body none; a cable has no sections that its part of the couple could turn. The gap
-// is what changes along the normal: far along the other line it is no distance.
+// Work of friction and damping over the step by the trapezoidal rule: half by the forces at the start on the
+// material on which they acted, half by those at the end on theirs, each over the whole displacement of this
+// material relative to the other line, however far it slid. Friction acts on the displacement of the
+// surfaces, which is zero for a pair that turns as one body; a cable has no sections that could turn. Along
+// the normal the change of the gap vector counts.
 void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, const ContactPoints& next) {
   Account& sum = accounts_[segment(pair.a).first];
   const auto turn = [](const PairAxis& axis, double xi) -> Mat3 {
@@ -229,7 +229,7 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
       const Vec3 between_before = slave.start.point(xi) - master.start.point(eta),
                  between_now = slave.now.point(xi) - master.now.point(eta);
       const Mat3 turned = share * turn(slave, xi) + (1 - share) * turn(master, eta);
-      // The lever of the couple is what is between the axes while the force acts.
+      // The lever of the couple is the vector between the axes while the force acts.
       const Vec3 moved = at_end ? Vec3(turned.transpose() * between_now - between_before)
                                 : Vec3(between_now - turned * between_before);
       sum.friction -= 0.5 * h.weight * h.friction.dot(moved);
@@ -241,7 +241,7 @@ void LinePairs::account(const Pair& pair, const PairAxis& A, const PairAxis& B, 
   }
 }
 
-// In dynamics of the committed state. Statics asks for trials: its line search goes down this energy.
+// In dynamics the energy of the committed state; in statics that of the trial, which the line search reduces.
 Energy LinePairs::energy(const Kinematics& at) const {
   Energy e;
   const std::vector<Rod> moved = at.step > 0 ? std::vector<Rod>{} : rods(at);

@@ -1,13 +1,13 @@
-// The part of LinePairs that knows of lines that are paid out and hauled in: where the material of the
-// element at a feeder's feed point was at the start of the step, and what the feeder does on it. See
+// The class LinePairs for lines that are paid out and hauled in: positions at the start of the step of the
+// material of the element at the feed point, and the work of the feeder on contact. See
 // docs/theory/line-line.md.
 #include "hawser/terms/line_pairs.hpp"
 
 namespace hawser {
 
-// Now, and at the start of the step: of a fed element its material, of which what is at the feeder now was
-// inside of it then, or has come back. Of a beam that comes out of its clamp the turning of what was inside
-// is taken to be that of the clamp.
+// Axis of a segment in `at` and of the same material at the start of the step. For an element at a feed point
+// part of the material was then inside the feeder, or was outside and has returned. The rotation of a beam
+// inside its clamp is taken as that of the clamp.
 PairAxis LinePairs::axis(const Kinematics& at, int segment) const {
   const AxisEnds now = ends(at, segment);
   const int fed = fed_end(segment);
@@ -19,7 +19,7 @@ PairAxis LinePairs::axis(const Kinematics& at, int segment) const {
   return {now, before};
 }
 
-// The place that material has in `axis` which was at xi at the start of the step.
+// Position xi in `axis` of the material that was at xi at the start of the step.
 double LinePairs::material_of_start(int segment, const PairAxis& axis, double xi) const {
   const int fed = fed_end(segment);
   if (fed < 0) return xi;
@@ -27,15 +27,15 @@ double LinePairs::material_of_start(int segment, const PairAxis& axis, double xi
   return fed == 0 ? 1 - part * (1 - xi) : part * xi;
 }
 
-// J: the forces act on nodes, and the material goes past them. What it does on that way the feeder has to do;
-// it also brings the material in that is pressed where it is.
+// Contact forces act on nodes while the material moves past them. The feeder does the work on the difference
+// of the displacements, and supplies material that is already compressed. J.
 double LinePairs::fed_work(const Pair& pair, const PairAxis& A, const PairAxis& B,
                            const ContactPoints& next) const {
   if (fed_end(pair.a) < 0 && fed_end(pair.b) < 0) return 0;
-  // How much farther than the place xi that the nodes take along the material goes.
+  // Displacement of the material minus that of the point at constant xi.
   const auto way = [&](int segment, const PairAxis& axis, double xi, bool at_end) -> Vec3 {
     if (fed_end(segment) < 0) return Vec3::Zero();
-    AxisEnds nodes = at_end ? start(segment) : axis.ends;  // of the length with which the forces act
+    AxisEnds nodes = at_end ? start(segment) : axis.ends;  // with the length for which the forces act
     nodes.length = at_end ? axis.ends.length : start(segment).length;
     const Vec3 place = AxisShape(nodes).point(xi);
     return at_end ? Vec3(place - axis.start.point(xi))

@@ -1,4 +1,4 @@
-// What touches of two lines in the accepted state, shown at the nodes and sent to the clash report.
+// The class LinePairs: contact in the accepted state for nodal output and the clash report.
 #include <algorithm>
 #include <cmath>
 

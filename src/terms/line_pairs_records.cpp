@@ -1,4 +1,4 @@
-// Contact of lines with lines through a checkpoint.
+// The class LinePairs: checkpoint records.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -13,7 +13,7 @@ namespace {
 
 enum Kind { kPoints, kSums, kDeepest, kShared };
 
-// A point that touches, with the elements of its pair and the part of the pair that it is of.
+// Contact point with the elements of its pair and its pass (LinePairs::kParts).
 struct PairPoint {
   int first = 0, second = 0, part = 0;
   LinePairContactPoint point;
@@ -28,8 +28,8 @@ struct PairPoint {
 
 }  // namespace
 
-// Every rank that owns a node of a pair needs its history, and a rank gets the records of its own nodes only:
-// so it is kept at each node of the pair.
+// Every rank that owns a node of a pair needs its history, but receives only the records of its own nodes.
+// Therefore the history is stored at each node of the pair.
 std::vector<CheckpointKind> LinePairs::checkpoint_kinds() const {
   return {checkpoint_kind<PairPoint>("points that touch"), checkpoint_kind<Account>("sums of a node"),
           checkpoint_kind<Deepest>("deepest"), checkpoint_kind<SharedPlaces::Kept>("shared places")};
@@ -48,7 +48,7 @@ std::vector<CheckpointRecord> LinePairs::records(NodeRange of) const {
   for (int k = 0; k < shared_.size(); ++k)
     if (const int n = shared_.place(k).one.node; mesh_.owns(mesh_.find(n)) && of.has(n))
       records.push_back(record_of(n, k, shared_.kept(k), kShared));
-  std::map<int, int> number;  // of records at a node
+  std::map<int, int> number;  // number of records at a node
   for (const Pair& p : pairs_) {
     if (!p.points) continue;
     const ContactSegment &a = segment(p.a), &b = segment(p.b);
@@ -96,7 +96,7 @@ void LinePairs::restore(const std::vector<CheckpointRecord>& records) {
     const std::vector<PairPoint> points = entries<PairPoint>(r);
     if (points.empty()) continue;
     const Key key{points.front().first, points.front().second};
-    if (kept_.count(key)) continue;  // from another of its nodes
+    if (kept_.count(key)) continue;  // already read from another node of the pair
     auto by_part = std::make_unique<ContactPoints>();
     for (const PairPoint& p : points) {
       if (p.part < 0 || static_cast<size_t>(p.part) >= by_part->size())

@@ -1,5 +1,4 @@
-// Which steps LinePairs accepts and which it asks for: no line goes through another, and it is seen how they
-// meet.
+// The class LinePairs: checks that no line passes through another, and step limits that resolve impacts.
 
 #include <algorithm>
 #include <cmath>
@@ -12,24 +11,25 @@
 namespace hawser {
 namespace {
 
-// Axes come no nearer in a step than this part of the radii, or than half of what they were, and no nearer
-// than the second: from about half the radii on, what crosses is pushed back the less the deeper it is.
+// In a step, the distance of two axes may not fall below the smaller of kThrough times the sum of the radii
+// and half of the distance before, nor below kPressed: below about half of the radii, the force that pushes
+// crossing lines apart decreases with the penetration.
 constexpr double kThrough = 0.25, kPressed = 0.1;
-// In statics, where steps know nothing of forces that they have not met, they end at this part of the radii:
-// the next one knows. Axes nearer than the second cross.
+// In statics a step has no information about contacts it has not met. It ends at this fraction of the sum of
+// the radii, so that the next step includes the contact. Axes nearer than kNoSide cross.
 constexpr double kStaticDepth = 0.7, kNoSide = 1e-9;
-// A step may take a line this part of the radii deeper than to the surface.
+// Largest penetration in a step, as a fraction of the sum of the radii.
 constexpr double kDeep = 0.5;
-// Part of the contact's period, beyond which a step sees nothing of an impact.
+// Steps longer than this fraction of the contact period do not resolve an impact.
 constexpr double kUnresolved = 1.0 / 3;
-// The part of the radii to which a stiffness that is proposed lets lines be pressed in.
+// Penetration for which a stiffness is proposed, as a fraction of the sum of the radii.
 constexpr double kProposed = 0.25;
 
 }  // namespace
 
 Verdict LinePairs::check_step(const Kinematics& trial) const {
   if (!candidates_.covers(trial)) return {Verdict::Kind::prepare_again, advice::BeyondContactSearch{}};
-  if (start_.size() != candidates_.segments().size()) return {};  // not prepared: nothing to compare with
+  if (start_.size() != candidates_.segments().size()) return {};  // not prepared, no comparison possible
   const std::vector<Rod> moved = rods(trial);
   const Pair* through = nullptr;
   double least = HUGE_VAL;
@@ -47,7 +47,7 @@ Verdict LinePairs::check_step(const Kinematics& trial) const {
   return {};
 }
 
-// Whether an axis comes through the other, or nearly, on the way from the start of the step.
+// Whether an axis passes through the other, or nearly does, from the start of the step to the trial.
 bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   const AxisShape a0(start(p.a)), b0(start(p.b)), a1(ends(trial, p.a)), b1(ends(trial, p.b));
   ApproachLimits limits;
@@ -57,14 +57,14 @@ bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
     limits.floor = kPressed * p.law.radii;
     return sides_kept(a0, a1, b0, b1, limits) != Sides::kept;
   }
-  // Axes may cross from the start: then no side is the right one.
+  // Axes may cross at the start; then neither side is the correct one.
   limits.most = kStaticDepth * p.law.radii;
   limits.part = 0.9;
   limits.no_side = kNoSide * p.law.radii;
   return sides_kept(a0, a1, b0, b1, limits) == Sides::near;
 }
 
-// Relative speed along the line between the nearest points of the chords, m/s (> 0: they part), and the gap,
+// Relative speed along the line between the nearest points of the chords, m/s (> 0: separating), and the gap,
 // m.
 LinePairs::Nearest LinePairs::nearest(const Pair& p, const SegmentPair& c, const AxisEnds& a,
                                       const AxisEnds& b) const {
@@ -73,8 +73,8 @@ LinePairs::Nearest LinePairs::nearest(const Pair& p, const SegmentPair& c, const
   return {v.dot(c.difference) / c.distance, c.distance - p.law.radii};
 }
 
-// Relative acceleration of the middles along the line between them, m/s²: at the turning point of an impact
-// there is no speed.
+// Relative acceleration of the element centres along the line between the chords, m/s². At the turning point
+// of an impact the speed is zero.
 double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   const auto mean = [&](std::span<const Vec3> v, int segment) -> Vec3 {
     const ContactSegment& s = this->segment(segment);
@@ -84,25 +84,25 @@ double LinePairs::acceleration(const Pair& p, const Kinematics& at) const {
   return c.distance > 0 ? (mean(at.a, p.a) - mean(at.a, p.b)).dot(c.difference) / c.distance : 0;
 }
 
-// kg/m, of the two on their contact.
+// Effective mass of the two lines, kg/m.
 double LinePairs::mass_per_length(const Pair& p) const {
   const double a = type_of(p.key.first).mass_per_length, b = type_of(p.key.second).mass_per_length;
   return a * b / (a + b);
 }
 
-// 1/omega of the two masses on the contact, s.
+// 1/omega of the effective mass on the contact, s.
 double LinePairs::inverse_frequency(const Pair& p, double speed) const {
   const double m = mass_per_length(p), depth = deepest(p);
   return std::sqrt(m / stiffness_of_impact(p.law.normal, depth, m, speed));
 }
 
-// kg. The interval that touches is at most one of the elements.
+// Effective mass of an impact, kg: the interval in contact is at most one of the elements.
 double LinePairs::mass(const Pair& p) const {
   return mass_per_length(p) * std::min(element(p.key.first).length, element(p.key.second).length);
 }
 
-// All of the energy of two that meet or part is uncertain in a step of more than a third of the contact's
-// period; in a shorter one, that by which the trapezoidal rule misses where they touch first or last.
+// In a step longer than a third of the contact period, all energy of lines that meet or part is uncertain. In
+// a shorter one, only the error of the trapezoidal rule at first or last contact is.
 void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   const std::vector<Rod> moved = rods(trial);
   for (const Pair& p : pairs_) {
@@ -125,8 +125,8 @@ void LinePairs::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   }
 }
 
-// m, in the accepted state, negative within the ramp; 0: they do not touch. A side without a share has no
-// points.
+// Penetration in the accepted state, m, negative within the ramp; 0: no contact. A pass without a share of
+// the force has no points.
 double LinePairs::deepest(const Pair& p) const {
   double depth = -HUGE_VAL;
   for (const size_t pass : {0, 3})
@@ -134,7 +134,8 @@ double LinePairs::deepest(const Pair& p) const {
   return depth > -HUGE_VAL ? depth : 0;
 }
 
-// An impact is followed, and no line is carried deeper into another than half the radii at the speed it has.
+// Limits the step so that impacts are resolved and no line, at its present speed, penetrates deeper than half
+// the sum of the radii.
 void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   for (const Pair& p : pairs_) {
     if (clipped(p)) continue;
@@ -151,14 +152,14 @@ void LinePairs::limit_step(const Kinematics& at, ImpactEvents& to) const {
   }
 }
 
-// Where two lines are nearest in the accepted state.
+// Nearest places of two lines in the accepted state.
 advice::NearestPlaces LinePairs::nearest_places(const Pair& p) const {
   const Element &a = element(p.key.first), &b = element(p.key.second);
   const Mesh& m = *mesh_.mesh;
   return {m.lines[a.line].name, m.lines[b.line].name, arc_at(m, a, p.chords.s), arc_at(m, b, p.chords.t)};
 }
 
-// J, in the springs of the contact of the two lines, of what this rank counts.
+// Energy in the contact springs of the two lines that this rank counts, J.
 double LinePairs::stored(const Pair& of) const {
   const auto lines = [&](const Pair& p) {
     return ordered(element(p.key.first).line, element(p.key.second).line);
@@ -167,7 +168,7 @@ double LinePairs::stored(const Pair& of) const {
              [](const LinePairContactPoint& h) { return h.potential; });
 }
 
-// A crossing holds energy with the depth to the power 5/2.
+// The energy of a crossing is proportional to the depth to the power 5/2.
 advice::StepFinding LinePairs::too_soft(const Pair& p) const {
   const double radii = p.law.radii, k = p.law.normal.stiffness, speed = -nearest_at_start(p).speed,
                depth = deepest(p);

@@ -1,6 +1,6 @@
-// The class LineVolumeContact: how deep each element penetrates volumes, and requests to the volumes for a
-// raise of the automatic stiffness (contact_volumes_automatic_stiffness.cpp). A prescribed stiffness that is
-// too low is refused. See docs/theory/contact.md, "Stiffness that follows the run".
+// The class LineVolumeContact: penetration of each element into volumes, and demands to raise the automatic
+// stiffness (contact_volumes_automatic_stiffness.cpp). A prescribed stiffness that is too low is refused. See
+// docs/theory/contact.md, "Stiffness that follows the run".
 #include <algorithm>
 #include <cmath>
 
@@ -10,21 +10,21 @@
 namespace hawser {
 namespace {
 
-// The fraction of a force that remains when the inertia of `mass` with the acceleration [m/s²] away from the
-// surface is subtracted.
+// Fraction of a force that remains after subtraction of the inertia of `mass` with the acceleration [m/s²]
+// away from the surface.
 double left_by_inertia(double force, double mass, double acceleration) {
   return force > 0 ? std::clamp(1 - mass * acceleration / force, 0.0, 1.0) : 1;
 }
 
-// Whether a penetrating mass moves so slowly that its m v² is at most a sixteenth of k d² of the spring. It
-// is then pressed in, and neither hits nor rebounds.
+// Whether a penetrating mass is so slow that its m v² is at most a sixteenth of k d² of the spring. It is
+// then pressed in statically and does not bounce.
 bool resting(double stiffness, double depth, double mass, double speed) {
   return stiffness * std::pow(0.25 * depth, 2) >= mass * speed * speed;
 }
 
 }  // namespace
 
-// The fraction of the force [N] on the whole element that is static, 0 to 1.
+// Static fraction of the force [N] on the whole element, 0 to 1.
 double LineVolumeContact::static_share(const Pair& pair, const Kinematics& at, double force, double depth,
                                        const Vec3& normal) const {
   if (!(at.step > 0)) return 1;
@@ -53,7 +53,7 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
       at.speed = std::max(at.speed, (shape.velocity(xi) - pose.velocity_at(shape.point(xi))).norm());
     if (touches) finder_.find(pair, shape, pose);
     for (int w = 0; w < pair.facet_groups(); ++w) {
-      double force = 0, area = 0;  // N, m²: of the whole facet group, its depth integrated along the axis
+      double force = 0, area = 0;  // N, m²: force and integral of the depth, of the whole facet group
       Vec3 normal = Vec3::Zero();
       at.depth = 0;
       for (const QuadraturePoint& there : pair.found.quadrature) {
@@ -66,7 +66,7 @@ bool LineVolumeContact::raise_stiffness(const Kinematics& equilibrium) {
           normal = pose.rotation * there.at.normal;
         }
       }
-      // The axis of a beam bends where it is pressed.
+      // A beam bends locally under contact, so its deepest point counts.
       at.mean_depth = shape.count() == AxisShape::kMost ? at.depth : area / pair.length;
       at.static_share = touches ? static_share(pair, equilibrium, force, at.depth, normal) : 1;
       volumes_.require(pair.volume, pair.laws[0].normal, at, equilibrium.step, wanted);
@@ -102,7 +102,8 @@ std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kine
   double deepest = 0, xi = 0;
   for (const Pair& pair : pairs_) {
     if (is_held(pair) || pair.found.quadrature.empty()) continue;
-    // A pair that has not moved since it was clear is not evaluated in a trial and keeps an older result.
+    // A pair that has not moved since it was last clear is not evaluated in a trial; its stored result is
+    // older.
     if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
     for (const QuadraturePoint& there : pair.found.quadrature)

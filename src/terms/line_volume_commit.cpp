@@ -1,5 +1,4 @@
-// The class LineVolumeContact: what an accepted step of contact stores: contact points, energies and the work
-// of the step.
+// The class LineVolumeContact: contact points, energies and work of an accepted step.
 #include <algorithm>
 
 #include "hawser/terms/line_volume_contact.hpp"
@@ -40,9 +39,9 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   const StepOfBody step(before, after, !volumes_.floats(pair.volume));
   const double smoothing = pair.smoothing();
   ContactWork& sum = accounts_[pair.element];
-  // The path of a point of the line (y0 to y1, body axes), and its displacement without sliding along the
-  // line (lifted). A pipe that is drawn over a roller makes and loses contact all the time, yet the length in
-  // contact does not change, so sliding does not count as leaving. With contact at nodes only, it does.
+  // Path of a point of the line (y0 to y1, body axes), and its displacement without sliding along the line
+  // (lifted). A pipe that is drawn over a roller continuously makes and loses contact, yet the length in
+  // contact does not change, so sliding does not count as separation. With contact at nodes it does.
   struct Way {
     Vec3 y0, y1, lifted, along;
   };
@@ -58,15 +57,14 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
     w.lifted = finder_.at_nodes() ? moved : Vec3(moved - w.along * w.along.dot(moved));
     return w;
   };
-  // If the stiffness was raised, the change of the spring's energy that the raise causes counts as external
-  // work.
+  // If the stiffness was raised, the change of spring energy due to the raise counts as external work.
   const double raise = volumes_.raised(pair.volume) ? 1 : 0;
   const auto add = [&](const AxisContactPoint& p, const Mat3& R, const Way& w, double touching) {
     sum.add(step, p, R, w.y0, w.y1, touching);
     sum.work += raise * 0.5 * touching * p.weight * p.elastic_force() * p.normal.dot(w.y1 - w.y0);
     if (!rolled) return;
-    // Displacement of the line's surface because the line rolls. Friction's work on it is added to that on
-    // the axis.
+    // Displacement of the line's surface due to roll. The work of friction on it is added to that on the
+    // axis.
     const Vec3 surface = -pair.radius * rolled->angle(p.xi) * w.along.cross(p.normal);
     sum.friction -= 0.25 * p.weight * (R * p.friction).dot((step.R0 + step.R1) * surface);
   };

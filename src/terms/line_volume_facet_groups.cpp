@@ -1,5 +1,5 @@
-// The class LineVolumeFinder: surface queries of a pair. If the surface has several facet groups: which of
-// them are near the pair, and which contact points of the last step belonged to each.
+// The class LineVolumeFinder: surface queries of a pair. If the surface has several facet groups: those near
+// the pair, and their contact points of the last step.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@ namespace {
 constexpr double kTogether = 1.1;
 constexpr double kSagitta = 0.05;  // of that distance: largest distance between axis and polyline
 
-// The axis as a polyline in the body's frame.
+// Axis as a polyline in the body's frame.
 std::vector<Vec3> polyline(const AxisShape& shape, const RigidPose& pose, double contact_distance) {
   const double chords = std::sqrt(shape.bend_bound() / (8 * kSagitta * contact_distance));
   const int n = static_cast<int>(std::clamp(std::ceil(chords), 1.0, 16.0));
@@ -49,7 +49,7 @@ bool LineVolumeFinder::one_facet_group(const LineVolumePair& pair, double motion
                                        kTogether * pair.contact_distance + motion + shape.bend_bound() / 8);
 }
 
-// The facet groups of this trial: those near the axis, and those of the points of the last step.
+// Facet groups of the trial: those near the axis, and those with contact points of the last step.
 void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& shape,
                                          const RigidPose& pose) const {
   const auto p = surface(pair).query(pose.to_body(shape.point(0.5)),
@@ -61,14 +61,13 @@ void LineVolumeFinder::find_facet_groups(LineVolumePair& pair, const AxisShape& 
   assign_previous_points(pair);
 }
 
-// A point of the last step belongs to the facet group whose normal there is most like its own. If there is
-// only one facet group now and two lay side by side before, the points of the more heavily loaded one are
-// kept where both had points.
+// Assigns each point of the last step to the facet group with the most similar normal. If only one of two
+// adjacent facet groups remains, the points of the more heavily loaded one are kept where both had points.
 void LineVolumeFinder::assign_previous_points(LineVolumePair& pair) const {
   NearGroups& near = pair.near;
   if (!near.facet_groups.several() && (pair.points.empty() || pair.points.back().group == 0)) return;
   const size_t facet_groups = pair.facet_groups();
-  // For each present facet group, the points by facet group of the last step.
+  // By present facet group: points by facet group of the last step.
   using Points = std::vector<AxisContactPoint>;
   std::vector<std::vector<Points>> of(facet_groups, std::vector<Points>(FacetGroups::kMost));
   for (const AxisContactPoint& p : pair.points) {

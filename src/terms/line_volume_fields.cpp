@@ -1,5 +1,4 @@
-// The class LineVolumeContact: output of contact in the accepted state at the nodes, and for the clash
-// report.
+// The class LineVolumeContact: contact in the accepted state for nodal output and the clash report.
 #include <algorithm>
 #include <utility>
 

@@ -1,5 +1,5 @@
-// The class LineVolumeFinder: finds contact in a trial, as intervals and Gauss points along an element or at
-// its ends, and the free space within which no search is necessary.
+// The class LineVolumeFinder: finds contact in a trial, as intervals with Gauss points along an element or at
+// its ends, and the contact-free tube in which no search is necessary.
 #include "hawser/terms/line_volume_finder.hpp"
 
 #include <algorithm>
@@ -9,17 +9,17 @@
 namespace hawser {
 namespace {
 
-// If an axis is free, at most kProbes more points are queried, until the free space is at least kCertain
-// times the least distance.
+// If an axis is free, up to kProbes more points are queried until the radius of the free tube is at least
+// kCertain times the smallest distance.
 constexpr int kProbes = 4;
 constexpr double kCertain = 0.5;
-// In bounds of the slope: range of the first query at the middle.
+// Range of the first query at the middle, in bounds of the slope.
 constexpr double kFirst = 2;
-// Share of an element's length, by the weights of its Gauss points, from which all of it touched.
+// Fraction of an element's length, by the weights of its Gauss points, above which all of it touched.
 constexpr double kAll = 1 - 1e-9;
 
-// Limits panels to the part of the axis that may touch. A limit is a material point, which does not move with
-// the gap.
+// Restricts panels to the part of the axis that may touch. The limit is a material point and does not move
+// with the gap.
 void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
   for (ContactInterval& s : panels) {
     if (s.from < part.from) {
@@ -48,8 +48,7 @@ BezierAxis bezier_in(const RigidPose& pose, const AxisShape& shape) {
   return axis;
 }
 
-// The gap minus the smoothing along the axis, as the search for intervals reads it, and the distances that it
-// has queried.
+// Gap minus smoothing along the axis, for the search for intervals, with a list of the queried distances.
 class LineVolumeFinder::Gap {
  public:
   Gap(const LineVolumeFinder& finder, LineVolumePair& pair, int group, const AxisShape& shape,
@@ -142,7 +141,7 @@ const std::vector<ContactInterval>& LineVolumeFinder::intervals_at_start(LineVol
     pair.before->emplace_back();
     return *pair.before;
   }
-  // More halvings than in a trial: intervals that are not found here would be filled there.
+  // More halvings than in a trial, which would otherwise fill intervals that are missed here.
   constexpr int kCloser = 2;
   const AxisShape& start = pair.start.shape;
   std::vector<ClearancePoint> places;

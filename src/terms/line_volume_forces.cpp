@@ -1,7 +1,6 @@
 // The class LineVolumeContact: adds contact of lines with volumes (triangle meshes and exact shapes) to
-// residual and tangent. The force on an element goes to its nodes, the opposite force to the floating body
-// that it touches. The sum along the element is in contact_along_axis.cpp, the law at a point in
-// kernels/surface_contact_law.cpp.
+// residual and tangent. The force acts on the element's nodes, the reaction on the floating body. The sum
+// along the element is in contact_along_axis.cpp, the law at a point in kernels/surface_contact_law.cpp.
 #include "hawser/terms/line_volume_contact.hpp"
 
 namespace hawser {
@@ -18,8 +17,8 @@ std::optional<AxisContact::Rolls> LineVolumeContact::rolls(const Pair& pair, con
   return r;
 }
 
-// The contact points are kept for commit() only if no derivatives were requested. With derivatives friction
-// has other rounding, and commit() would depend on which evaluation was the last one.
+// Contact points are kept for commit() only from an evaluation without derivatives. With derivatives friction
+// has other round-off, and commit() would depend on which evaluation came last.
 AxisContact LineVolumeContact::contact(Pair& pair, const AxisShape& shape,
                                        const AxisContactMode& mode) const {
   const RigidPose& pose = volumes_.trial_pose(pair.volume);

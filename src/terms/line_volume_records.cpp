@@ -1,9 +1,9 @@
 // The class LineVolumeContact: history of contact in a checkpoint.
 //
-// Both ranks of a shared element need its history, and a rank reads the records of its own nodes only.
-// Therefore the record of an element is stored twice, at either node. Keys for the volume v: 2 v at the first
-// node of the element, 2 v + 1 at the second. Gap springs are stored in the same way, those of both ends in
-// one record. The sums of an element are stored at its first node.
+// Both ranks of a shared element need its history, but a rank reads only the records of its own nodes.
+// Therefore the record of an element is stored at both nodes. Keys for the volume v: 2 v at the first node of
+// the element, 2 v + 1 at the second. Gap springs are stored likewise, both ends in one record. The sums of
+// an element are stored at its first node.
 #include <algorithm>
 #include <map>
 #include <stdexcept>

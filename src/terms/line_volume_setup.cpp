@@ -1,5 +1,5 @@
-// The class LineVolumeContact: its construction, and the preparation of a step: contact laws of each element,
-// and the pairs of an element and a volume, or its facet groups, that may touch.
+// The class LineVolumeContact: construction, and preparation of a step: contact laws of each element, and
+// pairs of an element and a volume, or its facet groups, that may touch.
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -50,7 +50,7 @@ std::array<ContactLaw, 2> LineVolumeContact::laws(const Pair& pair) const {
   std::array<ContactLaw, 2> laws;
   for (size_t i = 0; i < 2; ++i) {
     const Node& node = mesh_.mesh->nodes[i ? e.second : e.first];
-    double share = 1;  // per metre, converts the basis to N/m²
+    double share = 1;  // 1/m, converts the basis to N/m²
     if (v.basis == model::StiffnessBasis::per_point)
       share = 1 / (finder_.at_nodes() ? node.tributary : pair.length);
     if (v.basis == model::StiffnessBasis::per_area) share = diameter;
@@ -78,7 +78,7 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
   old.swap(pairs_);
   pairs_.reserve(old.size());
   size_t known = 0;
-  Pair pair;  // reused, because most pairs are far apart and are discarded
+  Pair pair;  // reused, because most pairs are far apart and discarded
   for (int e = 0; e < static_cast<int>(elements_.size()); ++e) {
     if (!(elements_[e].radius > 0) || idle(e)) continue;
     const AxisEnds at = ends(committed, e);
@@ -100,8 +100,8 @@ void LineVolumeContact::prepare(const Kinematics& committed, double h) {
 
 // A pair is a candidate if the volume's box is nearer to the middle of the element than a margin: twice the
 // distance by which line and body can approach each other in the step at their present speed, and at least
-// half an element. In statics (h = 0) a Newton iteration may lead anywhere, so every pair is a candidate; so
-// is every pair of gap springs.
+// half an element. In statics (h = 0) Newton iterations may move the line anywhere, so every pair is a
+// candidate; so is every pair of gap springs.
 bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisShape& shape, double h,
                                    double& motion) const {
   const Element& e = element(pair);
@@ -125,8 +125,8 @@ bool LineVolumeContact::start_pair(Pair& pair, const AxisEnds& at, const AxisSha
   return true;
 }
 
-// Takes over the results of the last step. `found` is reused only if it refers to the whole surface, because
-// facet groups may have changed, and only if nothing touched, because panels must be split as at the start of
+// Takes over results of the last step. `found` is reused only if it refers to the whole surface, because
+// facet groups may have changed, and only without contact, because panels must be split as at the start of
 // this step.
 void LineVolumeContact::carry_over(Pair& previous, Pair& pair) const {
   if (!previous.several && previous.points.empty()) pair.found = std::move(previous.found);
@@ -138,8 +138,7 @@ void LineVolumeContact::carry_over(Pair& previous, Pair& pair) const {
   if (!pair.points.empty()) pair.near_facets = std::move(previous.near_facets);
 }
 
-// Determines whether several facet groups may be met in the step. Gap springs need only the point where they
-// begin.
+// Determines whether several facet groups may be reached in the step. Gap springs need only their anchor.
 void LineVolumeContact::start_facet_groups(Pair& pair, double motion) const {
   const AxisShape& shape = pair.start.shape;
   const RigidPose& pose = pair.start.pose;

@@ -1,10 +1,10 @@
-// The class LineVolumeFinder: where the points that touch in a trial were at the start of the step, and their
-// slip there.
+// The class LineVolumeFinder: positions and slip at the start of the step of the points that touch in a
+// trial.
 #include "hawser/terms/line_volume_finder.hpp"
 #include "hawser/terms/previous_slip.hpp"
 
 namespace hawser {
-// Material that did not touch at the start has no slip, and has a gap.
+// Material that did not touch at the start has a gap and no slip.
 ContactStart LineVolumeFinder::start(const LineVolumePair& pair, int group, double xi,
                                      ContactRates* rates) const {
   const AxisShape& shape = pair.start.shape;

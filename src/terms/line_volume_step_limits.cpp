@@ -1,7 +1,7 @@
-// The class LineVolumeContact: how long a step may be because of present contacts and of elements that
-// approach a volume, and events that only the end of a step shows. Contact may be lost in a step that was too
-// long to follow the loss, if a wave along the line came and pulled an element away that was at rest at the
-// start; and a wave may drive an element deeper than its speed at the start would have done.
+// The class LineVolumeContact: step limits due to present contacts and to elements that approach a volume,
+// and detection of unresolved events at the end of a step: contact lost too fast to be followed, when a wave
+// along the line pulls away an element that was at rest, and an element that a wave drives deeper than its
+// initial speed would have.
 #include <algorithm>
 #include <array>
 
@@ -16,17 +16,17 @@ Vec3 along(std::span<const Vec3> nodes, const LocalElement& e, double xi) {
   return (1 - xi) * nodes[static_cast<size_t>(e.first)] + xi * nodes[static_cast<size_t>(e.second)];
 }
 
-// m/s, relative to the body.
+// Velocity relative to the body, m/s.
 Vec3 velocity_at_start(const LineVolumePair& p, double xi) {
   return p.start.shape.velocity(xi) - p.start.pose.velocity_at(p.start.shape.point(xi));
 }
 
-// Twice the depth that limit_depth() allows a step, so that an approach as predicted stays below it.
+// Twice the depth that limit_depth() allows, so that an approach as predicted stays below it.
 bool sinks_too_far(double radius, double before, double after) {
   return after > std::max(before, 0.0) + radius;
 }
 
-// A beam bends where it is pressed, so that its whole mass does not move with the place.
+// A beam bends locally under contact, so its whole mass does not move with the contact point.
 bool straight(const AxisShape& shape) { return shape.count() < AxisShape::kMost; }
 
 }  // namespace
@@ -76,7 +76,7 @@ void LineVolumeContact::predict_impacts(const Pair& pair, const Kinematics& comm
   const bool apart = finder_.at_nodes();
   const bool touching = std::any_of(pair.points.begin(), pair.points.end(),
                                     [&](const AxisContactPoint& h) { return !apart || h.xi == xi; });
-  // Weights of Simpson's rule, or of the nodes. Points in contact are in limit_by_active_contacts().
+  // Weights of Simpson's rule, or of the nodes. limit_by_active_contacts() treats points in contact.
   const double gap = p.distance - pair.contact_distance, part = apart ? 0.5 : (xi == 0.5 ? 4.0 : 1.0) / 6;
   add_impact_at(pair, committed, xi, gap < 0 && touching ? 0 : part * pair.length, gap, p.normal, false, to,
                 pair.length);
@@ -100,8 +100,8 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
   return facet_groups.several();
 }
 
-// Skips points that are known to have nothing ahead, and points whose possible contact could neither limit
-// the step nor be an impact.
+// Skips points that are known to be clear ahead, and points whose contact could neither limit the step nor be
+// an impact.
 void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);
@@ -138,13 +138,12 @@ void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committe
   pair.clearance.offer(bezier_in(pair.start.pose, start), clear());
 }
 
-// Adds the places that a contact no longer reaches because it ended or became shorter, and those that it
-// newly reaches.
+// Adds the places that lost contact because an interval ended or became shorter, and those that gained it.
 void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& to) {
   volumes_.pose_trial(trial);
   for (Pair& pair : pairs_) {
-    // A pair that touched neither at the start nor in the last evaluation is skipped, unless it has several
-    // facet groups: then the contact may be with another one.
+    // Skips pairs without contact both at the start and in the last evaluation, unless the surface has
+    // several facet groups: the contact may be with another one.
     if (!local(pair).counted || (pair.points.empty() && !pair.several && pair.found.panels.empty())) continue;
     const AxisShape shape(ends(trial, pair.element));
     const RigidPose& pose = volumes_.trial_pose(pair.volume);
@@ -171,7 +170,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
     const auto moved = [&](double xi) -> Vec3 {
       return pose.to_body(shape.point(xi)) - pair.start.pose.to_body(pair.start.shape.point(xi));
     };
-    // On the facet group that the point touched at the start, or touches now.
+    // For the facet group in contact at the start or in the trial.
     for (int w = 0; w < pair.facet_groups(); ++w) {
       double touched = 0;
       for (const AxisContactPoint& p : pair.previous(w)) touched += p.weight;
@@ -190,7 +189,7 @@ void LineVolumeContact::unresolved(const Kinematics& trial, UnresolvedImpacts& t
       const auto& previous = pair.previous(found.panels[p.panel].group);
       const auto holds = [&](const AxisContactPoint& q) { return q.from <= p.xi && p.xi <= q.to; };
       if (!pair.in_contact(p.at) || std::any_of(previous.begin(), previous.end(), holds)) continue;
-      // An element that slides along its own line makes and loses contact, yet the length in contact does not
+      // An element that slides along its own line makes and loses contact, but the length in contact does not
       // change.
       const Vec3 along = (pose.rotation.conjugate() * shape.slope(p.xi)).normalized(), all = moved(p.xi),
                  way = finder_.at_nodes() ? all : Vec3(all - along * along.dot(all));

@@ -1,6 +1,6 @@
-// The class LineVolumeContact: elements that pass through a volume in a step and touch it neither at its
-// start nor at its end, or that come to its other side. No force acted on them, so the step is repeated with
-// a shorter length.
+// The class LineVolumeContact: detects elements that pass through a volume in a step without contact at its
+// start and end, or that reach its other side. No force acted on them, so the step is repeated with a shorter
+// length.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -13,10 +13,10 @@ namespace hawser {
 namespace {
 
 constexpr std::array<double, 2> kEnds{0, 1};  // positions along an element
-// In radii: shorter displacements are not tested for tunnelling in statics.
+// In statics shorter displacements, in radii, are not tested for tunnelling.
 constexpr double kCreeps = 0.1;
 
-// The part of the axis that may touch.
+// Part of the axis that may touch.
 BezierAxis part_of(const LineVolumePair& pair, const AxisShape& shape, const RigidPose& pose) {
   const BezierAxis axis = bezier_in(pose, shape);
   return pair.part.all() ? axis : axis.part(pair.part.from, pair.part.to);
@@ -49,9 +49,9 @@ Verdict LineVolumeContact::check_step(const Kinematics& trial) const {
   return {};
 }
 
-// If contact is too soft, the axis of a line can reach the surface. Once it is inside, the nearest facet may
-// be on the far side of the volume, and contact would push the line out there. An element that is inside at
-// the start of the step may leave on any side.
+// Detects an axis that reached the surface because contact is too soft. Inside, the nearest facet may be on
+// the far side of the volume, and contact would push the line out there. An element that is inside at the
+// start of the step may leave on any side.
 bool LineVolumeContact::is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const {
   if (finder_.by_gap() || is_held(pair)) return false;
   return !(pair.clearance.left(bezier_in(pose, shape)) > 0) && is_inside(pair, shape, pose) &&
@@ -73,9 +73,9 @@ bool LineVolumeContact::is_inside(const Pair& pair, const AxisShape& shape, cons
   });
 }
 
-// Whether the element passes through the volume. Most elements are far away, or move by less than their
-// radius. With contact at nodes, only the nodes are tested; gap springs are not tested, because they have no
-// surface. In statics shorter displacements count as well, because a search creeps where it is blocked.
+// Whether the element passes through the volume. Most elements are far away or move by less than their
+// radius. With contact at nodes only the nodes are tested; gap springs have no surface and are not tested. In
+// statics shorter displacements count as well, because a blocked solution advances in small steps.
 bool LineVolumeContact::tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose,
                                 bool rests) const {
   if (finder_.by_gap()) return false;

@@ -1,5 +1,5 @@
-// Forces, tangent, energy and history of LinesInWater: motion of the water at the nodes, forces on beams
-// and balls, work, wall tension. The formula: kernels/morison_formula.hpp; cables in fours are in
+// The class LinesInWater: forces, tangent, energy and history; water motion at the nodes, forces on beams and
+// balls, work, wall tension. The formula is in kernels/morison_formula.hpp, groups of four cables in
 // lines_in_water_cables.cpp.
 #include "hawser/terms/lines_in_water.hpp"
 
@@ -171,8 +171,8 @@ LinesInWater::Flow LinesInWater::flow(const Kinematics& at) const {
   return out;
 }
 
-// Statics calls this before every iteration: the line search needs the work of forces without a potential
-// since then.
+// Statics calls this before every iteration, because the line search needs the work of forces without a
+// potential since then.
 void LinesInWater::prepare(const Kinematics& committed, double h) {
   if (!sea_.waves.none()) {
     if (!(committed.step > 0) || place_.empty()) place_.assign(committed.x.begin(), committed.x.end());
@@ -182,7 +182,7 @@ void LinesInWater::prepare(const Kinematics& committed, double h) {
     wave_known_ = false;
   }
   update_from_feeders(&FedLine::length);
-  // At the first step waves start to act, and accelerations jump: the flow of the last commit does not hold.
+  // At the first step waves start to act and accelerations jump, so the flow of the last commit is not valid.
   const bool begins = !(committed.step > 0);
   if (begins || flow_.place.empty() || feeders_) {
     Kinematics now = committed;
@@ -204,10 +204,10 @@ void LinesInWater::commit(const Kinematics& accepted) {
   start_time_ = accepted.time;
 }
 
-// In statics the work that forces without a potential have done since the last iteration counts as potential.
+// In statics the work of forces without a potential since the last iteration counts as potential.
 Energy LinesInWater::energy(const Kinematics& at) const {
   Energy e;
-  // The potential is that of the still water; what waves do is work.
+  // The potential is that of still water; waves do work.
   Water calm;
   calm.surface = sea_.surface;
   for (const Piece& p : pieces_)
@@ -260,8 +260,8 @@ void LinesInWater::element_force(const Kinematics& at, const LocalElement& e, Ve
   }
 }
 
-// True tension of the wall (Sparks 1984): T_wall = T_effective + p_i A_i - p_e A_e. Where the type changes it
-// is that of the type with the larger one.
+// True wall tension (Sparks 1984): T_wall = T_effective + p_i A_i - p_e A_e. At a change of type it is that
+// of the type with the larger one.
 void LinesInWater::fields(FieldRegistry& registry) const {
   const std::string effective = "effective_tension";
   const auto& all = registry.sources();
@@ -303,7 +303,7 @@ void LinesInWater::fields(FieldRegistry& registry) const {
 
 namespace {
 enum Kind { kSums, kPlaces };
-constexpr int kOwn = -1;  // key of a record of the node itself; others are 1 + a neighbour of it in the mesh
+constexpr int kOwn = -1;  // key of a node's own record; others are 1 + a neighbouring mesh node
 
 struct Place {
   Vec3 position = Vec3::Zero();  // m
@@ -314,9 +314,9 @@ struct Place {
 };
 }  // namespace
 
-// The sums of a rank are stored at its first node; a restart adds up those of all ranks. The places at which
-// the waves of the committed state were evaluated are stored at each node, with those of its neighbours,
-// which another rank may own.
+// The sums of a rank are stored at its first node; a restart adds those of all ranks. The positions at which
+// the waves of the committed state were evaluated are stored at each node with those of its neighbours, which
+// another rank may own.
 std::vector<CheckpointKind> LinesInWater::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a rank"), checkpoint_kind<Place>("places of waves")};
 }
@@ -338,8 +338,8 @@ std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
   return out;
 }
 
-// The restored state is a committed one, so its waves hold at the places of the checkpoint (wave_place), not
-// at the nodes.
+// The restored state is a committed one, so its waves are those at the stored positions (wave_place), not at
+// the nodes.
 void LinesInWater::restore(const std::vector<CheckpointRecord>& records) {
   work_ = 0;
   flow_ = {};

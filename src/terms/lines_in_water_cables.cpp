@@ -1,4 +1,4 @@
-// Cables wholly under water, four at a time.
+// The class LinesInWater: fully submerged cables, four at a time.
 #include <algorithm>
 
 #include "hawser/kernels/line_water.hpp"
@@ -27,7 +27,7 @@ void LinesInWater::group() {
   }
 }
 
-// An idle element has no length for what is computed in fours.
+// In groups of four an idle element has length 0.
 void LinesInWater::update_from_feeders(double FedLine::*length) {
   if (!feeders_) return;
   feeders_->update_lengths(mesh_, length, pieces_);
@@ -40,8 +40,8 @@ void LinesInWater::update_from_feeders(double FedLine::*length) {
     }
 }
 
-// J, by which feeders change the potential of buoyancy: by a longer element where it was and where it is, the
-// mean.
+// Change of the buoyancy potential by feeders, J: that of the change of length, averaged over the positions
+// before and after.
 double LinesInWater::fed_buoyancy(const Kinematics& at) const {
   Water calm;
   calm.surface = sea_.surface;
@@ -90,8 +90,8 @@ CablesInWater4 LinesInWater::motion(const Four& q, const Kinematics& k) const {
   return m;
 }
 
-// What is not wholly wet goes one by one, and all of it while statics is far from its solution: how an
-// element is computed must not depend on its company, which is another on another rank.
+// Elements that are not fully submerged are evaluated singly, and all elements far from the static solution:
+// the result for an element must not depend on its group, which differs between ranks.
 void LinesInWater::evaluate(const Four& q, const Kinematics& trial, Assembler& assembler) const {
   const CablesInWater4 m = motion(q, trial);
   const unsigned wet = assembler.convex() ? 0 : submerged(q.sections, m);
@@ -107,7 +107,7 @@ void LinesInWater::evaluate(const Four& q, const Kinematics& trial, Assembler& a
     if (p.idle) continue;
     const int a = mesh_.block[static_cast<size_t>(p.at.first)],
               b = mesh_.block[static_cast<size_t>(p.at.second)];
-    // Of a tied end the derivatives are asked one by one.
+    // Derivatives for a tied end are added singly.
     if (wet >> i & 1 && !(assembler.tied(a) || assembler.tied(b)))
       assembler.add_weighted(a, b, f[i], J[i]);
     else
@@ -115,7 +115,8 @@ void LinesInWater::evaluate(const Four& q, const Kinematics& trial, Assembler& a
   }
 }
 
-// Where both the surface and the still water are above all of it buoyancy has nothing to give.
+// Flow forces of fully submerged cables, without buoyancy. The flow leaves buoyancy unchanged only if both
+// the water surface and the still water level are above the whole element.
 unsigned LinesInWater::flow(const Four& q, const Kinematics& at, WaterForce* out) const {
   CablesInWater4 m = motion(q, at);
   for (wide::Row& s : m.surface) s = s < sea_.surface ? s : wide::all(sea_.surface);

@@ -1,11 +1,10 @@
-// What the flow would exert on an element of LinesInWater if that had more nodes
-// (docs/theory/element-length.md).
+// The class LinesInWater: flow force on an element if it had more nodes (docs/theory/element-length.md).
 #include "hawser/terms/lines_in_water.hpp"
 
 namespace hawser {
 
-// The parts lie on the chord and move with it, so that the water alone makes the difference. The surface is
-// linear over the whole piece for the same reason: a line that floats follows it, whatever its form.
+// The parts lie on the chord and move with it, so that only the water motion makes a difference. The surface
+// is linear over the whole piece for the same reason: a floating line follows the surface whatever its shape.
 LinesInWater::FlowError LinesInWater::flow_error(const Kinematics& at, const Piece& p, int parts) const {
   FlowError out;
   if (p.idle) return out;

@@ -1,4 +1,4 @@
-// The lines' properties in the sea, from a case.
+// The class LinesInWater: construction from the case.
 #include <algorithm>
 #include <cmath>
 
@@ -37,7 +37,7 @@ std::vector<LinesInWater::Piece> pieces_of(const LocalMesh& mesh, const model::C
     const double from = mesh.mesh->nodes[static_cast<size_t>(g.first)].arc;
     const double bare =
         1 - buried_length(c.lines[static_cast<size_t>(g.line)], from, from + g.length) / g.length;
-    // In the soil no water flows past a line or goes with it: all that is left of the sea is buoyancy.
+    // In the soil a line has no drag and no added mass, only buoyancy.
     WaterSection& w = p.section;
     for (double* of : {&w.drag_normal, &w.drag_axial, &w.added_normal, &w.added_axial, &w.displaced_mass})
       *of *= bare;
@@ -65,7 +65,7 @@ std::vector<LinesInWater::Ball> balls_of(const LocalMesh& mesh, const model::Cas
         b.added_mass = m.Ca * rho * m.volume;
         b.drag = 0.5 * rho * m.drag_area;
       }
-      // Without a volume the drag still has to begin somewhere.
+      // A minimum radius, because without a volume the drag still needs a range in which it begins.
       b.radius = std::max(std::cbrt(3 * m.volume / (4 * M_PI)), 0.05);
       out.push_back({node, b});
     }
@@ -77,7 +77,7 @@ std::vector<LinesInWater::Ball> balls_of(const LocalMesh& mesh, const model::Cas
 LinesInWater::LinesInWater(const LocalMesh& mesh, const model::Case& c)
     : LinesInWater(mesh, sea_of(c), pieces_of(mesh, c), balls_of(mesh, c)) {
   for (const model::LineType& t : c.line_types) {
-    // Coatings, floats and marine growth hand the pressure of the sea on to the wall under them.
+    // Coatings, floats and marine growth transmit the pressure of the sea to the wall below them.
     const double wall = t.wall_diameter > 0 ? t.wall_diameter : t.outer_diameter;
     walls_.push_back({M_PI / 4 * t.inner_diameter * t.inner_diameter, M_PI / 4 * wall * wall,
                       t.contents_density, t.contents_pressure});

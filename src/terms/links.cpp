@@ -1,5 +1,5 @@
-// The class Links: which ranks have a link, its force and tangent on what carries its ends, its energy, and
-// the work of dampers and of bodies with prescribed motion, and its history.
+// The class Links: ranks of a link, force and tangent on the carriers of its ends, energy, work of dampers
+// and of bodies with prescribed motion, and history.
 #include "hawser/terms/links.hpp"
 
 #include <cmath>
@@ -24,7 +24,7 @@ Attached attached(const model::LinkEnd& e, const model::Case& c, const LocalMesh
 Links::Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
              const Kinematics& start)
     : mesh_(mesh), bodies_(std::move(bodies)) {
-  std::vector<double> places;  // of both ends, from the ranks that own what carries them
+  std::vector<double> places;  // of both ends, from the ranks that own the carriers
   const int rank = rank_of(comm);
   for (const model::Link& m : c.links) {
     Link& l = list_.emplace_back();
@@ -116,7 +116,7 @@ void Links::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-// Bodies with prescribed motion bring in the force that they exert on the link's end times its velocity.
+// The power of a body with prescribed motion is its force on the link's end times the end's velocity.
 void Links::powers(const Link& l, const Kinematics& at, double& damping, double& work) const {
   const Stretched s = stretched(l, at);
   damping = s.force.along.dissipated;
@@ -152,7 +152,7 @@ Energy Links::energy(const Kinematics& at) const {
   return e;
 }
 
-// A spring sees a difference of positions, a damper such a difference over the step.
+// The round-off of a spring is that of a difference of positions, for a damper divided by the step.
 double Links::round_off(const Kinematics& at, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;
@@ -182,7 +182,7 @@ void Links::restore(const std::vector<CheckpointRecord>& records) {
   for (const CheckpointRecord& r : records) {
     if (r.key < 0 || static_cast<size_t>(r.key) >= list_.size()) continue;
     Link& l = list_[r.key];
-    if (!owned(l.owner)) continue;  // the other end may not be here yet
+    if (!owned(l.owner)) continue;  // the other end may not be on this rank yet
     const Link kept = entry<Link>(r);
     l.damping = kept.damping;
     l.work = kept.work;

@@ -1,4 +1,4 @@
-// The class PlatformWater: forces and tangents of a group of platforms, their memory, slow poses and energy.
+// The class PlatformWater: forces and tangents of a group of platforms, memory, slow poses and energy.
 #include "hawser/terms/platform_water.hpp"
 
 #include <algorithm>
@@ -64,10 +64,9 @@ void PlatformWater::add_past(Group& g, double time, Eigen::VectorXd rate) {
 
 // F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)]
 //      = v_0 S'(t - t_0) + sum_k (a_k - a_k-1) S(t - t_k),   a_-1 = a_n = 0,
-// S the second integral of the retardation function, v_0 the first velocity of the bodies, a_k their mean
-// acceleration from t_k to t_k+1, up to t_n. The step that is tried, from there on, adds
-// S(t - t_n) (v - v_n)/(t - t_n). Entry by entry of S: what it does on its row, and on its column by
-// symmetry.
+// with S the second integral of the retardation function, v_0 the first velocity of the bodies, a_k their
+// mean acceleration from t_k to t_k+1, up to t_n. The trial step adds S(t - t_n) (v - v_n)/(t - t_n). Each
+// entry of S acts on its row, and by symmetry on its column.
 const PlatformWater::AtTime& PlatformWater::at_time(const Group& g, double time) const {
   AtTime& now = g.now;
   if (g.known && now.time == time) return now;
@@ -146,7 +145,7 @@ void PlatformWater::rest_at(Platform& p, const RigidBodyState& s) {
   turn(p);
 }
 
-// Where nothing went before, the memory begins with the velocity that there is.
+// Without a previous step, the memory begins with the present velocity.
 void PlatformWater::prepare(const Kinematics& committed, double h) {
   for (Group& g : groups_) {
     g.known = false;
@@ -164,7 +163,7 @@ void PlatformWater::prepare(const Kinematics& committed, double h) {
   }
 }
 
-// On the unknowns of each body: G^T (A a + D + memory - waves) and the pull of hydrostatics.
+// Residual of each body: G^T (A a + D + memory - waves) and hydrostatics.
 void PlatformWater::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Group& g : groups_) {
     if (!g.here) continue;
@@ -238,7 +237,7 @@ void PlatformWater::commit(const Kinematics& accepted) {
       p.power = end[i];
     }
     add_past(g, accepted.time, std::move(rate));
-    // Velocities from before the length of the memory have no force any more: they go many at once.
+    // Velocities older than the memory have no effect; they are deleted in blocks.
     constexpr size_t kOver = 100;
     const double least = accepted.time - g.memory.length();
     if (g.past.size() > kOver + 1 && g.past[kOver].time < least) {
@@ -301,7 +300,7 @@ double PlatformWater::dead_load() const {
   return sum;
 }
 
-// Accelerations are made of what is left of v h; stiffness sees a difference of positions.
+// Accelerations have the round-off of v h divided by h², stiffness that of positions.
 double PlatformWater::round_off(const Kinematics& at, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;

@@ -1,4 +1,4 @@
-// The class PlatformWater: its forces on a body by what they come from.
+// The class PlatformWater: forces on a body by origin.
 #include "hawser/math/so3.hpp"
 #include "hawser/terms/platform_water.hpp"
 #include "hawser/terms/rigid_bodies.hpp"
@@ -29,8 +29,8 @@ std::vector<std::string> PlatformWater::origins(int body) const {
   return {};
 }
 
-// Radiation: added mass, with what a step takes out of it, and memory, or the damping of the files in a
-// harmonic motion; added: the matrices of stiffness and damping that the case adds.
+// Radiation: added mass, with its reduction due to the step, and memory, or the damping of the files in
+// harmonic motion. Added: the stiffness and damping matrices of the case.
 std::vector<BodyForce> PlatformWater::forces_on(int body, const Kinematics& at) const {
   for (const Group& g : groups_) {
     if (!g.here) continue;

@@ -1,4 +1,4 @@
-// The class PlatformWater: what checkpoints keep of platforms.
+// The class PlatformWater: checkpoint records of platforms.
 #include "hawser/base/gather.hpp"
 #include "hawser/terms/platform_water.hpp"
 
@@ -62,7 +62,7 @@ void PlatformWater::restore(const std::vector<CheckpointRecord>& records) {
   for (Group& g : groups_) {
     const auto n = static_cast<Eigen::Index>(g.platforms.size());
     std::vector<double> slow(static_cast<size_t>(15 * n), 0);
-    std::vector<double> past;  // of each state its time and the velocities, n times six
+    std::vector<double> past;  // for each state, its time and 6 n velocities
     const size_t row = static_cast<size_t>(1 + 6 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
       Platform& p = g.platforms[static_cast<size_t>(i)];

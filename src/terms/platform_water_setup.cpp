@@ -1,4 +1,4 @@
-// What the class PlatformWater is made of: groups of bodies by their files, stiffness and buoyancy of each.
+// The class PlatformWater: construction. Groups of bodies by their files, stiffness and buoyancy of each.
 #include <Eigen/Eigenvalues>
 #include <utility>
 
@@ -13,7 +13,7 @@
 namespace hawser {
 PlatformWater::PlatformWater(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh)
     : comm_(comm), mesh_(mesh), sea_(sea_of(c)) {
-  // The scheme's acceleration of x = exp(i omega t) is -omega² (1 + c omega² h²) x to the fourth order, with
+  // To the fourth order the scheme's acceleration of x = exp(i omega t) is -omega² (1 + c omega² h²) x with
   //   c = 1/6 + 3 delta²,   delta = (1 - rho)/(2 (1 + rho)).
   const double rho = c.dynamics.rho_infinity, delta = 0.5 * (1 - rho) / (1 + rho);
   period_error_ = 1.0 / 6 + 3 * delta * delta;
@@ -36,7 +36,7 @@ PlatformWater::Platform PlatformWater::platform(const model::Case& c, int body) 
   p.slow = SlowPose::at({b.position.x(), b.position.y(), heading});
   p.potential.place = h.place ? *h.place : Vec3(b.position.x(), b.position.y(), sea_.surface + h.in_file.z());
   p.potential.stiffness = h.stiffness;
-  // A hull has its own (terms/hulls.hpp).
+  // A hull has its own hydrostatics (terms/hulls.hpp).
   if (!m.hull) p.hydrostatics = model::hydrostatics(m, sea_.density, sea_.gravity);
   p.hydrostatics.level = p.potential.place.z();
   p.damping = h.damping + model::wave_drift_damping(h, sea_.waves.components());
@@ -63,8 +63,8 @@ void PlatformWater::add_group(const model::Case& c, const std::vector<int>& bodi
   groups_.push_back(std::move(g));
 }
 
-// C v = omega² M v, C of both potentials at rest, by displacements along H and turns. What is unstable has no
-// period.
+// C v = omega² M v, with C from both potentials at rest, for displacements along H and rotations. Unstable
+// modes have no period and get omega² = 0.
 void PlatformWater::find_modes(const model::Case& c, Group& g) {
   Eigen::MatrixXd M = 0.5 * (g.added_mass + g.added_mass.transpose());
   Eigen::MatrixXd C = Eigen::MatrixXd::Zero(M.rows(), M.cols());
@@ -88,9 +88,9 @@ void PlatformWater::find_modes(const model::Case& c, Group& g) {
   g.squares = found.eigenvalues().array().max(0);
 }
 
-// The scheme takes M a + C x = 0 for M (1 + c h² omega²) on -omega² x: with M - c h² C in the place of M the
-// frequency is that of M and C to the fourth order. Of a mode with v . M v = 1 that is 1 - c h² omega², in
-// the form 1/(1 + c h² omega²), which is a mass in steps of any length.
+// The scheme replaces -omega² x by -omega² (1 + c h² omega²) x in M a + C x = 0. With M - c h² C in place of
+// M, the frequency is that of M and C to the fourth order. For a mode with v . M v = 1 this is 1 - c h²
+// omega², here in the form 1/(1 + c h² omega²), which is a positive mass for any step length.
 Eigen::MatrixXd PlatformWater::period_mass(const Group& g, double h) const {
   if (g.modes.size() == 0) return Eigen::MatrixXd::Zero(g.added_mass.rows(), g.added_mass.cols());
   const Eigen::ArrayXd error = period_error_ * h * h * g.squares;

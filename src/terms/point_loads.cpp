@@ -1,5 +1,5 @@
-// Point forces, moments and masses of a case on the nearest nodes: residual and tangent, work and potential
-// of PointLoads, inertia and weight of PointMasses.
+// Point forces, moments and masses of a case on the nearest nodes: residual, tangent, work and potential of
+// PointLoads; inertia and weight of PointMasses.
 #include "hawser/terms/point_loads.hpp"
 
 #include <stdexcept>
@@ -15,7 +15,7 @@ double factor(const NodeLoad& load, double time) {
   return load.ramp > 0 ? quintic_ramp(time, load.ramp).value : 1;
 }
 
-// visit(case line, line index, local owned node of an arc length on it, or -1)
+// Calls visit(case line, node_at) with node_at(arc length): the local owned node, or -1.
 template <class Visit>
 void for_lines(const model::Case& c, const LocalMesh& mesh, Visit visit) {
   for (size_t l = 0; l < c.lines.size(); ++l)
@@ -123,7 +123,7 @@ double PointLoads::dead_load() const {
   return sum;
 }
 
-// Records of a node's loads keep their order, which is that of the case.
+// The records of a node's loads are in the order of the case.
 std::vector<CheckpointKind> PointLoads::checkpoint_kinds() const {
   return {checkpoint_kind<WorkDone>("sums of a load")};
 }

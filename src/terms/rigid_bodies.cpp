@@ -1,6 +1,6 @@
-// The class RigidBodies: floating bodies with inertia, weight, springs and dampers as a force term, their
-// energy and work, and conversion between centre of mass and body frame. The equations of one body:
-// kernels/rigid_body.cpp. Ends of lines that are tied to a body: system/tied_nodes.hpp.
+// The class RigidBodies: inertia, weight, springs and dampers of floating bodies as a force term, their
+// energy and work, and conversion between centre of mass and body frame. The equations of one body are in
+// kernels/rigid_body.cpp. Ends of lines tied to a body are in system/tied_nodes.hpp.
 #include "hawser/terms/rigid_bodies.hpp"
 
 #include <algorithm>
@@ -51,8 +51,8 @@ RigidBodyState floating_state(const Kinematics& at, int node) {
 
 namespace {
 
-// rad/s, of the spring that keeps a body at rest from drifting where nothing else resists: its force is zero
-// where Newton's iteration starts from, so that only the way to the equilibrium knows it.
+// Natural frequency [rad/s] of the spring that keeps a body at rest from drifting where nothing resists. Its
+// force is zero at the start of each Newton iteration, so it does not affect the equilibrium.
 constexpr double kDrift = 0.01;
 
 // Whether inertia is what the momenta change by: a start has no mean over a step (StepMean).
@@ -97,7 +97,7 @@ RigidBodyLoad RigidBodies::Load::at(double time) const {
   return out;
 }
 
-// Of the centre of mass of a body that goes where its motion wants it.
+// Pose and velocity of the centre of mass for the prescribed motion of the body.
 RigidPose RigidBodies::rest(const Floating& f, double time) const {
   RigidPose p = bodies_->pose(f.body, time);
   const Vec3 x = p.to_space(f.centre);
@@ -111,13 +111,13 @@ void RigidBodies::powers(const Floating& f, const Kinematics& at, double& dampin
   const RigidPose r = rest(f, at.time);
   const Vec3 dv = s.v - r.velocity, dw = s.w - s.q.conjugate() * r.angular_velocity;
   damping = dv.dot(f.data.damping.cwiseProduct(dv)) + dw.dot(f.data.turning_damping.cwiseProduct(dw));
-  // What holds it brings in: its force on the springs and dampers at their far end.
+  // The support supplies the power of its force on the springs and dampers at their far end.
   const Vec6 force = rigid_body(f.data, s, r).springs;
   work = -force.head<3>().dot(r.velocity) - (s.q * force.tail<3>()).dot(r.angular_velocity);
   for (const Load& l : f.loads) work += load_power(l.at(at.time), s);
 }
 
-// Where the motion begins, or begins anew, the momenta change as the accelerations say.
+// At the start or restart of motion the momenta change by the accelerations.
 void RigidBodies::prepare(const Kinematics& committed, double) {
   for (Floating& f : list_) {
     powers(f, committed, f.damping_power, f.work_power);
@@ -190,8 +190,7 @@ Energy RigidBodies::energy(const Kinematics& at) const {
     for (const Load& load : f.loads) {
       const RigidBodyLoad l = load.at(at.time);
       if (l.constant) e.potential += load_potential(l, s);
-      // The search of statics needs a potential: that of the forces at the last iteration. In motion they do
-      // work.
+      // Statics needs a potential: that of the forces at the last iteration. In motion they do work.
       if (hold_) e.potential -= load_work(l, f.start, s);
     }
     e.damping += f.damping;
@@ -209,7 +208,7 @@ double RigidBodies::dead_load() const {
   return sum;
 }
 
-// As of lines: accelerations are made of what is left of v h; springs see a difference of positions.
+// As for lines: accelerations have the round-off of v h divided by h², springs that of positions.
 double RigidBodies::round_off(const Kinematics& at, double h) const {
   const double eps = std::numeric_limits<double>::epsilon();
   double sum = 0;

@@ -1,4 +1,4 @@
-// The sea of a case: what the water does at a place and time.
+// The sea of a case: water motion at a point and time.
 #include "hawser/terms/sea.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
-// The class SeabedTerm: forces, tangent, energy and accepted steps, from the gap, the normal force, friction
-// and suction at each point. The law at a point is in kernels/surface_contact_law.cpp, its friction in
-// kernels/friction_law.hpp; other parts of the class are in seabed_*.cpp.
+// The class SeabedTerm: forces, tangent, energy and accepted steps from gap, normal force, friction and
+// suction at each point. The law at a point is in kernels/surface_contact_law.cpp, its friction in
+// kernels/friction_law.hpp, other parts of the class in seabed_*.cpp.
 #include "hawser/terms/seabed.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   const auto s = surface_->query(x, contact_distance(p) + look, cache.hint);
   cache.centre = x;
   if (!s) {
-    // If the bed is a mesh, x may also lie under it beyond its edge. Then only the distance to its bounding
+    // If the bed is a mesh, x may also be below it beyond its edge. Then only the distance to the bounding
     // box is certain to be free.
     const bool endless = !std::isfinite(bounds_.hi.z());
     cache.clear = endless ? look : std::min(look, distance(bounds_, x) - contact_distance(p));
@@ -40,8 +40,7 @@ bool SeabedTerm::locate(const Point& p, const Vec3& x, double beyond, ContactTri
   }
   cache.hint = s->triangle;
   cache.clear = s->distance - contact_distance(p);
-  // The gap is clamped, so that the result does not depend on the search radius of this query or on earlier
-  // queries.
+  // The gap is limited so that the result does not depend on the search radius of this or earlier queries.
   trial.gap = std::min(s->distance - radius, smoothing + beyond);
   trial.normal = s->normal;
   trial.curvature = s->curvature;
@@ -70,13 +69,13 @@ ContactStart SeabedTerm::start(const Point& p) const {
   const Start& s = starts_[place(p)];
   if (laid()) {
     const Laid& from = laid_[place(p)];
-    // The gap at the start is 0, so that all of the displacement from the laid place counts as slip.
+    // With a gap of 0 at the start, all of the displacement from the laid position counts as slip.
     return {from.place, 0, s.direction, from.slip, from.normal};
   }
   return {s.point, s.gap, s.direction, landed(p).slip, landed(p).normal};
 }
 
-// Statics calls this before every iteration. A laid line keeps the place from which its friction is counted.
+// Statics calls this before every iteration. Laid lines keep the position from which friction is counted.
 void SeabedTerm::prepare(const Kinematics& committed, double h) {
   if (h > 0) {
     laid_.clear();
@@ -94,8 +93,8 @@ void SeabedTerm::prepare(const Kinematics& committed, double h) {
       continue;
     }
     const Vec3 x = of_nodes(p, committed.x);
-    // The search reaches as far as the point can move in this step, so that the gap from which it lands is
-    // known.
+    // The search reaches as far as the point can move in this step, so that its gap at the start is known if
+    // it lands.
     locate(p, x, std::max(2 * h * of_nodes(p, committed.v).norm(), 0.5 * element_[p.node]), at);
     start.point = x;
     start.gap = at.gap;
@@ -116,7 +115,7 @@ void add_shared(const int (&blocks)[n], const Vec3& residual, const Mat3* K, con
 }
 }  // namespace
 
-// Half of the force at a point half way along an element goes to either node.
+// Each node bears half of the force at the middle of an element.
 void SeabedTerm::add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C,
                      Assembler& assembler) const {
   if (p.second < 0) return add_shared({mesh_.block[p.node]}, residual, K, C, assembler);
@@ -127,7 +126,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   const bool needs_tangent = assembler.needs_tangent(), convex = assembler.convex();
   for (const Point& p : points_) {
     ContactTrial at;
-    // N/m: part of the difference between the secant stiffness of friction and its derivative.
+    // N/m, fraction of the difference between the tangent and the secant stiffness of friction
     Mat3 stiffer = Mat3::Zero();
     if (friction_ != Friction::none && laid() && laid_[place(p)].pressed > 0) {
       const PressedFriction f = pressed(p, of_nodes(p, trial.x));
@@ -184,7 +183,7 @@ void SeabedTerm::commit(const Kinematics& accepted) {
 
 void SeabedTerm::remember(Point& p, const LandedPoint& h) {
   if (p.touch < 0 && vacant_.empty()) {
-    // A capacity of twice the size would take as much memory as everything else that is kept of the points.
+    // Doubling the capacity would use as much memory as all other data of the points.
     const size_t n = landed_.size();
     if (n == landed_.capacity()) landed_.reserve(n + n / 8 + 16);
     p.touch = static_cast<int>(n);

@@ -4,7 +4,7 @@
 
 namespace hawser {
 
-// The force at a point half way along an element is shown at its nodes, half at either.
+// The force at the middle of an element is output in halves at its nodes.
 void SeabedTerm::fields(FieldRegistry& registry) const {
   add_contact_fields(registry,
                      {.force = {.name = "seabed_force", .unit = "N", .carries = true},

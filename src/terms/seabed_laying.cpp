@@ -1,4 +1,5 @@
-// Friction in statics: its slip is counted from where the lines were laid (docs/theory/seabed.md).
+// The class SeabedTerm: friction in statics, with slip counted from where the lines were laid
+// (docs/theory/seabed.md).
 #include <cmath>
 
 #include "hawser/terms/seabed.hpp"
@@ -23,8 +24,8 @@ void SeabedTerm::lay(const std::vector<Vec3>& places, const Kinematics& start, b
     laid.place = of_nodes(p, places);
     if (!laid.known()) continue;
     ContactTrial at;
-    // In a start shape, lines lie on the bed only to within its deformation: a gap of up to one radius counts
-    // as lying.
+    // In a start shape lines lie on the bed only to within its deformation, so a gap of up to one radius
+    // counts as contact.
     const double near = law(p).radius;
     locate(p, of_nodes(p, start.x), std::max(near, 0.0), at);
     laid.normal = at.normal;

@@ -1,8 +1,8 @@
-// Contact with the seabed through a checkpoint.
+// The class SeabedTerm: checkpoint records.
 //
-// Both ranks of a shared element need the contact point half way along it, and a rank reads the
-// records of its own nodes only. Therefore the record is stored twice, at either node. Keys: 0 for a node, 1
-// at the first node of the element, 2 at the second one.
+// Both ranks of a shared element need the contact point at its middle, but a rank reads only the records of
+// its own nodes. Therefore the record is stored at both nodes. Keys: 0 for a node, 1 at the first node of the
+// element, 2 at the second.
 #include <map>
 
 #include "hawser/terms/seabed.hpp"
@@ -31,7 +31,7 @@ std::vector<CheckpointRecord> SeabedTerm::records(NodeRange of) const {
 }
 
 void SeabedTerm::restore(const std::vector<CheckpointRecord>& records) {
-  std::map<std::pair<int, int>, size_t> at;  // by node of the mesh and key
+  std::map<std::pair<int, int>, size_t> at;  // by mesh node and key
   for (size_t i = 0; i < points_.size(); ++i) {
     Point& p = points_[i];
     p.touch = -1;

@@ -58,7 +58,7 @@ namespace {
 
 SeabedTerm::Plane plane_of(const model::Seabed& s) { return {Vec3(0, 0, -s.depth), model::bed_normal(s)}; }
 
-// The share of the line that belongs to a point.
+// Share of the line that belongs to a point.
 struct Share {
   double radius = 0, length = 0, area = 0, weight = 0;  // m, m, m², N under water
   double axial_stiffness = 0;                           // N/m
@@ -104,7 +104,7 @@ bool in_soil(const Mesh& mesh, const model::Case& c, int node) {
   });
 }
 
-// The bed beside both held ends of a line, which may be lowered to them.
+// The bed beside both held ends of a line, where it may be lowered to them.
 class BedAtEnds {
  public:
   BedAtEnds(const model::Case& c, const Mesh& mesh, size_t l) : length_(mesh.lines[l].length) {
@@ -125,10 +125,9 @@ class BedAtEnds {
   model::BedAtEnd a_, b_;
 };
 
-// A beam has its share of the bed at its nodes. A cable has it by Simpson's rule at its nodes and middles,
-// because without bending stiffness it does not bridge the distance between a node that touches and the next
-// (docs/theory/seabed.md). In an element that is partly buried, the node outside has the bare part of its
-// half.
+// Beams have their share of the bed at nodes. Cables have it by Simpson's rule at nodes and middles, because
+// without bending stiffness they do not bridge the distance between a node in contact and the next one
+// (docs/theory/seabed.md). In a partly buried element, the node outside has the bare part of its half.
 SeabedTerm::PointLaws laws_of(const LocalMesh& mesh, const model::Case& c, const std::vector<int>& held) {
   std::vector<Share> nodes(static_cast<size_t>(mesh.owned)), middles(mesh.elements.size());
   std::vector<BedAtEnds> ends;

@@ -1,5 +1,5 @@
-// The class SharedPlaces: how far along two stretches from a place that they share there is no contact, from
-// their positions.
+// The class SharedPlaces: computes from positions the length without contact along two stretches from a
+// shared place.
 #include "hawser/terms/shared_places.hpp"
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 namespace hawser {
 namespace {
 
-// Contact is excluded up to this many times the length at which the stretches are first apart. Straight lines
-// have a distance of this many sums of their radii there.
+// Contact is excluded up to kFree times the length at which the stretches are first apart. There, straight
+// lines have a distance of kFree times the sum of their radii.
 constexpr int kFree = 2;
-// Number of steps in a sum of the radii.
+// Steps per sum of the radii.
 constexpr int kSteps = 4;
-// In sums of the radii. Lines that overlap from one place they share to the next, but nowhere by more than
-// kPressed, lie side by side, and contact is what presses them together. Lines with a gap of more than kClear
-// are clearly apart.
+// In sums of the radii. Lines that overlap from one shared place to the next, but nowhere by more than
+// kPressed, lie side by side and are pressed together by contact. Lines with a gap of more than kClear are
+// clearly apart.
 constexpr double kPressed = 0.1, kClear = 0.5;
 
 }  // namespace
@@ -41,7 +41,7 @@ struct SharedPlaces::Gaps {
     return std::sqrt(squared_distance_to_segment(p, rope.x[i], rope.x[i + 1])) - rope.radius[i];
   }
 
-  // The smallest gap between the place s of a rope and the other rope. The search starts at equal length and
+  // Smallest gap between the place s of a rope and the other rope. The search starts at equal length and
   // stops at a local minimum.
   static double of(const Rope& rope, const Rope& other, double s) {
     const size_t i = segment(rope, s);
@@ -110,7 +110,7 @@ double SharedPlaces::arc(int node) const {
   return offset_[n.line] + n.arc;
 }
 
-// The first and the last node of a line that are not inside a feeder.
+// First and last node of a line outside feeders.
 std::array<int, 2> SharedPlaces::outside(int line) const {
   const LineSpan& l = mesh_.mesh->lines[line];
   const std::array<int, 2> inside = inside_.empty() ? std::array{0, 0} : inside_[line];
@@ -154,7 +154,7 @@ void SharedPlaces::clip(int element, int second, std::array<double, 2>& part,
     }
 }
 
-// The nodes of a stretch, outwards, up to and including the first one at `reach` [m] or beyond.
+// Nodes of a stretch, outwards, up to and including the first one at `reach` [m] or beyond.
 std::vector<int> SharedPlaces::nodes_to(const Stretch& stretch, double reach) const {
   const int whole = whole_[mesh_.mesh->nodes[stretch.node].line];
   const auto [first, last] = outside(mesh_.mesh->nodes[stretch.node].line);
@@ -172,7 +172,7 @@ std::vector<int> SharedPlaces::nodes_to(const Stretch& stretch, double reach) co
   return out;
 }
 
-// Positions of nodes of the mesh from the ranks that own them.
+// Positions of mesh nodes, from the ranks that own them.
 std::vector<Vec3> SharedPlaces::gather(const std::vector<int>& nodes, const Kinematics& at) const {
   std::vector<Vec3> out(nodes.size(), Vec3::Zero());
   std::vector<double> mine;
@@ -228,7 +228,7 @@ void SharedPlaces::update(const Kinematics& at, bool settles) {
   std::vector<int> all;
   for (size_t k = 0; k < places_.size(); ++k) {
     const Place& p = places_[k];
-    if (!settles && p.within == 0) continue;  // apart from now on: without `settles` the length only shrinks
+    if (!settles && p.within == 0) continue;  // permanently apart: without `settles` the length only shrinks
     const double reach =
         p.within == kUnknown ? p.limit : std::min(p.limit, (kFree * (p.within + 1) + 1) * p.step);
     nodes[k] = {nodes_to(p.of.one, reach), nodes_to(p.of.other, reach)};
@@ -249,8 +249,8 @@ void SharedPlaces::update(const Kinematics& at, bool settles) {
   }
 }
 
-// All lengths are numbers of steps k along the stretches. If the stretches overlap from the place up to
-// `first`, the length without contact is up to kFree times that.
+// All lengths are numbers of steps along the stretches. If the stretches overlap from the place up to
+// `first`, the length without contact is at most kFree * first.
 void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool settles) const {
   const Gaps gaps{one, other, p.step};
   const int reach = static_cast<int>(
@@ -260,7 +260,8 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
   const bool unknown = p.within == kUnknown;
   const int known_to = unknown ? most : std::min(most, reach);
   const auto overlaps = [&](int k) { return gaps.at(k) < 0; };
-  // From `first`, where the stretches are first apart, as far as they stay apart, at most kFree * first.
+  // Length from `first`, where the stretches are first apart, over which they stay apart, at most kFree *
+  // first.
   const auto free_to = [&](int first) {
     const int end = std::min(kFree * first, known_to);
     int k = first;
@@ -285,7 +286,7 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
     const int wanted = free_to(first);
     if (wanted < p.within || settles) p.within = wanted;
   } else if (settles) {
-    // Where the stretches were clearly apart, they now overlap. Contact has not pressed them together there,
+    // The stretches overlap where they were clearly apart. Contact cannot have pressed them together there,
     // so the length without contact grows.
     int first = p.within;
     while (first < known_to && overlaps(first)) ++first;

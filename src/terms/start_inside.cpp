@@ -1,5 +1,5 @@
-// The search in the start shape for intervals of lines inside volumes, and for nodes that a volume separates
-// from the straight way between the ends of their line.
+// Searches the start shape for intervals of lines inside volumes, and for nodes that a volume separates from
+// the straight path between the ends of their line.
 #include "hawser/terms/start_inside.hpp"
 
 #include <algorithm>
@@ -42,7 +42,7 @@ void join(std::vector<Inside>& intervals, const Mesh& mesh) {
 std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, const Bodies& bodies,
                                    const std::vector<ContactVolume>& volumes,
                                    const std::vector<double>& radius, const Feeders* feeders) {
-  constexpr int kSamples = 32;  // of an interval, for where it is deepest
+  constexpr int kSamples = 32;  // per interval, to find the deepest point
   std::vector<Inside> out;
   for (size_t v = 0; v < volumes.size(); ++v) {
     if (volumes[v].off) continue;
@@ -60,7 +60,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
       const AxisShape shape(ends);
       if (distance(box, pose.to_body(shape.point(0.5))) > 0.5 * shape.slope_bound() + radius[i]) continue;
       const auto point = [&](double xi) { return pose.to_body(shape.point(xi)); };
-      // Twice as close as contact looks: what goes through a thin plate is short.
+      // Twice the resolution of contact, because an interval inside a thin plate is short.
       const auto intervals =
           contact_intervals(axis_distance(surface, pose, shape), {shape.slope_bound(), 0, shape.bend_bound()},
                             contact_levels(ends.length, radius[i]) + 1);
@@ -101,7 +101,7 @@ std::vector<Inside> inside_volumes(const LocalMesh& mesh, const Kinematics& at, 
         out.push_back(s);
       };
       for (const ContactInterval& s : intervals) add(s.from, s.to);
-      // The ends of the line.
+      // Ends of the line at the surface.
       for (const int end : {0, 1}) {
         if (!is_end(end)) continue;
         const auto p = surface.query(point(end), 0.5 * radius[i]);

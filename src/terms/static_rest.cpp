@@ -1,4 +1,4 @@
-// What keeps a floating body at rest in statics: buoyancy and springs, lines and links, friction on other
+// Support of a floating body at rest in statics: buoyancy and springs, lines and links, friction on other
 // bodies.
 #include "hawser/terms/static_rest.hpp"
 
@@ -21,7 +21,7 @@ bool in_lines_or_links(const model::Case& c, int body) {
          }));
 }
 
-// By buoyancy and springs alone.
+// Whether buoyancy and springs alone support the body at rest.
 bool floats_at_rest(const model::Case& c, const model::BodyMass& m) {
   if (!m.in_water && !m.hull) return false;
   const model::Water& w = c.environment.water;

@@ -165,13 +165,13 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-// Largest distance of either end from the origin, by component.
+// Largest distance of both ends from the origin, by component.
 Vec3 far(const Kinematics& at, const LocalElement& e) {
   return at.x[e.first].cwiseAbs().cwiseMax(at.x[e.second].cwiseAbs());
 }
 
-// Round-off of the tension, N. A strain is a difference of positions, each of which has an error of eps |x|.
-// In a step h the rate of strain is such a difference divided by h.
+// Round-off of the tension, N. The strain is a difference of positions, each with an error of eps |x|; in a
+// step h the strain rate is this difference divided by h.
 double pull_round_off(const Kinematics& at, const auto& e, double h = 0) {
   const double rates = h > 0 ? e.section.beta / h : 0;
   return (1 + rates) * e.section.EA / e.section.length * eps * far(at, e.at).maxCoeff();
@@ -193,9 +193,9 @@ double StructureTerm::round_off(const Kinematics& at, double h) const {
     if (b.idle) continue;
     pull(b);
     if (!b.at.counted) continue;
-    // A curvature is a difference of directions: those of the nodes, with errors of a few eps, and that of
-    // the chord, whose error is that of the positions across it divided by its length. The force with this
-    // error is the moment's divided by the element's length.
+    // The curvature is a difference of directions: those of the nodes, with errors of a few eps, and that of
+    // the chord, with the error of the transverse positions divided by the length. The force error is that of
+    // the moment divided by the element's length.
     const BeamSection& s = b.section;
     const Vec3 t = (at.x[b.at.second] - at.x[b.at.first]).normalized();
     const double across = (far(at, b.at).array() * (1 - t.array().square()).max(0).sqrt()).matrix().norm();
@@ -246,7 +246,7 @@ std::vector<double> StructureTerm::slack(const Kinematics& at) const {
   return lines;
 }
 
-// Bounds are always applied to the true values, so that removing the bound restores them to the last bit.
+// Bounds are applied to the unsoftened values, so that removing a bound restores them exactly.
 bool StructureTerm::soften(double most) {
   if (true_beams_.empty() && true_EA_.empty()) {
     for (const Beam& b : beams_) true_beams_.push_back({b.section.EA, b.section.plastic});
@@ -288,14 +288,14 @@ double StructureTerm::beam_dissipation(const Kinematics& at) const {
   return p;
 }
 
-// Updates the plastic history of beams to the state `at`. Returns the energy that the beams counted by this
-// rank dissipate in this, J.
+// Updates the plastic history of beams to the state `at`. Returns the energy dissipated by the beams that
+// this rank counts, J.
 double StructureTerm::bend(const Kinematics& at) {
   double dissipated = 0;
   for (Beam& b : beams_) {
     if (!b.section.plastic || b.idle) continue;
     double* set = set_.data() + b.memory;
-    // The reference pointed to the history at a trial length.
+    // The reference points to the history at a trial length.
     if (b.reference.set != set) std::copy_n(b.reference.set, b.remembered(), set);
     b.reference.set = set;
     const double lost = beam_bend(b.section, b.reference, ends(b, at), set);
@@ -305,7 +305,7 @@ double StructureTerm::bend(const Kinematics& at) {
 }
 
 void StructureTerm::prepare(const Kinematics& committed, double h) {
-  // In statics every section is bent from its initial history in one go. The result is stored when motion
+  // In statics every section bends from its initial history in one step. The result is stored when motion
   // begins; it is not work of the motion.
   update_from_feeders(committed.step);
   if (h > 0 && !(committed.step > 0) && !set_.empty()) bend(committed);
@@ -356,7 +356,7 @@ Energy StructureTerm::energy(const Kinematics& at) const {
   return e;
 }
 
-// Adds the force of element e to f, in the sign of the residual. Both lists are in the order of the mesh.
+// Adds the force of element e to f, with the sign of the residual. Both lists are in the order of the mesh.
 void StructureTerm::element_force(const Kinematics& at, const LocalElement& e, Vec12& f) const {
   if (const Beam* b = of_element(beams_, e)) {
     if (b->idle) return;

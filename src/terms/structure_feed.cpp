@@ -1,5 +1,5 @@
-// The class StructureTerm at feeders: unstretched lengths at the feed point, and the history of sections that
-// yield while they pass through it (docs/theory/feeders.md#pipes-that-yield).
+// The class StructureTerm at feeders: unstretched lengths at the feed point, and history of plastic sections
+// that pass through it (docs/theory/feeders.md#pipes-that-yield).
 #include <algorithm>
 
 #include "hawser/base/gather.hpp"
@@ -9,8 +9,7 @@
 namespace hawser {
 namespace {
 
-// Converts between the order of an element, from end A to end B, and that of the labels, from the free node
-// on.
+// Converts between the order of an element, from end A to end B, and that of the labels, from the free node.
 std::vector<double> turned(const double* values, size_t n, bool at_b) {
   std::vector<double> out(kBendingPlaces * n);
   for (size_t k = 0; k < kBendingPlaces; ++k)
@@ -23,11 +22,11 @@ BeamEnds positions(const StructureTerm::Beam& b, const Kinematics& k) {
   return {k.x[i], k.x[j], k.q[i], k.q[j]};
 }
 
-// Step to the next element of the mesh, away from the feeder.
+// Index step to the next element away from the feeder.
 int outwards(const FedLine& f) { return f.at_b ? -1 : 1; }
 
-// History of the material inside the feeder, by label from the free node on: of the element at the feed point
-// and of the next element in stock.
+// History of the material inside the feeder by label from the free node: the element at the feed point and
+// the next element in stock.
 std::vector<RememberedCell> inside(const Mesh& mesh, const FedLine& f, const std::vector<double>& values) {
   const size_t n = values.size() / (2 * kBendingPlaces);
   const int next = f.inside[0] < f.inside[1] ? f.element - outwards(f) : f.element;
@@ -55,13 +54,13 @@ void StructureTerm::update_from_feeders(double step, bool accepted) {
     b.section.length_by_force = fed ? fed->length_by_force : 0;
     if (!b.section.plastic) continue;
     b.reference.set = set_.data() + b.memory;
-    // The history does not depend on the force of a trial: like masses it uses the length at the speed of the
-    // start of the step.
+    // The history does not depend on the force of a trial: as for masses, the length is that at the speed of
+    // the start of the step.
     if (fed) carry_bends(b, *fed, accepted ? fed->length : fed->predicted);
   }
 }
 
-// History of the material at this label, which is inside the feeder.
+// History of the material inside the feeder at this label.
 std::vector<double> StructureTerm::entering(const FedLine& f, double label) const {
   std::vector<double> out;
   const std::vector<double>& kept = fed_[index(f)].inside;
@@ -87,7 +86,7 @@ void StructureTerm::carry_bends(Beam& b, const FedLine& f, double to) {
   b.reference.set = fed.trial.data();
 }
 
-// Stores the history of material that is hauled into the feeder and held straight there. A cell inside takes
+// Stores the history of material that is hauled in and held straight inside the feeder. A cell inside takes
 // the history at its middle.
 void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
   const double from = f.before, to = f.length;
@@ -105,8 +104,8 @@ void StructureTerm::keep_hauled_in(const Beam& b, const FedLine& f) {
   }
 }
 
-// Work of the feeders on bends in the step that led to `at`, J: the mean of the values at its start and end
-// times the length paid out. Must be called before bend().
+// Work of the feeders on plastic bending in the step that led to `at`, J: mean of the values at start and
+// end, times the length paid out. Must be called before bend().
 double StructureTerm::fed_work(const Kinematics& at) const {
   double work = 0;
   const State& before = feeders_->before();
@@ -141,8 +140,8 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
                                      [](const Beam& b, int g) { return b.at.global < g; });
     return at != beams_.end() && at->at.global == global && at->section.plastic ? &*at : nullptr;
   };
-  // Collects on all ranks, by label: the history of the element at the feed point, of the one after it and of
-  // the second before it, and the history inside.
+  // Collects on all ranks, by label, the history of the element at the feed point, of the next one and of the
+  // second before it, and the history inside.
   std::vector<double> all(5 * size, 0);
   const auto part = [&](size_t i) { return all.data() + i * size; };
   const int elements[] = {f.element, f.element + out, f.element - 2 * out};
@@ -162,7 +161,7 @@ void StructureTerm::transfer_node(MPI_Comm comm, size_t feeder, bool releases) {
   std::vector<RememberedCell> cells;
   for (const RememberedCell& c : remembered_cells(0, f.length, part(0), n)) cells.push_back(c);
   std::vector<double> now(size);
-  // The element is divided into its free part and the new element at the feed point.
+  // Divides the element into its free part and the new element at the feed point.
   if (releases) {
     const double whole = mesh.elements[f.element].length;
     remember_cells(cells, n, 0, whole, now.data());

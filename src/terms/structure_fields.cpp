@@ -9,8 +9,9 @@
 namespace hawser {
 
 void StructureTerm::fields(FieldRegistry& registry) const {
-  // Interpolates between the middles of the two elements at a node, by their lengths. Moments of a beam are
-  // its end values. Where the two elements may differ (two_sided) the larger value is taken, not a mean.
+  // Interpolates between the middles of the two elements at a node by their lengths. Moments of a beam are
+  // its end values. Where the two elements may differ (two_sided) the larger value is taken instead of a
+  // mean.
   auto at_nodes = [this](auto&& of_beam, auto&& of_cable) {
     return [this, of_beam, of_cable](const Kinematics& k, std::span<double> out) {
       std::fill(out.begin(), out.end(), 0.0);
@@ -71,7 +72,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                  .report = Report::graph,
                  .order = 6},
                 at_nodes([](const BeamStress& s, const BeamEnds&, int) { return s.shear; }, nothing)});
-  // Magnitudes are taken by element, so that a torsion of the axes between neighbours does not matter.
+  // Magnitudes are taken by element, so that torsion between the axes of neighbours has no effect.
   registry.add({{.name = "bending_moment",
                  .unit = "N m",
                  .history = History::yes,
@@ -84,8 +85,8 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                 at_nodes([](const BeamStress& s, const BeamEnds&,
                             int end) { return (end ? s.moment2 : s.moment1).tail<2>().norm(); },
                          nothing)});
-  // The moments of an element are in its axes, which are half way between those of its nodes. The output is
-  // in the axes of the node.
+  // The moments of an element are in its axes, half way between those of its nodes. The output is in the axes
+  // of the node.
   for (const int axis : {1, 2})
     registry.add({{.name = axis == 1 ? "bending_moment_2" : "bending_moment_3",
                    .unit = "N m",
@@ -107,7 +108,7 @@ void StructureTerm::fields(FieldRegistry& registry) const {
                 at_nodes([](const BeamStress& s, const BeamEnds&,
                             int end) { return (end ? s.moment2 : s.moment1).x(); },
                          nothing)});
-  // Two of the three node axes. A rotation vector would jump at half a turn.
+  // Two of the three node axes are output, because a rotation vector would jump at half a turn.
   for (const int axis : {0, 1})
     registry.add({{.name = axis ? "axis_2" : "axis_1", .unit = "", .components = 3},
                   [this, axis](const Kinematics& k, std::span<double> out) {

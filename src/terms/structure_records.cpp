@@ -1,5 +1,5 @@
-// The history of StructureTerm for checkpoints: sums of dissipation, stretches of cables, bends of beams that
-// yield, and the bends inside feeders.
+// The class StructureTerm: checkpoint records. Sums of dissipation, stretches of cables, plastic bending of
+// beams outside and inside feeders.
 #include <algorithm>
 #include <map>
 
@@ -12,7 +12,7 @@ size_t StructureTerm::Beam::remembered() const {
 }
 
 namespace {
-// Keys of the kinds: none; element of the mesh; element of the mesh; feeder.
+// Keys by kind: none; mesh element; mesh element; feeder.
 enum Kind { kSums, kStretched, kBent, kInside };
 
 struct Sums {
@@ -41,8 +41,8 @@ struct Bent {
 };
 }  // namespace
 
-// A rank's sums are stored at its first node; only their sum over the ranks matters. Stretch and bends of an
-// element are stored at each of its nodes, so that every rank that has the element finds them.
+// The sums of a rank are stored at its first node; only their total over the ranks matters. Stretch and
+// bending of an element are stored at both nodes, so that every rank with the element finds them.
 std::vector<CheckpointKind> StructureTerm::checkpoint_kinds() const {
   return {checkpoint_kind<Sums>("sums of a rank"), checkpoint_kind<Stretched>("axial vibration"),
           checkpoint_kind<Bent>("plastic bending"), checkpoint_kind<Bent>("plastic bending inside a feeder")};

@@ -1,5 +1,4 @@
-// The class Thrusters: what they give at rest and in motion, their limits, the integral, work and what
-// checkpoints keep.
+// The class Thrusters: forces at rest and in motion, limits, integral, work and checkpoint records.
 #include "hawser/terms/thrusters.hpp"
 
 #include <cmath>
@@ -12,11 +11,11 @@
 namespace hawser {
 namespace {
 
-// In statics, freedoms with an integral are held by so many times their proportional part: the offset is then
-// a thousandth of what the proportional part alone leaves, and the integral begins with the difference.
+// In statics, freedoms with an integral part are held by kHeld times their proportional part. The offset is
+// then a thousandth of that with the proportional part alone, and the integral begins with the difference.
 constexpr double kHeld = 1000;
 
-// About the vertical.
+// Rotation about the vertical.
 Mat3 axes_of(double heading) { return exp_so3(heading * Vec3::UnitZ()).toRotationMatrix(); }
 
 Vec3 pose_of(const Vec3& arm, const RigidBodyState& s) {
@@ -45,19 +44,19 @@ Thrusters::Thrusters(const model::Case& c, const LocalMesh& mesh) : statics_(c.s
   }
 }
 
-// Of yaw the shorter way round.
+// The offset in yaw is taken the shorter way round.
 Vec3 Thrusters::offset(const Positioned& p, const Vec3& pose) {
   Vec3 e = pose - p.target;
   e.z() = std::remainder(e.z(), 2 * M_PI);
   return e;
 }
 
-// F = H limit(-(P H^T e + D H^T e' + I H^T s)), H of the slow heading. The limits keep the direction of the
-// force A in the plane: A/q where q = |(A_x/X, A_y/Y)| > 1, X and Y the largest of surge and sway alone,
-// whose derivative is (1 - A (A_x/X², A_y/Y²)/q²)/q. With d H/d heading = J H, J = hat(z):
-//   dF = J F + H L (-(P a + D b + I c) H^T d(x, y, heading) + a (P J H^T e + D J H^T e' + I J H^T s) d
-//   heading)
-// a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F with a as well.
+// F = H limit(-(P H^T e + D H^T e' + I H^T s)), H: axes of the slow heading. The limits keep the direction of
+// the horizontal force A: A/q where q = |(A_x/X, A_y/Y)| > 1, with X and Y the largest forces in surge and
+// sway alone; the derivative is (1 - A (A_x/X², A_y/Y²)/q²)/q. With d H/d heading = J H, J = hat(z):
+//   dF = J F + H L (-(P a + D b + I c) H^T d(x, y, heading)
+//                   + a (P J H^T e + D J H^T e' + I J H^T s) d heading)
+// a, b, c: by_place, by_speed, by_sum; L: derivative of the limits; J F is multiplied by a as well.
 Thrusters::Push Thrusters::push(const model::DynamicPositioning& data, const Deviation& deviation) {
   const Mat3 H = axes_of(deviation.heading), J = hat(Vec3::UnitZ());
   const Vec3 e = H.transpose() * deviation.offset, rate = H.transpose() * deviation.speed,
@@ -92,7 +91,7 @@ Thrusters::Push Thrusters::push(const model::DynamicPositioning& data, const Dev
   return out;
 }
 
-// For motion about rest limits do not count: force that is at its limit there has its slope on one side only.
+// For motion about rest limits are ignored: a force at its limit has a slope on one side only.
 Thrusters::Push Thrusters::push_at_rest(const Positioned& p, const Vec3& pose) const {
   Deviation deviation;
   deviation.heading = pose.z();
@@ -109,7 +108,7 @@ Thrusters::Push Thrusters::push_at_rest(const Positioned& p, const Vec3& pose) c
   return push(data, deviation);
 }
 
-// The integral by the trapezoidal rule from the last accepted state on.
+// The integral is continued from the last accepted state by the trapezoidal rule.
 Thrusters::Push Thrusters::push_in_motion(const Positioned& p, const Vec3& pose, double time) {
   const double h = time - p.time;
   const SlowPose slow = h > 0 ? p.slow.after(pose, h, p.data.filter) : p.slow;
@@ -162,8 +161,8 @@ double Thrusters::work(const Passed& from, const Passed& to) {
   return 0.5 * (from.force + to.force).dot(way);
 }
 
-// Where no statics went before, the integral begins at zero. In motion (h > 0) the force at the start of the
-// step is that of the controller, also after an event, where the committed state has no step.
+// Without statics the integral begins at zero. In motion (h > 0) the force at the start of the step is that
+// of the controller, also after an event, where the committed state has no step.
 void Thrusters::prepare(const Kinematics& committed, double h) {
   for (Positioned& p : list_) {
     const Vec3 pose = pose_of(p.arm, floating_state(committed, p.node));
@@ -172,9 +171,9 @@ void Thrusters::prepare(const Kinematics& committed, double h) {
   }
 }
 
-// As the residual: minus the force at the origin and the moment about the vertical, on the body's unknowns:
-//   f = -P F,   P = (e_x, e_y, 0; y x R^T e_x, y x R^T e_y, R^T z)
-// whose pose changes with them by Q: the first two rows of P^T, and the derivative of the heading.
+// Residual on the body's unknowns from the force at the origin and the moment about the vertical:
+//   f = -P F,   P = (e_x, e_y, 0; y x R^T e_x, y x R^T e_y, R^T z).
+// The pose depends on the unknowns by Q: the first two rows of P^T and the derivative of the heading.
 void Thrusters::evaluate(const Kinematics& trial, Assembler& assembler) {
   for (const Positioned& p : list_) {
     const RigidBodyState s = floating_state(trial, p.node);
@@ -196,8 +195,8 @@ void Thrusters::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-// After statics the integral has what holds the body at rest. Where the thrusters give all they have, it does
-// not grow towards more.
+// After statics the integral is set to the force that holds the body at rest. Where the thrusters are at
+// their limit, it does not grow further.
 void Thrusters::commit(const Kinematics& accepted) {
   for (Positioned& p : list_) {
     const Vec3 pose = pose_of(p.arm, floating_state(accepted, p.node));
@@ -225,7 +224,7 @@ void Thrusters::commit(const Kinematics& accepted) {
   }
 }
 
-// In statics, the work on the way from the last iteration.
+// In statics, the potential includes the work since the last iteration.
 Energy Thrusters::energy(const Kinematics& at) const {
   Energy e;
   for (const Positioned& p : list_) {

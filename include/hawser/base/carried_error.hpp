@@ -1,4 +1,4 @@
-// Exceptions and PETSc: its frames are of C, and no exception may pass through them.
+// Transfer of exceptions through PETSc, whose C frames must not be unwound.
 #pragma once
 
 #include <exception>
@@ -8,10 +8,10 @@
 
 namespace hawser {
 
-// Carries what a callback of PETSc throws until the call into PETSc has returned.
+// Stores the exception of a PETSc callback until the call into PETSc has returned.
 class CarriedError {
  public:
-  // The body of a callback, and what the callback returns: an error code where the body threw.
+  // Runs the body of a callback. Returns the callback's result: an error code if the body threw.
   template <class Body>
   PetscErrorCode capture(const Body& body) noexcept {
     try {
@@ -23,8 +23,8 @@ class CarriedError {
     return 0;
   }
 
-  // After the call into PETSc that the callback is part of: throws what was captured, or else PetscFailure
-  // where the call returned an error.
+  // Called after the call into PETSc that the callback is part of. Rethrows a stored exception, or throws
+  // PetscFailure if the call returned an error.
   void check(PetscErrorCode code) {
     if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
     hawser::check(code);

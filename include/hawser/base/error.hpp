@@ -1,5 +1,5 @@
-// Exit codes of the program, which scripts can test, and the exceptions behind two of them. Results that
-// cannot be written: io/write_error.hpp. Energy that does not add up: record/audit.hpp.
+// Exit codes of the program, which scripts can test, and the exceptions for two of them. Unwritable results
+// are in io/write_error.hpp, an unbalanced energy in record/audit.hpp.
 #pragma once
 
 #include <fmt/core.h>
@@ -9,7 +9,7 @@
 
 namespace hawser {
 
-// One sentence, as it is or with what fmt::format puts into it.
+// A message, optionally formatted by fmt::format.
 struct Sentence : std::runtime_error {
   using std::runtime_error::runtime_error;
   template <class First, class... More>
@@ -30,7 +30,7 @@ struct SolveError : Sentence {
 inline constexpr int kExitWrite = 1;  // or an error of the program
 inline constexpr int kExitInput = 2;
 inline constexpr int kExitSolve = 3;
-inline constexpr int kExitEnergy = 4;     // the run has ended, but its energy does not add up
+inline constexpr int kExitEnergy = 4;     // the run is complete, but its energy balance is not
 inline constexpr int kExitStopped = 130;  // by a signal
 
 }  // namespace hawser

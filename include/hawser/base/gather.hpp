@@ -1,4 +1,4 @@
-// What every rank has, brought to every rank: the lengths are exchanged once, values as often as needed.
+// Reductions and gathers over ranks. A GatherPlan exchanges lengths once and values as often as needed.
 #pragma once
 
 #include <mpi.h>
@@ -77,13 +77,13 @@ T& all_reduce(MPI_Comm comm, MPI_Op op, T& of) {
   return of;
 }
 
-// Whether it is so on any rank. Collective.
+// Whether `here` is true on any rank. Collective.
 inline bool on_any_rank(MPI_Comm comm, bool here) {
   int yes = here;
   return all_reduce(comm, MPI_MAX, yes) != 0;
 }
 
-// The text of the first rank that has one; empty: none has. Collective.
+// Text of the first rank with one; empty: none. Collective.
 inline std::string first_text(MPI_Comm comm, std::string mine) {
   int first = mine.empty() ? ranks_of(comm) : rank_of(comm);
   if (all_reduce(comm, MPI_MIN, first) == ranks_of(comm)) return {};
@@ -106,8 +106,8 @@ inline void on_root(MPI_Comm comm, const std::function<void()>& work) {
   if (!text.empty()) throw InputError(text);
 }
 
-// Of the rank with the largest value (the first of equal ones), broadcast to all if that is above `least`;
-// whether it is. T: plain data. Collective.
+// Broadcasts the data of the rank with the largest value (the first of equal ones) if that is above `least`;
+// returns whether it is. T: plain data. Collective.
 template <class T>
 bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
   struct {
@@ -120,8 +120,8 @@ bool broadcast_largest(MPI_Comm comm, double value, double least, T& of) {
   return true;
 }
 
-// Of each of several things that of the rank where its value is largest, on all ranks; of equal ones that of
-// the smallest order. T: plain data. Collective: one reduction for all of them.
+// For each of several items, the data of the rank with its largest value, on all ranks; of equal values those
+// of the smallest order. T: plain data. Collective: one reduction for all items.
 template <class T, class Value>
 void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value, int order) {
   if (ranks_of(comm) == 1) return;
@@ -151,7 +151,7 @@ void largest_of_ranks(MPI_Comm comm, std::vector<T>& of, const Value& value) {
 
 class GatherPlan {
  public:
-  // mine: how many values this rank brings. Collective.
+  // mine: number of values of this rank. Collective.
   GatherPlan(MPI_Comm comm, int mine) : comm_(comm), mine_(mine) {
     count_.resize(ranks_of(comm));
     start_.resize(count_.size() + 1, 0);
@@ -160,7 +160,7 @@ class GatherPlan {
   }
 
   std::size_t all() const { return static_cast<std::size_t>(start_.back()); }
-  // Where each rank's values begin among all of them; the last entry is all().
+  // Offset of each rank's values; the last entry is all().
   const std::vector<int>& starts() const { return start_; }
 
   // mine: as many as promised; out gets all(), rank by rank. T: plain data. Collective.
@@ -170,7 +170,7 @@ class GatherPlan {
     out.resize(all());
     MPI_Allgatherv(mine, mine_, type, out.data(), count_.data(), start_.data(), type, comm_);
   }
-  // The same on rank 0 alone; nothing on the others.
+  // The same on rank 0 only; empty on the others.
   template <class T>
   void gather_on_first(const T* mine, std::vector<T>& out) const {
     const MessageType<T> type;

@@ -9,7 +9,8 @@
 
 namespace hawser {
 
-// Thrown when a PETSc call fails: a defect of ours or a broken installation, never the user's input.
+// Thrown when a PETSc call fails: a defect of the program or a broken installation, not an error of the
+// input.
 struct PetscFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -37,7 +38,7 @@ class Handle {
   ~Handle() { reset(); }
   T get() const { return raw_; }
   explicit operator bool() const { return raw_ != nullptr; }
-  // For the C idiom create(&out): drops what was held.
+  // For PETSc's create(&out); releases the present object.
   T* out() {
     reset();
     return &raw_;

@@ -1,4 +1,4 @@
-// The ranks that run on one host, and memory they share.
+// The ranks of one host, and memory they share.
 #pragma once
 
 #include <mpi.h>
@@ -27,9 +27,9 @@ class Host {
   int size() const { return size_; }
   bool leads() const { return rank_ == 0; }
 
-  // A block of memory that is there once a host, begins on a cache line and holds what `fill` writes there on
-  // the leading rank, which also tells its size in bytes. Null on all ranks if the host has none to give.
-  // Collective over the host, and so is the end of the last reference to it: ranks let go of blocks in the
+  // A block of memory that exists once per host, begins on a cache line and contains what `fill` writes on
+  // the leading rank, which also specifies its size in bytes. Null on all ranks if the host has none
+  // available. Collective over the host, as is the release of the last reference: ranks release blocks in the
   // same order, at the latest before MPI_Finalize.
   std::shared_ptr<const std::byte> share(std::size_t size,
                                          const std::function<void(std::byte*)>& fill) const {
@@ -53,7 +53,7 @@ class Host {
     MPI_Aint room = 0;
     int unit = 1;
     MPI_Win_shared_query(window->win, 0, &room, &unit, &at);
-    // Pages begin at the same place on all ranks, so that this is the same byte.
+    // Pages begin at the same offset on all ranks, so this is the same byte.
     std::size_t space = room;
     auto* block = static_cast<std::byte*>(std::align(kLine, bytes, at, space));
     if (leads()) fill(block);

@@ -5,9 +5,9 @@
 
 namespace hawser {
 
-// x to 30 bits. A sum over ranks differs by rounding with how it is shared out; what is chosen by it (a mass,
-// a shift, a step) would then differ as well, and with it the last digits of a solution. Rounded so coarsely
-// it is the same, but for one such sum in a million.
+// Rounds x to 30 bits. A sum over ranks differs by rounding with its distribution, and so would what is
+// derived from it (a mass, a shift, a step) and the last digits of a solution. So coarsely rounded it is the
+// same, except for about one in a million sums.
 inline double rank_independent(double x) {
   int exponent = 0;
   const double m = std::frexp(x, &exponent);

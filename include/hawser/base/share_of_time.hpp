@@ -1,4 +1,4 @@
-// What is done now and then, as often as it costs no more than a share of the time.
+// Schedules a repeated task so that it takes no more than a given share of the time.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@ namespace hawser {
 class ShareOfTime {
  public:
   explicit ShareOfTime(double share) : share_(share) {}
-  // Whether enough has passed since it was done last for what that cost.
+  // Whether enough time has passed since the last run of the task, relative to its cost.
   bool due() const { return share_ * seconds_since(end_) >= cost_; }
   template <class What>
   void spend(const What& what) {
@@ -23,7 +23,7 @@ class ShareOfTime {
   static double seconds_since(Clock::time_point t) {
     return std::chrono::duration<double>(Clock::now() - t).count();
   }
-  double share_, cost_ = 0;  // cost: s
+  double share_, cost_ = 0;  // cost_: s
   Clock::time_point end_ = Clock::now();
 };
 

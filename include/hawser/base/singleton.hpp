@@ -1,4 +1,4 @@
-// A process that no launcher (mpirun, srun) has started.
+// Set-up of a process that no launcher (mpirun, srun) has started.
 #pragma once
 
 #include <cstdlib>
@@ -11,11 +11,12 @@ inline bool launched() {
   return false;
 }
 
-// Before MPI_Init, for a process of its own. What the environment says goes first. Open MPI starts
+// Called before MPI_Init by a process of its own. Variables set in the environment have precedence. Open MPI
+// then starts
 // - without the drivers of fast networks, one of which measures the processor's clock for 0.2 s,
-// - without its daemon, a program that takes 0.1 s to come up, and without the folder of a session: without
-//   the daemon, processes that start at the same time would take each other's folder in /tmp away,
-// - and without a list of the machine's devices.
+// - without its daemon, which takes 0.1 s to start, and without the session folder, because without the
+//   daemon processes that start at the same time would delete each other's folder in /tmp,
+// - without a list of the machine's devices.
 inline void start_singleton() {
   if (launched()) return;
   setenv("OMPI_MCA_pml", "ob1", 0);

@@ -36,7 +36,6 @@ struct Box {
   }
   // The box grown by r on every side.
   Box grown(double r) const { return {lo - Vec3::Constant(r), hi + Vec3::Constant(r)}; }
-  // Nearest point of the box to p; p itself when inside.
 };
 
 // Squared distance from p to the box [m²], 0 inside.

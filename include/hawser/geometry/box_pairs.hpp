@@ -10,7 +10,7 @@
 namespace hawser {
 
 // All pairs i < j of overlapping boxes [m], in no particular order. Boxes that are empty or not finite
-// overlap nothing. A box more costs the logarithm of their number, and the pairs it is in.
+// overlap nothing. Cost: O(n log n) plus the number of pairs.
 std::vector<std::pair<int, int>> overlapping_pairs(std::span<const Box> boxes);
 
 }  // namespace hawser

@@ -1,6 +1,7 @@
-// A tree of boxes over items that have a box each: facets of a mesh, flat or curved, boxes of elements.
+// Tree of bounding boxes over items: flat or curved facets of a mesh, elements.
 //
-// Halved at the median of the centres along the longest side of their box, until few items are left. Every
+// Nodes are split at the median of the centres along the longest side of their box, until few items are left.
+// Every item is in one leaf, and the items of a node are contiguous.
 // item is in one leaf, and the items of a node lie side by side.
 #pragma once
 
@@ -19,24 +20,25 @@ class BoxTree {
  public:
   struct Node {
     Box box;
-    int first = 0, count = 0;  // of items()
-    int next = 0;  // node behind all that is below this one; the first below it is the one behind it
+    int first = 0, count = 0;  // range in items()
+    int next = 0;  // index of the node after this one's subtree; its first child is the next index
   };
   BoxTree() = default;
-  // Of the items with their flag set, no flags: of all; `leaf`: so many in a leaf at most.
+  // chosen: one flag per item, empty for all; leaf: largest number of items in a leaf.
   explicit BoxTree(std::span<const Box> boxes, const std::vector<bool>& chosen = {}, int leaf = 4);
 
   bool empty() const { return nodes_.empty(); }
   Box box() const { return empty() ? Box{} : nodes_[0].box; }
-  std::span<const Node> nodes() const { return nodes_; }  // each before those below it
-  // Numbers of all items, leaf by leaf, and of those below a node.
+  std::span<const Node> nodes() const { return nodes_; }  // parents before their children
+  // Indices of all items, leaf by leaf, and of those below a node.
   std::span<const int> items() const { return items_; }
   std::span<const int> below(const Node& n) const {
     return items().subspan(static_cast<std::size_t>(n.first), static_cast<std::size_t>(n.count));
   }
 
   // Calls visit(item) for all items that may be within the distance sqrt(squared) [m²] of p, and for some
-  // that are not, nearer halves first; visit may lessen `squared`. None just at it is excluded.
+  // farther ones, nearer halves first; visit may reduce `squared`. Items exactly at that distance are
+  // included.
   template <class Visit>
   void nearest(const Vec3& p, double& squared, Visit&& visit) const {
     if (empty()) return;
@@ -65,8 +67,8 @@ class BoxTree {
     }
   }
 
-  // From the top down: what is below a node is looked at where enter(number of the node) is true, and
-  // visit(item) is called for the items of leaves.
+  // Descends from the root into nodes for which enter(index of the node) is true, and calls visit(item) for
+  // the items of their leaves.
   template <class Enter, class Visit>
   void walk(Enter&& enter, Visit&& visit) const {
     for (int i = 0; i < static_cast<int>(nodes_.size());) {
@@ -93,7 +95,7 @@ class BoxTree {
   }
   const Node& node(int i) const { return nodes_[static_cast<std::size_t>(i)]; }
 
-  double size_ = 0;  // m, greatest coordinate
+  double size_ = 0;  // m, largest magnitude of a coordinate
   ConstArray<Node> nodes_;
   ConstArray<int> items_;
 };

@@ -10,7 +10,7 @@
 
 namespace hawser {
 
-// Where on a triangle (v0, v1, v2) a point lies. Edge i joins v_i and v_(i+1 mod 3).
+// Feature of a triangle (v0, v1, v2) on which a point lies. Edge i joins v_i and v_(i+1 mod 3).
 enum class Feature : unsigned char { face, edge0, edge1, edge2, vertex0, vertex1, vertex2 };
 
 inline bool is_edge(Feature f) { return f >= Feature::edge0 && f <= Feature::edge2; }

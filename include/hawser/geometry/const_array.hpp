@@ -1,4 +1,4 @@
-// An array that is only read: its own, or one that lies in memory lent by somebody else (packing.hpp).
+// Read-only array that owns its values or refers to external memory (packing.hpp).
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,10 @@ template <class T>
 class ConstArray {
  public:
   ConstArray() = default;
-  // Copies share what was put in.
+  // Copies share the values.
   ConstArray(std::vector<T> values)
       : own_(std::make_shared<const std::vector<T>>(std::move(values))), view_(*own_) {}
-  // What lies there must outlive the array.
+  // `values` must outlive the array.
   static ConstArray lent(std::span<const T> values) {
     static_assert(std::is_trivially_destructible_v<T>);
     ConstArray a;

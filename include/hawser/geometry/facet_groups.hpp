@@ -1,10 +1,10 @@
-// The facet groups of a surface near a place: parts of it that something thick can touch at the same time.
+// Facet groups of a surface near a place: parts of it that a thick line can touch at the same time.
 //
-// A surface answers a point with its nearest point. In a corner or a slit that is one facet group only, and
-// as the point moves the answer jumps from one to the other. Facet groups are what each has a nearest point
-// of its own: facets that come near are one facet group where they hang together, over edges as near, and not
-// across an edge that is reentrant and sharp (26 degrees). Parts that look the same way (within 26 degrees)
-// are one facet group as well: of those the nearest is enough. What shows its back, as a thin sheet's other
+// A surface query returns the nearest point only. In a corner or a slit this point jumps from one side to the
+// other as the query point moves. Each facet group has its own nearest point. Nearby facets form one group if
+// they are connected over nearby edges, except across an edge that is reentrant and sharp (26 degrees). Parts
+// with similar normals (within 26 degrees) also form one group, because the nearest of them suffices. Parts
+// viewed from behind, such as the far side of a thin sheet, form no group.
 // side does, is no facet group.
 #pragma once
 
@@ -17,15 +17,15 @@ namespace hawser {
 struct FacetGroup {
   struct Facet {
     int triangle = -1;
-    Vec3 centre = Vec3::Zero();  // m, of a ball that holds it
+    Vec3 centre = Vec3::Zero();  // m, centre of a ball that contains the facet
     double radius = 0;           // m
   };
-  std::vector<Facet> facets;  // by triangle
+  std::vector<Facet> facets;  // sorted by triangle
 };
 
-// Nearest first; none where the surface answers for itself.
+// Nearest first; empty if the surface's own query suffices.
 struct FacetGroups {
-  static constexpr int kMost = 4;  // farther ones are put to the one that looks most alike
+  static constexpr int kMost = 4;  // farther groups are merged with the one most similar in normal
   std::vector<FacetGroup> of;
   bool several() const { return of.size() > 1; }
 };

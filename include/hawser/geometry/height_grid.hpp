@@ -1,10 +1,9 @@
-// The ground under a regular grid of heights: the signed distance to a bicubic spline through them.
+// Ground below a regular grid of heights: signed distance to a bicubic spline through them.
 //
 // The spline is the tensor product of natural cubic splines (de Boor 1962, "Bicubic spline interpolation", J.
-// Math. Phys. 41), so slope and curvature are continuous everywhere. Beyond the grid it goes on straight, as
-// natural splines do. The nearest point is found by Newton's method from the one straight below or above: it
-// is the nearest of all where the point is nearer than the surface's radius of curvature, and there the
-// distance is twice continuously differentiable.
+// Math. Phys. 41), with continuous slope and curvature. It is linear beyond the grid. The nearest point is
+// found by Newton's method from the point vertically below or above. It is the global one for query points
+// nearer than the surface's radius of curvature, and the distance is twice continuously differentiable there.
 #pragma once
 
 #include <vector>
@@ -15,11 +14,11 @@ namespace hawser {
 
 class HeightGrid final : public Surface {
  public:
-  // Ascending x (columns) and y (rows) [m], two of each at least; heights [m] row by row.
-  // std::invalid_argument otherwise.
+  // x (columns) and y (rows) [m] ascending, at least two each; heights [m] row by row. Throws
+  // std::invalid_argument.
   HeightGrid(std::vector<double> x, std::vector<double> y, const std::vector<double>& height);
 
-  // The ground is inside.
+  // The inside is the ground.
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;
   double free_radius(const Vec3& y, double distance, int hint = -1) const override;
   Box bounds() const override;  // infinite
@@ -31,8 +30,8 @@ class HeightGrid final : public Surface {
   };
   Height at(double x, double y) const;
 
-  // The place on a line of the grid where the spline is furthest above (or below) both heights beside it,
-  // more than the shape of a hill (or hollow) explains: beside a step.
+  // Place on a grid line where the spline is farthest above (or below) both neighbouring heights, by more
+  // than the shape of a hill (or hollow) explains, as beside a step.
   struct Overshoot {
     double by = 0;  // m; 0: nowhere
     Eigen::Vector2d at = Eigen::Vector2d::Zero();
@@ -45,7 +44,7 @@ class HeightGrid final : public Surface {
   }
   double lowest() const { return lowest_; }      // m, of the given heights
   double highest() const { return highest_; }    // m
-  double steepest() const { return steepest_; }  // a bound on the slope (tangent) anywhere
+  double steepest() const { return steepest_; }  // upper bound of the slope (tangent)
   const std::vector<double>& x() const { return x_; }
   const std::vector<double>& y() const { return y_; }
 

@@ -1,12 +1,12 @@
-// Repair of meshes as they come: inside out, turned inconsistently, open, joined along edges of more than two
+// Repair of meshes that are inside out, inconsistently oriented, open, or have edges of more than two
 // triangles.
 //
-// Nothing is moved and no hole is filled. What is listed more than once must have been dropped
-// (mesh_duplicates.hpp). The patches of triangles joined two by two are turned: each patch alike (by its
-// majority), then so that its front sees the outside, which rays from its triangles vote on: an even number
-// of crossings on the way out says outside (Takayama, Jacobson, Kavan & Sorkine-Hornung 2014, "A simple
-// method for correcting facet orientations in polygon meshes based on ray casting", J. Comput. Graph. Tech.
-// 3(4), the vote by parity). What is inside afterwards is for the winding number to say (winding_tree.hpp).
+// No vertex is moved and no hole is filled. Duplicates must have been removed (mesh_duplicates.hpp). Patches
+// of triangles joined two by two are first made consistent (by the majority), then oriented so that their
+// front faces the outside. Rays from the triangles vote on this: an even number of crossings indicates the
+// outside (Takayama, Jacobson, Kavan & Sorkine-Hornung 2014, "A simple method for correcting facet
+// orientations in polygon meshes based on ray casting", J. Comput. Graph. Tech. 3(4), the vote by parity).
+// Afterwards the winding number determines the inside (winding_tree.hpp).
 #pragma once
 
 #include "hawser/geometry/triangle_mesh.hpp"
@@ -14,10 +14,10 @@
 namespace hawser {
 
 struct RepairResult {
-  int turned = 0;        // triangles turned over
-  int one_sided = 0;     // pieces that are one-sided like a Möbius band: left as they were
-  bool closed = false;   // now closed, consistent: MeshReport::closed and consistently_oriented
-  double enclosing = 0;  // share of the area that has an inside behind it and an outside before it
+  int turned = 0;        // reversed triangles
+  int one_sided = 0;     // pieces that are one-sided like a Möbius band, left unchanged
+  bool closed = false;   // closed and consistent after repair: MeshReport::closed and consistently_oriented
+  double enclosing = 0;  // fraction of the area with the inside behind and the outside in front of it
 };
 RepairResult repair(TriangleMesh& mesh);
 

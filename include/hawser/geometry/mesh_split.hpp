@@ -1,12 +1,12 @@
-// Splitting of long edges, so that what is linear on each triangle is close to a field that varies.
+// Splitting of long edges, so that quantities that are linear on each triangle approximate a varying field.
 #pragma once
 
 #include "hawser/geometry/triangle_mesh.hpp"
 
 namespace hawser {
 
-// Halves edges longer than `longest` [m] until there are none, on both sides of an edge alike, so that no
-// gaps open; stops before the mesh has more than `most` triangles. Parts are lost.
+// Halves edges longer than `longest` [m] until there are none, equally on both sides of an edge, so that no
+// gaps open. Stops before the mesh exceeds `most` triangles. Part names are not kept.
 void split_edges(TriangleMesh& mesh, double longest, std::size_t most);
 
 }  // namespace hawser

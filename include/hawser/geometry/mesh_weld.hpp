@@ -1,5 +1,4 @@
-// Corners that should be one and are not: cracks along open edges, as rounding and noise of a file leave
-// them.
+// Welding of cracks along open edges that rounding and noise in a file cause.
 #pragma once
 
 #include "hawser/geometry/triangle_mesh.hpp"
@@ -7,17 +6,17 @@
 namespace hawser {
 
 struct CrackResult {
-  int welded = 0;      // corners that went into another
+  int welded = 0;      // corners merged into another
   int removed = 0;     // triangles that collapsed
-  double widest = 0;   // m, the farthest that one went
-  int open_edges = 0;  // that are left
+  double widest = 0;   // m, largest displacement of a corner
+  int open_edges = 0;  // remaining open edges
 };
 
-// Merges corners of open edges that are nearer to each other than 1/100 of the shortest edge at either: a
-// facet that this moves tilts by no more than 2/100 rad, which neither makes an edge nor hides one. Corners
-// all of whose edges join two triangles stay as they are, so a closed mesh does, however fine its features.
-// Of those that merge the corner of the most triangles keeps its place: noise on a few goes. The mesh must be
-// welded (equal corners are one). O(n log n).
+// Merges corners of open edges that are nearer to each other than 1/100 of the shortest edge at either. This
+// tilts a facet by at most 2/100 rad, which neither creates nor hides an edge. Corners whose edges all join
+// two triangles are not changed, so a closed mesh remains as it is, however fine its features. Of merged
+// corners the one with the most triangles keeps its position, which removes noise on a few corners. The mesh
+// must be welded (equal corners are one). O(n log n).
 CrackResult weld_cracks(TriangleMesh& mesh);
 
 }  // namespace hawser

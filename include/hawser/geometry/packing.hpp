@@ -1,10 +1,10 @@
-// All arrays of an object, one behind the other in one block: so that somebody else may keep them, in memory
-// that all ranks of a host read, say.
+// Stores all arrays of an object contiguously in one block of memory, for example memory shared by all ranks
+// of a host.
 //
-// What is to be packed says what it consists of, once and in a fixed order, in a function
+// A packed class lists its members once and in a fixed order in a function
 //   template <class Self, class P> static void pack(Self& self, P& p)
 // that calls p.value() for members without pointers, p.array() for each ConstArray and p.flags() for each
-// std::vector<bool>. Measure counts the bytes, Writer copies them, Reader takes arrays where they lie,
+// std::vector<bool>. Measure counts the bytes, Writer copies them, Reader refers to arrays in the block
 // without a copy, and copies the rest.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace hawser::packing {
 
-constexpr std::size_t kLine = 64;  // all begins on a cache line
+constexpr std::size_t kLine = 64;  // every item begins on a cache line
 inline std::size_t next_line(std::size_t at) { return (at + kLine - 1) / kLine * kLine; }
 
 template <class Pass>
@@ -56,7 +56,7 @@ class Measure : public Packing<Measure> {
   }
 };
 
-// `to` is on a cache line and has room for what a Measure counted.
+// `to` must be aligned to a cache line and have the size counted by Measure.
 class Writer : public Packing<Writer> {
  public:
   explicit Writer(std::byte* to) : to_(to) {}
@@ -81,7 +81,7 @@ class Writer : public Packing<Writer> {
   std::byte* to_;
 };
 
-// The block must outlive what is read from it.
+// The block must outlive the objects read from it.
 class Reader : public Packing<Reader> {
  public:
   explicit Reader(const std::byte* from) : from_(from) {}

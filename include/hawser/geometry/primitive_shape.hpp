@@ -1,4 +1,4 @@
-// Primitive shapes as plain data, as a case file gives them. Body frame, m. primitives.hpp makes surfaces.
+// Primitive shapes as plain data of a case file, body frame, m. primitives.hpp makes surfaces of them.
 #pragma once
 
 #include <variant>

@@ -1,13 +1,13 @@
-// Exact primitives as contact surfaces: signed distance, normal and curvature in closed form.
+// Primitives as contact surfaces: exact signed distance, normal and curvature in closed form.
 //
-// A Primitive (primitive_shape.hpp) is the plain description, make_surface its Surface, facets a triangle
-// mesh of it for pictures. Body frame, m. Plane and cylinder are declared in surface.hpp, the others here.
+// A Primitive (primitive_shape.hpp) is the plain description, make_surface() makes its Surface, facets() a
+// triangle mesh of it. Body frame, m. Plane and cylinder are declared in surface.hpp, the others here.
 //
 // Inside, where several surface points are equally near (the medial axis: a sphere's centre, a cylinder's
-// axis, a box's diagonals), the distance has a kink; the answer there is one of them, always the same. The
-// curvature is the Hessian of the distance at the query point, bounded by 1e6 over the primitive's size.
-// Formulas: for a distance f(rho, z) about an axis the Hessian is that of f in the meridian plane plus
-// (df/drho) / rho on the circle's tangent; see docs/theory/geometry.md for what contact asks.
+// axis, a box's diagonals), the distance has a kink; the query then always returns the same one of them. The
+// curvature is the Hessian of the distance at the query point, bounded by 1e6 over the primitive's size. For
+// a distance f(rho, z) about an axis the Hessian is that of f in the meridian plane plus (df/drho) / rho on
+// the circle's tangent; see docs/theory/geometry.md.
 #pragma once
 
 #include <memory>
@@ -18,19 +18,19 @@
 
 namespace hawser {
 
-// Throws std::invalid_argument with a sentence when the shape has no inside (see above what each needs).
+// Throws std::invalid_argument with a message if the shape has no inside (see primitive_shape.hpp).
 std::shared_ptr<const Surface> make_surface(const Primitive& shape);
 
-// The shape as triangles, corners on the surface; closed and outward, except the plane: that is a square
-// patch centred at the foot of `seen.centre()` and large enough for the foot of every point of `seen`.
+// The shape as triangles with corners on the surface, closed and outward. A plane gives a square patch
+// centred at the foot of extent.centre() that contains the foot of every point of `extent`.
 TriangleMesh facets(const Primitive& shape, const Box& extent);
-// The same with the radius enlarged so that the mesh has the volume of the shape. std::invalid_argument for a
-// plane, which has none.
+// The same with the radius enlarged so that the mesh has the volume of the shape. Throws
+// std::invalid_argument for a plane.
 TriangleMesh facets_of_volume(const Primitive& shape);
-// m³; std::invalid_argument for a plane.
+// Volume, m³; throws std::invalid_argument for a plane.
 double volume(const Primitive& shape);
 
-// Patches: (i + 1) + 3 (j + 1) + 9 (k + 1), with i, j, k in {-1, 0, 1} the side of the box on which the
+// Patch numbers: (i + 1) + 3 (j + 1) + 9 (k + 1), with i, j, k in {-1, 0, 1} the side of the box on which the
 // nearest point lies, in the box's axes; features face, edge0 and vertex0.
 class BoxSurface final : public Surface {
  public:
@@ -43,7 +43,7 @@ class BoxSurface final : public Surface {
   Mat3 axes_;  // columns
 };
 
-// One patch, 0.
+// One patch, number 0.
 class SphereSurface final : public Surface {
  public:
   explicit SphereSurface(const SphereShape& shape);
@@ -55,7 +55,7 @@ class SphereSurface final : public Surface {
   double radius_;
 };
 
-// Patches: 0 side, 1 round end at `from`, 2 at `to`.
+// Patch numbers: 0 side, 1 round end at `from`, 2 at `to`.
 class CapsuleSurface final : public Surface {
  public:
   explicit CapsuleSurface(const CapsuleShape& shape);
@@ -67,7 +67,7 @@ class CapsuleSurface final : public Surface {
   double length_, radius_;
 };
 
-// One patch, 0. On the axis, outside, the nearest points are a circle: one of them.
+// One patch, number 0. For a point on the axis the nearest points form a circle, of which one is returned.
 class TorusSurface final : public Surface {
  public:
   explicit TorusSurface(const TorusShape& shape);

@@ -1,4 +1,4 @@
-// Edges of a mesh where it turns.
+// Sharp edges of a mesh.
 #pragma once
 
 #include <utility>
@@ -8,8 +8,8 @@
 
 namespace hawser {
 
-// Ends of the edges where two triangles meet at more than 10 deg, or where there are not two; in the order of
-// the ends. active: one flag a triangle, those of the others are excluded; empty: all.
+// End vertices of the edges where two triangles meet at more than 10 deg, or where the number of triangles is
+// not two; sorted. active: one flag per triangle, the others are ignored; empty: all.
 std::vector<std::pair<int, int>> sharp_edges(const MeshView& mesh, const std::vector<bool>& active);
 
 }  // namespace hawser

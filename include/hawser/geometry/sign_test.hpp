@@ -1,10 +1,10 @@
-// The test whether a point is inside a mesh.
+// Tests whether a point is inside a mesh.
 #pragma once
 
 namespace hawser {
 
-// automatic: pseudonormals where the mesh is in order, winding numbers where it is not. The last three are
-// those of OMAE2006-92155.
+// automatic: pseudonormals for a valid mesh, winding numbers otherwise. The last three are those of
+// OMAE2006-92155.
 enum class SignTest { automatic, pseudonormal, winding, tetrahedra, ray, solid_angle };
 
 }  // namespace hawser

@@ -1,11 +1,11 @@
-// A curved triangle: a quadratic patch over the corners of a facet of a mesh, and its nearest point.
+// Curved triangle: a quadratic patch over a facet of a mesh, and its nearest point.
 //
 //   q(u, v) = b0 p0 + b1 p1 + b2 p2 + b0 b1 c0 + b1 b2 c1 + b2 b0 c2,  b1 = u, b2 = v, b0 = 1 - u - v
 //
-// The bend c_i [m] of edge i (from p_i to p_(i+1)) is known to both its triangles, so that they share its
-// curve, a parabola whose middle lies c_i / 4 off the chord. This is the Phong tessellation of Boubekeur &
-// Alexa (2008), "Phong tessellation", ACM Trans. Graph. 27(5), with shape factor 1/2 written by its edges;
-// which bends a mesh gets is in mesh_bends.hpp.
+// The bend c_i [m] of edge i (from p_i to p_(i+1)) is common to both its triangles, so that they share its
+// curve, a parabola whose middle is c_i / 4 off the chord. This is the Phong tessellation of Boubekeur &
+// Alexa (2008), "Phong tessellation", ACM Trans. Graph. 27(5), with shape factor 1/2 in terms of edges.
+// mesh_bends.hpp computes the bends of a mesh.
 #pragma once
 
 #include <array>
@@ -24,13 +24,13 @@ struct SmoothPatch {
   }
   Vec3 by_u(double u, double v) const { return p[1] - p[0] + (1 - 2 * u - v) * c[0] + v * (c[1] - c[2]); }
   Vec3 by_v(double u, double v) const { return p[2] - p[0] + u * (c[1] - c[0]) + (1 - u - 2 * v) * c[2]; }
-  // Outward, not unit.
+  // Outward normal, not a unit vector.
   Vec3 normal(double u, double v) const { return by_u(u, v).cross(by_v(u, v)); }
-  // No point of the patch is farther from the flat triangle [m].
+  // Upper bound of the distance of the patch from the flat triangle, m.
   double bulge() const;
 };
 
-// (u, v) of the point at s in [0, 1] on edge i.
+// (u, v) of the point s in [0, 1] on edge i.
 std::array<double, 2> on_edge(int i, double s);
 
 struct PatchPoint : ClosestPoint {
@@ -38,26 +38,26 @@ struct PatchPoint : ClosestPoint {
 };
 
 // Nearest point of a patch that is not flat, by Newton's method from the foot on the flat triangle; on the
-// edges, where it runs out of the patch, by a bracketed Newton's method. The nearest of all while y is not
-// beyond the centres of curvature, else a nearest one of its surroundings.
+// edges, where it leaves the patch, by a bracketed Newton's method. It is the global minimum if y is not
+// beyond the centres of curvature, else a local one.
 PatchPoint closest_point_on_patch(const Vec3& y, const SmoothPatch& patch);
 
-// Whether that is known to be the nearest point of all, because the squared distance is convex over the
-// patch. Along a direction b' of the barycentric coordinates, which moves the point of the flat triangle by
-// w,
-//   (|q - y|²/2)'' = |q'|² + (q - y) . q'',  q' = w + sum (b_i b_j' + b_i' b_j) c_k,  q'' = 2 sum b_i' b_j'
-//   c_k
+// Whether this local minimum is known to be global because the squared distance is convex over the patch.
+// Along a direction b' of the barycentric coordinates, which moves the point of the flat triangle by w,
+//   (|q - y|²/2)'' = |q'|² + (q - y) . q'',
+//   q' = w + sum (b_i b_j' + b_i' b_j) c_k,  q'' = 2 sum b_i' b_j' c_k
 // over the edges k = ij. With the heights h_i of the triangle |b_i'| <= |w| / h_i, and q lies in the hull of
+// its control points, which bounds both terms.
 // its control points, which bounds both terms.
 bool one_nearest_point(const Vec3& y, const SmoothPatch& patch);
 
-// Hessian of the signed distance [1/m] where the nearest point is (u, v) inside the patch, with unit normal
+// Hessian of the signed distance [1/m] for a nearest point (u, v) inside the patch, with unit normal
 // n and signed distance d: A I^-1 II (I + d II)^-1 A', with A = [q_u q_v], I = A'A and II_ab = -n . q_ab
-// (the surface's curvatures k carried to the distance d: k / (1 + d k)). Zero factors 1 + d k are bounded.
+// (the surface's curvatures k become k / (1 + d k) at the distance d). Zero factors 1 + d k are bounded.
 Mat3 curvature_over_patch(const SmoothPatch& patch, double u, double v, const Vec3& n, double d);
 
-// The same where the nearest point is on edge i, at s: 1/d across the edge, with |d| at least `small` [m],
-// and along it the curvature of the edge's curve in the direction of n.
+// Hessian for a nearest point at s on edge i: 1/d across the edge, with |d| at least `small` [m], and along
+// it the curvature of the edge's curve in the direction of n.
 Mat3 curvature_over_edge(const SmoothPatch& patch, int i, double s, const Vec3& n, double d, double small);
 
 }  // namespace hawser

@@ -1,12 +1,12 @@
-// A spatial hash: cubes of one size, and in each the items whose boxes come into it; what is near a point is
-// found in the cubes about it, ring by ring outwards.
+// Spatial hash: cubes of one size, each with the items whose boxes overlap it. Items near a point are found
+// in the cubes around it, ring by ring outwards.
 //
-// A cube's coordinates are hashed to a place in a table (Teschner, Heidelberger, Müller, Pomeranets & Gross
-// 2003, "Optimized spatial hashing for collision detection of deformable objects"). Cubes that meet at one
-// place share it, which costs time and changes no answer, so that nothing is kept of the cubes themselves.
-// Cubes are about as large as the items, and larger where a few large items would be in too many: the memory
-// grows with the number of items whatever their sizes. Made for what is not farther than some cubes;
-// farther away BoxTree is quicker.
+// The coordinates of a cube are hashed to an entry of a table (Teschner, Heidelberger, Müller, Pomeranets &
+// Gross 2003, "Optimized spatial hashing for collision detection of deformable objects"). Cubes with the same
+// hash share an entry, which costs time but does not change results, so that cubes need not be stored. Cubes
+// are about as large as the items, and larger if a few large items would be in too many, so that memory is
+// proportional to the number of items. Efficient up to distances of some cubes; beyond that BoxTree is
+// faster.
 #pragma once
 
 #include <algorithm>
@@ -25,12 +25,12 @@ namespace hawser {
 class SpatialHash {
  public:
   SpatialHash() = default;
-  // Of the items with their flag set; no flags: of all.
+  // chosen: one flag per item, empty for all.
   explicit SpatialHash(std::span<const Box> boxes, const std::vector<bool>& chosen = {});
 
   bool empty() const { return items_.empty(); }
   double side() const { return side_; }                  // m, of a cube
-  std::size_t entries() const { return items_.size(); }  // items in cubes
+  std::size_t entries() const { return items_.size(); }  // entries of items in cubes
 
   // As BoxTree::nearest(); an item may be visited several times.
   template <class Visit>
@@ -70,7 +70,7 @@ class SpatialHash {
       c[a] = static_cast<int>(std::clamp((p[a] - origin_[a]) / side_, 0.0, static_cast<double>(last_[a])));
     return c;
   }
-  // A little larger than it is, for rounding.
+  // Box of a cube, slightly enlarged for rounding.
   Box box_of(const Cell& c) const {
     const Vec3 lo = origin_ + side_ * c.cast<double>();
     return Box{lo, lo + Vec3::Constant(side_)}.grown(kRounding * side_);
@@ -80,7 +80,8 @@ class SpatialHash {
     const std::uint64_t h = part(0, 73856093) ^ part(1, 19349663) ^ part(2, 83492791);
     return static_cast<std::size_t>(h ^ h >> 20) & (places_ - 1);
   }
-  // m, no cube of the ring, nor of one farther out, is nearer to p; infinite: there are none.
+  // Lower bound of the distance from p to the cubes of this ring and of those farther out, m; infinite if
+  // there are none.
   double distance_to(int ring, const Cell& at, const Vec3& p) const {
     if (ring == 0) return 0;
     double way = std::numeric_limits<double>::infinity();
@@ -91,7 +92,7 @@ class SpatialHash {
     }
     return way - kRounding * side_;
   }
-  // Calls visit(cell) for the cubes whose coordinates are `ring` off those of `at` at the most along an axis.
+  // Calls visit(cell) for the cubes whose largest coordinate difference from `at` is `ring`.
   template <class Visit>
   void each_of_ring(int ring, const Cell& at, Visit&& visit) const {
     const auto from = [&](int a) { return std::max(at[a] - ring, 0); };
@@ -110,9 +111,9 @@ class SpatialHash {
   static constexpr double kRounding = 1e-6, kMore = 1 + 1e-12;
   Vec3 origin_ = Vec3::Zero();
   double side_ = 1;
-  Cell last_ = Cell::Zero();         // of the cubes there are
+  Cell last_ = Cell::Zero();         // largest coordinates of a cube
   std::uint64_t places_ = 1;         // a power of two
-  ConstArray<std::uint32_t> first_;  // of each place, of items_
+  ConstArray<std::uint32_t> first_;  // first entry in items_ by place
   ConstArray<int> items_;
 };
 

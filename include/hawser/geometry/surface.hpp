@@ -1,11 +1,11 @@
-// What contact asks of a body's surface: the signed distance with its first two derivatives.
+// Interface of a body's surface for contact: signed distance with its first two derivatives.
 //
-// All in the body frame [m]; a surface never moves in it, so it is built once. Signed distance is
-// positive outside and negative inside, its gradient is the outward unit normal, and the shape behind
-// it is closed (or a half-space). query() is const and pure: any number of threads may call it.
+// All in the body frame [m], in which a surface does not move. The signed distance is positive outside and
+// negative inside, its gradient is the outward unit normal, and the shape is closed (or a half-space).
+// query() is const and pure: any number of threads may call it.
 //
-// Kinds: PlaneSurface and CylinderSurface here; other exact shapes in primitives.hpp; meshes in
-// mesh_surface.hpp, with an inside test of their own in tested_surface.hpp; beds in height_grid.hpp and
+// PlaneSurface and CylinderSurface are here, other exact shapes in primitives.hpp, meshes in
+// mesh_surface.hpp, meshes with other inside tests in tested_surface.hpp, seabeds in height_grid.hpp and
 // ground.hpp.
 #pragma once
 
@@ -24,11 +24,11 @@ namespace hawser {
 struct SurfacePoint {
   double distance = 0;              // m, signed: negative inside
   Vec3 normal = Vec3::UnitZ();      // unit gradient of the distance at the query point, outward
-  Mat3 curvature = Mat3::Zero();    // 1/m, Hessian of the distance at the query point. Of a mesh: 0 on a
+  Mat3 curvature = Mat3::Zero();    // 1/m, Hessian of the distance at the query point. For a mesh: 0 on a
                                     // face, (I - nn' - ee')/d along an edge e, (I - nn')/d at a vertex;
                                     // bounded: |d| is replaced by a small length when it is smaller
   Vec3 point = Vec3::Zero();        // m, nearest point of the surface
-  int triangle = -1;                // of a mesh, or the patch of a primitive; give it back as a hint
+  int triangle = -1;                // of a mesh, or patch of a primitive; usable as a hint
   Feature feature = Feature::face;  // of that triangle
 };
 
@@ -36,36 +36,37 @@ class Surface {
  public:
   virtual ~Surface() = default;
 
-  // The nearest surface point to y when the signed distance is <= max_distance [m]; nullopt when y is
-  // farther outside. A point inside is always reported, however deep. `hint` is the `triangle` of an
-  // earlier answer near y, or -1: it changes the time, never the answer.
+  // Nearest surface point to y if the signed distance is <= max_distance [m]; nullopt if y is farther
+  // outside. A point inside is always found, however deep. `hint`: `triangle` of an earlier result near y, or
+  // -1; it affects the time only.
   virtual std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const = 0;
 
-  // The same answer where it is asked for again and again near a place: `near` keeps what is known of the
-  // facets there, is renewed where it does not suffice, and changes nothing but the time.
+  // The same result for repeated queries near a place: `near` stores the facets there and is updated if it
+  // does not suffice; it affects the time only.
   virtual std::optional<SurfacePoint> query_again(const Vec3& y, double max_distance, int hint,
                                                   NearFacets& /*near*/) const {
     return query(y, max_distance, hint);
   }
 
-  // m: no point of the body is nearer to y than that, where query() says it is `distance` away or farther.
-  // Less than `distance` where query() may take a near place for the nearest, and where the body begins
-  // without a surface: at the holes of an open mesh, at an inactive part. `hint` as of query().
+  // Radius about y without any point of the body, m, for a signed distance of at least `distance` according
+  // to query(). Less than `distance` if query() may return a local instead of the global minimum, and where
+  // the body has no surface: at the holes of an open mesh, at an inactive part. `hint`: as for query().
   virtual double free_radius(const Vec3& /*y*/, double distance, int /*hint*/ = -1) const { return distance; }
 
-  // Contains the surface that can be met and all points inside it; may be infinite.
+  // Contains the active surface and all points inside it; may be infinite.
   virtual Box bounds() const = 0;
 
-  // Facet groups that can be touched together, see facet_groups.hpp; only meshes that are not convex have
-  // several. Of those within `reach` [m] of a polyline (one point or more): none where query() says all there
-  // is. What is one facet group and what are two depends on the place and on nothing else.
+  // Facet groups that can be touched together, see facet_groups.hpp, within `reach` [m] of a polyline (one
+  // point or more). Only meshes that are not convex have several; empty if query() suffices. The grouping
+  // depends only on the place.
   virtual void facet_groups(std::span<const Vec3>, double /*reach*/, FacetGroups& out) const {
     out.of.clear();
   }
-  // Whether no more than one is known to be there; quicker.
+  // Whether it is certain that there is at most one; faster.
   virtual bool one_facet_group(std::span<const Vec3>, double /*reach*/) const { return true; }
-  // query() of a facet group alone. What is behind it gets no answer unless it is inside and the facet group
-  // is the nearest of all; either_side: it does, with its distance from the facet group, negative there.
+  // query() of a single facet group. A point behind it has no result unless it is inside and the facet group
+  // is the nearest of all. either_side: such a point has a result, with its negative distance from the facet
+  // group.
   virtual std::optional<SurfacePoint> query_group(const FacetGroup&, const Vec3& y, double max_distance,
                                                   bool /*either_side*/ = false) const {
     return query(y, max_distance);

@@ -1,6 +1,6 @@
-// A mesh whose inside is what a test of its own says, instead of the pseudonormals of MeshSurface: the three
-// tests of OMAE2006-92155 (point_in_polyhedron.hpp) and the winding number. Distance and nearest point are
-// those of the mesh, which has flat facets.
+// Mesh surface whose inside is determined by a separate test instead of the pseudonormals of MeshSurface: the
+// three tests of OMAE2006-92155 (point_in_polyhedron.hpp) or the winding number. Distance and nearest point
+// are those of the mesh, which has flat facets.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@ namespace hawser {
 
 class TestedSurface final : public Surface {
  public:
-  // test: winding, or one of the three, which look at every triangle in each query in the box of the mesh and
-  // need it as they say there: not checked. partial: not all of the mesh is active. std::invalid_argument
-  // where facets are curved.
+  // test: winding, or one of the three tests, which visit every triangle in each query in the mesh's box and
+  // have requirements that are not checked. partial: part of the mesh is inactive. Throws
+  // std::invalid_argument for curved facets.
   TestedSurface(std::shared_ptr<const MeshSurface> mesh, SignTest test, bool partial = false);
 
   std::optional<SurfacePoint> query(const Vec3& y, double max_distance, int hint = -1) const override;

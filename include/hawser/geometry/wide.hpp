@@ -1,4 +1,4 @@
-// A wide floating type for the few places where double is not enough (triangles of almost no height).
+// Extended-precision floating type for triangles of nearly zero height, where double is not sufficient.
 #pragma once
 
 #include "hawser/math/types.hpp"
@@ -11,7 +11,7 @@ __extension__ typedef __float128 Wide;  // 113 bits on x86-64
 using Wide = long double;
 #endif
 
-// Enough of a vector for either precision.
+// Minimal vector for either precision.
 template <class T>
 struct Triple {
   T x, y, z;

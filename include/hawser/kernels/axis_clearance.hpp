@@ -1,4 +1,4 @@
-// How near the axis of an element comes to that of another, and to a surface. Pure.
+// Smallest distance of an element's axis from another axis and from a surface. Pure.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,12 @@ namespace hawser {
 
 struct AxisApproach {
   double distance = 0;     // m
-  double xi = 0, eta = 0;  // on the two axes
+  double xi = 0, eta = 0;  // positions on the two axes
 };
 
-// The nearest points of two axes, when these are nearer than `within` [m]; else nothing. Pieces whose bounds
-// exclude it are excluded until the rest is straight to `resolution` [m]; the best of them is the start of a
-// Newton iteration, so that the answer is right to rounding unless two places differ by less than the
-// resolution.
+// Nearest points of two axes if their distance is below `within` [m]; else nullopt. Pieces are excluded by
+// their bounds and halved until the rest are straight to `resolution` [m]. The best piece is the start of a
+// Newton iteration, so the result is exact to rounding unless two minima differ by less than the resolution.
 std::optional<AxisApproach> nearest_of(const BezierAxis& a, const BezierAxis& b, double within,
                                        double resolution);
 
@@ -24,11 +23,11 @@ struct AxisToSurface {
   double distance = 0;  // m, signed
   double xi = 0;
 };
-// Signed distance to a surface at a point, its gradient in `normal`; nothing when it is larger than `within`.
+// Signed distance to a surface at a point, with its gradient in `normal`; nullopt if it exceeds `within`.
 using DistanceField = FunctionRef<std::optional<double>(const Vec3& x, double within, Vec3& normal)>;
 
-// The point of an axis with the smallest signed distance to a surface, when that is smaller than `within`
-// [m]; else nothing. One minimum is looked for in each piece of 2^-levels of the axis.
+// Point of an axis with the smallest signed distance to a surface if that is below `within` [m]; else
+// nullopt. Searches for one minimum in each piece of 2^-levels of the axis.
 std::optional<AxisToSurface> nearest_to(DistanceField field, const BezierAxis& axis, double within,
                                         int levels);
 

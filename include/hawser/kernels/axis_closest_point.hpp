@@ -1,4 +1,4 @@
-// The point of an element's axis that is nearest to a given point.
+// Point of an element's axis that is nearest to a given point.
 #pragma once
 
 #include "hawser/kernels/axis_shape.hpp"
@@ -6,27 +6,27 @@
 namespace hawser {
 
 struct AxisProjection {
-  double eta = 0;               // of the nearest point y
-  bool inside = false;          // (x - y) . y' = 0 there; else it is an end of the element
+  double eta = 0;               // position of the nearest point y
+  bool inside = false;          // (x - y) . y' = 0 at y; else y is an end of the element
   Vec3 away = Vec3::Zero();     // m, x - y
-  Vec3 normal = Vec3::UnitZ();  // away, unit
+  Vec3 normal = Vec3::UnitZ();  // unit vector along `away`
   double distance = 0;          // m
 };
 
-// Of the whole element, its ends included. The nearest of five places is the start of a bracketed Newton
-// iteration: right for elements that turn by less than about a right angle, and for points nearer than the
-// element's radius of curvature.
+// Nearest point of the whole element including its ends. The nearest of five points is the start of a
+// bracketed Newton iteration. Correct for elements that turn by less than about a right angle, and for points
+// nearer than the element's radius of curvature.
 AxisProjection closest_point_on(const AxisShape& axis, const Vec3& x);
 
-// With the point eta given.
+// The same quantities for a given position eta.
 AxisProjection point_at(const AxisShape& axis, double eta, const Vec3& x);
 
-// A chain of elements has one distance field: sum over its elements of phi(distance to the element) less
-// phi(distance to the joint) for every joint. Beyond a joint both elements end there and the joint takes one
-// of the two away; where both elements have a nearest point inside (the hollow side of a kink) the joint is
-// the maximum between two minima and takes what is too much. The sum is phi of the nearest point and its
-// gradient is continuous everywhere. Each element takes its share without knowing its neighbours: itself, and
-// minus one half of each end that is a joint.
+// A chain of elements has one distance field: the sum over its elements of phi(distance to the element) minus
+// the sum over its joints of phi(distance to the joint). For a point beyond a joint, both elements have the
+// joint as their nearest point, and the joint term removes one of the two. Where both elements have a nearest
+// point inside (the concave side of a kink), the joint is the maximum between two minima and its term removes
+// the excess. The sum is phi of the nearest point, with a continuous gradient. Each element adds its share
+// without knowledge of its neighbours: itself, and minus one half of each end that is a joint.
 enum class ProjectOn { element, first_end, second_end };
 
 inline AxisProjection projection(const AxisShape& axis, ProjectOn part, const Vec3& x) {

@@ -1,8 +1,8 @@
-// The axis of an element as contact along it sees it, and how it is attached to the nodes.
+// Axis of an element for contact, and its attachment to the nodes.
 //
-// x(xi) = sum H_j(xi) X_j, xi in [0, 1]: a beam has Hermite's cubic through X = (x1, L t1, x2, L t2), t = Q c
-// the unit tangent that turns with the node (the shape of line_mass.hpp); a cable has the straight X = (x1,
-// x2).
+// x(xi) = sum H_j(xi) X_j, xi in [0, 1]. A beam has Hermite's cubic with X = (x1, L t1, x2, L t2), where t =
+// Q c is the unit tangent that turns with the node (the shape of line_mass.hpp). A cable is straight with X =
+// (x1, x2).
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace hawser {
 struct AxisEnds {
   bool beam = true;
   double length = 0;                          // m, unstretched
-  Vec3 tangent = Vec3::UnitX();               // c: of the line in the nodes' material axes
+  Vec3 tangent = Vec3::UnitX();               // c, direction of the line in the nodes' material axes
   Vec3 x1, x2;                                // m
   Vec3 v1 = Vec3::Zero(), v2 = Vec3::Zero();  // m/s
   Quat q1 = Quat::Identity(), q2 = Quat::Identity();
@@ -30,8 +30,8 @@ class AxisShape {
 
   explicit AxisShape(const AxisEnds& ends);
 
-  int count() const { return count_; }  // generalised positions: 4 for a beam, 2 for a cable
-  // Inline, like what is made of them: contact asks for them many times at each of its points.
+  int count() const { return count_; }  // number of generalised positions: 4 for a beam, 2 for a cable
+  // Inline, because contact evaluates them many times at each of its points.
   Weights functions(double xi) const {
     if (count_ == 2) return {1 - xi, xi, 0, 0};
     const double z2 = xi * xi, z3 = z2 * xi;
@@ -51,24 +51,24 @@ class AxisShape {
   Vec3 bend(double xi) const { return combine(second_derivatives(xi), X_); }  // d²x/dxi², m
   Vec3 velocity(double xi) const { return combine(functions(xi), V_); }
   Vec3 velocity_slope(double xi) const { return combine(derivatives(xi), V_); }  // dv/dxi, m/s
-  // The same axis to the last bit, whatever its velocities.
+  // Whether the axis is identical to the last bit, regardless of velocities.
   bool same_axis(const AxisShape& o) const { return count_ == o.count_ && X_ == o.X_; }
-  // And the same velocities and rotations of its ends.
+  // Whether also the velocities and rotations of the ends are identical.
   bool same_motion(const AxisShape& o) const {
     return same_axis(o) && V_ == o.V_ && q_[0].coeffs() == o.q_[0].coeffs() &&
            q_[1].coeffs() == o.q_[1].coeffs();
   }
-  // A bound of |dx/dxi| over the element, m.
+  // Upper bound of |dx/dxi| over the element, m.
   double slope_bound() const { return slope_bound_; }
-  // The largest |d²x/dxi²|, m: it is linear in xi.
+  // Largest |d²x/dxi²|, m; it is linear in xi.
   double bend_bound() const { return count_ == 2 ? 0 : std::max(bend(0).norm(), bend(1).norm()); }
 
   BezierAxis bezier() const;
 
-  // Adds the X_j to a stencil, attached to the nodes: to its next blocks (x1, theta1, x2, theta2) of a beam,
-  // (x1, x2) of a cable. first_turn: number there of the rotation of a beam's first node, of two.
+  // Adds the X_j to a stencil, attached to its next blocks: (x1, theta1, x2, theta2) of a beam, (x1, x2) of a
+  // cable. first_turn: index in the stencil of the rotation of a beam's first node, of two.
   void attach(Stencil& to, size_t first_turn = 0) const;
-  // Of a beam's node, to space axes.
+  // Rotation of a beam's node to space axes.
   const Mat3& axes(size_t end) const { return R_[end]; }
   const Quat& turn(size_t end) const { return q_[end]; }
 

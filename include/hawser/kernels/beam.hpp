@@ -18,7 +18,8 @@
 
 namespace hawser {
 
-// Constants of one element. Stiffness-proportional damping: every stress is E (strain + beta strain rate).
+// Constants of one element. Damping is proportional to stiffness: every stress is E (strain + beta strain
+// rate).
 struct BeamSection {
   double length = 0;        // m, unstretched
   double EA = 0;            // N
@@ -26,30 +27,30 @@ struct BeamSection {
   double GJ = 0;            // N m²
   double GA = 0;            // N; 0: rigid in shear
   double beta = 0;          // s
-  // Tension over strain, times EA over its slope at zero; null: linear. Damping stays that of EA.
+  // Tension by strain, scaled so that its slope at zero is EA; null: linear. Damping uses EA.
   const ResponseCurve* tension = nullptr;
-  // Bending moment over curvature, in the direction of the curvature, and on top of it what EI2 = EI3 is
-  // above its slope at zero, linear; null: linear. GA is ignored then, and damping stays that of EI.
+  // Bending moment by curvature, in the direction of the curvature. If EI2 = EI3 exceeds its slope at zero,
+  // the difference is added linearly. null: linear. With a curve GA is ignored, and damping uses EI.
   const ResponseCurve* moment = nullptr;
-  // Bending that yields and remembers, instead; null: elastic. The same of EI2, EI3, GA and damping.
+  // Plastic bending with history, in place of `moment`; null: elastic. EI2, EI3, GA and damping as there.
   const PlasticBending* plastic = nullptr;
-  // Of an element whose length follows the force that a feeder feels of it (beam_feed): the derivative of the
-  // length by that force, m/N.
+  // Derivative of the length by the force on the feeder (beam_feed), m/N, for an element whose length follows
+  // that force.
   double length_by_force = 0;
 
   bool bends_by_law() const { return moment || plastic; }
 };
 
-// Places along an element at which it remembers how it was bent.
+// Points along an element with a history of plastic bending.
 inline constexpr int kBendingPlaces = 3;
 
 struct BeamReference {
-  // Element axes in the material axes of its nodes (columns; first along the line) and the stress-free
-  // relative rotation and chord strain: zero for a straight element that has not expanded.
-  const Mat3* axes = nullptr;  // not owned; null: they are the same
+  // Element axes in the material axes of its nodes (columns; first along the line), stress-free relative
+  // rotation and chord strain: zero for a straight element without expansion.
+  const Mat3* axes = nullptr;  // not owned; null: equal to the node axes
   Vec3 psi = Vec3::Zero();     // rad, in element axes
   double strain = 0;
-  // Of plastic bending: PlasticBending::memory() numbers for each of kBendingPlaces; null: never bent.
+  // Plastic history: PlasticBending::memory() numbers for each of kBendingPlaces; null: never bent.
   const double* set = nullptr;
 };
 
@@ -60,49 +61,50 @@ struct BeamEnds {
   Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();  // rad/s, material
 };
 
-// What an engineer reads off the element: tension and, at both ends, torsion and bending in element axes.
+// Section forces for output: tension, and torsion and bending at both ends in element axes.
 struct BeamStress {
-  double tension = 0;           // N, mean over the element
-  double shear = 0;             // N, size of the shear force in its middle: the change of the moment
-  double strain_energy = 0;     // J
-  double dissipation = 0;       // W
-  Vec3 moment1, moment2;        // N m, (torsion, about 2, about 3)
-  Vec3 curvature1, curvature2;  // 1/m, (twist, about 2, about 3), from the stress-free shape
-  // 1/m, that stays where a section is unloaded elastically; of plastic bending, nearest to the ends.
+  double tension = 0;        // N, mean over the element
+  double shear = 0;          // N, magnitude of the shear force in the middle, from the change of the moment
+  double strain_energy = 0;  // J
+  double dissipation = 0;    // W
+  Vec3 moment1, moment2;     // N m, (torsion, about 2, about 3)
+  Vec3 curvature1, curvature2;  // 1/m, relative to the stress-free shape: twist, about 2, about 3
+  // 1/m, curvature that remains after elastic unloading, for plastic bending, at the points nearest to the
+  // ends.
   double residual1 = 0, residual2 = 0;
 };
 
 // Internal force f on (x1, theta1, x2, theta2): forces in space axes, moments in material axes.
 void beam_force(const BeamSection& s, const BeamReference& r, const BeamEnds& e, Vec12& f);
 
-// Force and tangents by position and material rotation increments (K) and by velocity and
-// material angular velocity (C; left untouched unless beta > 0). `convex` drops compression from the
-// geometric stiffness, for statics far from the solution.
+// Force and tangents by position and material rotation increments (K) and by velocity and material angular
+// velocity (C; unchanged unless beta > 0). `convex` excludes compression from the geometric stiffness, for
+// statics far from the solution.
 void beam_tangent(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool convex, Vec12& f,
                   Mat12& K, Mat12* C);
 
 BeamStress beam_stress(const BeamSection& s, const BeamReference& r, const BeamEnds& e);
 
-// The force with which an element pulls material out of a feeder at one of its ends: minus the derivative of
-// the strain energy by the unstretched length, the configurational force (Eshelby 1951). That is the tension
-// and M²/2EI of what is bent; of what bends plastically the tension alone. Of elements without damping, whose
-// bending is linear or plastic.
+// Force with which an element pulls material out of a feeder at one of its ends: minus the derivative of the
+// strain energy by the unstretched length, the configurational force (Eshelby 1951). It is the tension plus
+// M²/2EI of elastic bending; plastic bending contributes nothing. For elements without damping and with
+// linear or plastic bending.
 struct BeamFeed {
   double force = 0;     // N
-  double slope = 0;     // N/m, its derivative by the unstretched length: never positive
-  double by_chord = 0;  // N/m, by the distance of the ends
+  double slope = 0;     // N/m, derivative by the unstretched length: never positive
+  double by_chord = 0;  // N/m, derivative by the distance of the ends
 };
 BeamFeed beam_feed(const BeamSection& s, const BeamReference& r, const BeamEnds& e);
 
-// What bending adds to the strain of the chord, |x2 - x1|/L - 1, of any L.
+// Contribution of bending to the strain of the chord, |x2 - x1|/L - 1, for any L.
 double beam_bow(const BeamReference& r, const BeamEnds& e);
 
-// Of plastic bending: makes `set`, laid out as BeamReference::set, what the element remembers when it has
-// come to where `e` has it. What was dissipated on the way, J.
+// Updates the plastic history `set`, with the layout of BeamReference::set, to the configuration `e`. Returns
+// the energy dissipated, J.
 double beam_bend(const BeamSection& s, const BeamReference& r, const BeamEnds& e, double* set);
 
-// The stress-free reference of an element whose ends are placed as in `e`, with node 1's material axes; for
-// lines that are curved when free of stress.
+// Stress-free reference of an element with the ends placed as in `e`, in node 1's material axes, for lines
+// that are curved when stress-free.
 BeamReference beam_reference(const BeamSection& s, const BeamEnds& e);
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
-// Force of a steady flow (wind, current) on a body by coefficients of its direction, in the form of OCIMF's
-// tables. See docs/theory/wind-and-current.md.
+// Force of a steady flow (wind, current) on a body from coefficients by flow direction, in the form of
+// OCIMF's tables. See docs/theory/wind-and-current.md.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace hawser {
 
-// Coefficients C_x, C_y, C_n by the direction that the flow goes to, from the body's x axis, anticlockwise:
-// straight lines between the rows, all round.
+// Coefficients C_x, C_y, C_n by the direction towards which the flow goes, from the body's x axis,
+// anticlockwise; linear and periodic interpolation.
 class FlowCoefficients {
  public:
   struct Row {
@@ -17,11 +17,11 @@ class FlowCoefficients {
     Vec3 C = Vec3::Zero();
   };
   FlowCoefficients() = default;
-  // Rows of any order; std::invalid_argument where two have the same direction.
+  // Rows in any order; throws std::invalid_argument if two have the same direction.
   explicit FlowCoefficients(std::vector<Row> rows);
 
   bool none() const { return direction_.empty(); }
-  // by_direction: 1/rad, between the rows on either side; at a row that of the side to the left.
+  // by_direction: 1/rad, slope between the neighbouring rows; at a row the slope on its left.
   void at(double direction, Vec3& C, Vec3& by_direction) const;
 
  private:
@@ -29,35 +29,35 @@ class FlowCoefficients {
   std::vector<Vec3> values_;
 };
 
-// On the body at a point of it, with c the velocity of the flow relative to that point in body axes and a the
-// direction of (c_x, c_y):
+// Force on the body at a reference point, with c the flow velocity relative to that point in body axes and a
+// the direction of (c_x, c_y):
 //   F = rho/2 (c_x² + c_y²) (C_x(a) A_T, C_y(a) A_L, 0),   M = rho/2 (c_x² + c_y²) C_n(a) A_L L  about z
 struct BodyFlow {
   FlowCoefficients coefficients;
   double density = 0;               // kg/m³, of the medium
   double frontal = 0, lateral = 0;  // m², A_T and A_L
   double length = 0;                // m, L
-  Vec3 arm = Vec3::Zero();          // m, of the point from the centre of mass, body axes
+  Vec3 arm = Vec3::Zero();          // m, from the centre of mass to the point, body axes
 };
 
-// Of the medium at the point, space axes, and its derivative by height.
+// Velocity of the flow at the point, space axes, and its derivative by height.
 struct FlowVelocity {
   Vec3 velocity = Vec3::Zero();   // m/s
   Vec3 by_height = Vec3::Zero();  // 1/s
 };
 
-// F_x, F_y [N] and M [N m] and their derivatives by c_x and c_y.
+// F_x, F_y [N] and M [N m], and their derivatives by c_x and c_y.
 struct FlowForce {
   Vec3 force = Vec3::Zero();
   Eigen::Matrix<double, 3, 2> slope = Eigen::Matrix<double, 3, 2>::Zero();
 };
 FlowForce flow_force(const BodyFlow& b, double cx, double cy);
 
-// c, m/s.
+// Flow velocity c relative to the point, body axes, m/s.
 Vec3 relative_flow(const BodyFlow& b, const RigidBodyState& s, const Vec3& velocity);
 
-// The residual, minus force and moment on the unknowns of the body, and its derivatives by increments of
-// place and material rotation (K) and by v and w (C).
+// Residual on the body's unknowns (minus force and moment), and its derivatives by increments of position and
+// material rotation (K) and by v and w (C).
 struct BodyFlowResidual {
   Vec6 f = Vec6::Zero();
   Mat6 K = Mat6::Zero(), C = Mat6::Zero();

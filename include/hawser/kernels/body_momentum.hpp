@@ -1,9 +1,9 @@
-// The inertia of a rigid body as the change of its momenta over a step, which a body on which nothing acts
-// then keeps at any step. See docs/theory/body-contact.md#momentum.
+// Inertia of a rigid body as the change of its momenta over a step, so that a free body conserves them for
+// any step length. See docs/theory/body-contact.md#momentum.
 //
-// Axes of space, U = R^T v and N = (A, B; B^T, D) about the centre of mass:
+// In space axes, with U = R^T v and N = (A, B; B^T, D) about the centre of mass:
 //   P = R (A U + B w),   L = R (B^T U + D w)
-// Of a body with a mass only A = B = 0: m v is linear in the unknowns and P has nothing to add.
+// For a body with only a mass A = B = 0: m v is linear in the unknowns and not part of P.
 #pragma once
 
 #include "hawser/kernels/rigid_body.hpp"
@@ -13,21 +13,21 @@ namespace hawser {
 
 // N: kg, kg m, kg m².
 Mat6 momentum_matrix(const RigidBodyData& body);
-// The body without what N has.
+// The body without the inertia in N.
 RigidBodyData without_momentum(const RigidBodyData& body);
 
-// A force and the moment about the centre of mass, or P and L: axes of space.
+// Force and moment about the centre of mass, or P and L; space axes.
 using Wrench = Vec6;
 Wrench body_momentum(const Mat6& N, const RigidBodyState& s);
-// The rates of P and L at the accelerations of s.
+// Rates of P and L for the accelerations of s.
 Wrench momentum_rate(const RigidBodyData& body, const RigidBodyState& s);
 
-// What the scheme carries from step to step (MeanWeights): moments about the centre of mass at its time.
+// State of the scheme between steps (MeanWeights); moments about the centre of mass at the time of the state.
 struct MomentumForces {
   Wrench q = Wrench::Zero(), f = Wrench::Zero();
 };
-// Adds the inertia at the end of a step of h [s] from `start`, and its derivatives, to `to`: f in axes of
-// space, the moment in those of the body.
+// Adds the inertia at the end of a step of h [s] from `start`, and its derivatives: force in space axes,
+// moment in body axes.
 void add_momentum(const Mat6& N, const MeanWeights& scheme, double h, const RigidBodyState& start,
                   const MomentumForces& from, const RigidBodyState& s, RigidBodyResidual& to);
 // Advances q and f over an accepted step.

@@ -1,4 +1,4 @@
-// Soil round a buried piece of line: elastic-plastic springs along it and across it, either way.
+// Soil around a buried piece of line: elastic-plastic springs along and across it.
 #pragma once
 
 #include "hawser/math/types.hpp"
@@ -7,19 +7,19 @@ namespace hawser {
 
 struct BuriedSoil {
   double axial = 0, normal = 0;                // N, resistances
-  double axial_length = 0, normal_length = 0;  // m, slip at which they are reached
+  double axial_length = 0, normal_length = 0;  // m, slip at which the resistances are reached
 };
 
 struct BuriedForce {
   Vec3 force = Vec3::Zero();  // N, on the line
-  Vec3 slip = Vec3::Zero();   // m, elastic slip that is left
+  Vec3 slip = Vec3::Zero();   // m, remaining elastic slip
   double stored = 0;          // J, in the springs
-  double potential = 0;       // J, with what yields on the way from no slip: convex, its gradient is -force
+  double potential = 0;       // J, including plastic work from zero slip: convex, with the gradient -force
   Mat3 stiffness = Mat3::Zero();  // N/m, -d force / d slip; symmetric, never negative
 };
 
-// slip [m]: of the trial; tangent: unit. Along and across are apart: f_a = -k_a s_a, cut at the resistance,
-// and f_n = -k_n s_n in the plane across, cut along its radius.
+// Force at the slip [m] of the trial; tangent: unit. Axial and transverse directions are independent: f_a =
+// -k_a s_a, limited to the resistance, and f_n = -k_n s_n in the transverse plane, limited in magnitude.
 inline BuriedForce buried_force(const BuriedSoil& soil, const Vec3& slip, const Vec3& tangent) {
   BuriedForce r;
   const Mat3 along = tangent * tangent.transpose(), across = Mat3::Identity() - along;

@@ -17,7 +17,7 @@ struct CableSection {
   double free_strain = 0;  // strain without tension (thermal expansion)
   // Derivative of `length` by the length of the chord. It is not 0 at a winch that keeps a tension.
   double length_by_chord = 0;
-  double length_rate = 0;  // m/s, rate of `length`; line that is paid out does not stretch the material
+  double length_rate = 0;  // m/s, rate of `length`; paid-out line does not strain the material
 
   // Tension [N] at a strain, its slope, and the strain energy per length [N].
   ResponseCurve::Value axial(double strain) const {
@@ -65,9 +65,9 @@ struct CableStress {
   double dissipation = 0;    // W
 };
 
-// T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The magnitude of the damper's part is at most
-// the spring's. `force` is T t as in CableTension. `slack`: share of its axial stiffness that a slack element
-// has in k.
+// T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The damper's part is limited in magnitude to
+// the spring's. `force` is T t as in CableTension. `slack`: fraction of its axial stiffness that a slack
+// element has in k.
 Vec3 cable_tension(const CableSection& s, const CableEnds& e);
 void cable_tension(const CableSection& s, const CableEnds& e, double slack, CableTension& out);
 

@@ -1,9 +1,10 @@
-// What sections of a line remember, along an element whose ends move over its material: at the feed point of
-// a feeder.
+// Plastic history of a line's sections along an element whose ends move over its material, at the feed point
+// of a feeder.
 //
-// Every Gauss point of an element stands for a cell of its length, as long as its weight says, with n numbers
-// that are the same in all of the cell. Where elements are divided, joined or moved, a new cell has the mean
-// of what it covers: sums over the length stay, and nothing is beyond what was there. See
+// Each Gauss point of an element represents a cell with a length according to its weight and n numbers that
+// are constant in the cell. Where elements are divided, joined or moved, a new cell takes the mean of the
+// cells it covers: integrals over the length are preserved, and no value exceeds the range of the old ones.
+// See docs/theory/feeders.md#pipes-that-yield.
 // docs/theory/feeders.md#pipes-that-yield.
 #pragma once
 
@@ -16,20 +17,20 @@
 namespace hawser {
 
 struct RememberedCell {
-  double from = 0, to = 0;         // m, labels of the material
+  double from = 0, to = 0;         // m, material labels
   const double* values = nullptr;  // n numbers
 };
-// Of an element with the labels [from, to], the first cell at `from`; values: kBendingPlaces blocks of n.
+// Cells of an element with the labels [from, to], the first one at `from`; values: kBendingPlaces blocks of
+// n.
 std::array<RememberedCell, kBendingPlaces> remembered_cells(double from, double to, const double* values,
                                                             std::size_t n);
-// What the element with the labels [from, to] remembers, all of which `cells` cover once: out[kBendingPlaces
-// * n].
+// History out[kBendingPlaces * n] of an element with the labels [from, to], which `cells` cover exactly once.
 void remember_cells(std::span<const RememberedCell> cells, std::size_t n, double from, double to,
                     double* out);
 
-// Of an element at the feed point of a feeder, whose bends are remembered: what its bending takes for a metre
-// by which it grows at fixed ends, J/m, stored and lost. entering: what the material remembers that enters,
-// PlasticBending::memory() numbers; null: material leaves. at_b: the feeder is at the second end.
+// Bending energy stored and dissipated by an element at a feed point per metre of growth at fixed ends, J/m.
+// entering: history of the entering material, PlasticBending::memory() numbers; null: material leaves. at_b:
+// the feeder is at the second end.
 double fed_bending_work(const BeamSection& s, const BeamReference& r, const BeamEnds& e, bool at_b,
                         const double* entering);
 

@@ -1,6 +1,6 @@
-// Elastic catenary of several sections from an anchor on a plane seabed to an end above it, part of it lying
-// on the bed with Coulomb friction. Closed form, see docs/theory/catenary.md. After Jonkman (2007), Dynamics
-// Modeling and Loads Analysis of an Offshore Floating Wind Turbine, 2.5, for one section.
+// Elastic catenary of several sections from an anchor on a plane seabed to an end above it, partly lying on
+// the bed with Coulomb friction. Closed form, see docs/theory/catenary.md. For one section: Jonkman (2007),
+// Dynamics Modeling and Loads Analysis of an Offshore Floating Wind Turbine, 2.5.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ class CatenaryOnBed {
                                                       const std::vector<CatenarySection>&, double, double);
   struct Piece {
     double start, end;    // m, arc length
-    double x_end, T_end;  // m from A, N, at its end
+    double x_end, T_end;  // m from A, and N, at the end of the piece
     double drag, EA;      // N/m, friction; N
     double free_strain;
     double tension(double s) const;
@@ -33,13 +33,13 @@ class CatenaryOnBed {
   Vec3 anchor_ = Vec3::Zero(), way_ = Vec3::UnitX();
   double grounded_ = 0;
   std::vector<Piece> pieces_;
-  std::optional<CatenaryShape> hanging_;  // from the touchdown point on
+  std::optional<CatenaryShape> hanging_;  // from the touchdown point
 };
 
-// `slope`: tangent of the angle by which the bed rises from the anchor towards end B. `friction`: what the
-// line loses of tension along the bed towards the anchor over the weight of what lies, mu cos + sin of the
-// slope. Nothing when there is no such shape: a load that is not vertical, an end that is not above the
-// anchor, a line so long that it hangs straight down, a section that floats off the bed.
+// `slope`: tangent of the bed's inclination, rising from the anchor towards end B. `friction`: loss of
+// tension along the bed towards the anchor per weight on the bed, mu cos + sin of the inclination. Returns
+// nullopt if no such shape exists: a load that is not vertical, an end that is not above the anchor, a line
+// so long that it hangs straight down, a section that floats.
 std::optional<CatenaryOnBed> catenary_on_bed(const Vec3& anchor, const Vec3& end_b,
                                              const std::vector<CatenarySection>& sections, double friction,
                                              double slope = 0);

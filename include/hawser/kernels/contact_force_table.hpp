@@ -1,4 +1,4 @@
-// The normal force of contact, given as a table over the penetration.
+// Normal force of contact as a table by penetration.
 #pragma once
 
 #include <span>
@@ -8,25 +8,24 @@
 
 namespace hawser {
 
-// A monotone cubic through the rows. Starts at zero penetration with no force and no slope, so that nothing
-// jumps when a surface is met; beyond the last row it goes on straight with the slope there.
+// Monotone cubic through the rows. Force and slope are zero at zero penetration, so that the force is smooth
+// at first contact; beyond the last row it is linear.
 class ContactForceTable {
  public:
   using Row = MonotoneCubic::Row;  // penetration [m], force [N, or by basis]
 
-  // Penetrations positive and increasing, forces not negative and not falling, the last one positive;
-  // std::invalid_argument with the number of the row (from 1) otherwise. A row at zero penetration with no
-  // force may lead.
+  // Penetrations positive and increasing, forces not negative and not decreasing, the last one positive; a
+  // first row (0, 0) is allowed. Throws std::invalid_argument with the number of the row (from 1).
   explicit ContactForceTable(std::span<const Row> rows);
 
   struct Value {
-    double force = 0, slope = 0, bend = 0;  // and first two derivatives by the penetration
-    double potential = 0;                   // its integral
+    double force = 0, slope = 0, bend = 0;  // force, and its first two derivatives by the penetration
+    double potential = 0;                   // integral of the force
   };
   Value at(double penetration) const;  // zero below 0
 
   double largest_slope() const { return curve_.largest_slope(); }
-  const std::vector<Row>& rows() const { return curve_.rows(); }  // from (0, 0) on
+  const std::vector<Row>& rows() const { return curve_.rows(); }  // including (0, 0)
 
  private:
   MonotoneCubic curve_;

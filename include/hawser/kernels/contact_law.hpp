@@ -1,5 +1,5 @@
-// Normal contact law, scalar: force and potential of a gap, once continuously differentiable, with damping
-// that fades in with the stiffness and never pulls.
+// Scalar normal contact law: force and potential of a gap, once continuously differentiable, with damping
+// that increases with the stiffness and never pulls.
 #pragma once
 
 #include <algorithm>
@@ -9,28 +9,29 @@
 
 namespace hawser {
 
-// Elastic force of the gap g (negative: penetration): F = k s + c s³ with the smoothed depth s: 0 for g >= d,
-// (d - g)²/(4 d) on (-d, d), -g below, d the smoothing. d = c = 0: a linear spring; with damping,
+// Elastic force at the gap g (negative: penetration): F = k s + c s³ with the smoothed depth s: 0 for g >= d,
+// (d - g)²/(4 d) on (-d, d), -g below; d is the smoothing. d = c = 0: a linear spring, with damping
 // Kelvin-Voigt without tension.
 struct NormalLaw {
-  double stiffness = 0;                      // N/m, k; of a table the largest slope
+  double stiffness = 0;                      // N/m, k; with a table its largest slope
   double smoothing = 0;                      // m, d, half width of the ramp; 0 with a table
   double damping = 0;                        // N s/m, c at full stiffness
-  const ContactForceTable* table = nullptr;  // instead of ramp and straight line; not owned
-  double table_factor = 1;                   // of its forces
+  const ContactForceTable* table = nullptr;  // replaces ramp and straight line; not owned
+  double table_factor = 1;                   // factor on the table's forces
   double cubic = 0;                          // N/m³, c; 0 with a table
   bool operator==(const NormalLaw&) const = default;
 };
 
 struct NormalForce {
-  double force = 0;      // N, elastic and damping together, >= 0
+  double force = 0;      // N, elastic plus damping, >= 0
   double elastic = 0;    // N
-  double potential = 0;  // J, of the elastic part
-  double by_gap = 0;     // N/m, derivative of force
+  double potential = 0;  // J, of the elastic force
+  double by_gap = 0;     // N/m, derivative of `force`
   double by_rate = 0;    // N s/m
 };
 
-// Gap g [m], its rate [m/s]. The damping force is -c e rate, where e = -ds/dg, of a table its slope / k.
+// Force at the gap g [m] and its rate [m/s]. The damping force is -c e rate with e = -ds/dg, for a table its
+// slope / k.
 inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
   const double k = law.stiffness, d = law.smoothing;
   NormalForce r;
@@ -72,9 +73,9 @@ inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
   return r;
 }
 
-// Largest tangent stiffness [N/m] that a contact at the depth p [m], into which an impact of the mass m [kg]
-// at the speed u [m/s], reaches: k + 3 c max(p, q)², where q is the depth at which the spring has taken up
-// the kinetic energy, k q²/2 + c q⁴/4 = m u²/2.
+// Largest tangent stiffness [N/m] reached by an impact of the mass m [kg] at the speed u [m/s] on a contact
+// of depth p [m]: k + 3 c max(p, q)², where the spring has absorbed the kinetic energy at the depth q, k q²/2
+// + c q⁴/4 = m u²/2.
 inline double stiffness_of_impact(const NormalLaw& law, double p, double m, double u) {
   const double k = law.stiffness, c = law.cubic;
   if (!(c > 0)) return k;
@@ -83,7 +84,7 @@ inline double stiffness_of_impact(const NormalLaw& law, double p, double m, doub
   return k + 3 * c * std::max(p > 0 ? p * p : 0.0, by_speed);
 }
 
-// c = 2 zeta sqrt(k m): a contact spring of stiffness k [N/m] under the mass m [kg].
+// Damping c = 2 zeta sqrt(k m) of a contact spring of stiffness k [N/m] with the mass m [kg].
 inline double contact_damping(double zeta, double stiffness, double mass) {
   return 2 * zeta * std::sqrt(stiffness * mass);
 }

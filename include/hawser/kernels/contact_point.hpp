@@ -1,18 +1,18 @@
-// What an accepted state leaves at a point of contact, of whatever with whatever: what is committed,
-// accounted for, shown and saved.
+// Contact point of an accepted state, for any kind of contact: history, energy balance, output and
+// checkpoints.
 #pragma once
 
 #include "hawser/math/types.hpp"
 
 namespace hawser {
 
-// Forces on the one that is said to touch, per unit of `weight`: N/m where that is a length of line, N where
-// it is 1. Axes of what is touched: of space, or of a body.
+// Forces on the touching object, per unit of `weight`: N/m if the weight is a length of line, N if it is 1.
+// In the axes of the touched object: of space or of a body.
 struct ContactPoint {
-  double weight = 1, gap = 0;                          // -, m: of the integral over all points; m
-  Vec3 normal = Vec3::UnitZ();                         // out of what is touched
-  Vec3 force = Vec3::Zero(), friction = Vec3::Zero();  // all of it; of which friction
-  double normal_force = 0, damping_force = 0;          // of which damping
+  double weight = 1, gap = 0;                          // quadrature weight, - or m; gap, m
+  Vec3 normal = Vec3::UnitZ();                         // outward from the touched object
+  Vec3 force = Vec3::Zero(), friction = Vec3::Zero();  // total force; friction part
+  double normal_force = 0, damping_force = 0;          // normal force; damping part
   double potential = 0;                                // J or J/m, of the spring
 
   double elastic_force() const { return normal_force - damping_force; }

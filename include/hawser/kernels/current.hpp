@@ -1,4 +1,4 @@
-// Current by depth: straight lines between rows of a table, or a power law. A factor of it by time.
+// Current velocity by depth, from a table with linear interpolation or a power law, and a time factor.
 #pragma once
 
 #include <utility>
@@ -15,13 +15,13 @@ class CurrentProfile {
     Vec3 velocity = Vec3::Zero();  // m/s
   };
   CurrentProfile() = default;
-  // Rows with growing depth; constant above the first and below the last.
+  // Rows with increasing depth; constant above the first and below the last.
   explicit CurrentProfile(std::vector<Row> rows);
-  // velocity (1 - depth/water_depth)^exponent; above the surface as at it.
+  // velocity (1 - depth/water_depth)^exponent; above the surface its value at the surface.
   CurrentProfile(const Vec3& velocity, double exponent, double water_depth);
 
   bool none() const { return rows_.empty(); }
-  // At a depth [m]; d velocity/d depth [1/s].
+  // Velocity at a depth [m], and d velocity/d depth [1/s].
   void at(double depth, Vec3& velocity, Vec3& by_depth) const;
 
  private:
@@ -29,13 +29,12 @@ class CurrentProfile {
   double exponent_ = 0, water_depth_ = 0;
 };
 
-// A number by time: straight lines between rows, constant before the first and after the last; 1 without
-// rows.
+// Factor by time: linear between rows, constant before the first and after the last; 1 without rows.
 class TimeFactor {
  public:
   using Row = std::pair<double, double>;  // s, factor
   TimeFactor() = default;
-  // Rows with growing time; std::invalid_argument otherwise.
+  // Rows with increasing time; throws std::invalid_argument.
   explicit TimeFactor(std::vector<Row> rows);
 
   double at(double time) const;

@@ -1,4 +1,4 @@
-// How much line a winch that keeps to a tension lets out in a step.
+// Length of line that a constant-tension winch pays out in a step.
 #pragma once
 
 #include "hawser/kernels/cable.hpp"
@@ -6,34 +6,34 @@
 
 namespace hawser {
 
-// The speed is per_tension (T - tension), limited to max_speed either way. A feeder that rests does so while
-// the tension is from `least` to `most`; as it begins to move, the tension stays at that edge of its band
-// until the speed is that of the law.
+// The speed is per_tension (T - tension), limited to max_speed in both directions. A resting feeder rests
+// while the tension is between `least` and `most`. When it starts to move, the tension stays at that limit of
+// the band until the speed is that of the law.
 struct FeedLaw {
   double tension = 0;      // N
-  double per_tension = 0;  // m/s per N; 0: exactly that tension
+  double per_tension = 0;  // m/s per N; 0: holds exactly that tension
   double max_speed = 0;    // m/s; 0: no limit
   bool resting = false;
-  double least = 0, most = 0;  // N, of one that rests
+  double least = 0, most = 0;  // N, band of a resting feeder
 };
 
-// Tension [N] at a feeder by the unstretched length of the element there, and its derivative [N/m], which is
-// not positive.
+// Tension [N] at a feeder as a function of the unstretched length of the element there, and its derivative
+// [N/m], which is not positive.
 struct FedPull {
   double force = 0, slope = 0;
 };
 
 struct FedElement {
   double length = 0;           // m, unstretched, at the end of the step
-  double length_by_force = 0;  // m/N, derivative by a force on top of `pull`
+  double length_by_force = 0;  // m/N, derivative by a force in addition to `pull`
 };
 
 // Solves L = from + h v(pull(L)) for the unstretched length L > 0 of the element at the winch, with the
 // tension at the end of the step.
 FedElement feed_step(FunctionRef<FedPull(double)> pull, const FeedLaw& law, double from, double h);
 
-// Of a cable at the end of a step of h [s] that began with the strain `from`, beyond the free one: its
-// elastic tension and its damper's, as limited there as in cable_tension. h = 0: without the damper.
+// Tension of a cable at the end of a step of h [s] that began with the strain `from` above the free strain:
+// elastic and damping tension, limited as in cable_tension. h = 0: without damping.
 struct CableFeed : FedPull {
   double by_chord = 0;  // N/m, derivative by the chord
 };

@@ -1,9 +1,9 @@
-// Rest shape of a perfectly flexible line of any make-up on a bed and through the water's surface, to start
-// statics from: touchdown in the middle, waves in the line, buoys, floating ends.
+// Rest shape of a perfectly flexible line of any composition on a bed and through the water surface, as the
+// start of statics: touchdown in the middle, wave configurations, buoys, floating ends.
 //
-// Tension-only elements under dead loads, a bed that only presses and buoyancy that only fades upwards make a
-// potential energy that is convex in the nodes' places. So there is one least energy, and Newton with a line
-// search comes to it from any start: no false equilibria, no loops that are caught.
+// Tension-only elements under dead loads, a bed that only pushes and buoyancy that decreases only upwards
+// have a potential energy that is convex in the node positions. The minimum is therefore unique, and Newton's
+// method with a line search reaches it from any start, without false equilibria or trapped loops.
 #pragma once
 
 #include <vector>
@@ -16,13 +16,13 @@ struct FlexibleLine {
   struct Piece {               // between two nodes
     double length = 0;         // m, unstretched
     double EA = 0;             // N
-    Vec3 load = Vec3::Zero();  // N/m, weight and what else is dead
-    double buoyancy = 0;       // N/m, when it is under water
+    Vec3 load = Vec3::Zero();  // N/m, weight and other dead loads
+    double buoyancy = 0;       // N/m, when under water
     double radius = 0;         // m
   };
   struct Point {               // at a node
     Vec3 load = Vec3::Zero();  // N
-    double buoyancy = 0;       // N, when it is under water
+    double buoyancy = 0;       // N, when under water
   };
   std::vector<Piece> pieces;
   std::vector<Point> points;  // one more than pieces
@@ -34,12 +34,12 @@ struct FlexibleLine {
   double surface = 0;  // m
 };
 
-// Places of the nodes, m; `start` has one a node, and held ends stay where it has them. The line may be more
-// elastic and the bed softer than asked for, where that moves it by less than a start shape matters.
+// Node positions, m; `start` has one per node, and held ends remain there. The line may be more elastic and
+// the bed softer than given, where the effect on the shape is irrelevant for a start shape.
 std::vector<Vec3> flexible_shape(const FlexibleLine& line, std::vector<Vec3> start);
 
-// x(s) of places at increasing arc lengths: Hermite's cubic between neighbours, with the slopes of the
-// chords.
+// Interpolates positions x at increasing arc lengths s: Hermite's cubic between neighbours, with the slopes
+// of the chords.
 Vec3 interpolated(const std::vector<double>& s, const std::vector<Vec3>& x, double at);
 
 }  // namespace hawser

@@ -1,7 +1,6 @@
-// Elastic-plastic Coulomb friction of a point on a surface, anisotropic. The elastic slip is a vector in the
-// tangent plane, in the body's frame. The law is a pure function of this slip, of the normal force and of the
-// axial direction. It is a template of the scalar, so that exact derivatives come by automatic
-// differentiation.
+// Elastic-plastic anisotropic Coulomb friction of a point on a surface. The elastic slip is a vector in the
+// tangent plane, in the body's frame. The law is a pure function of this slip, the normal force and the axial
+// direction. It is a template of the scalar, for automatic differentiation.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,10 +23,10 @@ struct FrictionLaw {
   double axial_length = 0, lateral_length = 0;  // m, mobilisation lengths, used when stiffness is 0
   FrictionReturn back = FrictionReturn::radial;
   FrictionSpring spring = FrictionSpring::elliptic;
-  double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients far above the blend speed
+  double axial_kinetic = 0, lateral_kinetic = 0;  // coefficients at speeds far above the blend speed
   double blend_speed = 0;                         // m/s; 0: the coefficients at rest apply at every speed
-  // sqrt(kg), 2 zeta sqrt(m), of isotropic laws: what sticks on the stiffness k has the damper c = damping
-  // sqrt(k).
+  // sqrt(kg), 2 zeta sqrt(m), for isotropic laws: sticking friction with the stiffness k has the damper c =
+  // damping sqrt(k).
   double damping = 0;
 
   bool operator==(const FrictionLaw&) const = default;
@@ -75,13 +74,13 @@ Coulomb<S> coulomb_at(const FrictionLaw& law, const S& speed2) {
           S(rest * (law.lateral - law.lateral_kinetic) + law.lateral_kinetic)};
 }
 
-// N/m, k of an isotropic law under the normal force N [N].
+// Stiffness k of an isotropic law under the normal force N [N], N/m.
 template <class S, class M>
 S isotropic_stiffness(const FrictionLaw& law, const Coulomb<M>& mu, const S& N) {
   return law.stiffness > 0 ? S(law.stiffness) : S(N * M(mu.axial / law.axial_length));
 }
 
-// A spring that slides where its slip is larger than `limit` [m].
+// Friction of a spring that slides if its slip exceeds `limit` [m].
 template <class S>
 Friction<S> on_spring(const Vector3<S>& slip, const S& limit, const S& stiffness) {
   using std::sqrt;
@@ -97,10 +96,11 @@ Friction<S> on_spring(const Vector3<S>& slip, const S& limit, const S& stiffness
   return r;
 }
 
-// Friction of an isotropic law with damping in a step of length h [s], from the slip s0 at its start, turned
-// to the present normal, over the displacement d in the tangent plane. Spring and damper stick together, in
-// series with the slider: F = -(k s + c (s - s0)/h), |F| <= mu N. With k' = k + c/h and w = k/k', and s = s0
-// + d while it sticks, F = -k' (w s0 + d); what slides leaves the s that belongs to F, s = (1 - w) s0 - F/k'.
+// Friction of an isotropic law with damping in a step of length h [s], from the slip s0 at its start, rotated
+// to the present normal, over the displacement d in the tangent plane. Spring and damper are parallel, in
+// series with the slider: F = -(k s + c (s - s0)/h), |F| <= mu N. With k' = k + c/h, w = k/k' and s = s0 + d
+// while sticking, F = -k' (w s0 + d). After sliding, the slip is that which belongs to F: s = (1 - w) s0 -
+// F/k'.
 template <class S, class M>
 Friction<S> damped_friction(const FrictionLaw& law, const Coulomb<M>& mu, const S& N, const Vector3<S>& s0,
                             const Vector3<S>& d, double h) {

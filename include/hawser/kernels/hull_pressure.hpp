@@ -1,9 +1,10 @@
-// Pressure of the water on a closed surface of triangles that is fixed to a rigid body: buoyancy on the
-// wetted part, exactly, and the pressure of waves where heads are given. See docs/theory/hulls.md.
+// Water pressure on a closed triangulated surface fixed to a rigid body: exact buoyancy of the wetted part,
+// and wave pressure from given heads. See docs/theory/hulls.md.
 //
-// With s = level - z + h the pressure head at a place of the height z, h the dynamic head, linear on each
-// triangle, p = rho g s where s > 0 and none elsewhere. On a triangle of the area vector N and the
-// barycentric coordinates lambda, with J_ij the mean of lambda_i lambda_j over the triangle where it is wet:
+// With the pressure head s = level - z + h at the height z, where h is the dynamic head, linear on each
+// triangle, the pressure is p = rho g s where s > 0, else 0. For a triangle with the area vector N and
+// barycentric coordinates lambda, with J_ij the mean of lambda_i lambda_j over the triangle with zero where
+// it is dry:
 //   force -rho g N 1'J s,   moment -rho g sum_i (J s)_i y_i x N,   d(J s) = J ds
 #pragma once
 
@@ -15,8 +16,8 @@
 
 namespace hawser {
 
-// Corners from the centre of mass, m, axes of the body; triangles anticlockwise seen from the water, with
-// their area vectors, m², outwards.
+// Corners relative to the centre of mass, m, body axes; triangles anticlockwise as viewed from the water,
+// with their outward area vectors, m².
 struct HullSurface {
   std::vector<Vec3> corners;
   std::vector<std::array<int, 3>> triangles;
@@ -31,22 +32,22 @@ struct HullSurface {
   }
 };
 
-// The residual by the position of the centre of mass (space axes) and rotation (body axes) as in
-// rigid_body(): minus the force and moment; K: its derivative at fixed heads.
+// Residual (minus force and moment) by the position of the centre of mass (space axes) and rotation (body
+// axes), as in rigid_body(); K: its derivative at fixed heads.
 struct HullPressure {
   Vec6 f = Vec6::Zero();
   Mat6 K = Mat6::Zero();
-  // J, of which f is the gradient where there are no heads:
+  // Potential of f without heads, J:
   //   rho g times the integral of (level - z) over the displaced volume = -rho g/2 sum N_z s'J s
   double potential = 0;
 };
 
-// weight_density: rho g, N/m³; level: m, z of the still water; heads: m, one a corner, or none.
+// weight_density: rho g, N/m³; level: z of the still water, m; heads: one per corner, m, or empty.
 HullPressure hull_pressure(const HullSurface& hull, double weight_density, double level,
                            std::span<const double> heads, const RigidBodyState& s, bool tangent);
 
-// The displaced water below a level surface by the flux of x, y and z through the wetted surface [m³]: equal
-// where the surface is closed below the water.
+// Displaced volume [m³] below a level surface from the flux of x, of y and of z through the wetted surface;
+// the three are equal if the surface is closed below the water.
 Vec3 displaced_volumes(const HullSurface& hull, double level, const RigidBodyState& s);
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
-// Limits of the step length near a contact and in it: steps resolve each impact that matters, so that contact
-// forces neither make nor lose significant energy. The caller sums over the ranks. See
+// Limits of the step length near and during contact: steps resolve each significant impact, so that contact
+// forces neither create nor lose significant energy. The caller sums over the ranks. See
 // docs/theory/contact.md, "Steps", and docs/decisions/006-step-control.md.
 #pragma once
 
@@ -16,33 +16,34 @@ namespace hawser {
 // The limit of the next step.
 struct StepLimit {
   double longest = std::numeric_limits<double>::infinity();  // s
-  // s, shortest period of the contacts that have an impact now. For some time after it steps resolve the
-  // motion that the impact causes.
+  // s, shortest period of the contacts with a current impact. For some time after it steps resolve the motion
+  // that the impact causes.
   double period = std::numeric_limits<double>::infinity();
 };
 
 // A point that approaches a surface.
 struct Approach {
-  double gap = 0;           // m, to where the contact force begins; negative: in contact
+  double gap = 0;           // m, distance to where the contact force begins; negative: in contact
   double closing = 0;       // m/s, speed towards the surface
   double acceleration = 0;  // m/s², along the normal; positive: away from the surface
-  bool last = true;  // of a point in contact: it is the deepest one, so the contact ends where it leaves
+  bool last = true;         // for a point in contact: it is the deepest one, so contact ends when it leaves
 };
 
-// The impact of a mass on a contact spring, which takes place now or may take place before the step ends.
+// Impact of a mass on a contact spring that takes place now or may take place before the step ends.
 class ImpactEvent {
  public:
-  int line = 0, other = -1;  // the line with the impact; the other line, if there is one
+  int line = 0, other = -1;  // line with the impact; the other line, -1: none
 
-  // J: kinetic energy of the mass along the normal plus the energy of the spring above that of its
-  // equilibrium. Steps that do not resolve the impact make or lose no more than this.
+  // Kinetic energy of the mass along the normal plus the energy of the spring above that of its equilibrium,
+  // J: the largest energy error of steps that do not resolve the impact.
   double energy() const { return energy_; }
-  // J, that a step of h [s] may make or lose: energy() if the step is too long to resolve the impact, else 0.
+  // Possible energy error of a step of h [s], J: energy() if the step is too long to resolve the impact, else
+  // 0.
   double unresolved(double h) const { return h > resolved_ ? energy_ : 0; }
-  // J: the trapezoidal rule loses this energy in a step of h [s] in which the contact begins, and makes it in
-  // a step in which the contact ends.
+  // Energy that the trapezoidal rule loses in a step of h [s] in which the contact begins, or creates if it
+  // ends, J.
   double crossed(double h) const;
-  // s, of the mass on the spring; infinite where it is not in contact.
+  // Period of the mass on the spring, s; infinite if it is not in contact.
   double period() const;
 
  private:
@@ -50,44 +51,45 @@ class ImpactEvent {
                                                  double mass, const Approach& at);
   double inverse_frequency_ = 0, energy_ = 0;  // s, J
   double resolved_ = 0;                        // s
-  double crossing_ = 0;  // s, until the contact begins or ends; infinite: it does neither
-  double half_ = 0;      // N/m, half the stiffness
+  double crossing_ = 0;                        // s, until the contact begins or ends; infinite: neither
+  double half_ = 0;                            // N/m, half the stiffness
   Approach at_;
 };
 
-// inverse_frequency: s, sqrt(m/k) of the contact, its period over 2 pi. significant_depth: m; it is an impact
-// if speed or acceleration takes the mass deeper than this. mass: kg.
+// inverse_frequency: sqrt(m/k) of the contact, s, its period over 2 pi. significant_depth: m; it is an impact
+// if speed or acceleration drives the mass deeper than this. mass: kg.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
                                         const Approach& at);
-// Whether an impact is possible at no more than this speed [m/s] and acceleration [m/s²] in any direction.
+// Whether an impact is possible for speeds [m/s] and accelerations [m/s²] up to these values in any
+// direction.
 bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
 // Whether a step of h [s] is short enough for a contact of this inverse frequency [s] that its energy error
-// is accepted where the contact begins or ends in it: at most half of the steps that resolve an impact.
+// at the beginning or end of contact is accepted: at most half of the steps that resolve an impact.
 bool resolves_contact(double inverse_frequency, double h);
 
-// A contact that began or ended within a step that was too long to resolve it, so that the step made or lost
-// energy. At the start of the step it could not be predicted: a wave along the line caused it.
+// A contact that began or ended within a step too long to resolve it, so that energy was created or lost. It
+// was not predictable at the start of the step: a wave along the line caused it.
 struct UnresolvedImpact {
-  int line = 0, other = -1;  // the line in contact; the other line, if there is one
-  double energy = 0;         // J, made or lost
+  int line = 0, other = -1;  // line in contact; the other line, -1: none
+  double energy = 0;         // J, created or lost
 };
-// Impacts that are found at the end of a converged step and were not predicted at its start.
+// Impacts found at the end of a converged step that were not predicted at its start.
 struct UnresolvedImpacts {
   std::vector<UnresolvedImpact> list;
-  bool too_deep = false;  // a penetration grew in the step by more than is allowed
+  bool too_deep = false;  // a penetration increased in the step by more than allowed
 };
-// J, the error of the trapezoidal rule in the work of a contact that began or ended within a step: the rule
-// assumes that the force changes over the whole path. path: m, along the normal; force [N] and potential [J]:
-// of the spring at that end of the step where there is contact. 0 if speed [m/s] times inverse frequency is
-// less than significant_depth [m].
+// Error of the trapezoidal rule in the work of a contact that began or ended within a step, J: the rule
+// assumes that the force varies over the whole path. path: along the normal, m; force [N] and potential [J]:
+// of the spring at the end of the step with contact. 0 if speed [m/s] times inverse frequency is less than
+// significant_depth [m].
 double crossing_error(double inverse_frequency, double significant_depth, double force, double potential,
                       double path, double speed);
 
-// What force terms report: the impacts that this rank counts, and a limit of the step beside them.
+// Report of the force terms: the impacts that this rank counts, and an additional limit of the step.
 struct ImpactEvents {
-  double longest = std::numeric_limits<double>::infinity();  // s, limit of the step whatever the impacts are
-  // s, the longest step that is considered: impacts that only limit longer ones need not be added.
+  double longest = std::numeric_limits<double>::infinity();  // s, limit independent of impacts
+  // s, longest step under consideration: impacts that only limit longer ones need not be added.
   double most = std::numeric_limits<double>::infinity();
   std::vector<ImpactEvent> list;
 
@@ -102,8 +104,8 @@ struct ImpactEvents {
   }
 };
 
-// The motion of the masses of a line: kg, kg m/s, J. energy() [J] is the kinetic energy about the mean
-// velocity plus that of the line's impacts.
+// Motion of the masses of a line: kg, kg m/s, J. energy() [J] is the kinetic energy about the mean velocity
+// plus that of the line's impacts.
 struct LineMotion {
   double mass = 0;
   Vec3 momentum = Vec3::Zero();
@@ -120,31 +122,31 @@ struct LineMotion {
 // Sums the numbers over all ranks, in place.
 using Sum = std::function<void(std::span<double>)>;
 
-// What generalized-alpha carries from step to step beside the motion: algorithmic accelerations A, m/s², in
-// which it holds the energy share/2 h² A.M A (docs/theory/time-integration.md, "Cables").
+// State of generalized-alpha in addition to the motion: algorithmic accelerations A, m/s², which store the
+// energy share/2 h² A.M A (docs/theory/time-integration.md, "Cables").
 struct StoredMotion {
   std::span<const Vec3> accelerations;  // of the nodes
   double share = 0;
 };
 
-// J, for each line the energy error of impacts that is allowed in a step: kErrorOfStep of the line's energy
-// times the number of lines of which the impacts have more than that. `lines` are summed over all ranks.
+// Energy error of impacts allowed in a step, by line, J: kErrorOfStep of the line's energy times the number
+// of lines whose impacts have more than that. `lines` are summed over all ranks.
 constexpr double kErrorOfStep = 2e-5;
 std::vector<double> energy_tolerance(std::span<const LineMotion> lines);
 
-// The longest step [s] after one of `last` [s] for which the energy stored in A grows by no more than the
-// tolerance; that energy is proportional to the square of the step and would be released as motion. At least
+// Longest step [s] after one of `last` [s] for which the energy stored in A grows by no more than the
+// tolerance. That energy is proportional to the square of the step and would be released as motion. At least
 // twice `last`, because each step damps what the next one would add. stored: by line, the sums of LineMotion
 // over all ranks with the accelerations A in place of the velocities.
 double growth_limited_step(std::span<const LineMotion> stored, std::span<const double> energy_tolerance,
                            double share, double last);
 
-// Whether the sum of the errors of all ranks is within the tolerance. Collective.
+// Whether the total error of all ranks is within the tolerance. Collective.
 bool within_tolerance(std::span<const UnresolvedImpact> impacts, std::span<const double> energy_tolerance,
                       const Sum& sum);
 
-// The longest step of at most `most` [s] in which impacts, of all ranks, together stay within the
-// energy tolerance, and the period of those that matter. Collective.
+// Longest step, at most `most` [s], in which the impacts of all ranks together stay within the energy
+// tolerance, and the period of the significant ones. Collective.
 StepLimit impact_limited_step(std::span<const ImpactEvent> impacts, std::span<const double> energy_tolerance,
                               double most, const Sum& sum);
 

@@ -1,10 +1,10 @@
-// Inertia, weight and dead distributed load of one element, consistent with its shape.
+// Inertia, weight and dead distributed load of one element, consistent with its shape functions.
 //
-// Beam: the position between the nodes is Hermite's cubic through both ends with the nodes' unit tangents,
-// so velocity, acceleration and virtual displacement are that cubic's, with a constant 4x4 mass matrix in
-// (x1, L t1, x2, L t2) (Przemieniecki 1968, section 11.4) and t = Q c turning with the node. Rotary inertia
-// of the sections is lumped at the ends. Cable: linear shape with the mass matrix m L [5 1; 1 5]/12, the mean
-// of lumped and linear, whose wave speed error is of fourth order (Goudreau & Taylor 1973, eq. 21).
+// Beam: the position between the nodes is Hermite's cubic through both ends with the nodes' unit tangents.
+// Velocity, acceleration and virtual displacement follow from it with a constant 4x4 mass matrix in (x1, L
+// t1, x2, L t2) (Przemieniecki 1968, section 11.4), where t = Q c turns with the node. Rotary inertia of the
+// sections is lumped at the ends. Cable: linear shape with the mass matrix m L [5 1; 1 5]/12, the mean of
+// lumped and consistent, whose wave speed error is of fourth order (Goudreau & Taylor 1973, eq. 21).
 #pragma once
 
 #include "hawser/math/types.hpp"
@@ -15,7 +15,7 @@ struct MassSection {
   double length = 0;           // m, unstretched
   double mass_per_length = 0;  // kg/m
   Vec3 rotary = Vec3::Zero();  // kg m, per length, about the element axes (along, 2, 3)
-  const Mat3* axes = nullptr;  // element axes in node axes (columns), not owned; null: they are the same
+  const Mat3* axes = nullptr;  // element axes in node axes (columns), not owned; null: identical
 };
 
 struct MassEnds {
@@ -24,8 +24,8 @@ struct MassEnds {
   Quat q1 = Quat::Identity(), q2 = Quat::Identity();
   Vec3 w1 = Vec3::Zero(), w2 = Vec3::Zero();          // rad/s, material
   Vec3 alpha1 = Vec3::Zero(), alpha2 = Vec3::Zero();  // rad/s², material
-  // Accelerations of the columns of the rotation matrices, 1/s², and their change per change of the columns'
-  // rates, 1/s. Null: those of w and alpha.
+  // Accelerations of the columns of the rotation matrices, 1/s², and their derivative by the columns' rates,
+  // 1/s. Null: from w and alpha.
   const Mat3 *directors1 = nullptr, *directors2 = nullptr;
   double director_weight = 0;
 };
@@ -34,27 +34,27 @@ struct MassEnds {
 // load: dead force per unstretched length, weight included, N/m.
 void beam_mass_force(const MassSection& s, const MassEnds& e, const Vec3& load, Vec12& f);
 
-// Force and tangents by configuration, velocity and acceleration. With directors given, they
-// are taken to move by director_weight d(R hat(w)) with the configuration and by R hat(d alpha) with the
-// acceleration; what they get from the velocity is in the latter (its weight in a step is director_weight
-// times that of the velocity).
+// Force and tangents by configuration, velocity and acceleration. Given directors are assumed to change by
+// director_weight d(R hat(w)) with the configuration and by R hat(d alpha) with the acceleration. The
+// contribution of the velocity is included in the latter (its weight in a step is director_weight times that
+// of the velocity).
 void beam_mass_tangent(const MassSection& s, const MassEnds& e, const Vec3& load, Vec12& f, Mat12& K,
                        Mat12& C, Mat12& M);
 
 // Kinetic energy of the element, J.
 double beam_kinetic_energy(const MassSection& s, const MassEnds& e);
 
-// Work of the dead load up to this configuration, J: minus its potential energy.
+// Work of the dead load up to this configuration, J; minus its potential energy.
 double beam_load_work(const MassSection& s, const Vec3& x1, const Quat& q1, const Vec3& x2, const Quat& q2,
                       const Vec3& load);
 
-// The cable's mass matrix, kg: `own` times the identity for each end, `shared` times it between them.
+// Mass matrix of a cable, kg: `own` times the identity for each end, `shared` times it between them.
 struct CableMass {
   double own, shared;
 };
 CableMass cable_mass(const MassSection& s);
 
-// The cable's force on (x1, x2); kinetic energy.
+// Force on (x1, x2) and kinetic energy of a cable.
 void cable_mass_force(const MassSection& s, const Vec3& a1, const Vec3& a2, const Vec3& load, Vec6& f);
 double cable_kinetic_energy(const MassSection& s, const Vec3& v1, const Vec3& v2);
 

@@ -1,6 +1,6 @@
-// Contact of an element of one line with an element of another, along the intervals of the first that touch
-// the second. See docs/theory/line-line.md. Pure: (state and contact points at the start of the step, trial)
-// -> forces.
+// Contact of an element of one line (slave) with an element of another (master), along the intervals of the
+// slave that touch the master. See docs/theory/line-line.md. Pure: (state and contact points at the start of
+// the step, trial) -> forces.
 #pragma once
 
 #include <array>
@@ -14,11 +14,11 @@
 
 namespace hawser {
 
-// The part of the pressure between two lines that is integrated along the slave, by the radii; along the
-// master it is the rest. Lines as thick as each other have a half each, and one that is half as thick again
-// nothing: a thinner line may be wound round it, and seen from inside such a winding, on the axis of what it
-// is wound round, all of it is equally near. From outside it is plain where the nearest point is: no line is
-// bent to its own radius.
+// Fraction of the pressure between two lines that is integrated along the slave, by the radii; the rest is
+// integrated along the master. For equal radii it is one half, and 0 for a slave that is half as thick again
+// as the master: a thinner line may be wound round it, and inside such a winding, on the axis of the wound
+// line, all of the winding is equally near. From outside the nearest point is unique, because no line is bent
+// to its own radius.
 double slave_share(double slave_radius, double master_radius);
 
 // An element of a pair at the start of the step and in the trial.
@@ -27,16 +27,16 @@ struct PairAxis {
 
   AxisShape now, start;
   AxisEnds ends;             // now
-  std::array<Mat3, 2> turn;  // of the sections at its nodes since the start; a cable's turn with its axis
+  std::array<Mat3, 2> turn;  // of the sections at the nodes since the start; a cable's turn with its axis
   bool beam() const { return now.count() == 4; }
   Mat3 turn_at(double xi) const { return (1 - xi) * turn[0] + xi * turn[1]; }
 };
 
-// A Gauss point of the accepted state. Space axes; the weight has the share of the pair's pass and the sign.
+// Gauss point of the accepted state, in space axes. The weight includes the pass's share and sign.
 struct LinePairContactPoint : ContactPoint {
-  double xi = 0, from = 0, to = 0;     // place; its panel: all of it touches
+  double xi = 0, from = 0, to = 0;     // position; limits of its panel, all of which is in contact
   bool opens = false, closes = false;  // contact begins at `from`, ends at `to`
-  double eta = 0;                      // place on the other
+  double eta = 0;                      // position on the other line
   double slip[2] = {0, 0};             // m
 
   template <class Self, class Each>
@@ -54,7 +54,7 @@ struct LinePairContactPoint : ContactPoint {
   }
 };
 
-// Of a pair: none yet, and the blocks of the nodes of the one and of the other.
+// AttachedForces without forces, and the blocks of the nodes of both elements.
 AttachedForces no_forces(const PairAxis& one, const PairAxis& other, bool rubs, bool derivatives = true);
 Stencil stencil_of(const PairAxis& one, const PairAxis& other);
 
@@ -62,19 +62,19 @@ class LinePairPass {
  public:
   struct Settings {
     LinePairLaw law;
-    double share = 0.5;                // of the pressure: slave_share of the radii
+    double share = 0.5;                // of the pressure, from slave_share()
     double slave_radius = 0;           // m
-    bool moves = true;                 // in dynamics; without damping it makes no difference
+    bool moves = true;                 // in dynamics; without damping it has no effect
     bool convex = false;               // exclude negative stiffness
-    std::array<double, 2> part{0, 1};  // of the slave, in xi: the rest has no contact with the master
-    bool swapped = false;              // the slave is the second of the two in what add() adds to
+    std::array<double, 2> part{0, 1};  // part of the slave in xi that may touch the master
+    bool swapped = false;              // the slave is the second of the two in the output of add()
   };
 
   LinePairPass(const PairAxis& slave, const PairAxis& master, ProjectOn part, const Settings& settings,
                const std::vector<LinePairContactPoint>& previous);
 
-  // One rule's interval of the slave. An end that moves does so with the gap or with the place where the
-  // master's nearest point reaches one of its ends.
+  // Integration interval of the slave. An end may move with the gap, or with the point where the master's
+  // nearest point reaches one of its ends.
   enum class End { fixed, gap, first_joint, second_joint };
   struct Panel {
     double from = 0, to = 0;
@@ -82,13 +82,12 @@ class LinePairPass {
   };
   std::vector<Panel> panels() const;
 
-  // Adds the forces on the positions of the slave, behind these (or before, `swapped`) on those of the
-  // master, and the couples on the nodes' rotations in the same order; K and C on request. `out` is a
-  // no_forces() of the two in that order. points: what touches goes there if it is given, which is what the
-  // state leaves behind when it is accepted.
+  // Adds the forces on the positions of the slave, followed by those of the master (`swapped`: preceded), and
+  // the couples on the nodes' rotations in the same order; K and C on request. `out`: a no_forces() of both
+  // elements in that order. `points`, if given, receives the contact points that an accepted state stores.
   void add(const std::vector<Panel>& panels, bool derivatives, AttachedForces& out,
            std::vector<LinePairContactPoint>* points = nullptr) const;
-  // J
+  // Potential of the contact, J.
   double potential(const std::vector<Panel>& panels) const;
 
  private:
@@ -119,7 +118,7 @@ class LinePairPass {
   Settings set_;
   const std::vector<LinePairContactPoint>& previous_;
   double wa_, wb_;  // shares of the radii
-  // Rows of AttachedForces: of the positions of both, and of their nodes' rotations.
+  // Rows of AttachedForces for the positions of both, and for the rotations of their nodes.
   size_t at_slave_, at_master_, turn_slave_, turn_master_;
 };
 

@@ -1,6 +1,5 @@
-// How far two lines came nearer to each other where they touch, sliding apart: what material that is new to a
-// contact needs to know about how long the contact has been there. See docs/theory/line-line.md. Pure, of any
-// scalar.
+// Distance by which two lines approached each other at a contact, without sliding along themselves. It shows
+// how long new material in a contact has been in touch. See docs/theory/line-line.md. Pure, for any scalar.
 #pragma once
 
 #include <cmath>
@@ -9,31 +8,31 @@
 
 namespace hawser {
 
-// 1 + cosine of the turn of a line in a step from which on it counts as half a turn: its directions before
-// and after do not say about which axis.
+// If 1 + cosine of the rotation of a line in a step is below this, the rotation counts as half a turn: the
+// directions before and after do not determine its axis.
 inline constexpr double kHalfRound = 3e-3;
 
-// Of two material points, x of one line and y of the other, which touch at the end of a step.
+// Two material points, x of one line and y of the other, in contact at the end of a step.
 template <class S>
 struct LinePairMotion {
   Vector3<S> away, away_before;    // m, x - y at the end of the step and at its start
-  Vector3<S> slope, slope_before;  // dx/dxi of the line of x, m: at the end and at the start
-  Vector3<S> along, along_before;  // dy/deta of the line of y, m
+  Vector3<S> slope, slope_before;  // dx/dxi of the line of x, m, at the end and at the start
+  Vector3<S> along, along_before;  // dy/deta of the line of y, m, likewise
 };
 
-// m: of the way that x has come nearer to y along the normal, what neither line makes by sliding along
-// itself. A crossing that sweeps along a line has none, however far from it the material was that it meets; a
-// line that is laid down, wound up or meets the other in an impact has all of it. < 0: they parted.
+// Approach of x along the normal, m, excluding the contribution of either line sliding along itself; < 0:
+// separation. A crossing that sweeps along a line has none, however far the material was before. A line that
+// is laid down, wound up or meets the other in an impact has all of it.
 //
-// w = x - y less what it was is alpha a + beta b and what is normal to both, a and b the unit tangents at the
-// end; with s = (w.a + w.b)/2, d = (w.a - w.b)/2 and c = a.b it is alpha, beta = s/(1 + c) +- d/(1 - c). A
-// line that slides along itself by alpha brings x nearer by -alpha n.t/(a.t), t the mean of its tangents at
-// the start and at the end: on a circle this is the direction in which it went.
+// w = x - y minus its value at the start consists of alpha a + beta b and a part normal to both, with the
+// unit tangents a and b at the end. With s = (w.a + w.b)/2, d = (w.a - w.b)/2 and c = a.b: alpha, beta = s/(1
+// + c) +- d/(1 - c). A line that slides along itself by alpha brings x nearer by -alpha n.t/(a.t), where t is
+// the mean of its tangents at start and end; on a circle this is the direction of its displacement.
 template <class S>
 S line_pair_closing(const LinePairMotion<S>& way) {
   using std::sqrt;
-  // Lines at less than about a tenth of a radian count as along each other: which of them slides makes no
-  // difference then, and each has half of it.
+  // Below an angle of about a tenth of a radian lines count as parallel: it does not matter then which of
+  // them slides, and each gets half.
   constexpr double kParallel = 3e-3;
   const auto unit = [](const Vector3<S>& v) -> Vector3<S> { return v / S(sqrt(S(v.squaredNorm()))); };
   const auto over = [](const S& v, const S& by) -> S { return v * by / S(by * by + kParallel * kParallel); };
@@ -43,8 +42,8 @@ S line_pair_closing(const LinePairMotion<S>& way) {
   const S both = over(S(0.5 * (wa + wb)), S(1 + c)), apart = over(S(0.5 * (wa - wb)), S(1 - c));
   const auto brings = [&n](const S& by, const Vector3<S>& before, const Vector3<S>& now) -> S {
     const Vector3<S> mean = before + now;
-    // A line whose direction reverses within the step, as one that folds onto itself, does not slide along
-    // it.
+    // A line whose direction reverses within the step, such as one that folds onto itself, does not slide
+    // along itself.
     if (!(now.dot(mean) > kHalfRound)) return S(0);
     return -by * n.dot(mean) / S(now.dot(mean));
   };

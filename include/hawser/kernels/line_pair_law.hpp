@@ -1,5 +1,5 @@
-// Contact of two lines at one pair of points: force, couple, what is left of the elastic slip, and exact
-// derivatives. Pure. Everything per length of the line that is integrated along.
+// Contact of two lines at one pair of points: force, couple, remaining elastic slip, and exact derivatives.
+// Pure. All quantities are per length of the line along which the contact is integrated.
 #pragma once
 
 #include "hawser/kernels/contact_law.hpp"
@@ -9,44 +9,44 @@
 namespace hawser {
 
 struct LinePairLaw {
-  double radii = 0;      // m, sum of the two
+  double radii = 0;      // m, sum of both radii
   NormalLaw normal;      // per length
   FrictionLaw friction;  // isotropic
 };
 
-// x on the axis of one line, y its nearest point on the axis of the other.
+// x: point on the axis of one line; y: its nearest point on the axis of the other.
 struct LinePairPoint {
   Vec3 away = Vec3::UnitZ();   // m, D = x - y
-  Vec3 along = Vec3::UnitX();  // m, T: the other's tangent at y, any length
-  Vec3 moved = Vec3::Zero();   // m, M: motion of x's surface along y's in the step
+  Vec3 along = Vec3::UnitX();  // m, T: tangent of the other line at y, any length
+  Vec3 moved = Vec3::Zero();   // m, M: displacement of x's surface along y's in the step
   double rate = 0;             // m/s, of the gap
   double slip[2] = {0, 0};     // m, elastic slip at the start: along T and along n x T
-  // Of material that did not touch at the start of the step, how it was then (line_pair_closing.hpp); slope:
-  // m, of x's own line.
+  // State at the start of the step of material that did not touch then (line_pair_closing.hpp). slope:
+  // tangent of x's own line, m.
   bool is_new = false;
   Vec3 away_before = Vec3::UnitZ(), slope = Vec3::UnitX(), slope_before = Vec3::UnitX(),
        along_before = Vec3::UnitX();
 };
 
 struct LinePairForce {
-  // Columns of `by`: D, T, M, rate, slip; zero but where material is new, D before, slope, slope and T
-  // before.
+  // Columns of `by`: D, T, M, rate, slip; for new material also D before, slope, slope before and T before,
+  // else zero.
   static constexpr int kAway = 0, kAlong = 3, kMoved = 6, kRate = 9, kSlip = 10, kAwayBefore = 12,
                        kSlope = 15, kSlopeBefore = 18, kAlongBefore = 21, kInputs = 24;
 
   NormalForce normal;
   double gap = 0;                // m
-  Vec3 force = Vec3::Zero();     // N/m, on x: normal and friction; its opposite acts on y
+  Vec3 force = Vec3::Zero();     // N/m, on x: normal and friction; the opposite force acts on y
   Vec3 friction = Vec3::Zero();  // N/m
-  Vec3 couple = Vec3::Zero();    // N, -D x friction: acts on the sections, shared out by the radii
+  Vec3 couple = Vec3::Zero();    // N, -D x friction; acts on the sections, distributed by the radii
   double slip[2] = {0, 0};
   bool slides = false;
-  Eigen::Matrix<double, 6, kInputs> by;  // of force and couple; filled on request
+  Eigen::Matrix<double, 6, kInputs> by;  // derivatives of force and couple; filled on request
 };
 
-// Trial slip: what there was in the frame (T, n x T) of the other line, which both carry along, plus the part
-// of M in the tangent plane (of a step in which they closed from out of touch only the part after that).
-// Friction acts at the surfaces: forces t at x and -t at y and the couple -D x t have no moment together.
+// Trial slip: the previous slip, carried along in the frame (T, n x T) of the other line, plus the part of M
+// in the tangent plane (in a step in which the lines came into contact, only the part after that). Friction
+// acts at the surfaces: the forces t at x and -t at y and the couple -D x t together have no moment.
 LinePairForce line_pair_force(const LinePairLaw& law, const LinePairPoint& at, bool derivatives);
 
 }  // namespace hawser

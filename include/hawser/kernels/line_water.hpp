@@ -1,4 +1,4 @@
-// What water does to one element of a line: buoyancy with partial wetting, Morison drag and added mass,
+// Water forces on one element of a line: buoyancy with partial wetting, Morison drag and added mass,
 // Froude-Krylov force. See docs/theory/water.md.
 //
 // Along the element position, velocity and virtual displacement are those of its distributed loads: linear
@@ -24,27 +24,27 @@ struct WaterSection {
 // The water at a node.
 struct Water {
   Vec3 velocity = Vec3::Zero();      // m/s
-  Vec3 by_height = Vec3::Zero();     // 1/s, its derivative by z
+  Vec3 by_height = Vec3::Zero();     // 1/s, derivative of the velocity by z
   Vec3 acceleration = Vec3::Zero();  // m/s²
   double surface = 0;                // m, z of the free surface above it
 };
 
-// Position x, rates and the rest as in MassEnds.
+// Positions of the ends and motion as in MassEnds.
 struct WaterEnds {
   Vec3 x1, x2;
   MassEnds motion;
   Water water1, water2;
 };
 
-// The same for a cable, where it lies: nothing is copied.
+// The same for a cable; references, nothing is copied.
 struct CableInWater {
   const Vec3 &x1, &x2, &v1, &v2, &a1, &a2;
   const Water &water1, &water2;
 };
 
 // Residual (minus the water's force on the line) f on (x1, x2) or (x1, theta1, x2, theta2), moments in
-// material axes; tangents by configuration, velocity and acceleration (directors as in
-// beam_mass_tangent). convex: exclude what is not positive of the configuration's part.
+// material axes; tangents by configuration, velocity and acceleration (directors as in beam_mass_tangent).
+// convex: exclude negative stiffness from the tangent by configuration.
 void cable_water_force(const WaterSection& s, const CableInWater& e, Vec6& f);
 void cable_water_tangent(const WaterSection& s, const CableInWater& e, bool convex, Vec6& f, Mat6& K, Mat6& C,
                          Mat6& M);
@@ -52,15 +52,15 @@ void beam_water_force(const WaterSection& s, const WaterEnds& e, Vec12& f);
 void beam_water_tangent(const WaterSection& s, const WaterEnds& e, bool convex, Vec12& f, Mat12& K, Mat12& C,
                         Mat12& M);
 
-// Of the potential of buoyancy, J (that of a fully wet line: buoyancy times depth); of the other forces what
-// they are, in the generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable.
+// Potential of buoyancy, J (for a fully wet line: buoyancy times depth). WaterForce: the other forces in the
+// generalised coordinates (x1, L t1, x2, L t2) of a beam, (x1, x2) of a cable.
 double water_potential(const WaterSection& s, const WaterEnds& e, bool beam);
 struct WaterForce {
   Vec3 force[4];  // N: drag, Froude-Krylov and added mass, on the line
 };
-// Of buoyancy it has what a surface off `still` [m] changes.
+// Includes the change of buoyancy because the surface is not at `still` [m].
 WaterForce water_force(const WaterSection& s, const WaterEnds& e, bool beam, double still);
-// Their sum over a straight element that stays straight, N, without any buoyancy.
+// Sum of these forces over a straight element that remains straight, without buoyancy, N.
 Vec3 straight_flow_force(const WaterSection& s, const CableInWater& e, bool beam);
 
 // Forces on a round buoy or clump weight at a node.

@@ -1,4 +1,4 @@
-// A curve through rows that rises with them.
+// A monotone curve through rows.
 #pragma once
 
 #include <optional>
@@ -7,20 +7,20 @@
 
 namespace hawser {
 
-// Piecewise cubic through rows (x increasing, y not falling): continuous with its slope, never falling
-// between them, no overshoot (Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17; slopes by Fritsch & Butland
-// 1984). Beyond the rows it goes on straight with the slope there.
+// Piecewise cubic through rows (x increasing, y not decreasing), continuously differentiable and monotone,
+// without overshoot (Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17; slopes by Fritsch & Butland 1984).
+// Linear beyond the rows.
 class MonotoneCubic {
  public:
   using Row = std::pair<double, double>;  // x, y
 
-  // At least two rows. The slope at the first one is `first`, or else that of a parabola; at an end a
-  // parabola's slope is kept between `least` and 3 times the secant's.
+  // At least two rows. The slope at the first row is `first`, or by default that of a parabola; a parabola's
+  // slope at an end is limited to between `least` and 3 times the secant's.
   explicit MonotoneCubic(std::vector<Row> rows, std::optional<double> first = {}, double least = 0);
 
   struct Value {
-    double y = 0, slope = 0, bend = 0;  // and first two derivatives by x
-    double integral = 0;                // of y from the first row on
+    double y = 0, slope = 0, bend = 0;  // y and its first two derivatives by x
+    double integral = 0;                // of y from the first row
   };
   Value at(double x) const;
 

@@ -1,6 +1,6 @@
-// What water does to four elements of cables at once that are wholly wet: the forces and derivatives of
-// cable_water_force and cable_water_tangent (line_water.hpp), where buoyancy is constant and what is
-// linear along the element is integrated in closed form. One vector lane an element.
+// Water forces on four fully wet cable elements at once: forces and derivatives of cable_water_force and
+// cable_water_tangent (line_water.hpp), with constant buoyancy and closed-form integrals of quantities that
+// are linear along the element. One vector lane per element.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace hawser {
 
-// Of four elements, as in WaterSection.
+// WaterSection of four elements.
 struct WaterSections4 {
   wide::Row length, radius, buoyancy, displaced_mass, added_normal, added_axial, drag_normal, drag_axial;
   void set(int lane, const WaterSection& s);
@@ -22,14 +22,13 @@ struct CablesInWater4 {
   wide::Row velocity[2][3], by_height[2][3], acceleration[2][3], surface[2];  // of the water
 };
 
-// Which of the elements lie so far below the surface that all of them is wet, as bits. The others are no
-// matter of submerged_force() and submerged_tangent(), whose answers for an element do not depend on the
-// rest.
+// Elements that are fully wet, as bits. submerged_force() and submerged_tangent() are valid only for these;
+// their results for an element do not depend on the other lanes.
 unsigned submerged(const WaterSections4& s, const CablesInWater4& m);
 
-// Residuals f by lane. moving: the water has a velocity, or accelerations; else those of it are not read.
+// Residuals f by lane. moving: the water has velocities or accelerations; else these are not read.
 void submerged_force(const WaterSections4& s, const CablesInWater4& m, bool moving, std::array<Vec6, 4>& f);
-// And J = wK K + wC C + wM M by lane.
+// Also J = wK K + wC C + wM M by lane.
 void submerged_tangent(const WaterSections4& s, const CablesInWater4& m, bool moving, double wK, double wC,
                        double wM, std::array<Vec6, 4>& f, std::array<Mat6, 4>& J);
 

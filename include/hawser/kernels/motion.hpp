@@ -11,7 +11,7 @@
 
 namespace hawser {
 
-// Where a body is and how it moves. Velocities are those of the body's origin; all in space axes.
+// Pose and motion of a body. Velocities are those of the body's origin; all in space axes.
 struct RigidPose {
   Vec3 position = Vec3::Zero();              // m
   Quat rotation = Quat::Identity();          // body axes to space axes
@@ -22,7 +22,7 @@ struct RigidPose {
 
   Vec3 to_space(const Vec3& y) const { return position + rotation * y; }
   Vec3 to_body(const Vec3& x) const { return rotation.conjugate() * (x - position); }
-  // Of the body's material point that is at x now.
+  // Velocity and acceleration of the body's material point at x.
   Vec3 velocity_at(const Vec3& x) const { return velocity + angular_velocity.cross(x - position); }
   Vec3 acceleration_at(const Vec3& x) const {
     const Vec3 r = x - position;
@@ -35,34 +35,34 @@ struct VectorMotion {
   Vec3 value = Vec3::Zero(), rate = Vec3::Zero(), second = Vec3::Zero();
 };
 
-// What goes through the rows of a table: the natural cubic spline (second derivative continuous, may go
-// beyond the rows on either side), a monotone cubic (slope continuous; no component leaves what the rows on
-// either side span: Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, slopes by Fritsch & Butland 1984) or
-// straight lines (the slope jumps at the rows, where it is that of the line after).
+// Interpolation between the rows of a table. spline: natural cubic spline (continuous second derivative, may
+// overshoot the rows). monotone: monotone cubic (continuous slope, no component leaves the range of the
+// neighbouring rows: Fritsch & Carlson 1980, SIAM J. Numer. Anal. 17, slopes by Fritsch & Butland 1984).
+// linear: straight lines (the slope jumps at the rows, where it is that of the following interval).
 enum class BetweenRows { spline, monotone, linear };
 
-// A piecewise cubic through rows (time [s], value) with its exact derivatives; beyond its ends it goes on
-// with the end slope. One row: constant. No rows: zero.
+// Piecewise cubic through rows (time [s], value) with exact derivatives, linear beyond its ends. One row:
+// constant. No rows: zero.
 class RowCurve {
  public:
   RowCurve() = default;
-  // Throws std::invalid_argument when the times don't increase or the sizes differ.
+  // Throws std::invalid_argument if the times do not increase or the sizes differ.
   RowCurve(std::vector<double> time, std::vector<Vec3> value, BetweenRows between = BetweenRows::spline);
   VectorMotion at(double t) const;
 
-  // Where a component is furthest outside what two neighbouring rows span.
+  // Place where a component is farthest outside the range of two neighbouring rows.
   struct Overshoot {
     size_t row = 0;     // the first of the two, from 0
     int component = 0;  // of the value
     double time = 0;    // s
     double value = 0, by = 0;
   };
-  // One for each interval and component that leaves the span by more than `share` of what the rows of its
-  // component span in all.
+  // One for each interval and component that leaves the range by more than `share` of the component's range
+  // over all rows.
   std::vector<Overshoot> overshoots(double share) const;
 
-  // Integrals over the rows of |x' - mean x'|² and |x''|², all components together. Where the slope jumps at
-  // a row by d, as between straight lines, as if it changed over half of either interval: d²/((h + h')/2).
+  // Integrals over the rows of |x' - mean x'|² and |x''|², all components together. A jump d of the slope at
+  // a row, as with linear interpolation, counts as a change over half of both intervals: d²/((h + h')/2).
   struct Activity {
     double rate = 0, second = 0;
   };
@@ -76,15 +76,16 @@ class RowCurve {
   std::vector<std::pair<Vec3, Vec3>> bend_;  // second derivatives at the start and end of each interval
 };
 
-// Velocity and rate of turning about a space-fixed axis through the body's origin, both started by the ramp.
+// Velocity, and rate of rotation about a space-fixed axis through the body's origin, both started by the
+// ramp.
 struct SteadyLaw {
   Vec3 velocity = Vec3::Zero();  // m/s
   Vec3 axis = Vec3::UnitZ();     // any length but zero
   double rate = 0;               // rad/s
 };
 
-// amplitude * sin(2 pi t / period + phase) by component; rotation is a rotation vector. The ramp multiplies
-// it.
+// amplitude * sin(2 pi t / period + phase) by component; rotation is a rotation vector. Multiplied by the
+// ramp.
 struct HarmonicLaw {
   Vec3 amplitude = Vec3::Zero();           // m
   Vec3 rotation_amplitude = Vec3::Zero();  // rad
@@ -93,19 +94,20 @@ struct HarmonicLaw {
   Vec3 rotation_phase = Vec3::Zero();      // rad
 };
 
-// Offset [m] and rotation vector [rad] by tables. The ramp multiplies them.
+// Offset [m] and rotation vector [rad] from tables. Multiplied by the ramp.
 struct TableLaw {
   RowCurve offset, rotation;
 };
 
 using MotionLaw = std::variant<std::monostate, SteadyLaw, HarmonicLaw, TableLaw>;
 
-// A slow motion that carries the body with its other motion: the sum of three, of which rotation vectors.
+// Slow motion that carries the body with its other motion: the sum of three motions; the rotations are
+// rotation vectors.
 struct DriftLaw {
   Vec3 offset = Vec3::Zero(), rotation = Vec3::Zero();  // m, rad
   HarmonicLaw harmonic;
   TableLaw table;
-  double ramp = 0;  // s, of all
+  double ramp = 0;  // s, of the sum
   // Offset [m] and rotation vector [rad] at t >= 0.
   void at(double t, VectorMotion& moved, VectorMotion& turned) const;
 };
@@ -113,12 +115,12 @@ struct DriftLaw {
 class RigidMotion {
  public:
   RigidMotion() = default;
-  // position [m] and rotation vector [rad] of the body without its motion, ramp [s] (0: starts at once).
-  // Throws std::invalid_argument for a zero axis, a period or ramp that makes no sense.
+  // position [m] and rotation vector [rad] of the body without its motion, ramp [s] (0: immediate start).
+  // Throws std::invalid_argument for a zero axis or an invalid period or ramp.
   RigidMotion(const Vec3& position, const Vec3& rotation, MotionLaw law = {}, double ramp = 0);
 
-  // On top of it, carried along: what `law` does is done in the axes that the drift moves and turns,
-  // x = position + d + D u, R = D exp(psi) R0. std::invalid_argument as above.
+  // Adds a drift: `law` acts in the axes that the drift moves and rotates, x = position + d + D u, R = D
+  // exp(psi) R0. Throws std::invalid_argument as above.
   void set_drift(DriftLaw drift);
 
   // For t < 0 the body rests where it is at t = 0.

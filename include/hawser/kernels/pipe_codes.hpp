@@ -1,11 +1,11 @@
-// Strength of steel pipes while they are laid: local buckling under combined loads by DNV-ST-F101 (2021),
-// tension or bending with pressure by API RP 1111 (2015). Every check is met up to 1. Formulas, sources and
-// limits: docs/theory/pipe-codes.md.
+// Strength of steel pipes during installation: local buckling under combined loads by DNV-ST-F101 (2021),
+// tension or bending with pressure by API RP 1111 (2015). Every check is fulfilled up to 1. Formulas, sources
+// and limits: docs/theory/pipe-codes.md.
 #pragma once
 
 namespace hawser {
 
-// The steel of a pipe, its section, and by what its strength is judged.
+// Steel and section of a pipe, and the factors of its strength.
 struct PipeSteel {
   double outer = 0, wall = 0;             // m, diameter and nominal thickness of the steel
   double modulus = 207e9, poisson = 0.3;  // Pa; -
@@ -14,13 +14,12 @@ struct PipeSteel {
   double fabrication = 0.85;              // alpha_fab: seamless 1, UO 0.93, UOE 0.85
   double safety_class = 1.04;             // gamma_SC,LB: low 1.04, medium 1.14, high 1.26
   double ovality = 0.015;                 // (D_max - D_min) / D
-  bool cold_expanded = true;              // of API RP 1111: UOE
+  bool cold_expanded = true;              // for API RP 1111: UOE
 
   double slenderness() const { return outer / wall; }
 };
 
-// gamma_C of functional loads, by where the pipe is: between the supports that carry it, on the seabed,
-// elsewhere.
+// gamma_C of functional loads by the location of the pipe: between its supports, on the seabed, elsewhere.
 struct PipeConditions {
   double supports = 1, span = 1, seabed = 1;
 };
@@ -30,8 +29,8 @@ struct PipeLoads {
   double tension = 0;                 // N, effective
 };
 
-// Design loads, DNV-ST-F101 table 4-4: the size of gamma_F gamma_C F + gamma_E (now - F) of the functional
-// loads F at rest.
+// Design loads, DNV-ST-F101 table 4-4: magnitude of gamma_F gamma_C F + gamma_E (now - F), with F the
+// functional loads at rest.
 struct PipeDesign {
   double moment = 0, tension = 0;  // N m, N
 };
@@ -40,15 +39,16 @@ class PipeCodes {
  public:
   explicit PipeCodes(const PipeSteel& steel);
 
-  // DNV-ST-F101 5.4.6, load controlled, equations 5.19 and 5.28: of design loads. Pressures in Pa.
+  // DNV-ST-F101 5.4.6, load controlled, equations 5.19 and 5.28, from design loads. Pressures in Pa.
   double local_buckling(const PipeDesign& loads, double outside, double inside) const;
-  // The worse of the load combinations a and b.
+  // The larger result of the load combinations a and b.
   double local_buckling(const PipeLoads& rest, const PipeLoads& now, double condition, double outside,
                         double inside) const;
-  // The largest design tension of both, of that at yield; the formula holds up to kMostPulled.
+  // Largest design tension of both combinations relative to that at yield; the formula is valid up to
+  // kMostPulled.
   double pulled(const PipeLoads& rest, const PipeLoads& now, double condition) const;
 
-  // API RP 1111 4.3.2.2: bending strain and pressure from outside.
+  // API RP 1111 4.3.2.2: bending strain and external pressure.
   double bending_and_pressure(double strain, double outside, double inside) const;
   // API RP 1111 4.3.1.1 and 4.3.1.2: effective tension and pressure.
   double tension_and_pressure(double tension, double outside, double inside) const;
@@ -67,8 +67,7 @@ class PipeCodes {
   double api_burst_, api_collapse_, api_yield_;  // Pa, Pa, N
 };
 
-// |S_Sd| / S_p and D/t for which the formula of combined loads is, and D/t up to which that of API RP 1111
-// is.
+// Ranges of validity: |S_Sd| / S_p and D/t for the formula of combined loads, D/t for API RP 1111.
 inline constexpr double kMostPulled = 0.4, kLeastSlender = 15, kMostSlender = 45, kMostSlenderApi = 50;
 
 // Yield stress and tensile strength of a grade of API 5L (PSL 2), Pa: "X65".

@@ -1,40 +1,40 @@
-// A rigid body as hydrodynamic coefficients know it: the velocity of a point of it and its rate of turning,
-// in axes H that stay, instead of the unknowns of its centre of mass. See docs/theory/platforms.md.
+// Rigid body in the coordinates of hydrodynamic coefficients: the velocity of one of its points and its
+// angular velocity in fixed axes H, instead of the unknowns of its centre of mass. See
+// docs/theory/platforms.md.
 //
-// With x, R of the centre of mass, r the point from there in body axes, Q = H^T R:
+// With x, R of the centre of mass, r the point relative to it in body axes, and Q = H^T R:
 //   nu = (H^T v + Q (w x r), Q w),   nu' = (H^T a + Q (alpha x r + w x (w x r)), Q alpha),   nu = G (v, w)
-// A generalised force F by nu acts on the unknowns as G^T F.
+// A generalised force F conjugate to nu acts on the unknowns as G^T F.
 #pragma once
 
 #include "hawser/kernels/rigid_body.hpp"
 
 namespace hawser {
 
-// Of one state, with derivatives: by increments of position and material rotation (by_place) and by w.
+// Motion in a state, with derivatives by increments of position and material rotation (by_place) and by w.
 struct PlatformMotion {
-  Vec6 rate, acceleration;  // m/s, rad/s; m/s², rad/s²: axes H
+  Vec6 rate, acceleration;  // m/s, rad/s; m/s², rad/s²: in axes H
   Mat6 G;
   Mat6 rate_by_place, acceleration_by_place, acceleration_by_rate;
 };
 PlatformMotion platform_motion(const Mat3& H, const Vec3& r, const RigidBodyState& s);
-// The rate without its derivatives.
+// Rate without derivatives.
 Vec6 platform_rate(const Mat3& H, const Vec3& r, const RigidBodyState& s);
 
-// d (G^T F) by increments of position and rotation at fixed F.
+// d (G^T F) by increments of position and rotation at constant F.
 Mat6 platform_force_slope(const PlatformMotion& m, const Vec3& r, const Vec6& F);
 
-// rad, of the body's x axis about the vertical against +x; its derivative by the material rotation.
+// Angle [rad] of the body's x axis about the vertical from +x, and its derivative by the material rotation.
 struct Heading {
   double angle = 0;
   Vec3 by_turn = Vec3::Zero();
 };
 Heading heading_of(const Quat& q);
 
-// A force and moment at the point of r whose components are in axes that are turned with the body's heading,
-// as the residual: minus what it does on the unknowns, and its derivative by increments of place and
-// rotation.
+// Load by a force and moment at the point r whose components are in axes that turn with the body's heading.
+// Residual on the unknowns (minus the load), and its derivative by increments of position and rotation.
 struct TurningForce {
-  Vec6 force = Vec6::Zero(), by_heading = Vec6::Zero();  // N, N m, axes of the heading; by it, 1/rad
+  Vec6 force = Vec6::Zero(), by_heading = Vec6::Zero();  // N, N m, axes of the heading; derivative by it
 };
 struct PlatformLoad {
   Vec6 f = Vec6::Zero();
@@ -47,12 +47,12 @@ PlatformLoad turning_load(const TurningForce& F, const Vec3& r, const RigidBodyS
 // C: N/m, N, N m/rad, symmetric. On the unknowns they act as P^T C xi, with P = d xi / d (x, rotation).
 struct PlatformPotential {
   Mat3 axes = Mat3::Identity();  // H
-  Vec3 place = Vec3::Zero();     // m, of the point where xi = 0
+  Vec3 place = Vec3::Zero();     // m, position of the point where xi = 0
   Mat6 stiffness = Mat6::Zero();
 };
 struct PlatformPull {
   double potential = 0;   // J
-  Vec6 f = Vec6::Zero();  // the gradient, on the unknowns
+  Vec6 f = Vec6::Zero();  // gradient by the unknowns
   Mat6 K = Mat6::Zero();
 };
 PlatformPull platform_pull(const PlatformPotential& V, const Vec3& r, const RigidBodyState& s);

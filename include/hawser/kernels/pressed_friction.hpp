@@ -1,6 +1,6 @@
-// Friction of a point that a given normal force presses onto a surface, as the gradient of a potential.
-// Statics minimises this potential before the normal force follows the trial ("Tresca's friction"; Kikuchi &
-// Oden 1988, Contact Problems in Elasticity, chapter 10).
+// Friction of a point pressed onto a surface by a given normal force, as the gradient of a potential. Statics
+// minimises this potential before the normal force depends on the trial ("Tresca's friction"; Kikuchi & Oden
+// 1988, Contact Problems in Elasticity, chapter 10).
 #pragma once
 
 #include "hawser/kernels/friction_law.hpp"
@@ -15,8 +15,8 @@ struct PressedFriction {
 };
 
 // The slip s [m, space axes] has the components s_a along the line and s_l across it in the plane of
-// `normal`. N [N] is the normal force, d_i the mobilisation length (mu_i N over the shear stiffness), at
-// least `least` [m], and k_i = mu_i N / d_i:
+// `normal`. N [N] is the normal force, d_i the mobilisation length (mu_i N divided by the shear stiffness),
+// at least `least` [m], and k_i = mu_i N / d_i:
 //   q = k_a s_a² + k_l s_l²,  rho = (s_a/d_a)² + (s_l/d_l)²,
 //   potential = q/2 for rho <= 1,  q (rho^(-1/2) - rho^(-1)/2) beyond;  force = -d potential / d s.
 // The force is continuous; its derivative jumps at rho = 1. For equal coefficients and lengths it is that of
@@ -25,8 +25,8 @@ struct PressedFriction {
 PressedFriction pressed_friction(const FrictionLaw& law, double N, const Vec3& slip, const Vec3& normal,
                                  const Vec3& tangent, double least = 0);
 
-// The slip [m] for which friction_law.hpp has this force [N] under the normal force N, in the plane of
-// `normal`: (s_a, s_l) = -(f_a d_a/(mu_a N), f_l d_l/(mu_l N)).
+// Slip [m] at which friction_law.hpp gives this force [N] under the normal force N, in the plane of `normal`:
+// (s_a, s_l) = -(f_a d_a/(mu_a N), f_l d_l/(mu_l N)).
 Vec3 slip_of_force(const FrictionLaw& law, double N, const Vec3& force, const Vec3& normal,
                    const Vec3& tangent);
 

@@ -1,7 +1,7 @@
-// The force of the waves that a body has made by its own motion (Cummins 1962), from its radiation damping:
-//   F(t) = int_-inf^t K(t - s) v(s) ds,   K(t) = (2/pi) int_0^inf B(omega) cos(omega t) d omega  (Ogilvie
-//   1964)
-// With velocities that are linear between times t_k, with slopes a_k, and S'' = K, S(0) = S'(0) = 0:
+// Radiation force due to the past motion of a body (Cummins 1962), from its radiation damping:
+//   F(t) = int_-inf^t K(t - s) v(s) ds,
+//   K(t) = (2/pi) int_0^inf B(omega) cos(omega t) d omega  (Ogilvie 1964)
+// For velocities that are linear between the times t_k with slopes a_k, and S'' = K, S(0) = S'(0) = 0,
 //   F(t) = v_0 S'(t - t_0) + sum_k a_k [S(t - t_k) - S(t - t_k+1)]
 // exactly, for steps of any length. See docs/theory/platforms.md.
 #pragma once
@@ -11,37 +11,36 @@
 
 namespace hawser {
 
-// By entry, kg and so on: A(at) - A(inf) of damping B by rows of frequencies `omega` [rad/s, ascending, above
-// 0] and columns of entries; B is straight between the rows, 0 at 0 and beyond the last row. at: above 0 and
-// below the last row, where the jump of B makes A infinite. Ogilvie's relation as an integral over
+// A(at) - A(inf) by entry (kg and so on) from damping B by rows of frequencies `omega` [rad/s, ascending,
+// above 0] and columns of entries; B is linear between the rows, 0 at 0 and beyond the last row. at: above 0
+// and below the last row, where the jump of B makes A infinite. Ogilvie's relation as an integral over
 // frequencies (Kotik and Mangulis 1962):
 //   A(omega) - A(inf) = (2/pi) PV int_0^inf B(u)/(u² - omega²) du
 Eigen::RowVectorXd added_mass_by_damping(const std::vector<double>& omega, const Eigen::MatrixXd& damping,
                                          double at);
 
-// Several entries of a matrix K at once, all with the same frequencies.
+// Several entries of a matrix K with the same frequencies.
 class RadiationMemory {
  public:
   RadiationMemory() = default;
-  // omega [rad/s], above 0 and growing; damping: one row for each frequency, one column for each entry
-  // [N s/m, N s, N m s]. Straight lines between the rows and from 0 at omega = 0; nothing beyond the last.
-  // std::invalid_argument where sizes differ or frequencies do not grow.
+  // omega [rad/s]: above 0, increasing; damping: one row per frequency, one column per entry [N s/m, N s, N m
+  // s]. Linear between the rows and from 0 at omega = 0; zero beyond the last. Throws std::invalid_argument
+  // if sizes differ or frequencies do not increase.
   RadiationMemory(const std::vector<double>& omega, const Eigen::MatrixXd& damping);
 
   Eigen::Index entries() const { return damping_.cols(); }
-  // s, after which the memory ends: K is small from there on, and S is taken as constant. Steady motion is
-  // then not damped, as without an end of the memory, since the integral of K over all times is zero.
+  // Length of the memory, s. Beyond it K is small and S is taken as constant. Steady motion is then undamped,
+  // as for an infinite memory, because the integral of K over all times is zero.
   double length() const { return length_; }
 
-  // By entry: K(t) by its closed form, t >= 0.
+  // K(t) by entry in closed form, t >= 0.
   Eigen::RowVectorXd retardation(double t) const;
-  // By entry: S(t) and, where `rate` is not null, S'(t), t >= 0, from a table, to about 1e-8 of
-  // K(0)/omega_last².
+  // S(t) by entry and, if `rate` is not null, S'(t), t >= 0, from a table, to about 1e-8 of K(0)/omega_last².
   void integrals(double t, double* S, double* rate) const;
-  // The function above for this damping.
+  // added_mass_by_damping() for this damping.
   Eigen::RowVectorXd added_mass_by_damping(double omega) const;
-  // By entry, kg and so on: A(inf) - A(omega) = int_0^length K(t) sin(omega t) dt/omega (Ogilvie 1964), as
-  // the mean over these frequencies.
+  // A(inf) - A(omega) = int_0^length K(t) sin(omega t) dt/omega (Ogilvie 1964) by entry, kg and so on,
+  // averaged over these frequencies.
   Eigen::RowVectorXd added_mass_below_infinite(const std::vector<double>& omega) const;
 
  private:

@@ -1,4 +1,4 @@
-// Response amplitude operators: how a vessel moves in a wave of 1 m, by frequency and direction.
+// Response amplitude operators: motion of a vessel in a wave of 1 m by frequency and direction.
 #pragma once
 
 #include <array>
@@ -12,40 +12,40 @@
 
 namespace hawser {
 
-// Surge, sway, heave [m/m], roll, pitch, yaw [rad/m]: amplitude times exp(-i lag), the lag in rad after the
-// crest passes the vessel's origin: motion = Re(response exp(i omega t)) where the elevation there is
-// cos(omega t).
+// Surge, sway, heave [m/m], roll, pitch, yaw [rad/m]: amplitude times exp(-i lag), where the lag [rad] is
+// counted from the passage of the crest at the vessel's origin: motion = Re(response exp(i omega t)) for the
+// elevation cos(omega t) there.
 using Response = std::array<std::complex<double>, 6>;
 
 class RaoTable {
  public:
   struct Row {
     double omega = 0,
-           direction = 0;  // rad/s; rad, where the wave goes to seen from the vessel (0: to the bow)
+           direction = 0;  // rad/s; rad, where the wave goes, from the vessel's bow (0: to the bow)
     Response response;
   };
-  // Every direction needs the same frequencies. std::invalid_argument otherwise, or without rows.
+  // All directions must have the same frequencies. Throws std::invalid_argument if they differ or there are
+  // no rows.
   explicit RaoTable(std::vector<Row> rows);
 
-  // Straight lines between frequencies and (all round) between directions, in the complex plane; beyond the
-  // first and last frequency as there.
+  // Linear interpolation in the complex plane between frequencies and, periodically, between directions;
+  // constant beyond the first and last frequency.
   Response at(double omega, double direction) const;
 
   DirectionGap neighbours(double direction) const { return direction_gap(direction_, direction); }
 
-  // Two neighbouring frequencies of the table at one of its directions between which the phase of a response
-  // turns by more than 90 degrees, though neither amplitude is small: the straight line between them passes
-  // near zero.
+  // Two neighbouring frequencies at a direction of the table between which the phase of a response changes by
+  // more than 90 degrees though neither amplitude is small: linear interpolation then passes near zero.
   struct Turn {
     size_t freedom = 0;                      // 0 to 5, surge to yaw
     double direction = 0, from = 0, to = 0;  // rad, rad/s
     double angle = 0;                        // rad
-    double ends = 0, least = 0;              // the smaller amplitude of the two, and the least between them
+    double ends = 0, least = 0;              // smaller of both amplitudes; smallest amplitude between them
     bool operator<(const Turn& b) const {
       return std::tie(freedom, direction, from) < std::tie(b.freedom, b.direction, b.from);
     }
   };
-  // Those that the response to this wave is made of.
+  // Those involved in the response to this wave.
   std::vector<Turn> turns(double omega, double direction) const;
 
   double lowest() const { return omega_.front(); }  // rad/s
@@ -57,28 +57,27 @@ class RaoTable {
   }
   std::vector<double> omega_, direction_;  // ascending; directions in [0, 2 pi)
   std::vector<Response> rows_;
-  std::array<double, 6> largest_{};  // amplitudes of all rows
+  std::array<double, 6> largest_{};  // largest amplitudes of all rows
 };
 
-// A table of one side of a vessel whose halves are alike, with the other side: to -direction surge, heave and
-// pitch are the same, and sway, roll and yaw the opposite. Of what goes along the vessel there is one only.
+// Completes a table of one side of a vessel with symmetric halves: at -direction surge, heave and pitch are
+// equal, sway, roll and yaw opposite. Directions along the vessel occur only once.
 std::vector<RaoTable::Row> with_other_side(const std::vector<RaoTable::Row>& rows);
 
 // A vessel's motion in a sea of components: a sum of harmonics.
 class RaoMotion {
  public:
-  // Origin of the vessel at rest (x, y count) and its heading: the direction of its bow, rad from +x. `yaw`
-  // [rad]: what it has drifted round by, so that the waves meet it as seen from there.
+  // origin: of the vessel at rest (x and y are used). heading: direction of the bow from +x, rad. yaw [rad]:
+  // rotation by drift, which changes the direction of the waves relative to the vessel.
   RaoMotion(const RaoTable& table, const WaveField& waves, const Vec3& origin, double heading,
             double yaw = 0);
-  // Offset [m] and rotation vector [rad], in the axes of space that turn with the drift. `drifted` [m]: how
-  // far the vessel is from its origin now, where it meets the waves.
+  // Offset [m] and rotation vector [rad], in space axes that turn with the drift. drifted [m]: present
+  // distance of the vessel from its origin, where it meets the waves.
   void at(double t, Vec3& offset, Vec3& rotation, const Vec3& drifted = Vec3::Zero()) const;
-  // The same at `count` times from `first` on, `step` apart [s], of a vessel that stays where it has drifted
-  // to.
+  // Rows of the motion at `count` times from `first`, spaced by `step` [s], at a constant drift.
   void rows(double first, double step, size_t count, const Vec3& drifted, std::vector<Vec3>& offset,
             std::vector<Vec3>& rotation) const;
-  double highest() const { return highest_; }  // rad/s, of the components
+  double highest() const { return highest_; }  // rad/s, highest frequency of the components
 
  private:
   struct Term {

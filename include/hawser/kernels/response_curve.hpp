@@ -1,5 +1,5 @@
-// A force over a deformation, given as a table: tension over strain, bending moment over curvature, the force
-// of a damper over its speed. Elastic, without hysteresis.
+// Force by deformation from a table: tension by strain, bending moment by curvature, damper force by speed.
+// Elastic, without hysteresis.
 #pragma once
 
 #include <span>
@@ -8,28 +8,27 @@
 
 namespace hawser {
 
-// Strain beyond the rows of a table, or of a constant EA, up to which a line is believed: rubber doubles its
-// length, but not at a constant EA; of what is given by that, nylon ropes stretch most, by 0.4 or so before
-// they break.
+// Strain beyond the rows of a table, or with a constant EA, up to which results are considered valid. Rubber
+// doubles its length, but not at a constant EA; of materials with constant EA nylon ropes stretch most, by
+// about 0.4 at break.
 constexpr double kStrainBeyondRows = 0.5;
 
-// A rising cubic through the rows and the origin; straight beyond the rows.
+// Increasing cubic through the rows and the origin; linear beyond the rows.
 class ResponseCurve {
  public:
   using Row = MonotoneCubic::Row;  // strain [-], N; or 1/m, N m
 
-  // Both columns increasing from row to row; a row at zero has zero force, and one is put in if none is
-  // there. `odd`: no negative rows are given, what is negative is as what is positive (curvature). Otherwise,
-  // without negative rows, it is straight below zero. std::invalid_argument with the number of the row (from
-  // 1).
+  // Both columns increase from row to row; a row at zero must have zero force and is added if missing. odd:
+  // only positive rows, continued as an odd function (curvature). If not odd and without negative rows, the
+  // curve is linear below zero. Throws std::invalid_argument with the number of the row (from 1).
   ResponseCurve(std::span<const Row> rows, bool odd);
 
   struct Value {
-    double force = 0, slope = 0, energy = 0;  // and its derivative by the strain and its integral from zero
+    double force = 0, slope = 0, energy = 0;  // force, its derivative by strain, its integral from zero
   };
   Value at(double strain) const;
 
-  double first() const { return curve_.rows().front().first; }  // of the rows, with that at zero
+  double first() const { return curve_.rows().front().first; }  // of the rows including that at zero
   double last() const { return curve_.rows().back().first; }
   double initial() const { return initial_; }  // slope at zero
 

@@ -1,27 +1,26 @@
-// Place and heading of a body without its motion that is faster than a period: a low-pass filter of third
-// order that follows even motion without lag, exact for steps in which the body moves evenly. See
-// docs/theory/platforms.md.
+// Position and heading of a body without motion faster than a given period: a low-pass filter of third order
+// without lag in uniform motion, exact for steps with uniform motion. See docs/theory/platforms.md.
 #pragma once
 
 #include "hawser/math/types.hpp"
 
 namespace hawser {
 
-// x, y [m] and heading [rad] in one vector.
+// Vectors contain x, y [m] and heading [rad].
 struct SlowPose {
-  Vec3 place = Vec3::Zero();                          // the slow one
-  Vec3 drift = Vec3::Zero();                          // its velocity
-  Vec3 filtered = Vec3::Zero(), rate = Vec3::Zero();  // the state of the filter
-  Vec3 last = Vec3::Zero();                           // where the body itself was
+  Vec3 place = Vec3::Zero();                          // slow pose
+  Vec3 drift = Vec3::Zero();                          // velocity of the slow pose
+  Vec3 filtered = Vec3::Zero(), rate = Vec3::Zero();  // state of the filter
+  Vec3 last = Vec3::Zero();                           // last pose of the body
 
-  // The derivative of `place` by time; without lag in even motion, as `drift` is not in motion that grows.
+  // Time derivative of `place`; without lag in uniform motion, where `drift` has none in accelerated motion.
   Vec3 speed() const { return 3 * rate - 2 * drift; }
 
-  // Of a body at rest there.
+  // State of a body at rest at `pose`.
   static SlowPose at(const Vec3& pose);
-  // After a step of h [s] to there; the heading goes the shorter way round. period [s].
+  // State after a step of h [s] to `pose`; the heading changes the shorter way round. period: s.
   SlowPose after(const Vec3& pose, double h, double period) const;
-  // The derivatives of its `place` and `speed()` by that pose: 1 and 1/s.
+  // Derivatives of `place` and `speed()` by that pose: 1 and 1/s.
   struct Share {
     double place = 0, speed = 0;
   };

@@ -1,12 +1,12 @@
-// The pull of soil on a point that is lifted out of it, and when the soil holds the point. Gaps [m] are to
-// where the contact force begins, negative in the soil. See docs/theory/seabed.md.
+// Pull of the soil on a point that is lifted out of it, and the conditions under which it acts. Gaps [m] are
+// relative to the beginning of the contact force, negative in the soil. See docs/theory/seabed.md.
 #pragma once
 
 namespace hawser {
 
-// Rises from nothing at the deepest place to `limit` half way and goes again over `length`: 16 limit s²(1 -
-// s)², s the lift over the length. Once continuously differentiable; its work all the way is 8/15 limit
-// length.
+// The pull increases from zero at the deepest position to `limit` at half of `length` and decreases to zero
+// at `length`: 16 limit s²(1 - s)², s: lift divided by length. Once continuously differentiable; its total
+// work is 8/15 limit length.
 struct Suction {
   double limit = 0;   // N; 0: none
   double length = 0;  // m
@@ -18,22 +18,21 @@ struct Pull {
   double by_lift = 0;  // N/m
 };
 
-// lift [m]: how far from the deepest place.
+// Pull at the lift [m] from the deepest position.
 inline Pull pull_of(const Suction& law, double lift) {
   if (!(lift > 0) || lift >= law.length) return {};
   const double s = lift / law.length, rest = 1 - s;
   return {16 * law.limit * s * s * rest * rest, 32 * law.limit / law.length * s * rest * (1 - 2 * s)};
 }
 
-// How the soil has a point after an accepted state.
+// State of the soil at a point after an accepted step.
 struct SuctionState {
   double deepest = 0;  // m, largest depth since the point landed
-  bool held = false;   // until it is lifted too far
+  bool held = false;   // until the point is lifted by the suction length
 };
 
-// From the state before to that at `gap`. The soil holds a point that goes deeper than ever since it landed,
-// and releases it when it is lifted by more than the suction length. When the point has left the bed, its
-// depth is forgotten.
+// New state at `gap`. The soil holds a point that goes deeper than before since it landed, and releases it
+// when it is lifted by more than the suction length. The depth is reset when the point has left the bed.
 inline SuctionState suction_after(const Suction& law, SuctionState state, double gap) {
   if (!(law.limit > 0)) return {};
   if (-gap > state.deepest) state = {-gap, true};
@@ -42,13 +41,13 @@ inline SuctionState suction_after(const Suction& law, SuctionState state, double
   return state;
 }
 
-// Of a point that was held at the start of a step.
+// Pull on a point, if it was held at the start of the step.
 inline Pull pull_of(const Suction& law, const SuctionState& state, double gap) {
   return state.held ? pull_of(law, state.deepest + gap) : Pull{};
 }
 
-// m, largest gap at which there is a pull, and 1 % of the length more, so that a point beyond it is released
-// in spite of round-off. Not positive: no gap.
+// Largest gap with a pull, plus 1 % of the length so that a point beyond it is released in spite of
+// round-off, m. Not positive: none.
 inline double suction_range(const Suction& law, const SuctionState& state) {
   return state.held ? 1.01 * law.length - state.deepest : 0;
 }

@@ -33,8 +33,8 @@ struct ContactTrial {
   double gap = 0;                 // m
   Vec3 normal = Vec3::UnitZ();    // unit gradient of the gap
   Mat3 curvature = Mat3::Zero();  // 1/m, its Hessian
-  // Friction at the line's surface: `roll`, by how much the line has rolled about its axis relative to the
-  // body since the start of the step, rad, and `lever`, the line's radius, m; 0: friction acts at the axis.
+  // Friction at the line's surface. roll: rotation of the line about its axis relative to the body since the
+  // start of the step, rad. lever: the line's radius, m; 0: friction acts at the axis.
   double roll = 0, lever = 0;
   double step = 0;  // s, length of the step; 0: statics, where friction has no damping
 };
@@ -59,9 +59,9 @@ struct BallContact : PointContact {
   Mat3 by_turn = Mat3::Zero();  // N, d force / d turn
 };
 
-// The same of a ball of the radius trial.lever [m] about the point, fixed to a body that has turned by the
-// rotation vector `turn` [rad], axes of the surface, against it since the start of the step. Friction acts
-// where ball and surface touch, at the arm -lever n, which the rotation moves by -lever turn x n.
+// Contact of a ball of the radius trial.lever [m] about the point, fixed to a body that has rotated by the
+// rotation vector `turn` [rad], axes of the surface, relative to it since the start of the step. Friction
+// acts at the contact point with the arm -lever n, which the rotation moves by -lever turn x n.
 BallContact ball_contact(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                          const Vec3& turn, bool derivatives);
 

@@ -1,4 +1,4 @@
-// Where a frequency and a direction stand in a table of responses or wave forces.
+// Position of a frequency or direction in a table of responses or wave forces.
 #pragma once
 
 #include <cstddef>
@@ -6,25 +6,25 @@
 
 namespace hawser {
 
-// Two neighbours in a list, and the share of the second on the straight line between them.
+// Two neighbouring entries, and the weight of the second in linear interpolation.
 struct TablePlace {
   std::size_t low = 0, high = 0;
   double share = 0;
 };
-// Of ascending values; beyond the first and the last twice that one.
+// Place in ascending values; beyond the first or the last both indices are that entry.
 TablePlace frequency_place(const std::vector<double>& omega, double x);
-// Of ascending directions in [0, 2 pi), all round [rad]; the first may be x itself. Twice the same where the
-// table has one.
+// Place in ascending directions in [0, 2 pi) [rad], periodic; the first may be x itself. Both indices are
+// equal if the table has a single direction.
 TablePlace direction_place(const std::vector<double>& directions, double x);
 
-// The directions on either side of x, rad, the first not above it and the second not below; twice the same
-// where x is in the table (to 1e-9) or the table has no other.
+// Directions of the table on both sides of x, rad, the first not above and the second not below it; both
+// equal if x is in the table (to 1e-9) or it has a single direction.
 struct DirectionGap {
   double from = 0, to = 0;
 };
 DirectionGap direction_gap(const std::vector<double>& directions, double x);
 
-// In [0, 2 pi).
+// Direction reduced to [0, 2 pi).
 double all_round(double direction);
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
-// Water waves of small height as sums of components: a regular wave is one, an irregular sea many. Linear
-// theory (Airy); up to the moving surface by one of the known stretchings. Or one wave of finite height
+// Water waves of small height as sums of components: a regular wave has one, an irregular sea many. Linear
+// theory (Airy), extended to the moving surface by a stretching. Alternatively one wave of finite height
 // (stokes_wave.hpp). See docs/theory/waves.md.
 #pragma once
 
@@ -14,33 +14,33 @@ namespace hawser {
 
 class StokesWave;
 
-// k of omega² = g k tanh(k h), 1/m; depth <= 0: infinite. To round-off.
+// Wave number k of omega² = g k tanh(k h), 1/m, to round-off; depth <= 0: infinite.
 double wave_number(double omega, double depth, double gravity);
 
-// none: nothing above the still water, as it is below; vertical: above it what is at it; wheeler: the profile
-// from bed to still water is stretched to the surface (Wheeler 1970).
+// none: no motion above the still water, no change below; vertical: above the still water the motion at it;
+// wheeler: the profile from bed to still water is stretched to the surface (Wheeler 1970).
 enum class Stretching { none, vertical, wheeler };
 
 struct WaveMotion {
   double surface = 0;                // m above the still water
   Vec3 velocity = Vec3::Zero();      // m/s
-  Vec3 acceleration = Vec3::Zero();  // m/s², of the velocity at the place (linear) or of the water (Stokes)
+  Vec3 acceleration = Vec3::Zero();  // m/s², of the velocity at the point (linear) or of the water (Stokes)
 };
 
 class WaveField {
  public:
   WaveField() = default;
-  // Numbers of the components are set from their frequencies. depth <= 0: infinite.
+  // Sets the wave numbers of the components from their frequencies. depth <= 0: infinite.
   WaveField(std::vector<WaveComponent> components, double depth, double gravity, Stretching stretching);
-  // components() is then one, of half its height, for what answers to linear waves.
+  // components() then contains one linear wave of the same height, for uses that need linear components.
   explicit WaveField(std::shared_ptr<const StokesWave> wave);
 
   bool none() const { return components_.empty(); }
   const std::vector<WaveComponent>& components() const { return components_; }
-  // z from the still water. `factor`, `rate`: of a ramp, and its derivative, 1/s.
+  // z: from the still water. factor, rate: of a ramp, and its derivative, 1/s.
   WaveMotion at(const Vec3& x, double t, double factor = 1, double rate = 0) const;
-  // Pressure of the waves over rho g [m]; above the surface it is that of the surface, its elevation. Without
-  // stretching the pressure above the still water is that in it.
+  // Wave pressure over rho g [m]; above the surface it is the elevation. Without stretching the pressure
+  // above the still water is that at the still water.
   double head(const Vec3& x, double t, double factor = 1) const;
 
  private:
@@ -59,19 +59,19 @@ struct Jonswap {
   double height = 0, peak_period = 0, gamma = 3.3;  // Hs m, Tp s
 };
 
-// A spectrum by rows of growing frequency, straight lines between them, nothing beyond.
+// Spectrum by rows of increasing frequency, linear between them, zero beyond.
 struct SpectrumRow {
   double omega = 0, density = 0;  // rad/s, m² s/rad
 };
 
-// `count` components with the energy of bins of frequency, from 0.35 to 10 times that of the peak; for a
-// spreading cos^(2s)((theta - direction)/2) with s > 0 each has a direction of its own, such that the energy
-// by direction is that of the spreading. Phases, places in the bins and directions from `seed`, the same on
-// every machine and rank.
+// `count` components with the energy of frequency bins from 0.35 to 10 times the peak frequency. For a
+// spreading cos^(2s)((theta - direction)/2) with s > 0 each has its own direction, such that the energy by
+// direction is that of the spreading. Phases, positions in the bins and directions follow from `seed`, equal
+// on all machines and ranks.
 std::vector<WaveComponent> irregular(const Jonswap& spectrum, double direction, int count, std::uint64_t seed,
                                      double spreading = 0);
 // The same from rows: bins that grow geometrically from the first row to the last, or from 1/50 of the last
-// where the first is lower; those without energy are excluded.
+// if the first is lower; bins without energy are excluded.
 std::vector<WaveComponent> irregular(const std::vector<SpectrumRow>& rows, double direction, int count,
                                      std::uint64_t seed, double spreading = 0);
 

@@ -1,4 +1,4 @@
-// How much of a round section, of a ball, or of a body of some height is under water.
+// Submerged share of a round section, a ball, or a body of some height.
 #pragma once
 
 #include <algorithm>
@@ -6,13 +6,13 @@
 
 namespace hawser {
 
-// As functions of u = (height of the surface above the centre)/radius: the wet share, its derivative and its
+// Functions of u = (height of the surface above the centre)/radius: wet share, its derivative, and its
 // integral from -infinity, all continuous.
 struct Wetting {
   double share = 0, slope = 0, integral = 0;
 };
 
-// Segment of a circle: share = 1/2 + (u sqrt(1 - u²) + asin u)/pi.
+// Circular segment: share = 1/2 + (u sqrt(1 - u²) + asin u)/pi.
 inline Wetting circle_wetting(double u) {
   if (u >= 1) return {1, 0, u};
   if (u <= -1) return {};
@@ -20,12 +20,12 @@ inline Wetting circle_wetting(double u) {
   return {0.5 + (u * c + a) / M_PI, 2 * c / M_PI, 0.5 * u + (c - c * c2 / 3 + u * a) / M_PI};
 }
 
-// Of a straight piece of an axis with circular sections, as a function of the heights h1, h2 [m] of the
-// surface above its ends and of b [m], half the height over which a section gets wet. z runs from 0 to 1
-// along the piece, h = h1 + z (h2 - h1), and F = circle_wetting(h/b).share.
+// Straight piece of an axis with circular sections, as a function of the heights h1, h2 [m] of the surface
+// above its ends and of b [m], half the height over which a section gets wet. z runs from 0 to 1 along the
+// piece, h = h1 + z (h2 - h1), and F = circle_wetting(h/b).share.
 struct PieceWetting {
-  double integral = 0;              // m, mean of b Psi(h/b), Psi' = F; homogeneous of degree 1 in h1, h2, b
-  double share1 = 0, share2 = 0;    // its derivatives by h1 and h2: means of (1 - z) F and z F
+  double integral = 0;              // m, mean of b Psi(h/b), Psi' = F; homogeneous of degree 1
+  double share1 = 0, share2 = 0;    // derivatives by h1 and h2: means of (1 - z) F and z F
   double slope11 = 0, slope12 = 0;  // 1/m, second derivatives: means of (1 - z)² F'/b and z (1 - z) F'/b,
   double slope22 = 0;               // and of z² F'/b
 };
@@ -103,7 +103,7 @@ inline PieceWetting piece_wetting(double h1, double h2, double b) {
   return out;
 }
 
-// Cap of a ball: share = (2 + 3 u - u³)/4.
+// Spherical cap: share = (2 + 3 u - u³)/4.
 inline Wetting ball_wetting(double u) {
   if (u >= 1) return {1, 0, u};
   if (u <= -1) return {};
@@ -111,10 +111,10 @@ inline Wetting ball_wetting(double u) {
   return {0.25 * (2 + 3 * u - u * u2), 0.75 * (1 - u2), 0.5 * u + 0.375 * u2 - u2 * u2 / 16 + 0.1875};
 }
 
-// A body that gets wet evenly over its height: share = (1 + u)/2, u in half heights, with parabolas where it
-// begins and ends, so that it is continuous with its slope. Exact in between.
+// Body that gets wet uniformly over its height: share = (1 + u)/2, u in half heights, rounded by parabolas at
+// both ends so that it is continuously differentiable. Exact in between.
 inline Wetting even_wetting(double u) {
-  constexpr double d = 0.1;  // of the half height, on either side of both ends
+  constexpr double d = 0.1;  // fraction of the half height on both sides of each end
   if (u >= 1 + d) return {1, 0, u};
   if (u <= -1 - d) return {};
   if (u > 1 - d) {

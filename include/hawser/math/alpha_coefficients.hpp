@@ -1,6 +1,6 @@
-// Coefficients of generalized-alpha, and how forces enter it that are given as their mean over a step.
-// Chung & Hulbert (1993), "A time integration algorithm for structural dynamics with improved numerical
-// dissipation", J. Appl. Mech. 60. See docs/theory/time-integration.md#cables.
+// Coefficients of generalized-alpha, and weights of forces that are given as their mean over a step. Chung &
+// Hulbert (1993), "A time integration algorithm for structural dynamics with improved numerical dissipation",
+// J. Appl. Mech. 60. See docs/theory/time-integration.md#cables.
 #pragma once
 
 namespace hawser {
@@ -15,8 +15,8 @@ struct AlphaCoefficients {
         beta(0.25 * (gamma + 0.5) * (gamma + 0.5)) {}
 };
 
-// The algorithmic force Q solves (1 - gamma) Q0 + gamma Q1 = S, S the mean over the step. The force F at the
-// end of the step follows from the scheme's relation between algorithmic and true accelerations:
+// The algorithmic force Q solves (1 - gamma) Q0 + gamma Q1 = S, with S the mean over the step. The force F at
+// the end of the step follows from the scheme's relation between algorithmic and true accelerations:
 //   Q1 = s S - q Q0,   F1 = a Q1 + b Q0 - c F0 = a s S + carried
 struct MeanWeights {
   double s, q, a, b, c;

@@ -1,4 +1,4 @@
-// The widest gap between neighbouring directions all round.
+// Widest gap between neighbouring directions of a full circle.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@ struct AngleGap {
   double width() const { return to - from; }
 };
 
-// directions: in [a, a + turn), increasing, at least one; of equal gaps the first. turn: 360 or 2 pi, in
-// their unit. Beyond the last one the gap ends at the first one + turn.
+// directions: in [a, a + turn), increasing, at least one; of equal gaps the first is returned. turn: 360 or 2
+// pi, in the unit of the directions. The gap after the last direction ends at the first one + turn.
 inline AngleGap widest_gap(const std::vector<double>& directions, double turn) {
   AngleGap widest;
   for (std::size_t i = 0; i < directions.size(); ++i) {

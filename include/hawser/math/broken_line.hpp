@@ -1,4 +1,4 @@
-// Values given at places along a line, at times or at arc lengths.
+// Linear interpolation of values along a line, at times or arc lengths.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace hawser {
 
-// Straight between the rows (place, value; places ascending, at least one row), constant beyond them.
+// Linear between the rows (place, value; places ascending, at least one row), constant beyond them.
 template <class Value>
 Value on_broken_line(const std::vector<std::pair<double, Value>>& rows, double place) {
   if (place <= rows.front().first) return rows.front().second;

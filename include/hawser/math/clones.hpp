@@ -1,5 +1,5 @@
-// A function compiled for several generations of x86-64 processors, of which the loader takes the one that
-// fits, for the few kernels that gain by it. Everything it calls is drawn into it: vectors are passed
+// Attribute for functions compiled for several generations of x86-64 processors, of which the loader selects
+// the suitable one, for the few kernels that benefit. All callees are inlined, because vectors are passed
 // differently with AVX.
 #pragma once
 

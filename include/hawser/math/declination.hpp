@@ -1,4 +1,4 @@
-// The angle of a direction from the vertical.
+// Angle of a direction from the vertical.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,8 @@
 
 namespace hawser {
 
-// rad, from 0 (straight up) to pi (straight down); of any length above 0. Exact to rounding also near both.
+// rad, from 0 (straight up) to pi (straight down); `along` of any length above 0. Exact to rounding near
+// both.
 inline double declination(const Vec3& along) {
   return std::atan2(std::hypot(along.x(), along.y()), along.z());
 }

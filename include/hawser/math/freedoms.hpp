@@ -1,4 +1,4 @@
-// The freedoms of a rigid body, in the order of its six velocities.
+// Freedoms of a rigid body, in the order of its six velocities.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 namespace hawser {
 
 inline constexpr std::array<const char*, 6> kFreedomNames{"surge", "sway", "heave", "roll", "pitch", "yaw"};
-// Of them, surge, sway and yaw.
+// Surge, sway and yaw.
 inline constexpr std::array<int, 3> kHorizontalFreedoms{0, 1, 5};
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
-// A reference to what can be called, as C++26's std::function_ref: a parameter that is called many times and
-// not stored. What it refers to outlives it, so it is no type for a variable.
+// Non-owning reference to a callable, like C++26's std::function_ref: for parameters that are called often
+// and not stored. The callable must outlive it, so it must not be used for variables.
 #pragma once
 
 #include <memory>

@@ -1,11 +1,11 @@
-// Two values in their order.
+// Two values in ascending order.
 #pragma once
 
 #include <utility>
 
 namespace hawser {
 
-// The smaller one first. By value: what std::minmax gives refers to its arguments, which may be gone.
+// Returned by value, because the references of std::minmax may dangle.
 template <class T>
 std::pair<T, T> ordered(T a, T b) {
   return b < a ? std::pair<T, T>(b, a) : std::pair<T, T>(a, b);

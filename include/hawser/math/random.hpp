@@ -17,8 +17,8 @@ struct Random {
   double next() { return (static_cast<double>(bits() >> 11) + 0.5) / 9007199254740992.0; }
 };
 
-// The state walks by a constant, so that seeds that differ by little would give the same numbers, shifted:
-// the walk begins at a place that is itself drawn at random.
+// The state advances by a constant, so that similar seeds would give the same sequence with a shift.
+// Therefore the initial state is itself a random number.
 inline Random random_of(std::uint64_t seed) { return {Random{seed}.bits()}; }
 
 }  // namespace hawser

@@ -47,7 +47,7 @@ inline Vec3 log_so3(const Quat& q) {
   return (2 * std::atan2(n, w) / n) * v;
 }
 
-// The rotation by half the angle of q, of the two ways the shorter: exp(log(q)/2).
+// Rotation by half the angle of q, the shorter way: exp(log(q)/2).
 inline Quat half_rotation(const Quat& q) {
   const double sign = q.w() < 0 ? -1 : 1;
   const Vec3 v = sign * q.vec();
@@ -70,7 +70,7 @@ inline Mat3 right_jacobian(const Vec3& u) {
   return Mat3::Identity() - a * h + b * h * h;
 }
 
-// Coefficient of hat(u)² in the inverse right Jacobian, and (d/dt)/t of it: J^-1 = I + hat/2 + eta hat².
+// Coefficient of hat(u)² in the inverse right Jacobian, J^-1 = I + hat/2 + eta hat², and its (d/dt)/t.
 inline void inverse_jacobian_coefficient(double t2, double& eta, double& eta1) {
   if (t2 < 0.05) {
     eta = 1.0 / 12 + t2 * (1.0 / 720 + t2 * (1.0 / 30240 + t2 * (1.0 / 1209600 + t2 / 47900160)));

@@ -5,16 +5,16 @@
 
 namespace hawser {
 
-// Of up to 12 rows, without memory of the heap.
+// Matrix of up to 12 rows without heap allocation.
 using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12>;
 
 struct Eigenpairs {
   Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 12, 1> values;  // ascending
-  SmallMatrix vectors;                                        // of length 1, in columns
+  SmallMatrix vectors;                                        // columns of unit length
 };
 
-// Of a symmetric matrix, of which the lower triangle is read. Not inline: a decomposition of Eigen's takes
-// longer to compile than all the rest of the file that asks for it.
+// Eigenpairs of a symmetric matrix, from its lower triangle. Not inline, because an Eigen decomposition takes
+// longer to compile than all the rest of a file.
 Eigenpairs eigenpairs(const SmallMatrix& A);
 
 }  // namespace hawser

@@ -1,4 +1,4 @@
-// Small fixed-size algebra: the names every other room uses.
+// Fixed-size types of small vectors and matrices.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,8 +10,8 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond;
 
-// Forces on the ends of a cable (6) or a beam (12), or on a body (6), and their derivatives, row-major as
-// they are assembled.
+// Forces on the ends of a cable (6) or a beam (12), or on a body (6), and their derivatives, row-major as for
+// assembly.
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;

@@ -1,6 +1,6 @@
 // 3-vectors and 3x3 matrices in vector registers of four doubles, for the element kernels: a matrix is three
-// rows, so a product is nine multiply-adds on whole rows. The fourth lane is never read. GCC's vector
-// extensions: any target, AVX where there is.
+// rows, so a product is nine multiply-adds on full rows. The fourth lane is not used. GCC's vector extensions
+// work on any target and use AVX if available.
 #pragma once
 
 #include <cmath>
@@ -22,7 +22,7 @@ inline Row cross(Row a, Row b) {
   const auto next = [](Row r) -> Row { return __builtin_shufflevector(r, r, 1, 2, 0, 3); };
   return next(a * next(b) - next(a) * b);
 }
-// Of each lane.
+// Square root of each lane.
 [[gnu::always_inline]] inline Row sqrt(Row a) {
   Row r;
   for (int i = 0; i < 4; ++i) r[i] = std::sqrt(a[i]);
@@ -79,13 +79,13 @@ inline Mat load(const Mat3& m) {
   return {{Row{m(0, 0), m(0, 1), m(0, 2), 0}, Row{m(1, 0), m(1, 1), m(1, 2), 0},
            Row{m(2, 0), m(2, 1), m(2, 2), 0}}};
 }
-// Into a row-major matrix of `width` columns.
+// Stores m into a row-major matrix of `width` columns.
 inline void store(const Mat& m, double* out, int width) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) out[i * width + j] = m.r[i][j];
 }
 
-// As block (i, j) of the matrix of an element.
+// Stores m as block (i, j) of an element matrix.
 template <int n>
 inline void put(Eigen::Matrix<double, n, n, Eigen::RowMajor>& to, int i, int j, const Mat& m) {
   store(m, to.data() + 3 * n * i + 3 * j, n);

@@ -1,11 +1,11 @@
-// Places on elements as arc lengths of their lines.
+// Arc lengths of points on elements.
 #pragma once
 
 #include "hawser/mesh/mesh.hpp"
 
 namespace hawser {
 
-// m, unstretched, from end A; xi in [0, 1] along the element.
+// Unstretched arc length from end A, m; xi in [0, 1] along the element.
 inline double arc_at(const Mesh& mesh, const Element& e, double xi) {
   const double a = mesh.nodes[e.first].arc, b = mesh.nodes[e.second].arc;
   return a + xi * (b - a);

@@ -1,4 +1,4 @@
-// Where a feeder's feed point is in the elements of its line at the start.
+// Position of a feeder's feed point in the elements of its line at the start.
 #pragma once
 
 #include "hawser/mesh/mesh.hpp"
@@ -6,12 +6,12 @@
 namespace hawser {
 
 struct FedStart {
-  int inside = 0;  // whole elements in the stock, counted from the fed end; the next one is at the feed point
-  double length = 0;  // m, unstretched, of the part of that one that is outside
+  int inside = 0;     // full elements in the stock, from the fed end; the next one is at the feed point
+  double length = 0;  // m, unstretched, of the part of that element outside the feeder
 };
 
-// For a stock [m] of a line of several elements: the feed point is the element that has then between half of
-// its own length and that and a half outside, or the last one of the line.
+// For a stock [m] of a line of several elements: the feed point is in the element of which then between half
+// and one and a half of its own length is outside, or in the last one of the line.
 FedStart fed_start(const Mesh& mesh, const LineSpan& span, bool at_b, double stock);
 
 }  // namespace hawser

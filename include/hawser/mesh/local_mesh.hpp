@@ -1,5 +1,5 @@
-// One rank's part of the mesh: owned nodes first, then the ghosts its elements touch, then those that lines
-// which may touch its own need.
+// One rank's part of the mesh: owned nodes first, then the ghosts of its elements, then the ghosts of
+// couplings.
 #pragma once
 
 #include <algorithm>
@@ -32,19 +32,19 @@ struct LocalMesh {
   int nodes() const { return static_cast<int>(global.size()); }
   bool owns(int local) const { return local >= 0 && local < owned; }
   int blocks() const { return static_cast<int>(global_block.size()); }
-  // What a local node and a local element are in the whole mesh.
+  // Node or element of the whole mesh for a local one.
   template <class Index>
   const Node& node(Index local) const {
     return mesh->nodes[global[local]];
   }
   const Element& element(const LocalElement& e) const { return mesh->elements[e.global]; }
   bool rotates(int local) const { return node(local).rotates; }
-  // Local node of the frame that a local node is tied to (Node::tied_to); -1: it is not tied.
+  // Local node of the frame that a local node is tied to (Node::tied_to); -1: none.
   int frame_of(int local) const {
     const int frame = node(local).tied_to;
     return frame < 0 ? -1 : find(frame);
   }
-  // Local node of a node of the mesh, -1 where it is not on this rank. Each of the three ranges is sorted.
+  // Local node of a mesh node; -1: not on this rank. Each of the three ranges is sorted.
   int find(int node) const {
     const auto begin = global.begin();
     const int ends[] = {0, owned, chain, nodes()};
@@ -62,10 +62,10 @@ struct LineOwners {
   std::vector<int> uncut;  // this rank owns all nodes
 };
 LineOwners line_owners(const LocalMesh& mesh);
-// Whether this rank owns the first node of a line: one rank does.
+// Whether this rank owns the first node of a line.
 bool owns_line(const LocalMesh& mesh, int line);
 
-// What a term keeps of an element, or null; `kept` lie in the order of LocalMesh::elements, each with its
+// Data that a term keeps for an element, or null; `kept` is sorted as LocalMesh::elements, each with its
 // element as `at`.
 template <class Kept>
 const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
@@ -74,16 +74,16 @@ const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
   return at != kept.end() && at->at.global == e.global ? &*at : nullptr;
 }
 
-// Adds a beam's residual (x1, theta1, x2, theta2), or a cable's (x1, x2), to f, which is laid out as a
-// beam's.
+// Adds the residual of a beam (x1, theta1, x2, theta2) or of a cable (x1, x2) to f, which has the layout of a
+// beam.
 inline void add_ends(const Vec12& own, Vec12& f) { f += own; }
 inline void add_ends(const Vec6& own, Vec12& f) {
   f.head<3>() += own.head<3>();
   f.segment<3>(6) += own.tail<3>();
 }
 
-// Makes the coupling ghosts those of `nodes` (of the mesh, sorted) that are no local nodes already. Local
-// nodes and blocks before them keep their numbers.
+// Sets the coupling ghosts to those of `nodes` (mesh nodes, sorted) that are not yet local. Local nodes and
+// blocks before them keep their numbers.
 void set_coupling_ghosts(LocalMesh& mesh, std::span<const int> nodes);
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
-// Nodes and elements of all lines, the same on every rank, in file order: line by line, end A to end B; then
-// a node for every body with mass.
+// Nodes and elements of all lines, the same on every rank, in file order: line by line from end A to end B,
+// followed by a node for every body with mass.
 #pragma once
 
 #include <string>
@@ -15,17 +15,17 @@ struct Case;
 }
 
 struct Node {
-  int line = 0;          // of a body: counted on from the last line
+  int line = 0;          // for a body: index after the last line
   double arc = 0;        // m, unstretched arc length from end A
   double tributary = 0;  // m, half the lengths of the elements at this node
   bool rotates = false;  // beam node and body: two 3-blocks; cable node: one
-  int body = -1;         // of the case, when it is the centre of mass of one
-  int pinned_to = -1;    // node whose position is this one's too (a joint); this one does not rotate
-  // Node of a frame that carries this one while they are tied: a body with mass, a rigid joint, an end of a
-  // joint that lets this one go.
+  int body = -1;         // body of the case whose centre of mass this is; -1: none
+  int pinned_to = -1;    // node whose position this one shares (a joint); this one does not rotate
+  // Node of the frame that carries this one while they are tied: a body with mass, a rigid joint, the end of
+  // a joint from which this one is released later.
   int tied_to = -1;
-  // Between two elements that may differ there in tension or curvature: the type changes, or a mass or a load
-  // is attached, or an event waits for the tension there.
+  // The two elements may differ here in tension or curvature: the type changes, a mass or a load is attached,
+  // or an event depends on the tension.
   bool two_sided = false;
 };
 
@@ -35,7 +35,7 @@ struct Element {
   int type = 0;               // index into Case::line_types
   double length = 0;          // m, unstretched
   bool beam = false;
-  double free_strain = 0;  // thermal expansion: where the line has no tension
+  double free_strain = 0;  // strain without tension (thermal expansion)
 };
 
 struct LineSpan {
@@ -54,20 +54,20 @@ struct Mesh {
 
   // Nodes of lines: [0, line_nodes()); those of bodies follow.
   int line_nodes() const { return lines.empty() ? 0 : lines.back().first_node + lines.back().nodes; }
-  // Node of a body of the case; -1: it has no mass.
+  // Node of a body of the case; -1: no mass.
   int body_node(int body) const;
-  // Node that is the frame of a body of the case: its own, or one of the line it rides on; -1: its motion is
-  // prescribed.
+  // Node that is the frame of a body of the case: its own, or one of the line it rides on; -1: prescribed
+  // motion.
   int frame_node(int body) const;
   // Whether any body's motion is part of the state.
   bool has_frames() const { return line_nodes() < static_cast<int>(nodes.size()) || !rides.empty(); }
   // Node of `line` nearest to arc length s [m from end A].
   int nearest_node(int line, double s) const;
-  // "line hose, arc length 12.5 m", "body barge": where a node is, in words.
+  // Description of a node's place: "line hose, arc length 12.5 m", "body barge".
   std::string place(int node) const;
 };
 
-// Cut the lines of a checked case into elements: graded sections, arc lengths from end A.
+// Divides the lines of a checked case into elements: graded sections, arc lengths from end A.
 Mesh build_mesh(const model::Case& c);
 
 }  // namespace hawser

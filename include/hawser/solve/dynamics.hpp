@@ -68,7 +68,7 @@ class Dynamics {
   // change of the forces of the state; everything else continues. Collective.
   void transfer_node(const std::function<std::optional<Moved>()>& change,
                      const std::function<std::vector<TiedNode>()>& nodes);
-  // What a checkpoint holds beside the state.
+  // Checkpoint data in addition to the state.
   struct Carried {
     double step_proposal = 0;
     int step_wait = 0;
@@ -94,10 +94,9 @@ class Dynamics {
   const MeanForces& mean_forces() const { return mean_; }
   double support_work() const { return support_work_; }  // J, this rank's share, done by prescribed ends
 
-  // Before a step of length h: the terms report which nodes act on which. If that changes the layout, the
-  // vectors, the matrix, the solver and the ghosts of the committed state are created again. Then the terms
-  // are prepared. `end`: the end of a trial that left the path which the rates predict; null: the rates
-  // decide. Collective.
+  // Before a step of length h the terms list the nodes they couple. If that changes the layout, vectors,
+  // matrix, solver and the ghosts of the committed state are created again. Then the terms are prepared.
+  // `end`: end of a trial that left the path predicted by the rates; null: the rates decide. Collective.
   void prepare(double h, const State* end = nullptr);
   // Called by the TS in every step (lie_alpha_ts.cpp), collective:
   // Prepares the terms for a step from the committed state. Returns the length of its first try [s].

@@ -28,7 +28,7 @@ class EventSearch {
  private:
   double before_ = 0, beyond_ = 0;    // s, tries that end before and beyond the event; beyond_ = 0: none yet
   std::vector<double> left_, right_;  // weighted function values minus the aim, at the ends of those tries
-  int moved_ = 0;                     // which of them the last try replaced: -1 before, 1 beyond, 0 none
+  int moved_ = 0;                     // bound replaced by the last try: -1 before, 1 beyond, 0 none
 };
 
 }  // namespace hawser

@@ -12,7 +12,7 @@
 
 namespace hawser {
 
-// A committed state with the algorithmic accelerations that the scheme carries from step to step.
+// A committed state with the algorithmic accelerations of the scheme.
 struct AlphaState {
   State s;
   // Algorithmic accelerations, m/s², rad/s² (material), and of the directors, 1/s²; the last two are empty

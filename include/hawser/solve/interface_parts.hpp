@@ -1,8 +1,9 @@
-// The interface between ranks in parts that do not depend on each other.
+// Interface between ranks in independent parts.
 //
-// The unknowns that some rank sees as ghosts are the interface. Two blocks of it belong to the same part
-// where they are connected through the pattern of the rows of some rank. Platforms that are cut between ranks
-// are so many parts, each of which its ranks solve without the others. A part is solved by the rank that owns
+// The unknowns that some rank has as ghosts form the interface. Two of its blocks belong to the same part if
+// they are connected through the pattern of the rows of some rank. Each platform that is cut between ranks
+// forms a part, which its ranks solve without the others. A part is solved by the rank that owns its first
+// block.
 // its first block.
 #pragma once
 
@@ -17,7 +18,7 @@ namespace hawser {
 
 using SfHandle = Handle<PetscSF, PetscSFDestroy>;
 
-// What this rank has of a part. Blocks are of three unknowns.
+// This rank's share of a part. Blocks are of three unknowns.
 struct InterfacePart {
   std::vector<int> rows;    // own blocks connected with it, ascending
   std::vector<int> shared;  // places in `rows` of those that are ghosts of other ranks
@@ -36,13 +37,13 @@ class InterfaceParts {
   // Unknowns of the largest part of any rank.
   int largest() const { return largest_; }
 
-  // Values of the unknowns of `parts`' shared blocks, part by part, at the ranks that solve them: those of
-  // the parts of `solved`, one after another.
+  // Sends the values of the shared blocks of `parts`, part by part, to the ranks that solve the parts, where
+  // they arrive in the order of `solved`.
   void bring_shared(const std::vector<double>& shared, std::vector<double>& solved) const;
-  // The way back: values of the ghosts of `parts`, part by part.
+  // Returns the values of the ghosts of `parts`, part by part.
   void send_ghosts(const std::vector<double>& solved, std::vector<double>& ghosts) const;
-  // Matrices of shared rows and ghost columns, each by rows of blocks of nine numbers, as part of the
-  // matrices of `solved`, likewise; the rest of these is zero.
+  // Sends matrices of shared rows and ghost columns, by rows of blocks of nine numbers, to the ranks that
+  // solve the parts, as entries of the matrices of `solved`; other entries are zero.
   void bring_matrices(const std::vector<double>& shared_ghosts, std::vector<double>& solved) const;
 
  private:

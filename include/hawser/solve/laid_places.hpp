@@ -1,5 +1,5 @@
-// Where the nodes of the lines of a case were laid on the bed. Friction in statics acts from there. See
-// docs/theory/seabed.md, "Statics: as laid".
+// Positions where the nodes of the lines of a case were laid on the bed, from which friction in statics acts.
+// See docs/theory/seabed.md, "Statics: as laid".
 #pragma once
 
 #include <vector>

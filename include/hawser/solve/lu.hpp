@@ -6,8 +6,8 @@
 namespace hawser {
 
 // Makes `pc` an LU for matrices in blocks of 3 on one rank. coupled: the matrix's pattern contains pairs of
-// nodes that do not touch, so only nonzero blocks are eliminated, in the order of minimum degree. Otherwise
-// the matrix is that of chains, which have no fill in their own order. Collective on one rank.
+// nodes that are not adjacent, so only nonzero blocks are eliminated, in the order of minimum degree.
+// Otherwise the matrix is that of chains, which have no fill in their own order. Collective on one rank.
 void use_lu(PC pc, bool coupled);
 
 }  // namespace hawser

@@ -24,7 +24,7 @@ struct RelaxationReport {
 struct RelaxationSettings {
   double tolerance = 1e-4;  // of the residual, relative to its contributions
   int max_steps = 5000;
-  // > 0: first displaces the start shape without symmetry, by so many hundredths of its length
+  // > 0: first displaces the start shape asymmetrically by this many hundredths of its length
   int pushed = 0;
   // Friction acts against the path of the lines. Therefore no momentum is carried from step to step, as in a
   // viscous fluid, and the terms are committed after each step.

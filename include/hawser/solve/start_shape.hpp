@@ -1,5 +1,5 @@
 // Start positions of the nodes of all lines (catenaries, straight or given shapes, with rotations along the
-// line), and what holds their ends from then on.
+// line), and the ties of their ends.
 #pragma once
 
 #include <mpi.h>
@@ -24,8 +24,8 @@ struct StartShape {
   // By line, of those with local nodes and of those with feeders: node axes at ends A and B, in the frame of
   // the body there (or space).
   std::vector<std::array<Quat, 2>> ends;
-  // Where this rank's local nodes were laid on the bed [m] (laid_places), and whether that is known of any
-  // line of the case. If it is not, statics has no friction of the bed.
+  // Positions [m] where this rank's local nodes were laid on the bed (laid_places), and whether they are
+  // known for any line of the case. If not, statics has no friction on the bed.
   std::vector<Vec3> laid;
   bool any_laid = false;
   std::vector<std::string> notes;  // on clamped ends that point against their line

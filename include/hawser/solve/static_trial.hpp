@@ -87,7 +87,7 @@ class StaticTrial {
   KspHandle ksp_;
   std::vector<double> local_, zero_;  // 3 * local blocks: the increment; zeros
   double length_ = 0;                 // m, length of the longest element
-  double longest_ = 0;                // m, of the longest line; both of bodies alone: what suits them
+  double longest_ = 0;                // m, longest line; for bodies alone a suitable length
   int layout_ = 0;                    // how often build() has created the vectors
   // What blocks the path to the last trial that was not clear, and that trial; nullopt on all ranks: nothing
   // does.

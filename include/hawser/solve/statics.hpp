@@ -16,14 +16,14 @@
 
 namespace hawser {
 
-// When lines come to rest by dynamic relaxation (relaxation.hpp) before Newton's iteration. `first`:
-// relaxation first, Newton's descent only if it fails. The path of Newton's descent of a falling line depends
-// on rounding, that of the damped fall does not.
+// Use of dynamic relaxation (relaxation.hpp) before Newton's iteration. `first`: relaxation first, Newton's
+// descent only if it fails. The path of Newton's descent of a falling line depends on rounding, that of the
+// damped fall does not.
 enum class RelaxationUse { when_newton_fails, first, always, never };
 
 struct StaticsReport {
   int iterations = 0;
-  int relaxation_steps = 0;      // steps of dynamic relaxation before; `iterations` includes theirs
+  int relaxation_steps = 0;      // steps of relaxation before; `iterations` includes its iterations
   int escapes = 0;               // number of unstable equilibria that were left
   int negative_eigenvalues = 0;  // of the final tangent; -1: not known
   ResidualNorms norms;

@@ -1,4 +1,4 @@
-// What a force term reads: the trial or committed motion of this rank's nodes.
+// Input of force terms: trial or committed motion of this rank's nodes.
 #pragma once
 
 #include <span>
@@ -7,11 +7,11 @@
 
 namespace hawser {
 
-// How forces enter that are given as their mean over a step (docs/theory/time-integration.md#cables).
-// `weight` is their factor in the residual at the end of a trial step; it is more than 1 there (4/3 to 2),
-// because the scheme carries a part from earlier steps. `weight` = 1 means that there is no step (statics,
-// start of the motion); then forces are those at the state itself and enter unchanged. `filter` is the part
-// of EA with which a cable resists changes of its elongation from step to step.
+// Weight of forces that are given as their mean over a step (docs/theory/time-integration.md#cables).
+// `weight` is their factor in the residual at the end of a trial step, 4/3 to 2, because the scheme carries a
+// part from earlier steps. `weight` = 1: no step (statics, start of the motion); the forces are then those of
+// the state itself. `filter`: fraction of EA with which a cable resists changes of its elongation from step
+// to step.
 struct StepMean {
   double weight = 1, filter = 0;
 };

@@ -8,7 +8,7 @@
 
 namespace hawser {
 
-// By local node, ghosts included; more on each quantity in kinematics.hpp.
+// By local node including ghosts; see kinematics.hpp for the quantities.
 struct State {
   double time = 0;              // s
   std::vector<Vec3> x, v, a;    // m, m/s, m/s², space axes
@@ -30,11 +30,11 @@ struct State {
   }
 };
 
-// to = x + u_x, R exp(u_theta): the configuration of `from`, moved by a local block vector u[3 * blocks],
-// ghosts included.
+// to = x + u_x, R exp(u_theta): the configuration of `from` moved by the local block vector u[3 * blocks],
+// including ghosts.
 void retract(const LocalMesh& mesh, const State& from, const double* u, State& to);
 
-// `from` with the constant velocities v, w by which it becomes `to` in a time h [s]: x + h v, R exp(h w).
+// `from` with the constant velocities v, w that lead to `to` in the time h [s]: x + h v, R exp(h w).
 State straight_path(const LocalMesh& mesh, const State& from, const State& to, double h);
 
 }  // namespace hawser

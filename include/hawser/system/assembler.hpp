@@ -24,7 +24,7 @@ struct Weights {
   double stiffer = 0;
 };
 
-// Force on up to eight blocks and its derivatives, 3n and (3n)x(3n), in memory of their own.
+// Force on up to eight blocks (3n) and its derivatives (3n x 3n), with fixed-capacity storage.
 using BlockVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1>;
 using BlockMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 24, 24>;
 
@@ -41,8 +41,8 @@ class Assembler {
   void add(std::span<const int> blocks, const double* f, const double* K, const double* C, const double* M) {
     add(blocks, blocks, f, K, C, M);
   }
-  // The same for the force on the blocks `rows` and its derivatives by the motion of the blocks `columns`: of
-  // one body by that of another.
+  // The same for the force on the blocks `rows` and its derivatives by the motion of the blocks `columns`,
+  // such as the force on one body due to the motion of another.
   void add(std::span<const int> rows, std::span<const int> columns, const double* f, const double* K,
            const double* C, const double* M);
   // The same for the positions a and b and a force f that depends on their difference alone: the residual
@@ -56,7 +56,7 @@ class Assembler {
   // For masses that couple positions, with the force f on both. M is `own` times the identity on the diagonal
   // and `shared` times it off the diagonal.
   void add_masses(int a, int b, const Vec6& f, double own, double shared);
-  // For kernels that apply weights() to their derivatives themselves. They call add_weighted() with force
+  // Weights for kernels that apply them to their derivatives themselves. They call add_weighted() with force
   // and derivatives of two positions.
   const Weights& weights() const { return weights_; }
   // While this is on, contributions to rows of other ranks are kept and sent to their owners, which do not
@@ -78,7 +78,7 @@ class Assembler {
   std::vector<double>* force_ = nullptr;  // 3 * local blocks
   std::vector<double>* mean_ = nullptr;   // 3 * local blocks, sum of mean forces without their weight
   double mean_weight_ = 1;
-  std::vector<double>* squares_ = nullptr;  // by block, sums of squares of the contributions to owned rows
+  std::vector<double>* squares_ = nullptr;  // by block: sum of squares of the contributions to owned rows
   Mat matrix_ = nullptr;
   const OwnBlocks* own_ = nullptr;  // of the matrix
   Weights weights_;

@@ -1,4 +1,4 @@
-// A role of force terms whose mass and damping in a harmonic motion depend on its frequency.
+// Role of force terms whose mass and damping in harmonic motion depend on its frequency.
 #pragma once
 
 namespace hawser {
@@ -6,8 +6,8 @@ namespace hawser {
 class DependsOnFrequency {
  public:
   virtual ~DependsOnFrequency() = default;
-  // From now on the derivatives by acceleration and velocity at rest are those of a harmonic motion with
-  // omega [rad/s]; 0, the initial value: those of time integration.
+  // Sets the derivatives by acceleration and velocity at rest to those of a harmonic motion with omega
+  // [rad/s]; 0, the initial value: those of time integration.
   virtual void oscillate(double omega) = 0;
 };
 

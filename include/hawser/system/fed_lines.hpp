@@ -1,5 +1,5 @@
-// Lines that are paid out and hauled in (terms/feeders.hpp), as the other force terms see them: one list of
-// the elements whose unstretched length changes.
+// Lines that are paid out and hauled in (terms/feeders.hpp): list of the elements whose unstretched length
+// changes, for the other force terms.
 #pragma once
 
 #include <array>
@@ -23,8 +23,8 @@ struct FedLine {
   double length_rate = 0;       // m/s
 };
 
-// Role of the feeders. System calls update() with each state before the terms prepare a step from it, are
-// evaluated at it or commit it, and again when all have committed.
+// Role of the feeders. System calls update() with each state before the terms prepare a step from it,
+// evaluate it or commit it, and again after all have committed.
 class FedLines {
  public:
   virtual ~FedLines() = default;
@@ -34,11 +34,11 @@ class FedLines {
   virtual std::vector<std::array<int, 2>> inside() const = 0;
 
   const std::vector<FedLine>& fed() const { return fed_; }  // by feeder
-  // The entry of the element of the mesh at its feed point; null: the element is at none.
+  // Entry of the mesh element if it is at a feed point; else null.
   const FedLine* find(int element) const;
   // Whether an element of the mesh is inside a feeder.
   bool idle(int element) const;
-  // Sets which elements of a term are idle, and the unstretched length of all.
+  // Sets the idle flag and the unstretched length of all elements of a term.
   template <class Of>
   void update_lengths(const LocalMesh& mesh, double FedLine::*length, std::vector<Of>& elements) const {
     for (Of& e : elements) {
@@ -56,7 +56,7 @@ class FedLines {
   std::vector<FedLine>::const_iterator first_from(int element) const;
 
  protected:
-  std::vector<FedLine> fed_;  // in the order of the lines, and of a line of its ends A and B
+  std::vector<FedLine> fed_;  // sorted by line, then end A before end B
   State before_;
   double work_ = 0;  // J
 };

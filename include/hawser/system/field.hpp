@@ -1,5 +1,5 @@
-// Metadata of an output field, declared in `fields()` of a term (example: terms/structure_fields.cpp).
-// Results, report and ParaView read it.
+// Metadata of an output field, declared in `fields()` of a term (example: terms/structure_fields.cpp), for
+// results, report and ParaView.
 #pragma once
 
 #include <span>
@@ -15,8 +15,7 @@ struct Field {
     yes,
     behind_ends  // its column stands after those that only ends of lines have
   };
-  // How the report of a run shows it along each line: not, as a row of the table of extremes, or with a range
-  // graph, too.
+  // Output in the report along each line: none, a row in the table of extremes, or also a range graph.
   enum class Report { no, table, graph };
 
   std::string name;        // in files: "bending_moment"
@@ -34,7 +33,7 @@ struct Field {
   Report report = Report::no;
   int order =
       100;  // of rows in tables and reports, smallest first; of equal ones in the order of declaration
-  // The field is a contact force [N] of what a line rests on: where it is not zero, the line does not hang
+  // The field is the contact force [N] of a support of the line: where it is not zero, the line does not hang
   // freely.
   bool carries = false;
   // For a utilisation (the used share of what is allowed): the ratio in words ("effective tension over the
@@ -43,10 +42,10 @@ struct Field {
   std::string meaning = {}, exceeded = {};
 };
 
-// The index of the field with that name; -1: there is none.
+// Index of the field with that name; -1: none.
 int find_field(std::span<const Field> fields, std::string_view name);
 
-// The name for readers: "bending moment".
+// Name for readers: "bending moment".
 std::string label_of(const Field& field);
 
 }  // namespace hawser

@@ -14,13 +14,13 @@
 
 namespace hawser {
 
-// Sums over what this rank counts, J. All but the first three accumulate over the accepted steps.
+// Sums over the objects that this rank counts, J. All but the first three accumulate over the accepted steps.
 struct Energy {
   double kinetic = 0, strain = 0, potential = 0;
   double friction = 0, damping = 0,
          work = 0;        // dissipated by friction, by damping; work of moving bodies on the lines
   double unresolved = 0;  // taken by the time integration from axial vibration that is too fast for its steps
-  double by_water = 0;    // part of `work` that moving water and drag have done
+  double by_water = 0;    // part of `work` done by moving water and drag
 
   Energy& operator+=(const Energy& o) {
     kinetic += o.kinetic;
@@ -60,7 +60,7 @@ class ForceTerm {
 
   // The kinds of checkpoint records of the term, the same on all ranks.
   virtual std::vector<CheckpointKind> checkpoint_kinds() const { return {}; }
-  // Committed history of these of the owned nodes. Checkpoints are written in parts, one range at a time.
+  // Committed history of the owned nodes in the range. Checkpoints are written in parts, one range at a time.
   virtual std::vector<CheckpointRecord> records(NodeRange) const { return {}; }
   std::vector<CheckpointRecord> save() const { return records({}); }
   // Restores the committed history; records may arrive in any order.

@@ -14,7 +14,7 @@ namespace hawser {
 class GhostExchange {
  public:
   GhostExchange() = default;
-  // Finds out which rank needs which nodes. The mesh's ghosts must not change afterwards. Collective.
+  // Determines which rank needs which nodes. The mesh's ghosts must not change afterwards. Collective.
   GhostExchange(MPI_Comm comm, const LocalMesh& mesh);
 
   // Copies values[node * width + c] of the owned nodes to the ghosts on other ranks. Collective.

@@ -1,4 +1,4 @@
-// Where a residual that did not converge is largest.
+// Location of the largest residual of a solution that did not converge.
 #pragma once
 
 #include "hawser/advice/step_findings.hpp"
@@ -6,8 +6,8 @@
 
 namespace hawser {
 
-// Of forces, or of moments if these are further from balance. norms: of the same residual. Collective, the
-// same on all ranks.
+// Largest imbalance of forces, or of moments if these are further from equilibrium. norms: of the same
+// residual. Collective, the same on all ranks.
 advice::Imbalance imbalance(const System& system, Vec residual, const ResidualNorms& norms);
 
 }  // namespace hawser

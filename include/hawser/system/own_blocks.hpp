@@ -19,14 +19,14 @@ class OwnBlocks {
   ~OwnBlocks();
 
   int rows() const { return rows_; }
-  // The columns of the blocks in a row, from the column `first` on.
+  // Columns of the blocks in a row, from the column `first`.
   std::span<const PetscInt> columns_from(int row, int first) const {
     const PetscInt* end = columns_ + starts_[row + 1];
     return {std::lower_bound(columns_ + starts_[row], end, first), end};
   }
-  // The values of a block: 3x3, column-major. Rows and columns count from the first one of this rank. Null:
-  // the block is not in the pattern. `before` is the block found last in this row, or null; its successor is
-  // tried first.
+  // Values of a block: 3x3, column-major. Rows and columns count from the first one of this rank. Null: the
+  // block is not in the pattern. `before`: the block found last in this row, or null; its successor is tried
+  // first.
   double* at(int row, int column, const double* before = nullptr) const {
     const PetscInt *from = columns_ + starts_[row], *to = columns_ + starts_[row + 1];
     if (before) {

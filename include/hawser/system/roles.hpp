@@ -1,6 +1,6 @@
-// Abilities of force terms beside their force. A term inherits the roles it has, and System keeps a list of
-// the terms with each role. The order in which terms were added matters only for fields, which may be based
-// on those of an earlier term (FieldSource::onto).
+// Roles of force terms in addition to their force. A term inherits its roles, and System keeps a list of the
+// terms with each role. The order in which terms were added matters only for fields, which may be based on
+// those of an earlier term (FieldSource::onto).
 #pragma once
 
 #include <span>
@@ -23,7 +23,7 @@ class CouplesNodes {
   virtual bool recouple(const Kinematics& committed, double h) = 0;
   // Adds the groups of coupled nodes of which this rank owns a node.
   virtual void couple(Couplings& to) const = 0;
-  // Called when those nodes are local. Local nodes from LocalMesh::chain on have changed.
+  // Called when the coupled nodes are local. Local nodes from LocalMesh::chain on have changed.
   virtual void update_ghosts() {}
 };
 
@@ -83,7 +83,7 @@ struct Overstretch {
   double tension = 0, EA = 0;   // N
 };
 
-// Of a line: the largest tension, the largest round-off of a tension, and the largest EA, N.
+// Largest tension, round-off of a tension and EA of a line, N.
 struct LineTension {
   double tension = 0, round_off = 0, EA = 0;
 };

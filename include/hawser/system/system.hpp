@@ -41,7 +41,7 @@ struct ResidualNorms {
   double relative() const;
 };
 
-// The result of System::couple(). pattern_changed: there are other couplings, for which the matrix has room.
+// Result of System::couple(). pattern_changed: there are other couplings, for which the matrix has room.
 // layout_changed: vectors and matrices need another layout.
 enum class CouplingChange { unchanged, pattern_changed, layout_changed };
 
@@ -74,7 +74,7 @@ class System {
   }
 
   void add(std::unique_ptr<ForceTerm> term);
-  // Deletes a term of its own; null: none.
+  // Deletes a term that this system owns; null: no effect.
   void remove(const ForceTerm* term);
   void tie(std::vector<TiedNode> nodes, BodyMotion motion);
 
@@ -92,8 +92,8 @@ class System {
   bool sends() const { return coupled_ && mesh_.mesh->has_frames(); }
   // Checks a converged step or a trial of statics. Returns the most severe verdict of all terms and ranks,
   // the same on all ranks; its finding is on ranks that have it. impacts: also whether the step resolved its
-  // impacts, including those that its start did not show when longest_step() was called. largest: numbers of
-  // the caller, of which each becomes the largest of all ranks. Collective.
+  // impacts, including those that were not predicted when longest_step() was called. largest: numbers of the
+  // caller, each replaced by the maximum over all ranks. Collective.
   Verdict check_step(const Kinematics& trial, bool impacts = false, std::span<double> largest = {});
 
   // A ghosted increment vector (blocks of 3) and the tangent with the pattern of chains and couplings.
@@ -135,14 +135,15 @@ class System {
   // depends on the length. Collective.
   void expect(const Kinematics& committed, double h);
   void commit(const Kinematics& accepted);
-  // Why an equilibrium or a converged step is not a valid result; nullopt: it is. overstretched: an element
-  // is strained beyond the range of its law. lost_in_rounding: round-off is a hundredth or more of a line's
-  // tension. Collective, the same on all ranks.
+  // overstretched(), lost_in_rounding(): why an equilibrium or a converged step is not a valid result;
+  // nullopt: it is valid. overstretched: an element is strained beyond the range of its law.
+  // lost_in_rounding: round-off is a hundredth or more of a line's tension. Collective, the same on all
+  // ranks.
   std::optional<advice::Overstretched> overstretched(const Kinematics& at) const;
   // The most overstretched element of this rank, if any; not collective.
   Overstretch overstretch(const Kinematics& at) const;
   std::optional<advice::LostInRounding> lost_in_rounding(const Kinematics& at) const;
-  // Summed over the terms, this rank's share.
+  // Energy summed over the terms, this rank's share.
   Energy energy(const Kinematics& at) const;
   FieldRegistry fields() const;
 
@@ -190,7 +191,7 @@ class System {
   std::vector<Mat3> retraction_;      // of rotations
   std::vector<int> square_of_block_;  // 2 * line, + 1 for rotations
   std::vector<double> squares_;       // of the contributions to the last residual(), by block
-  size_t lines_ = 0;                  // lines, and a line for each node of a body
+  size_t lines_ = 0;                  // number of lines, plus one for each node of a body
   std::vector<int> cut_;              // lines of which several ranks own nodes; the same on all ranks
   std::vector<int> own_lines_;        // lines of which this rank owns nodes
   // J by line, error of energy that impacts may cause in the coming step

@@ -32,7 +32,7 @@ class TiedNodeForces {
   // a solution: only its positive part.
   void add_geometric_stiffness(const std::vector<double>& force, bool convex, Assembler& assembler) const;
 
-  // The increments u of some blocks as functions of the unknowns z of the blocks `to`: u = P z; their rates
+  // Increments u of some blocks as functions of the unknowns z of the blocks `to`: u = P z; their rates
   // change by V z when frames rotate. Derivatives by u become P'(K P + (C + director_weight M) V), P'C P and
   // P'M P.
   struct Unknowns {

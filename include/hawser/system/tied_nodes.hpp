@@ -1,6 +1,5 @@
-// Nodes whose motion is given: fixed in space, carried by a body with prescribed motion, or tied to a frame
-// of the state (a body with mass, a rigid joint), with or without rotation. A node that is tied to a frame
-// has
+// Nodes with given motion: fixed in space, carried by a body with prescribed motion, or tied to a frame of
+// the state (a body with mass, a rigid joint), with or without rotation. A node tied to a frame has
 //   x = X + R y,  v = V + R (w x y),  a = A + D y
 // with the frame's position X, rotation R, rates w and accelerations D of the directors, the columns of the
 // rotation matrix (docs/theory/frames.md).

@@ -1,4 +1,4 @@
-// A contact stiffness when the case gives none.
+// Contact stiffness for cases that specify none.
 #pragma once
 
 #include "hawser/advice/contact_stiffness.hpp"
@@ -6,16 +6,16 @@
 
 namespace hawser {
 
-// Of the radius: the penetration that an automatic stiffness aims at.
+// Penetration at which an automatic stiffness aims, as a fraction of the line's radius.
 constexpr double kAllowedPenetration = 0.005;
 
 struct StiffnessDemand {
   double radius = 0;               // m, half the contact diameter
-  double weight = 0;               // N/m, of the element
-  double line_weight = 0;          // N, of the whole line, all its sections
+  double weight = 0;               // N/m, weight of the element per length
+  double line_weight = 0;          // N, weight of the whole line with all its sections
   double EA = 0, EI = 0;           // N, N m²
-  double bend = 0;                 // m, smallest radius the axis is bent to; 0: not known
-  double allowed_penetration = 0;  // m; 0: 0.5 % of the radius
+  double bend = 0;                 // m, smallest radius of curvature of the axis; 0: unknown
+  double allowed_penetration = 0;  // m; 0: kAllowedPenetration times the radius
 };
 
 struct AutomaticStiffness {
@@ -23,26 +23,28 @@ struct AutomaticStiffness {
   advice::StiffnessReason reason;
 };
 
-// Lets the line's own weight and its hanging tension T, bent to the radius, press in by what is allowed.
-// Where that radius is not known it is taken as the larger of 1 m and the line's. None is smaller than 2
-// sqrt(EI/T), to which T bends the line over an edge. T of a line without weight is 1e-4 EA.
+// Chooses the stiffness k so that the line's own weight w and its tension T, bent to the radius R, penetrate
+// by the allowed depth d: k d = w + T/R. T is the weight of the whole line, or 1e-4 EA for a line without
+// weight. If the radius is unknown, R is the larger of 1 m and the line's radius. R is at least 2 sqrt(EI/T),
+// the radius to which T bends the line over an edge.
 AutomaticStiffness automatic_contact_stiffness(const StiffnessDemand& d);
 
-// N/m², beyond which an automatic stiffness is not raised: all of the line's EA, bent as sharply as its own
-// radius, presses in by what is allowed. What is deeper then is held inside by something else.
+// Upper limit of an automatic stiffness, N/m²: with it the larger of EA and the whole line's weight, bent to
+// the line's own radius, penetrates by the allowed depth. A line that is deeper is held inside by something
+// other than its tension.
 double most_stiffness(const StiffnessDemand& d);
 
-// Automatic stiffness between lines: a force F = k s + c s³ a metre at the penetration s. k [N/m²] is chosen
-// so that the line's own weight, by standard gravity, penetrates by 0.5 % of its radius [m]; c [N/m⁴] so that
-// 1 % of its EA [N], bent to its own radius, penetrates by a quarter of that radius.
+// Automatic stiffness between lines: force per length F = k s + c s³ at the penetration s. With k [N/m²] the
+// line's own weight, by standard gravity, penetrates by 0.5 % of its radius [m]; with c [N/m⁴] 1 % of its EA
+// [N], bent to its own radius, penetrates by a quarter of that radius.
 double stiffness_by_weight(double mass_per_length, double radius);
 double cubic_stiffness(double EA, double radius);
 
-// m, radius to which a shape bends the axis of a line of this radius that lies on it, at most 10 m (no line
-// is free of bends, on a plane neither); 0 for a mesh or a box: not known.
+// Radius of curvature [m] of the axis of a line of radius `line_radius` [m] that lies on the shape, at most
+// 10 m, because no line is free of bends even on a plane. 0 for a mesh or a box: unknown.
 double bending_radius(const model::Volume& v, double line_radius);
 
-// s, of a line that bounces on a spring of stiffness k [N/m²] with its mass per length [kg/m].
+// Period [s] of a line that oscillates on a contact stiffness k [N/m²] with its mass per length [kg/m].
 double contact_period(double stiffness, double mass_per_length);
 
 }  // namespace hawser

@@ -1,4 +1,4 @@
-// How far an axis is from a surface, along it and anywhere.
+// Distance from a surface to the points of an axis and to any point.
 #pragma once
 
 #include "hawser/geometry/surface.hpp"
@@ -9,8 +9,9 @@
 
 namespace hawser {
 
-// Less `most` [m]: contact_intervals() finds where it is nearer than that, or deeper inside than -most. The
-// surface, its pose and the axis outlive the function.
+// Gap function of an axis for contact_intervals(): distance to the surface minus `most` [m], and its slope
+// along the axis. It is negative where the axis is nearer than `most` or, for a negative `most`, deeper than
+// -most. The surface, its pose and the axis must outlive the function.
 inline auto axis_distance(const Surface& surface, const RigidPose& pose, const AxisShape& shape,
                           double most = 0) {
   return [&, most, hint = -1](double xi, double within) mutable -> AxisGap {
@@ -21,7 +22,7 @@ inline auto axis_distance(const Surface& surface, const RigidPose& pose, const A
   };
 }
 
-// The distance to all of a surface, whatever its walls. The surface outlives the function.
+// Distance to the whole surface, regardless of its facet groups. The surface must outlive the function.
 inline auto distance_to(const Surface& surface) {
   return [&surface, hint = -1](const Vec3& x, double within, Vec3& normal) mutable -> std::optional<double> {
     const auto p = surface.query(x, within, hint);

@@ -1,6 +1,6 @@
-// Points and directions that are fixed to something, and what acts between two of them: a node of a line, a
-// body (with prescribed motion, with mass, or riding on a line) or space. A point of the node that carries it
-// is a FramePoint; a direction is the arm of one.
+// Forces between two attached points or directions. Each is fixed to a node of a line, to a body (with
+// prescribed motion, with mass, or riding on a line) or to space. An attached point is a FramePoint of the
+// node that carries it, a direction is the arm of a FramePoint.
 #pragma once
 
 #include "hawser/kernels/frame_point.hpp"
@@ -13,28 +13,28 @@
 namespace hawser {
 
 struct Attached {
-  int node = -1;           // of the mesh, of a line; or
-  int body = -1;           // of the case; neither: of space
-  Vec3 at = Vec3::Zero();  // m, in the frame of the body or node, or in space
-  bool direction = false;  // turns with it and has no place
+  int node = -1;           // node of a line, index in the mesh; or
+  int body = -1;           // body of the case; both -1: fixed in space
+  Vec3 at = Vec3::Zero();  // m, in the frame of the node or body, or in space axes
+  bool direction = false;  // a direction, which rotates with the frame and has no position
 
-  // The mesh node that carries it; -1: its motion is prescribed.
+  // Mesh node that carries the point; -1: none, the motion is prescribed.
   int carrier(const Bodies& bodies) const { return body < 0 ? node : bodies.frame(body); }
 };
 
-// One of them in a state: what it is, its rate, and the unknowns that it depends on.
+// Attached point or direction in a state: position, rate, and the unknowns that they depend on.
 struct AttachedNow {
   Vec3 x = Vec3::Zero(), v = Vec3::Zero();  // m, m/s, space axes
-  int place = -1, turn = -1;                // local blocks; -1: it does not depend on that
-  FramePoint point;                         // of the node
+  int place = -1, turn = -1;                // local blocks of position and rotation; -1: no dependence
+  FramePoint point;                         // relative to the carrying node
 };
-// The node that carries it must be one of this rank's.
+// The node that carries `a` must be local to this rank.
 AttachedNow attached_now(const Attached& a, const Kinematics& at, const LocalMesh& mesh,
                          const Bodies& bodies);
 
-// Adds what acts between two, on the unknowns of both: f = (f_a, f_b) residual; k and c: its derivatives by
-// (x_a, x_b) and (v_a, v_b). Far from a solution (Assembler::convex) of the turning of arms only what holds
-// them. Both on one node must not be.
+// Adds forces between two attached points to the unknowns of both. f = (f_a, f_b): residual; k, c: its
+// derivatives by (x_a, x_b) and (v_a, v_b). Far from a solution (Assembler::convex) only the stabilising part
+// of the derivative by the rotation of the arms is added. The two points must not be on the same node.
 void add_between(Assembler& assembler, const AttachedNow& a, const AttachedNow& b, const Vec6& f,
                  const Mat6& k, const Mat6& c);
 

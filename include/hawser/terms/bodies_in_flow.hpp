@@ -1,4 +1,5 @@
-// Wind and current on floating bodies by tables of coefficients. See docs/theory/wind-and-current.md.
+// Forces of wind and current on floating bodies from tables of coefficients. See
+// docs/theory/wind-and-current.md.
 #pragma once
 
 #include <vector>
@@ -20,10 +21,10 @@ class BodiesInFlow final : public ForceTerm,
                            public InCurrent,
                            public ActsOnBodies {
  public:
-  // For the bodies of the case that this rank owns.
+  // Builds the term for the bodies of the case that this rank owns.
   BodiesInFlow(const model::Case& c, const LocalMesh& mesh);
 
-  // In statics nothing flows past bodies that are held where they start (RigidBodies::hold).
+  // In statics the flow does not act on bodies that are held where they start (RigidBodies::hold).
   void hold(bool on, bool friction) override {
     hold_ = on;
     friction_ = friction;
@@ -43,7 +44,7 @@ class BodiesInFlow final : public ForceTerm,
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
-  // Force at the point of the coefficients, where that is and how the body is turned.
+  // Force at the reference point of the coefficients, position of this point, and rotation of the body.
   struct Push {
     Vec3 force = Vec3::Zero(), place = Vec3::Zero();  // N, m, space axes
     Vec3 moment = Vec3::Zero();                       // N m, body axes
@@ -51,12 +52,12 @@ class BodiesInFlow final : public ForceTerm,
   };
   struct Flow {
     BodyFlow data;
-    bool air = false;                     // else water
-    double height = 0;                    // m above the still water, of the wind that the coefficients mean
-    int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
-    int body = 0;                         // of the case
+    bool air = false;   // wind; else current
+    double height = 0;  // m above the still water, reference height of the wind coefficients
+    int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
+    int body = 0;                         // index in the case
     StaticRest rest;
-    Push push;  // of the last accepted state; in statics of the last iteration
+    Push push;  // at the last accepted state; in statics at the last iteration
     bool pushed = false;
     double work = 0;  // J, over the accepted steps
   };

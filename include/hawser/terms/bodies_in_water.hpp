@@ -1,5 +1,5 @@
-// Forces of the sea on floating bodies by Morison's equation: on a body as a whole (`in_water`), and on its
-// members, in pieces along their length. See docs/theory/bodies-in-water.md.
+// Forces of the sea on floating bodies by Morison's equation: on a body as a whole (`in_water`), and on
+// pieces of its members. See docs/theory/bodies-in-water.md.
 #pragma once
 
 #include <vector>
@@ -24,17 +24,17 @@ class BodiesInWater final : public ForceTerm,
                             public InCurrent,
                             public ActsOnBodies {
  public:
-  // Of the bodies of the case that this rank owns.
+  // Builds the term for the bodies of the case that this rank owns.
   BodiesInWater(const model::Case& c, const LocalMesh& mesh);
 
-  // In statics no water acts on bodies that are held where they start (RigidBodies::hold).
+  // In statics the water does not act on bodies that are held where they start (RigidBodies::hold).
   void hold(bool on, bool friction) override {
     hold_ = on;
     friction_ = friction;
   }
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
-  // This rank's bodies that pierce the water surface, by their index in the case.
+  // Indices in the case of this rank's bodies that pierce the water surface.
   std::vector<int> in_surface(const Kinematics& at) const;
 
   std::string_view name() const override { return "bodies in water"; }
@@ -51,36 +51,37 @@ class BodiesInWater final : public ForceTerm,
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
-  // Both centres of a body, in space.
+  // Positions of a body's centres of buoyancy and of drag, space axes, m.
   struct Places {
     Vec3 centre = Vec3::Zero(), drag = Vec3::Zero();
   };
-  // Forces of the flow, and where they act: buoyancy in still water has a potential.
+  // Forces of the flow and their points of application. Buoyancy in still water is excluded because it has a
+  // potential.
   struct Flow {
     BodyWaterForce force;
     Places at;
   };
   struct Wet {
-    BodyInWater data;                     // in axes of its own,
-    Quat axes = Quat::Identity();         // which these turn to those of the body
-    int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
-    int body = 0;                         // of the case
-    int key = 0;                          // of the body's
+    BodyInWater data;                     // in the piece's own axes
+    Quat axes = Quat::Identity();         // from those axes to the body's
+    int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
+    int body = 0;                         // index in the case
+    int key = 0;                          // distinguishes the records of one body
     StaticRest rest;
-    // Waves are evaluated once a step, at its end and at the centres extrapolated with their velocity.
+    // Waves are evaluated once a step, for its end, at the centres extrapolated with their velocities.
     Places start, speed;              // m, m/s, at the start of the step
-    Places wave_place;                // m, for the state at start_time_
-    bool has_wave_place = false;      // wave_place comes from a checkpoint
-    mutable WaveMotion centre, drag;  // what they are at `time`
+    Places wave_place;                // m, where waves were evaluated for the state at start_time_
+    bool has_wave_place = false;      // whether wave_place is set
+    mutable WaveMotion centre, drag;  // wave motion at `time`
     mutable double time = 0;
     mutable bool known = false;
-    Flow flow;  // of the last accepted state; in statics of the last iteration
+    Flow flow;  // at the last accepted state; in statics at the last iteration
     bool flowed = false;
-    double work = 0;  // J, of the flow over the accepted steps
+    double work = 0;  // J, work of the flow over the accepted steps
   };
-  // Adds the pieces of a member; `piece` holds what they have in common, such as the node of the body.
+  // Adds the pieces of a member. `piece` holds the data that they share, such as the body's node.
   void add_member(const model::Body& body, const model::BodyMember& m, Wet piece);
-  // Of the body, in the axes of the data.
+  // State of the body in the axes of b.data.
   static RigidBodyState state(const Wet& b, const Kinematics& at);
   static Places places(const Wet& b, const RigidBodyState& s);
   Places wave_places(const Wet& b, const Kinematics& at) const;

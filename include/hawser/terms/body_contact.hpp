@@ -1,9 +1,9 @@
-// Contact of bodies with bodies: corners, edges, balls and faces of one volume with the surface of another.
+// Contact between bodies: corners, edges, balls and faces of one volume touch the surface of another.
 //
-// An edge is an axis like the element of a line (contact_along_axis.hpp), attached to its body; a corner is a
-// point of it. By the basis of its stiffness a volume touches with its corners and balls (per_point), its
-// edges (per_length) or its faces (per_area); model::body_pairs says who leads. Friction acts at each point
-// of contact, with an elastic slip of its own. See docs/theory/body-contact.md.
+// An edge is an axis like the element of a line (contact_along_axis.hpp) and moves with its body. By the
+// basis of its stiffness a volume touches with its corners and balls (per_point), its edges (per_length) or
+// its faces (per_area). model::body_pairs decides which volume leads. Friction acts at each contact point
+// with its own elastic slip. See docs/theory/body-contact.md.
 #pragma once
 
 #include <mpi.h>
@@ -30,8 +30,8 @@ namespace hawser {
 
 class BodyContactPoints;
 
-// Where a rigid body is and how it moves: of the point its unknowns belong to, which is at `centre` in the
-// frame of its shapes. Places y are in that frame.
+// Pose and motion of a rigid body: of the point that its unknowns belong to, which lies at `centre` in the
+// frame of the body's shapes. Points y are in that frame.
 struct BodyFrame {
   Vec3 centre = Vec3::Zero(), x = Vec3::Zero();  // m
   Mat3 R = Mat3::Identity();                     // body axes to space axes
@@ -55,7 +55,8 @@ class BodyContactTerm final : public ForceTerm,
                               public HasFriction,
                               public ActsOnBodies {
  public:
-  // volumes: all of the case, in its order. Pairs are those of model::body_pairs. comm: of all ranks.
+  // volumes: all volumes of the case, in its order. The pairs are those of model::body_pairs. comm: all
+  // ranks.
   BodyContactTerm(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                   std::shared_ptr<const Bodies> bodies, std::vector<BodyVolume> volumes);
 
@@ -64,10 +65,10 @@ class BodyContactTerm final : public ForceTerm,
   bool recouple(const Kinematics&, double) override;
   void enable_friction(bool on) override { friction_on_ = on; }
   void update_ghosts() override;
-  // Looks ahead in a time step.
+  // For a time step (h > 0) also computes the contact frequency and checks the overlap of the volumes.
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
-  // Refuses a step in which a corner or edge passes through the other body.
+  // Refuses a step in which a corner or an edge passes through the other body.
   Verdict check_step(const Kinematics& trial) const override;
   void unresolved(const Kinematics& trial, UnresolvedImpacts& to) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
@@ -83,55 +84,56 @@ class BodyContactTerm final : public ForceTerm,
   // Collective.
   void restore(const std::vector<CheckpointRecord>& records) override;
 
-  // SolveError where two volumes overlap far deeper than the contact of corners and edges shows. Collective.
+  // Throws SolveError if two volumes overlap far deeper than the contact of their corners and edges shows.
+  // Collective.
   void watch(const Kinematics& at);
-  // m, over the accepted steps, of the pairs this rank counts.
+  // Largest penetration over the accepted steps of the pairs that this rank counts, m.
   double largest_penetration() const;
-  // Adds what touches in the accepted state, of those pairs; volumes are those of the case.
+  // Adds the active contacts of those pairs in the accepted state. Volumes have their indices in the case.
   void active_contacts(ActiveContacts& out) const;
   // Likewise, on the surface of what does not lead: one for each eighth of the box of what leads.
   void resultants(ContactResultants& out) const;
 
  private:
   struct PairBody {
-    int body = -1, node = -1, block = -1;  // of the case; local node and block, -1: prescribed or elsewhere
+    int body = -1, node = -1, block = -1;  // case; local node, block; -1: prescribed or remote
     int global = -1;                       // mesh node, -1: prescribed
-    Vec3 centre = Vec3::Zero();            // m, of mass, body frame
+    Vec3 centre = Vec3::Zero();            // m, centre of mass in the body frame
     double mass = HUGE_VAL;                // kg
     Mat3 inertia = Mat3::Zero();           // kg m², body axes
   };
   struct Both {
     BodyFrame A, B;
-    Vec3 across(const Vec3& y) const { return B.to_body(A.to_space(y)); }  // a place of A, as B sees it
-    // Of the twelve unknowns.
+    Vec3 across(const Vec3& y) const { return B.to_body(A.to_space(y)); }  // from A's frame to B's
+    // Rates of the twelve unknowns.
     Vec12 rates() const { return (Vec12() << A.v, A.w, B.v, B.w).finished(); }
     Vec12 accelerations() const { return (Vec12() << A.a, A.alpha, B.a, B.alpha).finished(); }
-    void move(double time);                              // on at their velocities
-    Mat3 turn() const { return B.R.transpose() * A.R; }  // axes of A to those of B
-    // Rotation vector of A against B from there on, rad, axes of B.
+    void move(double time);                              // moves both on by `time` [s] at their velocities
+    Mat3 turn() const { return B.R.transpose() * A.R; }  // from the axes of A to those of B
+    // Rotation vector of A relative to B since `start`, rad, axes of B.
     Vec3 turned_since(const Both& start) const;
   };
   struct Pair {
     size_t a = 0, b = 0;         // volumes
-    NormalLaw law;               // of what stands out of a against the surface of b, per unit of the basis
-    FrictionLaw friction;        // likewise
-    double share = 1, mass = 0;  // of the force; kg, effective
-    double size = 0;             // m, of what stands out
-    double round = 0;            // m, radius for which tunnelling takes a corner
-    double most_depth = 0;       // m, most that passes in a step where they may meet
-    // A root of the inverse of the mass of the twelve unknowns; none where motion is prescribed.
+    NormalLaw law;               // of a's features on the surface of b, per unit of the basis
+    FrictionLaw friction;        // per unit of the basis
+    double share = 1, mass = 0;  // factor on the force; effective mass, kg
+    double size = 0;             // m, largest extent of volume a
+    double round = 0;            // m, radius assumed for corners in the tunnelling test
+    double most_depth = 0;       // m, largest approach allowed in a step in which the bodies may meet
+    // A root of the inverse mass matrix of the twelve unknowns; zero rows for prescribed motion.
     Mat12 root = Mat12::Zero();
-    bool hides = false;                        // as of model::BodyPair
-    int other = -1;                            // the pair in which b leads, where both do
-    bool here = false, counted = false;        // this rank owns a body of it; counts it
+    bool hides = false;                        // see model::BodyPair
+    int other = -1;                            // index of the pair with a and b swapped; -1: none
+    bool here = false, counted = false;        // this rank owns one of the bodies; counts the pair
     double damping = 0, work = 0;              // J, over the accepted steps
-    double dissipated = 0;                     // J, likewise, by friction
+    double dissipated = 0;                     // J, dissipated by friction over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
-    // In the committed state, for the step that is tried:
+    // Quantities of the committed state, for the trial step:
     double potential = 0;           // J
-    double stiffness = 0;           // N/m, of all springs that touch
-    double frequency = 0;           // rad/s, of the fastest motion on its springs; 0: nothing touches
-    double energy = 0;              // J, of the motion of the bodies against each other, and potential
+    double stiffness = 0;           // N/m, sum over all springs in contact
+    double frequency = 0;           // rad/s, highest natural frequency on the contact springs; 0: no contact
+    double energy = 0;              // J, kinetic energy of the relative motion plus potential
     Vec12 elastic = Vec12::Zero();  // residual without damping
     Both at;
     double penetration = 0;        // m, penetration
@@ -152,16 +154,17 @@ class BodyContactTerm final : public ForceTerm,
       each("since clear", "m", self.met);
     }
   };
-  // What a pair does in a state: the residual of the twelve unknowns (x_A, theta_A, x_B, theta_B), positions
-  // in space axes and rotations as material increments, and its derivatives if they were asked for.
+  // Contact of a pair in a state: residual for the twelve unknowns (x_A, theta_A, x_B, theta_B), positions in
+  // space axes and rotations as material increments, and its derivatives on request.
   struct Sum {
     AgainstBody on;
     double potential = 0;                      // J
-    double damping_power = 0, work_power = 0;  // W, the latter brought in by prescribed motion
+    double damping_power = 0, work_power = 0;  // W; work_power: brought in by prescribed motion
     double depth = 0;                          // m, largest penetration
     bool active = false;
   };
-  // Stiffness of the contact springs (with their dampers) in the committed state, and their forces.
+  // kStiffness: tangent of the contact springs with their dampers, without negative stiffness; kSprings:
+  // forces of the springs alone.
   static constexpr AxisContactMode kStiffness{true, true, true}, kSprings{};
   struct Nearest {
     double gap = 0;  // m
@@ -182,7 +185,7 @@ class BodyContactTerm final : public ForceTerm,
   Slipping slipping(const Pair& pair, double h) const {
     return {friction_on_ ? pair.friction : FrictionLaw(), h};
   }
-  // Without friction unless it is given.
+  // Contact without friction.
   Sum contact(const Pair& pair, const Both& at, const AxisContactMode& mode) const {
     return contact(pair, at, mode, Slipping());
   }
@@ -190,7 +193,7 @@ class BodyContactTerm final : public ForceTerm,
   void contact_of_edge(const Pair& pair, const Both& at, const RigidPose& surface, const SkeletonPart& part,
                        const AxisContactMode& mode, const Slipping& friction,
                        BodyContactPoints& points) const;
-  // The state at the start of the step of the place xi of a part that touches in the trial.
+  // State at the start of the step of the point xi of a feature that touches in the trial.
   ContactStart start_of(const Pair& pair, const Both& trial, const SkeletonPart& part, double xi,
                         ContactRates* rates) const;
   // Adds a point at z, in the frame of the surface, of a part of radius r at y, in the frame of a's volume.
@@ -199,26 +202,26 @@ class BodyContactTerm final : public ForceTerm,
   ContactResultants resultants_of(const Pair& pair, const Both& at, const Eighths& sums) const;
   // J, half of the work that friction at these points takes on the way of the step.
   double half_dissipation(const Pair& pair, const Both& trial, const BodyFrictionPoints& points) const;
-  // W, what prescribed motion brings in against the friction at the points of the committed state.
+  // Power of prescribed motion against friction at the points of the committed state, W.
   double friction_power(const Pair& pair) const;
-  // Sends the slip of pairs of two floating bodies from the rank of the first to that of the second.
+  // Sends the slip of pairs of two floating bodies from the rank of the first body to that of the second.
   void share_slip();
-  // Whether a ball, in the frame of a volume, may be nearer to its surface than `gap` [m].
+  // Whether a ball, in the frame of a volume, may be nearer to the volume's surface than `gap` [m].
   bool near(size_t volume, const Vec3& centre, double radius, double gap) const;
   bool tunnels(const Pair& pair, const Kinematics& trial) const;
-  // Step limits, in body_contact_step_limits.cpp. rad/s, largest natural frequency of the bodies on these
-  // springs.
+  // Step limits, in body_contact_step_limits.cpp. Largest natural frequency of the bodies on the springs of
+  // `stiffness`, rad/s.
   double frequency(const Pair& pair, const Sum& stiffness) const;
-  // J, of the motion of the bodies against each other.
+  // Kinetic energy of the relative motion of the bodies, J.
   double relative_energy(const Pair& pair, const Both& at) const;
-  // m/s, upper bound of the speed at which any point of one body approaches the other.
+  // Upper bound of the speed at which any point of one body approaches the other, m/s.
   double fastest(const Pair& pair, const Both& at) const;
-  // Smallest gap of corners, edges and balls, where it is below `within` [m].
+  // Smallest gap of corners, edges and balls if it is below `within` [m].
   std::optional<Nearest> nearest(const Pair& pair, const Both& at, double within) const;
-  // s, at most `most`: the step from there that resolves the impacts within it.
+  // Largest step from the state `at`, at most `most` [s], in which the contact springs are resolved.
   double followed(const Pair& pair, const Both& at, double most) const;
   void limit_by(const Pair& pair, ImpactEvents& to) const;
-  // body_contact_penetration.cpp. m, of the deepest place of the faces of one volume in the other.
+  // Depth of the deepest point of the faces of one volume in the other, m; in body_contact_penetration.cpp.
   double deepest(size_t volume, const BodyFrame& of, size_t in, const BodyFrame& there) const;
   void check_overlap(double time);
 
@@ -226,10 +229,10 @@ class BodyContactTerm final : public ForceTerm,
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<BodyVolume> volumes_;
-  std::vector<Box> boxes_;                   // of their surfaces
-  std::vector<PairBody> bodies_of_volumes_;  // likewise
+  std::vector<Box> boxes_;                   // of the volumes' surfaces
+  std::vector<PairBody> bodies_of_volumes_;  // by volume
   std::vector<Pair> pairs_;
-  std::vector<std::string> names_;  // of volumes, with their bodies
+  std::vector<std::string> names_;  // names of the volumes with their bodies
   bool coupled_ = false, friction_on_ = true;
 };
 

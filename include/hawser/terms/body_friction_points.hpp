@@ -1,5 +1,6 @@
-// What friction of bodies keeps of an accepted step: the points that touch, by the corner, edge or piece of a
-// face that they are on. Faces have thousands of them, of which each evaluation asks for all.
+// History of friction between bodies: the contact points of an accepted step, by the corner, edge or piece of
+// a face (feature) on which they lie. A volume may have thousands of pieces of faces, and each evaluation
+// looks up all of them.
 #pragma once
 
 #include <span>
@@ -9,11 +10,11 @@
 
 namespace hawser {
 
-// In the frame of the surface; forces per unit of `weight`, 1, m or m².
+// Contact point in the frame of the surface; forces are per unit of `weight` (1, m or m²).
 struct BodyFrictionPoint {
-  double xi = 0, from = 0, to = 0;  // where on an edge; its panel: all of it touches
+  double xi = 0, from = 0, to = 0;  // place on an edge and limits of its panel
   double weight = 1;
-  Vec3 slip = Vec3::Zero(), normal = Vec3::UnitZ();  // m, elastic slip that is left
+  Vec3 slip = Vec3::Zero(), normal = Vec3::UnitZ();  // m, elastic slip
   Vec3 friction = Vec3::Zero();                      // N, N/m or N/m²
 
   template <class Self, class Each>
@@ -36,7 +37,7 @@ class BodyFrictionPoints {
     features_.clear();
     place_.clear();
   }
-  // All points of a feature at once.
+  // Adds all points of a feature at once.
   void add(int feature, std::span<const BodyFrictionPoint> points) {
     if (points.empty()) return;
     const size_t i = feature;
@@ -45,13 +46,13 @@ class BodyFrictionPoints {
     features_.push_back({feature, points_.size(), points.size()});
     points_.insert(points_.end(), points.begin(), points.end());
   }
-  // None where nothing of the feature touched.
+  // Contact points of a feature; empty if it did not touch.
   std::span<const BodyFrictionPoint> of(int feature) const {
     const size_t i = feature;
     if (i >= place_.size() || place_[i] < 0) return {};
     return points(features_[place_[i]]);
   }
-  // Calls visit(feature, points) for each, in the order in which they were added.
+  // Calls visit(feature, points) for each feature in the order of add().
   template <class Visit>
   void each(const Visit& visit) const {
     for (const Feature& f : features_) visit(f.index, points(f));
@@ -67,7 +68,7 @@ class BodyFrictionPoints {
   }
   std::vector<BodyFrictionPoint> points_;
   std::vector<Feature> features_;
-  std::vector<int> place_;  // in features_, by Feature::index; -1: none
+  std::vector<int> place_;  // index in features_ by Feature::index; -1: none
 };
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
-// Stretches of lines in the soil, node by node: springs from where they were laid that yield at the soil's
-// resistance. See docs/theory/seabed.md.
+// Buried stretches of lines: springs at each node, from the position where the line was laid, that yield at
+// the soil's resistance. See docs/theory/seabed.md.
 #pragma once
 
 #include <mpi.h>
@@ -15,7 +15,7 @@
 
 namespace hawser {
 
-// How much of the arc [from, to] of a line lies in the soil [m].
+// Length of the arc [from, to] of a line that lies in the soil, m.
 double buried_length(const model::Line& line, double from, double to);
 
 class BuriedTerm final : public ForceTerm, public RaisesStiffness {
@@ -25,9 +25,9 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
     BuriedSoil soil;
   };
 
-  // Laid as `start` has them.
+  // The lines are laid as in `start`.
   BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const Kinematics& start, std::vector<Place> places);
-  // held: local nodes that are supported, which the soil leaves alone.
+  // held: supported local nodes, on which the soil does not act.
   BuriedTerm(MPI_Comm comm, const LocalMesh& mesh, const model::Case& c, const Kinematics& start,
              const std::vector<int>& held);
 
@@ -40,9 +40,9 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
-  // The springs have the directions of the line at the start of a step. A search of statics keeps those it
-  // begins with, for its forces to have a potential, and goes on with those of the equilibrium that it finds,
-  // until they are the same.
+  // The springs have the directions of the line at the start of a step. A static solution keeps the
+  // directions fixed so that its forces have a potential, then repeats with those of the equilibrium found,
+  // until the directions no longer change.
   bool raise_stiffness(const Kinematics& equilibrium) override;
   bool raise_stiffness_where_blocked(const Kinematics&) override { return false; }
   void revert_stiffness() override {}
@@ -51,7 +51,7 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
   struct Point {
     int node = 0, block = 0;
     BuriedSoil soil;
-    Vec3 tangent = Vec3::UnitX();  // of the line at the start of the step, or of a search of statics
+    Vec3 tangent = Vec3::UnitX();  // of the line at the start of the step or of the static solution
     // Committed.
     Vec3 at = Vec3::Zero(), slip = Vec3::Zero(), force = Vec3::Zero();  // m, m, N
     double stored = 0, friction_work = 0;                               // J
@@ -69,14 +69,14 @@ class BuriedTerm final : public ForceTerm, public RaisesStiffness {
     return buried_force(p.soil, p.slip + (at.x[p.node] - p.at), p.tangent);
   }
 
-  // Turns the directions by this share of the way to those of the line there; all of the way at the most,
-  // rad.
+  // Turns the directions of the springs by the fraction `share` towards those of the line in `at`. Returns
+  // the largest angle between them before, rad.
   double turn_to(const Kinematics& at, double share = 1);
 
   MPI_Comm comm_;
   const LocalMesh& mesh_;
   std::vector<Point> points_;
-  double share_ = 1, turn_ = HUGE_VAL;  // of a search of statics: of the next turn; the last one, rad
+  double share_ = 1, turn_ = HUGE_VAL;  // in statics: fraction of the next turn; last turn, rad
   LineNeighbours line_;
 };
 

@@ -1,4 +1,4 @@
-// Contact of an axis with a surface: the law at each point where they touch, summed into forces on the
+// Contact of an axis with a surface: sums the contact law over the points in contact into forces on the
 // control points of the axis, with their exact tangent. The axis is an element of a line, an edge of a body
 // or one of its corners. See docs/theory/contact.md.
 #pragma once
@@ -13,41 +13,42 @@
 
 namespace hawser {
 
-// What is asked of forces on an axis.
+// Options of the evaluation of forces on an axis.
 struct AxisContactMode {
-  bool moves = false;    // velocities count
-  bool tangent = false;  // with derivatives
-  bool convex = false;   // these without negative stiffness
+  bool moves = false;    // include velocities
+  bool tangent = false;  // include derivatives
+  bool convex = false;   // derivatives without negative stiffness
 };
 
 class AxisContact {
  public:
-  // What its finder knows of the axis and the surface.
+  // Data of the axis and the surface that the finder of the contact provides.
   struct Pair {
     // The law of a panel, per unit of the weights.
     FunctionRef<ContactLaw(const ContactPanel&)> law;
-    // The surface from an end of a panel, some way beyond touch; asked for tangents only.
+    // Surface point at an end of a panel, also slightly beyond contact; called for tangents only.
     FunctionRef<std::optional<SurfacePoint>(const ContactPanel&, double xi)> query;
-    // What friction starts from at a place of a panel, and how that changes along the axis on request; asked
-    // for laws with friction only.
+    // State of friction at the start of the step at a point of a panel, and on request its derivatives along
+    // the axis; called for laws with friction only.
     FunctionRef<ContactStart(const ContactPanel&, double xi, ContactRates* rates)> start;
   };
-  // How far a beam's ends have rolled about its axis since the start of the step, relative to the body, where
-  // friction acts at its surface.
+  // Roll of a beam's ends about its axis since the start of the step, relative to the body, for friction that
+  // acts at the beam's surface.
   struct Rolls {
     std::array<AxisRoll, 2> ends;
     double angle(double xi) const { return (1 - xi) * ends[0].angle + xi * ends[1].angle; }
   };
 
-  // The axis, and the pose of the surface's body in the trial, outlive it. radius, length: m, of the line; of
-  // the axis, of which weights are parts.
+  // The axis, and the pose of the surface's body in the trial, must outlive this object. radius: of the line,
+  // m. length: of the axis, m, to which the quadrature weights refer.
   AxisContact(const AxisShape& shape, const RigidPose& pose, double radius, double length,
               const AxisContactMode& mode, std::optional<Rolls> rolls = {});
 
-  // Adds what acts at the places found; points: the contact points go there, if it is given.
+  // Adds the contact forces at the quadrature points of `found`. `points`, if given, receives the contact
+  // points.
   void add(const ContactQuadrature& found, const Pair& pair, std::vector<AxisContactPoint>* points = nullptr);
-  // Adds the forces to blocks the positions are attached to: f[3n], K and C (3n)x(3n), row-major; K and C may
-  // be null together.
+  // Adds the forces to the blocks to which the positions are attached: f[3n], K and C (3n)x(3n), row-major; K
+  // and C may both be null.
   void to_blocks(const Stencil& stencil, double* f, double* K, double* C);
 
  private:
@@ -71,9 +72,9 @@ class AxisContact {
   size_t n_;
   Mat3 R_;  // of the pose
   Quat R_inverse_;
-  Mat3 spin_;                       // of its angular velocity, body frame
-  std::array<Vec3, 2> about_;       // the axes that the ends roll about, space axes
-  std::array<double, 2> torque_{};  // N m, of the rolls
+  Mat3 spin_;                       // hat of the body's angular velocity, body frame
+  std::array<Vec3, 2> about_;       // axes about which the ends roll, space axes
+  std::array<double, 2> torque_{};  // N m, on the rolls of the ends
   AttachedForces g_;
 };
 

@@ -1,5 +1,5 @@
-// Output of contact at nodes, for all kinds of contact: the force at each contact point is divided among the
-// nodes of its element.
+// Output fields of contact at nodes, for all kinds of contact. The force at each contact point is divided
+// among the nodes of its element.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,18 @@
 
 namespace hawser {
 
-// A point at an owned node, with its share of it. axes: from those of the point to space, and with the sign
-// turned on what is touched.
+// Receives a contact point for an owned node with the node's share of it. axes: rotation from the axes of the
+// point to space axes; negative for the reaction on the touched line.
 using ShowPoint = std::function<void(int node, double share, const Mat3& axes, const ContactPoint& p)>;
 using EachPoint = std::function<void(const Kinematics& at, const ShowPoint& show)>;
 
-// The fields but for their components; one without a name is not shown.
+// Descriptions of the output fields without their components; a field without a name is not output.
 struct ContactFields {
   Field force = {}, normal_force = {}, friction = {}, penetration = {};
 };
 
-// Adds force and friction [N, space axes], sum of the sizes of normal forces [N], and largest penetration of
-// points that are nearer to the node than to others [m].
+// Adds force and friction [N, space axes], the sum of the magnitudes of the normal forces [N], and the
+// largest penetration of the points that are nearest to the node [m].
 void add_contact_fields(FieldRegistry& registry, const ContactFields& shown, const EachPoint& each);
 
 }  // namespace hawser

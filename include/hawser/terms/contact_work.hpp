@@ -1,4 +1,4 @@
-// Work and energies of contact with volumes, by the trapezoidal rule over the accepted steps.
+// Work and energies of contact with volumes by the trapezoidal rule over the accepted steps.
 #pragma once
 
 #include "hawser/kernels/contact_point.hpp"
@@ -8,26 +8,27 @@ namespace hawser {
 
 struct Penetration {
   double depth = 0;  // m
-  int node = -1;     // mesh node, -1: none yet
+  int node = -1;     // mesh node; -1: none
   int volume = -1;
   double time = 0;  // s
 };
 
-// One end of a step of the trapezoid: forces of the history p, which act with the body turned by R, on the
-// way y0 -> y1 (body frame). The motion splits exactly into that of the body's material and that relative to
-// it: x1 - x0 = [p1 - p0 + (R1 - R0)(y0 + y1)/2] + (R0 + R1)/2 (y1 - y0).
+// Motion of a volume's body over a step, for the work of contact forces by the trapezoidal rule. A point
+// moves from y0 to y1 in the body frame. Its displacement splits exactly into that of the body's material and
+// that relative to the body:
+//   x1 - x0 = [p1 - p0 + (R1 - R0)(y0 + y1)/2] + (R0 + R1)/2 (y1 - y0).
 struct StepOfBody {
   Mat3 R0, R1;
   Vec3 shift;
-  bool prescribed;  // its motion is; a floating body loses the work that it does, so that the sum is zero
+  bool prescribed;  // the body's motion is prescribed; for a floating body the work on line and body cancels
   StepOfBody(const RigidPose& before, const RigidPose& after, bool prescribes);
 };
 
 // Sums of an element over the accepted steps.
 struct ContactWork {
   double friction = 0, damping = 0, work = 0;  // J
-  double depth = 0, time = 0;                  // m, s: largest penetration
-  int volume = -1, end = 0;                    // of that; which end of the element is nearer
+  double depth = 0, time = 0;                  // largest penetration, m, and its time, s
+  int volume = -1, end = 0;  // volume of the largest penetration; the nearer end of the element
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
@@ -49,8 +50,9 @@ struct ContactWork {
       end = near;
     }
   }
-  // Half of the work of the point's forces on the way y0 -> y1. touching: part of the way along the normal on
-  // which it touches; normal forces act there alone, friction by the trapezoidal rule on all of the way.
+  // Adds half of the work of the point's forces on its path from y0 to y1. touching: fraction of the path
+  // along the normal in which the point is in contact; normal forces act on it only, friction on the whole
+  // path.
   void add(const StepOfBody& b, const ContactPoint& p, const Mat3& R, const Vec3& y0, const Vec3& y1,
            double touching);
 };

@@ -1,5 +1,5 @@
-// The axis of an element in a state, for contact along lines, and the share of a force on it that its nodes
-// show in the output.
+// Axis of an element in a state, for contact along lines, and the distribution of a contact force to the
+// element's nodes for output.
 #pragma once
 
 #include "hawser/kernels/axis_shape.hpp"
@@ -26,8 +26,8 @@ inline AxisEnds element_axis(const Kinematics& at, const Element& e, int first, 
   return a;
 }
 
-// Calls what(node, share) for the ends that this rank owns; share: the value at xi of the shape function of
-// the position.
+// Calls what(node, share) for the ends that this rank owns. share: value of the position's shape function at
+// xi.
 template <class What>
 void share_at_ends(const Element& e, int first, int second, int owned, double xi, const What& what) {
   const double at_second = e.beam ? xi * xi * (3 - 2 * xi) : xi;

@@ -1,4 +1,4 @@
-// Rotational springs at held ends of lines: a stiffness between a free end and a clamped one.
+// Rotational springs at supported ends of lines, with a stiffness between a free and a clamped end.
 #pragma once
 
 #include <array>
@@ -13,19 +13,19 @@
 namespace hawser {
 
 struct EndSpring {
-  int node = 0;                    // local, with a rotation
+  int node = 0;                    // local node with a rotation
   int body = -1;                   // -1: the direction is fixed in space
-  Vec3 direction = Vec3::UnitX();  // unit, in the body's frame (or space)
+  Vec3 direction = Vec3::UnitX();  // in the body's frame, or in space axes
   double stiffness = 0;            // N m/rad
 };
 
-// Of the owned end nodes of a case.
+// Springs at the owned end nodes of a case.
 std::vector<EndSpring> end_springs(const model::Case& c, const LocalMesh& mesh);
 
-// Energy k phi²/2 of the angle phi between the line's tangent t = Q e1 and the direction d, so a moment k phi
-// about t x d. With c = d.t, W'(c) = -k phi/sin phi and W''(c) = k (1 - phi cot phi)/sin² phi, both smooth
-// but at phi = pi, where the end is folded back. There is no moment about the tangent itself. The work of
-// turning bodies on the line through the springs is history.
+// Spring with the energy k phi²/2, where phi is the angle between the line's tangent t = Q e1 and the
+// direction d. Its moment is k phi about t x d. With c = d.t, W'(c) = -k phi/sin phi and W''(c) = k (1 - phi
+// cot phi)/sin² phi, both smooth except at phi = pi, where the end is folded back. There is no moment about
+// the tangent. The work of moving bodies through the springs is part of the history.
 class EndSprings final : public ForceTerm {
  public:
   EndSprings(const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies, std::vector<EndSpring> springs);
@@ -40,7 +40,7 @@ class EndSprings final : public ForceTerm {
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
-  // A spring on a body that moves: the body's rotation, and its moment on the spring, N m, body axes.
+  // Rotation of a moving body, and the moment of the body on the spring, N m, body axes.
   struct Hold {
     Quat rotation;
     Vec3 moment;
@@ -51,9 +51,9 @@ class EndSprings final : public ForceTerm {
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;
   std::vector<EndSpring> springs_;
-  std::vector<size_t> driven_;      // springs on bodies that move
-  std::vector<Hold> before_, now_;  // theirs, of the committed state; room for those of the accepted one
-  std::vector<double> work_;        // J, by spring, done by the bodies
+  std::vector<size_t> driven_;      // indices of springs on moving bodies
+  std::vector<Hold> before_, now_;  // driven springs in the committed state; workspace for the accepted one
+  std::vector<double> work_;        // J, done by the bodies, by spring
 };
 
 }  // namespace hawser

@@ -1,8 +1,7 @@
-// Winches, tensioners and reels, which pay out a line at one of its ends and haul it in. The line's elements
-// from that end on are a stock that is held at the feeder and idle. The element that leaves the feeder, at
-// the feed point, has an unstretched length of its own. How much a tensioner pays out is in
-// kernels/feeder_law.cpp; how nodes are released and caught is in run/feeder_nodes.cpp. See
-// docs/theory/feeders.md.
+// Winches, tensioners and reels, which pay out and haul in a line at one of its ends. The elements from that
+// end on are a stock, held at the feeder and idle. The element that leaves the feeder, at the feed point, has
+// a variable unstretched length. The payout law of a tensioner is in kernels/feeder_law.cpp, release and
+// capture of nodes in run/feeder_nodes.cpp. See docs/theory/feeders.md.
 #pragma once
 
 #include <array>
@@ -33,7 +32,7 @@ struct Feeder {
   TiedNode tied;  // how a node is held at the feeder
   bool beam = false;
   CableSection cable;  // section at the feed point of a cable, with the element's length in the mesh
-  BeamSection bar;     // the same for a line that resists bending
+  BeamSection bar;     // section of a beam at the feed point
   double free_strain = 0;
   double mass_per_length = 0;   // kg/m
   Vec3 weight = Vec3::Zero();   // N/m
@@ -50,13 +49,13 @@ struct Feeder {
   double time = 0;         // s
 };
 
-// State of the element at the feed point in a trial.
+// Element at the feed point in a trial.
 struct FeedPoint {
   double length = 0, speed = 0, acceleration = 0;  // m, m/s, m/s²: unstretched length and its rates
   double by_chord = 0;                             // derivative of the length by the chord
   double length_by_force = 0;  // m/N, derivative of the length by the force of a beam on its feeder
-  // m/s: where a tension is kept, the rate of the length for which the velocities of the ends reproduce the
-  // strain rate that the damper of the step had.
+  // m/s, rate of the length at which, with a constant tension, the velocities of the ends reproduce the
+  // strain rate of the damper over the step.
   double length_rate = 0;
 };
 
@@ -82,18 +81,19 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
 
   // State of the feed point at the end of the step of the trial.
   FeedPoint feed_point(const Feeder& f, const Kinematics& at) const;
-  // The same by the speed of the start of the step: what masses and water use.
+  // State of the feed point predicted with the speed at the start of the step, used for mass and water
+  // forces.
   FeedPoint predicted_feed_point(const Feeder& f, const Kinematics& at) const;
   void update(const Kinematics& at) override;
   std::vector<std::array<int, 2>> inside() const override;
 
-  // Force on the feeder from the element at its feed point with an unstretched length [m], N: its tension at
-  // the end of the step that began with the committed state, and for a beam also M²/2EI.
+  // Force [N] on the feeder from the element at its feed point with an unstretched length [m]: the tension at
+  // the end of the step that starts from the committed state, for a beam plus M²/2EI.
   FedPull pull(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
 
-  // The tied nodes, with local nodes inside feeders held there.
+  // `tied` with the local nodes inside feeders held at them.
   std::vector<TiedNode> with_held(const std::vector<TiedNode>& tied) const;
-  // Nodes of the mesh that are held at a feeder, or may be at some time.
+  // Mesh nodes that are, or may later be, held at a feeder.
   std::vector<int> fed_nodes() const;
 
   double work() const { return work_; }
@@ -116,8 +116,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   Flow flow(const FeedPoint& m, const Kinematics& at, const LocalElement& e, bool at_b) const;
 
  private:
-  // For a cable element at a feed point: the strain at the start of the step, and its mean rate over the
-  // step, 1/s.
+  // For a cable element at a feed point: strain at the start of the step, and mean strain rate over the step,
+  // 1/s.
   double strain_before(const Feeder& f, const LocalElement& e) const;
   double strain_rate(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
   CableFeed feed_of_cable(const Feeder& f, const Kinematics& at, const LocalElement& e, double length) const;
@@ -132,8 +132,8 @@ class Feeders final : public ForceTerm, public ActsOnElements, public LimitsStep
   const LocalMesh& mesh_;
   const model::Case& case_;
   std::vector<Feeder> feeders_;
-  std::vector<double> power_;  // W, at the committed state, by feeder
-  std::vector<double> pulls_;  // N, at the committed state, by feeder: force of beams
+  std::vector<double> power_;  // W, by feeder, at the committed state
+  std::vector<double> pulls_;  // N, force of beams by feeder, at the committed state
 };
 
 }  // namespace hawser

@@ -1,5 +1,5 @@
-// Pressure of the sea on the hulls of floating bodies: buoyancy of what is under water, exactly, and the
-// pressure of waves (Froude-Krylov) on the instantaneous wetted surface. See docs/theory/hulls.md.
+// Sea pressure on the hulls of floating bodies: exact buoyancy of the submerged part, and wave pressure
+// (Froude-Krylov) on the instantaneous wetted surface. See docs/theory/hulls.md.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,8 @@ namespace hawser {
 // Triangles of the volumes of a case, in its order.
 using VolumeFacets = std::vector<std::shared_ptr<const MeshView>>;
 
-// The surface of a body's hull from its centre of mass, body axes. longest: m, edges beyond it are split.
+// Surface of a body's hull relative to its centre of mass, body axes. Edges longer than `longest` [m] are
+// split.
 HullSurface hull_surface(const model::Case& c, int body, const VolumeFacets& facets, double longest);
 
 class Hulls final : public ForceTerm,
@@ -26,10 +27,10 @@ class Hulls final : public ForceTerm,
                     public RestrainedInStatics,
                     public ActsOnBodies {
  public:
-  // Of the bodies of the case that this rank owns.
+  // Builds the term for the bodies of the case that this rank owns.
   Hulls(const model::Case& c, const LocalMesh& mesh, const VolumeFacets& facets);
 
-  // In statics no water acts on bodies that are held where they start (RigidBodies::hold).
+  // In statics the water does not act on bodies that are held where they start (RigidBodies::hold).
   void hold(bool on, bool friction) override {
     hold_ = on;
     friction_ = friction;
@@ -49,7 +50,7 @@ class Hulls final : public ForceTerm,
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
-  // Of a state: of still water, and what waves add on the centre of mass and about it, axes of space.
+  // Forces in a state: of still water, and the additional force of waves at the centre of mass, space axes.
   struct Forces {
     double time = -1, step = -1;
     Vec3 x = Vec3::Zero();
@@ -59,20 +60,20 @@ class Hulls final : public ForceTerm,
   };
   struct Hull {
     HullSurface surface;
-    int node = 0, block = 0, global = 0;  // local; local block of the position; mesh node
-    int body = 0;                         // of the case
+    int node = 0, block = 0, global = 0;  // local node; local block of its position; mesh node
+    int body = 0;                         // index in the case
     StaticRest rest;
     bool in_waves = false;
-    double whole = 0;      // N, buoyancy of all of it
-    RigidBodyState start;  // of the step
-    // Heads at `time`, where the body gets with the velocity that it has at the start of the step.
+    double whole = 0;      // N, buoyancy of the fully submerged hull
+    RigidBodyState start;  // at the start of the step
+    // Wave heads at `time`, at the position that the body reaches with its velocity at the start of the step.
     mutable std::vector<double> heads;
     mutable double time = 0;
     mutable bool known = false;
-    mutable Forces forces;  // as asked for last
-    BodyForce waves;        // of the last accepted state
+    mutable Forces forces;  // of the last requested state
+    BodyForce waves;        // at the last accepted state
     bool has_waves = false;
-    double work = 0;  // J, of the waves over the accepted steps
+    double work = 0;  // J, work of the waves over the accepted steps
   };
   const std::vector<double>& heads(const Hull& hull, const Kinematics& at) const;
   HullPressure pressure(const Hull& hull, const Kinematics& at, bool waves, bool tangent) const;

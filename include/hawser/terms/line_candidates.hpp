@@ -1,11 +1,11 @@
-// The pairs of elements that may touch before the list is made again: a Verlet list over all ranks.
+// Pairs of elements that may touch before the list is rebuilt: a Verlet list over all ranks.
 //
-// An element is the convex hull of the Bézier points of its axis, now and at the end of its predicted path
-// some steps later. A pair is in the list if the hulls, swept along their paths, come nearer than the sum of
-// both radii and both skins. The list holds as long as every axis is within its skin of its predicted place
-// at that time, whatever the elements' shape. See docs/theory/line-candidates.md.
+// An element is represented by the convex hull of the Bézier points of its axis, at present and at the end of
+// its predicted path some steps later. A pair is in the list if the hulls, swept along their paths, come
+// nearer than the sum of both radii and both skins. The list is valid as long as every axis is within its
+// skin of its predicted position, whatever the elements' shape. See docs/theory/line-candidates.md.
 //
-// How a term uses it:
+// Use by a term:
 //   recouple(k, h):   candidates.update(k, h), collective; true: the pairs have changed
 //   couple(c):        candidates.couple(c); then ghosts and matrix are made
 //   update_ghosts():  candidates.locate(): segments() now have local nodes
@@ -44,67 +44,68 @@ struct CandidatePair {
 };
 
 struct CandidateSettings {
-  // Elements of one line that are nearer along it than this many diameters (mean of both) are no pair;
+  // Two elements of one line that are closer along it than this many diameters (mean of both) are not a pair;
   // neither are elements that share a node.
   double exclusion_diameters = 2;
-  // Skin: how far an axis may be from its predicted place before the list is made again. It is the larger of
-  // this many of its diameters and this part of its length.
+  // Skin: allowed distance of an axis from its predicted position before the list is rebuilt. It is the
+  // larger of `skin_diameters` diameters and `skin_lengths` lengths of the element.
   double skin_diameters = 0.1, skin_lengths = 0.05;
-  // Largest number of steps for which the path is predicted. It is less if the path would bend out of a skin.
+  // Largest number of steps for which paths are predicted; fewer if a path would bend out of a skin.
   double steps = 4;
-  // Pairs of lines (indices, in any order, also a line with itself) without contact.
+  // Pairs of lines without contact (indices in any order; also a line with itself).
   std::vector<std::pair<int, int>> excluded;
-  // Arc lengths continue through places that lines share, so that the exclusion above applies there. Pairs
-  // wholly within the length without contact of a shared place are excluded. Must outlive this object.
+  // Arc lengths continue through shared places, so that the exclusion along a line applies there as well.
+  // Pairs that lie within the length without contact of a shared place are excluded. Must outlive this
+  // object.
   const SharedPlaces* shared = nullptr;
 };
 
-// An element's axis as four Bézier points, now and at the end of the predicted path, with all that the search
-// reads of an element. It is one object in whole cache lines.
+// Axis of an element as four Bézier points, at present and at the end of the predicted path, with all data
+// that the search reads. The struct fills whole cache lines.
 struct alignas(64) SweptAxis {
   int element = 0;            // index into Mesh::elements
-  int line = 0;               // of the element, like all members below
+  int line = 0;               // line of the element
   int first = 0, second = 0;  // nodes of the mesh
   double arc[2] = {0, 0};     // m, arc lengths of the two nodes
-  // m; the skin is about the straight path and includes the bend of the real one
+  // m; the skin is about the straight path and includes the curvature of the real path
   double radius = 0, skin = 0;
   std::array<Vec3, 4> from, to;
 };
-// Box of the line anywhere on its straight path, and up to its skin beside it.
+// Bounding box of the axis anywhere on its straight path, enlarged by radius and skin.
 Box swept_box(const SweptAxis& s);
 
 class LineCandidates {
  public:
   LineCandidates(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii, CandidateSettings settings = {});
 
-  // Sets how many elements of each line are inside feeders at its ends A and B. They have no contact, and
-  // distances along lines that share a place count from the feeders. True if the numbers have changed:
-  // update() will change the pairs.
+  // Sets the number of elements of each line inside feeders at its ends A and B. They have no contact, and
+  // distances along lines from shared places count from the feeders. Returns true if the numbers have
+  // changed: update() will then change the pairs.
   bool set_elements_in_feeders(std::vector<std::array<int, 2>> inside);
   // Whether an element is inside a feeder.
   bool is_in_feeder(int element) const;
 
-  // Makes a new list if the present one does not hold for a coming step h [s] from the committed motion (0:
-  // no motion is predicted). True if the pairs of this rank have changed; then locate() must follow.
+  // Rebuilds the list if it is not valid for the next step h [s] from the committed motion (h = 0: no motion
+  // is predicted). Returns true if the pairs of this rank have changed; locate() must then be called.
   // Collective.
   bool update(const Kinematics& committed, double h);
   void couple(Couplings& to) const;
   // Finds the local nodes of the segments. Throws std::logic_error if one is not on this rank.
   void locate();
-  // Whether the list holds for this motion of this rank's elements, so that no pair is missed. Local.
+  // Whether the list is valid for this motion of this rank's elements, so that no pair is missed. Local.
   bool covers(const Kinematics& trial) const;
-  // Makes update() build a new list in any case.
+  // Makes the next update() rebuild the list.
   void forget() { outdated_ = true; }
 
-  // The elements of this rank with a radius, outside feeders, in the order of LocalMesh::elements; then
+  // This rank's elements with a radius outside feeders, in the order of LocalMesh::elements, followed by
   // elements of other ranks that occur in pairs.
   const std::vector<ContactSegment>& segments() const { return segments_; }
-  // Pairs of which this rank owns a node, sorted by (global element of a, of b). Over all ranks their set
-  // does not depend on the number of ranks.
+  // Pairs of which this rank owns a node, sorted by the global elements (a, b). The set over all ranks does
+  // not depend on the number of ranks.
   const std::vector<CandidatePair>& pairs() const { return pairs_; }
-  // The same as pairs of Mesh::elements; available before locate().
+  // The pairs as indices into Mesh::elements; available before locate().
   const std::vector<std::pair<int, int>>& elements() const { return list_; }
-  // How many lists have been made.
+  // Number of lists built.
   long builds() const { return builds_; }
 
  private:
@@ -119,7 +120,7 @@ class LineCandidates {
   SweptAxis at_rest(int element) const;
   bool never(const SweptAxis& p, const SweptAxis& q) const;
   bool excluded(const SweptAxis& p, const SweptAxis& q) const;
-  // boxes: those of this rank's axes.
+  // boxes: swept boxes of this rank's axes.
   std::vector<SweptAxis> from_others(std::span<const Box> boxes) const;
   std::vector<std::pair<int, int>> search() const;
   bool shares_less() const;
@@ -132,18 +133,18 @@ class LineCandidates {
   std::vector<std::array<int, 2>>
       inside_;                       // for each line, see set_elements_in_feeders(); empty: no line is fed
   std::vector<LocalElement> local_;  // elements of this rank with a radius, outside feeders
-  // of local_: at least how many successors have no contact with it
+  // By element of local_: lower bound of the number of successors without contact with it.
   std::vector<std::uint8_t> excluded_after_;
-  std::vector<SweptAxis> built_;  // of local_, at the time the list was made
-  // Of local_: offset of the path half way in time from the middle of the straight path.
+  std::vector<SweptAxis> built_;  // of local_, at the time of the last build
+  // By element of local_: offset of the path's midpoint in time from that of the straight path.
   std::vector<std::array<Vec3, 4>> bend_;
-  std::vector<double> within_;  // m, at each shared place, length within which the list excludes pairs
-  double made_ = 0, span_ = 0;  // s, time at which the list was made; time from there to the end of the paths
+  std::vector<double> within_;             // m, by shared place: length within which the list excludes pairs
+  double made_ = 0, span_ = 0;             // s, time of the last build; duration of the predicted paths
   std::vector<std::pair<int, int>> list_;  // pairs of Mesh::elements, sorted
   std::vector<ContactSegment> segments_;
   std::vector<CandidatePair> pairs_;
   long builds_ = 0;
-  mutable bool outdated_ = false;  // the list does not hold; a flag of a cache, which does not change results
+  mutable bool outdated_ = false;  // the list is invalid; only a cache flag, without influence on results
 };
 
 }  // namespace hawser

@@ -1,4 +1,4 @@
-// The data of an element of a line that contact needs.
+// Contact data of an element of a line.
 #pragma once
 
 #include <array>
@@ -8,8 +8,8 @@ namespace hawser {
 struct LineContactElement {
   double radius = 0;           // m, half the contact diameter; 0: the element takes no part
   double mass_per_length = 0;  // kg/m: the effective mass of relative_damping
-  std::array<bool, 2> held{};  // its ends: by a support or a body
-  bool rolling = false;        // of a beam: friction acts at the line's surface and turns it about its axis
+  std::array<bool, 2> held{};  // whether each end is held by a support or a body
+  bool rolling = false;        // for a beam: friction acts at the surface and turns the beam about its axis
 };
 
 }  // namespace hawser

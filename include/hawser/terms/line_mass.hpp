@@ -23,15 +23,15 @@ class LineMassTerm final : public ForceTerm,
  public:
   struct Load {
     Vec3 per_length = Vec3::Zero();  // N/m of unstretched element length
-    double ramp = 0;                 // s, smooth start; 0: acts always
+    double ramp = 0;                 // s, duration of the smooth start; 0: always acts
   };
   struct Piece {
     LocalElement at;
     bool beam = true;
-    bool idle = false;  // inside a feeder: neither mass nor weight
+    bool idle = false;  // inside a feeder, without mass and weight
     MassSection section;
-    Vec3 load = Vec3::Zero();          // N/m, weight and lasting loads
-    int first_ramped = 0, ramped = 0;  // into the list of ramped loads
+    Vec3 load = Vec3::Zero();          // N/m, weight and constant loads
+    int first_ramped = 0, ramped = 0;  // range in the list of ramped loads
   };
 
   LineMassTerm(const LocalMesh& mesh, std::vector<Piece> pieces, std::vector<Load> ramped_loads);

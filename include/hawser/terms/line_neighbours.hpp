@@ -22,22 +22,21 @@ class LineNeighbours {
     }
   }
 
-  // From the node before an owned node to the one after it, at an end from or to itself; unit.
+  // Unit direction from the node before an owned node to the node after it; one-sided at an end.
   Vec3 tangent(const Kinematics& at, int node) const {
     const Vec3 chord = at.x[after_[node]] - at.x[before_[node]];
     const double length = chord.norm();
     return length > 0 ? Vec3(chord / length) : Vec3::UnitX();
   }
 
-  // Angle by which the line turns from the element before an owned node to the one after it, rad; 0 at an
-  // end.
+  // Angle [rad] between the elements before and after an owned node; 0 at an end.
   double turn(const Kinematics& at, int node) const {
     const Vec3 in = at.x[node] - at.x[before_[node]], out = at.x[after_[node]] - at.x[node];
     return angle_between(in, out);
   }
 
  private:
-  std::vector<int> before_, after_;  // local nodes, by owned node
+  std::vector<int> before_, after_;  // neighbouring local nodes, by owned node
 };
 
 }  // namespace hawser

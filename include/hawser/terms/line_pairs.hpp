@@ -1,5 +1,5 @@
-// Contact of lines with lines and of a line with itself: kernels/line_pair.hpp over all candidate pairs, from
-// both passes. See docs/theory/line-line.md.
+// Contact of lines with each other and with themselves: kernels/line_pair.hpp over all candidate pairs, in
+// both passes (each element once as the slave). See docs/theory/line-line.md.
 #pragma once
 
 #include <map>
@@ -31,19 +31,19 @@ struct LinePairType {
 };
 
 struct LinePairOptions {
-  // Laws by pair of lines (indices, the smaller first); `general` for all others. Stiffness is N/m² or N/m³
-  // by its basis (per length, per area), not automatic.
+  // Contact laws by pair of lines (indices, the smaller first); `general` for all other pairs. Stiffness in
+  // N/m² or N/m³ by its basis (per length, per area), not automatic.
   model::LinePairSettings general;
   std::map<std::pair<int, int>, model::LinePairSettings> tuned;
   std::vector<bool> takes_part;  // by line; empty: all do
   CandidateSettings candidates;
-  // Of lines that take part; `whole` as for SharedPlaces.
+  // Shared places of the lines that take part; `whole`: see SharedPlaces.
   std::vector<SharedPlace> shared;
   std::vector<int> whole;
 };
 
-// Largest penetration, m: of the parabola through the deepest Gauss point and two beside it; 0 without
-// points.
+// Largest penetration [m], from the parabola through the deepest Gauss point and the two next to it; 0
+// without points.
 double deepest_of(const std::vector<LinePairContactPoint>& points);
 
 class LinePairs final : public ForceTerm,
@@ -55,9 +55,9 @@ class LinePairs final : public ForceTerm,
   // types: by line type of the case. std::invalid_argument for settings that make no sense. Collective.
   LinePairs(MPI_Comm comm, const LocalMesh& mesh, std::vector<LinePairType> types, LinePairOptions options);
 
-  // The places that lines share, and the length near them without contact.
+  // Places that lines share, with the lengths without contact near them.
   const SharedPlaces& shared() const { return shared_; }
-  // In statics the stretches without contact at shared places follow the shape, in motion they only shrink.
+  // In statics the lengths without contact at shared places follow the shape; in motion they only shrink.
   void settle(bool settles) { settles_ = settles; }
 
   void enable_friction(bool on) override { friction_on_ = on; }
@@ -66,7 +66,7 @@ class LinePairs final : public ForceTerm,
   bool recouple(const Kinematics& committed, double h) override;
   void couple(Couplings& to) const override { candidates_.couple(to); }
   void update_ghosts() override;
-  // Refuses a step that missed a contact, or in which a line passed through another.
+  // Refuses a step that missed a contact or in which a line passed through another.
   Verdict check_step(const Kinematics& trial) const override;
   void prepare(const Kinematics& committed, double h) override;
   void limit_step(const Kinematics& committed, ImpactEvents& to) const override;
@@ -74,13 +74,14 @@ class LinePairs final : public ForceTerm,
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
   Energy energy(const Kinematics& at) const override;
-  // line_contact_force, line_contact_normal_force, line_friction_force, line_penetration.
+  // Adds line_contact_force, line_contact_normal_force, line_friction_force and line_penetration.
   void fields(FieldRegistry& registry) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;
   void restore(const std::vector<CheckpointRecord>& records) override;
 
-  // Of the pairs this rank counts, over the run; elements of the mesh, -1: never touched.
+  // Largest penetration over the run of the pairs that this rank counts; mesh elements, -1: no contact so
+  // far.
   struct Deepest {
     double depth = 0, time = 0;  // m, s
     int first = -1, second = -1;
@@ -94,9 +95,9 @@ class LinePairs final : public ForceTerm,
     }
   };
   Deepest deepest() const { return deepest_; }
-  // Pairs that touch, of those this rank counts.
+  // Number of pairs in contact that this rank counts.
   int active_count() const;
-  // Sum of the normal forces of those pairs, N, and of the sizes of their friction forces.
+  // Sum of the magnitudes of the normal and of the friction forces of those pairs, N.
   double normal_force() const;
   double friction_force() const;
   // Adds the contacts of those pairs in the accepted state.
@@ -105,35 +106,37 @@ class LinePairs final : public ForceTerm,
   void resultants(const Kinematics& at, ContactResultants& out) const;
 
  private:
-  // Slave and part: first with second's element, its first end, its second end; then second with first's.
+  // Passes by slave and part of the master: the first element against the second, against its first end,
+  // against its second end; then with both elements swapped.
   static constexpr size_t kParts = 6;
   using ContactPoints = std::array<std::vector<LinePairContactPoint>, kParts>;
   using Key = std::pair<int, int>;  // of Mesh::elements
-  // The contact points of a pair in the last evaluated state, and their forces from the last evaluation
-  // without derivatives, which tangent and commitment of the same state reuse.
+  // Contact points of a pair in the last evaluated state, and their forces from the last evaluation without
+  // derivatives, which commit() of the same state reuses.
   struct Trial {
     AxisShape a, b;
     std::array<std::vector<LinePairPass::Panel>, kParts> panels{};
     bool active = false;
-    bool evaluated = false, moves = false;  // moves: with velocities
+    bool evaluated = false, moves = false;  // moves: evaluated with velocities
     ContactPoints points{};
   };
   struct Pair {
-    int a = 0, b = 0;  // segments
+    int a = 0, b = 0;  // indices of segments
     Key key;
     bool counted = false;
     LinePairLaw law;
-    std::array<double, 2> part_a{0, 1}, part_b{0, 1};  // of the elements, in xi: what may touch the other
+    std::array<double, 2> part_a{0, 1}, part_b{0, 1};  // parts of the elements in xi that may touch the other
     SegmentPair chords;                                // at the start of the step
-    double clear = 0;                                  // m, between the surfaces then, at least
-    std::unique_ptr<ContactPoints> points;             // null: did not touch
-    std::unique_ptr<Trial> trial;                      // null: none was asked for in this step
+    double clear = 0;  // m, lower bound of the distance between the surfaces at the start of the step
+    std::unique_ptr<ContactPoints> points;  // null: no contact
+    std::unique_ptr<Trial> trial;           // null: not evaluated in this step
   };
-  // Whether they share a place without contact near it: distances of chords then do not show contact.
+  // Whether the elements share a place with a length without contact, so that the distance of their chords
+  // does not indicate contact.
   static bool clipped(const Pair& p) {
     return p.part_a[0] > 0 || p.part_a[1] < 1 || p.part_b[0] > 0 || p.part_b[1] < 1;
   }
-  // A segment as a rod: chord and how far the axis is from it.
+  // A segment as a rod: its chord, and the largest distance of the axis from it.
   struct Rod {
     Vec3 x1, x2;
     double sagitta = 0;
@@ -155,7 +158,7 @@ class LinePairs final : public ForceTerm,
   int fed_end(int segment) const { return fed_end_[segment]; }
   PairAxis axis(const Kinematics& at, int segment) const;
   double material_of_start(int segment, const PairAxis& axis, double xi) const;
-  // Sums over the contact points of the pairs this rank counts; of those for which which(pair) is true.
+  // Sum over the contact points of the counted pairs for which which(pair) is true.
   template <class Which, class Value>
   double sum(const Which& which, const Value& value) const {
     double sum = 0;
@@ -168,13 +171,12 @@ class LinePairs final : public ForceTerm,
   AxisEnds ends(const Kinematics& at, int segment) const;
   Rod rod(const Kinematics& at, int segment) const;
   LinePairLaw law(int a, int b) const;
-  // Calls what(part, pass) for the passes of a pair that may touch; each has one of the elements as the
-  // slave.
+  // Calls what(part, pass) for the passes of a pair that may touch.
   template <class What>
   void each_pass(const Pair& pair, const PairAxis& A, const PairAxis& B, bool moves, bool convex,
                  const What& what) const;
   Trial& find(Pair& pair, const PairAxis& A, const PairAxis& B) const;
-  // Forces on both elements, summed over the passes.
+  // Contact forces on both elements, summed over the passes.
   AttachedForces forces(const Pair& pair, const PairAxis& A, const PairAxis& B, Trial& found,
                         const AxisContactMode& mode) const;
   bool joint(int element, int end) const;
@@ -205,11 +207,11 @@ class LinePairs final : public ForceTerm,
   LineCandidates candidates_;
   bool settles_ = true;
   std::vector<Pair> pairs_;
-  std::map<Key, std::unique_ptr<ContactPoints>> kept_;  // of pairs, while the list is made anew
+  std::map<Key, std::unique_ptr<ContactPoints>> kept_;  // points by pair while the list is rebuilt
   bool listed_ = false;
-  std::vector<AxisEnds> start_;    // of the segments
-  std::vector<int> fed_end_;       // likewise: the end at a feeder, of one at a feed point; -1: another
-  std::vector<Rod> rods_;          // likewise
+  std::vector<AxisEnds> start_;    // by segment
+  std::vector<int> fed_end_;       // by segment: the fed end if it is at a feed point; else -1
+  std::vector<Rod> rods_;          // by segment
   std::vector<Account> accounts_;  // by owned node
   Deepest deepest_;
   bool friction_on_ = true;

@@ -1,4 +1,4 @@
-// Sections of elements by their line types, as the kernels of beams and cables take them.
+// Sections of elements from their line types, for the kernels of beams and cables.
 #pragma once
 
 #include "hawser/kernels/beam.hpp"
@@ -11,7 +11,7 @@ namespace model {
 struct Case;
 }
 
-// With what bend stiffeners add to the element.
+// Section of a beam with the contribution of bend stiffeners.
 BeamSection beam_section(const Mesh& mesh, const model::Case& c, const Element& e);
 CableSection cable_section(const model::Case& c, const Element& e);
 

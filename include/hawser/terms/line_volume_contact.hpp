@@ -1,5 +1,5 @@
-// Contact of lines with volumes: laws per length of line, integrated over the places on the axis of each
-// element that LineVolumeFinder finds. See docs/theory/contact.md.
+// Contact of lines with volumes: laws per length of line, integrated over the quadrature points on the axis
+// of each element that LineVolumeFinder finds. See docs/theory/contact.md.
 #pragma once
 
 #include <memory>
@@ -55,9 +55,9 @@ class LineVolumeContact final : public ForceTerm,
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override;
-  // Sets whether lines touch a volume from now on. Called between steps, the same on all ranks.
+  // Switches contact of lines with a volume on or off. Called between steps, equally on all ranks.
   void enable(int volume, bool on) { volumes_.enable(volume, on); }
-  // Called before the first step, the same on all ranks.
+  // Called before the first step, equally on all ranks.
   void exclude_ends(std::vector<ExcludedEnds> ends) { volumes_.exclude_ends(std::move(ends)); }
   int volumes() const { return volumes_.size(); }
   const std::string& volume_name(int volume) const { return volumes_.settings(volume).name; }
@@ -65,12 +65,11 @@ class LineVolumeContact final : public ForceTerm,
   // when a run continues from a checkpoint.
   double stiffness(int volume) const { return volumes_.stiffness(volume); }
   void raise_to(int volume, double stiffness) { volumes_.raise_to(volume, stiffness); }
-  // Where a line is deeper in a volume than the range of its law; nullopt: nowhere. Local; for the trial that
-  // was evaluated last.
+  // Where a line is deeper in a volume than the range of its law; nullopt: nowhere. Local; valid for the
+  // trial that was evaluated last.
   std::optional<advice::TooDeep> deeper_than_allowed(const Kinematics& trial) const;
-  // For what this rank counts: the largest penetration over the run (its node: the nearer end of the
-  // element); the number of pairs of an element and a volume in contact; the number of candidate pairs in the
-  // step.
+  // For what this rank counts: largest penetration over the run (with the node at the nearer end of the
+  // element), number of pairs of an element and a volume in contact, number of candidate pairs in the step.
   Penetration largest_penetration() const;
   int active_count() const;
   int candidates() const;
@@ -112,7 +111,8 @@ class LineVolumeContact final : public ForceTerm,
   ContactLaw applied(const ContactLaw& l) const {
     return {l.normal, friction_on_ ? l.friction : FrictionLaw{}};
   }
-  // All of a straight element moves on the spring of the length [m] that touches.
+  // Contact spring of a point. A straight element moves as a whole on the spring of the length `touching` [m]
+  // in contact.
   ContactSpring spring(const Pair& p, double xi, double touching) const {
     return contact_spring(p.law(xi).normal, settings(p).mass_per_length * p.length / touching, p.radius);
   }
@@ -128,21 +128,22 @@ class LineVolumeContact final : public ForceTerm,
   AxisContact contact(Pair& pair, const AxisShape& shape, const AxisContactMode& mode) const;
   void account(const Pair& pair, const AxisShape& shape, const std::vector<AxisContactPoint>& next);
 
-  // add_impact_at(): adds the impact at xi, of `share` m of the `touching` m that touch; `last`: see
-  // Approach. predict_impacts(): adds the impact with a surface that the element may reach.
+  // add_impact_at() adds the impact at xi, of `share` m of the `touching` m in contact; `last`: see Approach.
+  // predict_impacts() adds the impact with a surface that the element may reach.
   void add_impact_at(const Pair& pair, const Kinematics& committed, double xi, double share, double gap,
                      const Vec3& normal, bool last, ImpactEvents& to, double touching) const;
   void predict_impacts(const Pair& pair, const Kinematics& committed, double xi, const SurfacePoint& p,
                        ImpactEvents& to) const;
-  // The same for each facet group that the element may reach in the step. Returns whether there are several.
+  // Adds the impacts with each facet group that the element may reach in the step. Returns whether there are
+  // several.
   bool predict_impacts_by_group(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_by_active_contacts(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   void limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const;
   bool tunnels(const Pair& pair, const AxisShape& shape, const RigidPose& pose, bool rests) const;
   bool is_drawn_in(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
   bool is_inside(const Pair& pair, const AxisShape& shape, const RigidPose& pose) const;
-  // Whether contact of this element cannot be made shallower by stiffness, because an end is held. With
-  // contact at nodes held ends are excluded.
+  // Whether stiffness cannot reduce the penetration of this element because one of its ends is held. With
+  // contact at nodes, held ends are excluded from contact.
   bool is_held(const Pair& p) const { return !finder_.at_nodes() && (p.held[0] || p.held[1]); }
   double static_share(const Pair& pair, const Kinematics& at, double force, double depth,
                       const Vec3& normal) const;
@@ -154,7 +155,7 @@ class LineVolumeContact final : public ForceTerm,
   std::vector<Pair> pairs_;            // sorted by element and volume
   std::vector<ContactWork> accounts_;  // of the elements
   bool friction_on_ = true;
-  std::vector<Near> near_;  // of the trial that was evaluated last
+  std::vector<Near> near_;  // for the trial that was evaluated last
 };
 
 }  // namespace hawser

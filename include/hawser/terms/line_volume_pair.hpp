@@ -1,5 +1,5 @@
-// An element of a line and a volume that it may touch: their contact in a trial, what an accepted step stores
-// of it, and known distances. Plain data, all in the frame of the volume's body.
+// Pair of a line element and a volume that it may touch: contact in a trial, data stored at an accepted step,
+// and known distances. Plain data, all in the frame of the volume's body.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace hawser {
 
-// A gap spring at an end of an element. It acts along the normal at the point of the surface that was nearest
-// at the start, wherever the end moves. See docs/theory/contact-models.md.
+// Gap spring at an end of an element. It acts along the normal at the surface point that was nearest at the
+// start, wherever the end moves. See docs/theory/contact-models.md.
 struct GapSpring {
   bool paired = false;
   Vec3 anchor = Vec3::Zero(), direction = Vec3::UnitZ();  // m, -
@@ -26,8 +26,8 @@ struct GapSpring {
   }
 };
 
-// If a surface may have several facet groups (facet_groups.hpp): those near an axis, and the contact points
-// of the last step on each of them (or on the only one there is). `previous` empty: all of the points.
+// Facet groups near an axis (facet_groups.hpp) if the surface may have several, and the contact points of the
+// last step on each of them. `previous` empty: all points belong to the only group.
 struct NearGroups {
   FacetGroups facet_groups;
   std::vector<std::vector<AxisContactPoint>> previous;
@@ -37,33 +37,33 @@ struct LineVolumePair {
   int element = 0, volume = 0;
   double length = 0, radius = 0;  // m, of the element
   double contact_distance = 0;    // m, distance below which there is a force: radius + smoothing
-  ContactShare part;              // of the axis; the rest has no contact with this volume
+  ContactShare part;              // part of the axis that takes part in contact with this volume
   std::array<bool, 2> held{};     // whether each end is held
-  int levels = 1;                 // halvings of the search, kernels/contact_intervals.hpp
-  // per length, for each half of the element; with contact at nodes they may differ
+  int levels = 1;                 // halvings in the search for intervals, kernels/contact_intervals.hpp
+  // Laws per length for each half of the element; they may differ with contact at nodes.
   std::array<ContactLaw, 2> laws;
   AxisBeside start;                      // axis and pose at the start of the step
   std::vector<AxisContactPoint> points;  // contact points of the last accepted state, by facet group and xi
-  std::array<GapSpring, 2> springs;      // of the ends of the element
+  std::array<GapSpring, 2> springs;      // at the ends of the element
   bool several = false;                  // several facet groups may be met in this step
-  // Intervals in contact at the start of the step, found with more halvings; none: not searched yet.
+  // Intervals in contact at the start of the step, found with additional halvings; nullopt: not searched yet.
   std::optional<std::vector<ContactInterval>> before;
-  // Data kept from step to step, which save time and do not change results: the space around the axis in
-  // which no point of the volume is within `contact_distance`; nearest triangles of the last query and of the
-  // queries ahead.
+  // Data kept between steps that save time and do not change results: the tube about the axis without points
+  // of the volume within `contact_distance`, and the nearest triangles of the last query and of the queries
+  // ahead.
   mutable ClearanceTube clearance;
   int hint = -1;
   mutable std::array<int, 3> ahead{-1, -1, -1};
-  // The facets near each queried point of the axis, in the order of the queries of a trial, and the number of
-  // queries in this trial.
+  // Facets near each queried point of the axis, in the order of the queries of a trial; number of queries in
+  // this trial.
   mutable std::vector<NearFacets> near_facets;
   mutable size_t asked = 0;
-  size_t asked_by_search = 0;  // number of queries of the search for `found`
+  size_t asked_by_search = 0;  // number of queries in the search for `found`
   // For the trial.
   ContactQuadrature found;
-  NearGroups near;  // for the axis of `found`
+  NearGroups near;  // facet groups for the axis of `found`
   // Contact points from an evaluation of the law without derivatives, with or without velocities, at the
-  // motion `found.of`. commit() of the same state uses them.
+  // motion `found.of`. commit() reuses them for the same state.
   enum class Evaluation { none, at_rest, in_motion };
   Evaluation evaluation = Evaluation::none;
   std::vector<AxisContactPoint> evaluated;
@@ -75,7 +75,7 @@ struct LineVolumePair {
   int facet_groups() const {
     return near.facet_groups.several() ? static_cast<int>(near.facet_groups.of.size()) : 1;
   }
-  // Null: all of the surface.
+  // Facet group w; null: the whole surface.
   const FacetGroup* group(int w) const {
     return near.facet_groups.several() ? &near.facet_groups.of[w] : nullptr;
   }

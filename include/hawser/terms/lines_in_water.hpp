@@ -23,7 +23,7 @@ class LinesInWater final : public ForceTerm,
   struct Piece {
     LocalElement at;
     bool beam = true;
-    bool idle = false;  // inside a feeder: no water
+    bool idle = false;  // inside a feeder, without water forces
     WaterSection section;
   };
   struct Ball {
@@ -36,22 +36,22 @@ class LinesInWater final : public ForceTerm,
 
   void scale_current(double factor) override { sea_.current_scale = factor; }
 
-  // Whether the water has a velocity anywhere.
+  // Whether the water moves anywhere.
   bool moving() const { return !sea_.calm(); }
   bool has_waves() const { return !sea_.waves.none(); }
   bool has_current() const { return !sea_.current.none(); }
   double above_still_water(double z) const { return z - sea_.surface; }
   const std::vector<Piece>& pieces() const { return pieces_; }
-  // What drag and inertia of the water exert on a piece cut into so many equal parts, at the ends of which
-  // the motion of the water is evaluated, and its difference from that of four times as many. Changes
-  // nothing.
+  // Drag and inertia force of the flow on a piece that is divided into `parts` equal parts, with the water
+  // motion evaluated at their ends, and its difference from the same force with four times as many parts.
+  // Changes no state.
   struct FlowError {
-    double force = 0, error = 0;  // N, sizes summed over the parts
-    bool crossed = false;         // by the surface
+    double force = 0, error = 0;  // N, sums of the magnitudes over the parts
+    bool crossed = false;         // pierces the water surface
   };
   FlowError flow_error(const Kinematics& at, const Piece& p, int parts) const;
 
-  std::string_view name() const override { return "hydrodynamics"; }  // in checkpoints
+  std::string_view name() const override { return "hydrodynamics"; }  // stored in checkpoints
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
@@ -65,17 +65,19 @@ class LinesInWater final : public ForceTerm,
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
-  // For the wall tension: areas of the bore and of the bare pipe, density and pressure of the contents.
+  // Data for the wall tension: areas of the bore and of the bare pipe, density and pressure of the contents.
   struct Wall {
     double inside = 0, outside = 0;     // m²
     double contents = 0, pressure = 0;  // kg/m³, Pa at the still water level
   };
-  // Forces of flow on what this rank counts, and where they act, by local block: position of a node and,
-  // where it rotates, its direction along the line; what is conjugate to that is a moment.
+  // Flow forces on the nodes and pieces that this rank counts, and their points of application, by local
+  // block: the position of a node and, if it rotates, the line direction there, whose conjugate force is a
+  // moment.
   struct Flow {
     std::vector<Vec3> force, place;
   };
-  // Cables that are taken together, where they are wholly wet; in the last some lanes repeat its last.
+  // Up to four cables evaluated together if they are fully submerged; in an incomplete group the unused lanes
+  // repeat the last cable.
   struct Four {
     int count = 0;
     int piece[4] = {};
@@ -104,25 +106,25 @@ class LinesInWater final : public ForceTerm,
   const LocalMesh& mesh_;
   Sea sea_;
   std::vector<Piece> pieces_;
-  std::vector<Wall> walls_;  // by line type; empty: wall tensions are not shown
+  std::vector<Wall> walls_;  // by line type; empty: no output of wall tension
   std::vector<Ball> balls_;
   std::vector<Four> fours_;  // all cables
-  std::vector<int> beams_;   // pieces
-  // In the last state that was evaluated, by local node; of calm water, which is the same everywhere, one.
+  std::vector<int> beams_;   // indices of pieces
+  // Water in the last evaluated state, by local node; a single entry for calm water, which is uniform.
   mutable std::vector<Water> water_;
-  // Waves are evaluated once a step: for its end, at the places that the nodes reach with their velocity at
-  // its start.
+  // Waves are evaluated once a step, for its end, at the positions that the nodes reach with their velocities
+  // at its start.
   double start_time_ = 0;                 // s
   std::vector<Vec3> start_, speed_;       // m, m/s, at the start of the step
-  std::vector<Vec3> place_;               // m, at which they were evaluated for the state at start_time_
-  mutable std::vector<WaveMotion> wave_;  // cache: their motion at wave_time_
+  std::vector<Vec3> place_;               // m, where waves were evaluated for the state at start_time_
+  mutable std::vector<WaveMotion> wave_;  // cache: wave motion at wave_time_
   mutable double wave_time_ = 0;
   mutable bool wave_known_ = false;
-  Flow flow_;        // of the last accepted state; in statics of the last iteration
+  Flow flow_;        // at the last accepted state; in statics at the last iteration
   double work_ = 0;  // J, done by drag and added mass on what this rank counts
 };
 
-// Properties in water of the case's line types.
+// Hydrodynamic section of a line type for an element of this length [m].
 WaterSection water_section(const model::Case& c, int type, double length);
 
 }  // namespace hawser

@@ -14,16 +14,16 @@
 
 namespace hawser {
 
-// The links of a case, in its order. Every rank that owns one of the nodes that carry its ends has both; the
-// owner of the first of them counts it. See docs/theory/links.md.
+// The links of a case, in its order. A rank that owns a node carrying one end of a link has both ends; the
+// owner of the first carried end counts the link. See docs/theory/links.md.
 class Links final : public ForceTerm, public CouplesNodes, public ScalesResiduals, public HasSeries {
  public:
-  // Rest lengths that are not given are those of the start shape, once the bodies that are drawn in space are
-  // fixed (Bodies::fix_drawn). Refuses (model::Case::refuse) a link that has none then. Collective.
+  // Default rest lengths are those of the start shape, after bodies drawn in space are attached
+  // (Bodies::fix_drawn). Refuses a link whose rest length would be zero (model::Case::refuse). Collective.
   Links(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies,
         const Kinematics& start);
 
-  // Of each link, on the rank that counts it.
+  // One series per link, with rows on the rank that counts it.
   std::vector<Series> series() const override;
   std::vector<std::vector<double>> rows(const Kinematics& at) const override;
 
@@ -45,8 +45,8 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
     std::string name;
     Attached a, b;
     LinkLaw law;
-    int owner = -1;                            // mesh node, of the first end that one carries
-    bool here = false, counted = false;        // this rank has both ends; counts it
+    int owner = -1;                            // mesh node of the first end that is carried by a node
+    bool here = false, counted = false;        // this rank has both ends; counts the link
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
 
@@ -56,14 +56,14 @@ class Links final : public ForceTerm, public CouplesNodes, public ScalesResidual
       each("work", "J", self.work);
     }
   };
-  // Its ends and its force in a state.
+  // Ends and force of a link in a state.
   struct Stretched {
     AttachedNow a, b;
     LinkForce force;
   };
   Stretched stretched(const Link& link, const Kinematics& at, bool convex = false) const;
   void powers(const Link& link, const Kinematics& at, double& damping, double& work) const;
-  bool owned(int node) const;  // of the mesh
+  bool owned(int node) const;  // node of the mesh
 
   const LocalMesh& mesh_;
   std::shared_ptr<const Bodies> bodies_;

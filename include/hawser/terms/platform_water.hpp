@@ -1,4 +1,4 @@
-// Forces of the sea on platforms by hydrodynamic coefficients: hydrostatics, radiation with its memory, wave
+// Forces of the sea on platforms from hydrodynamic coefficients: hydrostatics, radiation with memory, wave
 // forces of first and second order, added linear and quadratic damping. See docs/theory/platforms.md.
 #pragma once
 
@@ -21,8 +21,8 @@
 
 namespace hawser {
 
-// Bodies that have coefficients of the same files are one group and radiate on each other. Every rank that
-// owns one of a group computes all of it; the owner of a body counts its energy.
+// Bodies with coefficients from the same files form a group and radiate on each other. Every rank that owns a
+// body of a group computes the whole group; the owner of a body counts its energy.
 class PlatformWater final : public ForceTerm,
                             public CouplesNodes,
                             public ScalesResiduals,
@@ -41,38 +41,38 @@ class PlatformWater final : public ForceTerm,
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   double round_off(const Kinematics& at, double h) const override;
-  // Added mass and damping of the rows next to it, straight between them; B = 0 at omega = 0 and beyond the
-  // last row.
+  // Uses the added mass and damping at `omega` [rad/s], interpolated linearly between the rows of the data; B
+  // = 0 at omega = 0 and beyond the last row.
   void oscillate(double omega) override;
   std::vector<std::string> origins(int body) const override;
   std::vector<BodyForce> forces_on(int body, const Kinematics& at) const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
   std::vector<CheckpointRecord> records(NodeRange of) const override;
-  // Collective: a rank has the records of its own bodies, and needs the velocities of all of a group.
+  // Collective: each rank has the records of its own bodies, and needs the velocities of the whole group.
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
   struct Group;
   struct Power {
-    double damping = 0, waves = 0;  // W, taken out; brought in
+    double damping = 0, waves = 0;  // W, dissipated; supplied
   };
   struct Platform {
-    int body = 0;                          // of the case
-    int node = 0, local = -1, block = -1;  // of the mesh; local ones
+    int body = 0;                          // index in the case
+    int node = 0, local = -1, block = -1;  // mesh node; local node and block
     bool owned = false;
-    Mat3 axes = Mat3::Identity();  // H, of its coefficients, in a step
-    double follow = 0;             // s, period of the motion that these follow; 0: they stay
-    SlowPose slow;                 // of that motion, in the last accepted state
-    Vec3 arm = Vec3::Zero();       // m, body's origin from the centre of mass, body axes
+    Mat3 axes = Mat3::Identity();  // H, axes of the coefficients during a step
+    double follow = 0;             // s, period of the slow motion that the axes follow; 0: fixed
+    SlowPose slow;                 // slow motion at the last accepted state
+    Vec3 arm = Vec3::Zero();       // m, from the centre of mass to the body's origin, body axes
     PlatformHydrostatics hydrostatics;
-    PlatformPotential potential;  // of the stiffness that is added
+    PlatformPotential potential;  // of the added stiffness
     Mat6 damping = Mat6::Zero();
     Mat6 quadratic = Mat6::Zero();
     PlatformWaves waves;
-    Vec3 file_origin = Vec3::Zero();  // m, of the files' axes from the body's origin, axes of the heading
+    Vec3 file_origin = Vec3::Zero();  // m, origin of the files from the body's origin, axes of the heading
     double damping_work = 0, wave_work = 0;  // J, over the accepted steps
-    RigidBodyState rest;                     // of statics, in the last iteration
-    Power power;                             // of the last accepted state
+    RigidBodyState rest;                     // in statics, at the last iteration
+    Power power;                             // at the last accepted state
   };
   // Velocities of a group at the end of an accepted step.
   struct Past {
@@ -82,50 +82,50 @@ class PlatformWater final : public ForceTerm,
   // Turns axes and wave forces to the slow heading.
   static void turn(Platform& p);
   static Vec3 pose_of(const Platform& p, const RigidBodyState& s);
-  // The mean force of the waves at rest, its moment about the body's origin: axes of space.
+  // Mean force of the waves at rest, and its moment about the body's origin, space axes.
   static Vec6 mean_force(const Platform& p, const RigidBodyState& s);
-  // J, work of that force since the last iteration of statics, which needs a potential.
+  // Work of the mean force since the last iteration of statics, J; statics needs a potential.
   static double mean_work(const Platform& p, const RigidBodyState& s);
   static void rest_at(Platform& p, const RigidBodyState& s);
   static void add_past(Group& g, double time, Eigen::VectorXd rate);
-  // Forces at a time that do not depend on the trial state: of the waves, and of the memory of accepted
+  // Forces at a given time that do not depend on the trial state: of waves, and of the memory of accepted
   // steps. The memory of the current step adds damping (rate - rate at its start).
   struct AtTime {
     double time = 0;
-    Eigen::VectorXd past, first, second;  // of waves of first and of second order
+    Eigen::VectorXd past, first, second;  // past: memory; first, second: waves of first and second order
     Eigen::MatrixXd damping;
   };
   struct Group {
     std::vector<Platform> platforms;
-    std::vector<std::pair<int, int>> entries;  // rows and columns of what `memory` has, row <= column
+    std::vector<std::pair<int, int>> entries;  // rows and columns of the entries of `memory`, row <= column
     RadiationMemory memory;
-    Eigen::MatrixXd added_mass;        // as `oscillate` has chosen it
-    Eigen::MatrixXd harmonic_damping;  // of that frequency; empty: time integration
-    // Modes on the stiffness of the potentials alone, 6 N by number of modes: M v with v . M v = 1, and
-    // omega² [1/s²]. Empty where a body has a hull, whose stiffness is another one.
+    Eigen::MatrixXd added_mass;        // at the frequency of oscillate()
+    Eigen::MatrixXd harmonic_damping;  // at that frequency; empty: time integration
+    // Modes for the stiffness of the potentials alone, 6 N by number of modes, with v . M v = 1, and their
+    // omega² [1/s²]. Empty if a body has a hull, whose stiffness differs.
     Eigen::MatrixXd modes;
     Eigen::ArrayXd squares;
     std::shared_ptr<const model::HydrodynamicData> data;
-    std::vector<int> rows;  // of the data's matrices
+    std::vector<int> rows;  // rows of the bodies in the data's matrices
     std::vector<Past> past;
-    // By step of `past` (none before the first): the change of velocity over its length as the entries of the
-    // memory take it, that of their columns, which moves their rows, then that of their rows, 0 on the
-    // diagonal. In one piece: the memory is read as a whole in each step.
+    // By step of `past` (none before the first) and by entry of the memory: change of velocity over the step
+    // length, first for all columns, which act on the rows, then for all rows, which act on the columns (0 on
+    // the diagonal). Contiguous, because each step reads the whole memory.
     std::vector<double> slopes;
-    double slow_time = 0;  // s, of the slow poses
-    bool here = false;     // this rank owns one of its bodies
+    double slow_time = 0;  // s, time of the slow poses
+    bool here = false;     // this rank owns one of the bodies
     mutable AtTime now;
     mutable bool known = false;
   };
   void add_group(const model::Case& c, const std::vector<int>& bodies);
   Platform platform(const model::Case& c, int body) const;
   static void find_modes(const model::Case& c, Group& g);
-  // kg and so on: what is added to the mass of a group so that its free oscillations have their periods in
-  // steps of h.
+  // Mass [kg and so on] added to that of a group so that its free oscillations have the correct periods in
+  // steps of h [s].
   Eigen::MatrixXd period_mass(const Group& g, double h) const;
   Eigen::VectorXd rates(const Group& g, const Kinematics& at) const;
   const AtTime& at_time(const Group& g, double time) const;
-  // The force of damping and memory on a group, and its derivative by the rates.
+  // Force of damping and memory on a group, and its derivative by the rates.
   void damping(const Group& g, const AtTime& now, const Eigen::VectorXd& rate, Eigen::VectorXd& force,
                Eigen::MatrixXd* slope) const;
   std::vector<Power> powers(const Group& g, double time, const Eigen::VectorXd& rate) const;
@@ -134,7 +134,7 @@ class PlatformWater final : public ForceTerm,
   const LocalMesh& mesh_;
   Sea sea_;
   std::vector<Group> groups_;
-  double period_error_ = 0;  // omega² (1 + period_error omega² h²) is what the scheme makes of a frequency
+  double period_error_ = 0;  // the scheme changes omega² to omega² (1 + period_error_ omega² h²)
   bool coupled_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Dead point forces and moments on nodes, started smoothly, and point masses with their weight.
+// Dead point forces and moments on nodes with a smooth start, and point masses with their weight.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ struct NodeLoad {
   int node = 0;                // local
   Vec3 force = Vec3::Zero();   // N, space axes
   Vec3 moment = Vec3::Zero();  // N m, space axes; the node must have rotations
-  double ramp = 0;             // s; 0: acts from statics on, else rises from nothing at t = 0
+  double ramp = 0;             // s; 0: acts from statics on; else increases smoothly from zero at t = 0
 };
 
 // Loads of a case on the owned nodes, each on the node nearest to its arc length.
@@ -22,15 +22,16 @@ std::vector<NodeLoad> point_loads(const model::Case& c, const LocalMesh& mesh);
 // Residual: -s(t) F on the position, -s(t) R'M on the rotation block; K of the moment is exact.
 class PointLoads final : public ForceTerm, public ScalesResiduals {
  public:
-  // Loads on nodes that aren't owned are excluded. Throws std::invalid_argument for a moment on a cable node.
+  // Ignores loads on nodes that this rank does not own. Throws std::invalid_argument for a moment on a cable
+  // node.
   PointLoads(const LocalMesh& mesh, std::vector<NodeLoad> loads);
 
   std::string_view name() const override { return "point loads"; }
   void prepare(const Kinematics& committed, double h) override;
   void evaluate(const Kinematics& trial, Assembler& assembler) override;
   void commit(const Kinematics& accepted) override;
-  // Forces that last have a potential. work: done over the accepted steps by moments and by forces with a
-  // ramp (trapezoid). In statics a moment has a potential too, good from the prepared state on only.
+  // Constant forces have a potential. Moments and ramped forces do work, summed over the accepted steps by
+  // the trapezoidal rule. In statics a moment has a potential too, valid only from the prepared state on.
   Energy energy(const Kinematics& at) const override;
   double dead_load() const override;
   std::vector<CheckpointKind> checkpoint_kinds() const override;
@@ -41,8 +42,8 @@ class PointLoads final : public ForceTerm, public ScalesResiduals {
   std::vector<NodeLoad> loads_;
   std::vector<int> block_, global_;
   std::vector<double> length_;  // m, of the line
-  std::vector<Vec3> start_;     // position and
-  std::vector<Quat> rotation_;  // rotation of the loaded nodes at the start of the step
+  std::vector<Vec3> start_;     // positions and
+  std::vector<Quat> rotation_;  // rotations of the loaded nodes at the start of the step
   double start_time_ = 0;
   std::vector<double> work_;  // J, by load
 };

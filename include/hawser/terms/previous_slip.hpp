@@ -1,4 +1,4 @@
-// The elastic slip of friction at a point of an axis at the start of a step.
+// Elastic slip of friction at a point of an axis at the start of a step.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 
 namespace hawser {
 
-// Sets slip and normal of `start`, and on request their derivatives along the axis, at the place xi from the
-// contact points of the last accepted state, by increasing xi: between points of one interval interpolated.
-// False: the material there did not touch, and nothing is set. Points: a vector or span of contact points
-// that have xi, from, to, slip and normal.
+// Sets slip and normal of `start` at xi, and on request their derivatives along the axis, from the contact
+// points of the last accepted state, sorted by xi; between points of one interval they are interpolated.
+// Returns false, without setting anything, if the material at xi did not touch. Points: vector or span of
+// contact points with xi, from, to, slip and normal.
 template <class Points>
 bool previous_slip(const Points& points, double xi, ContactStart& s, ContactRates* rates) {
   using Point = typename Points::value_type;

@@ -1,7 +1,7 @@
-// Floating bodies: rigid, with mass and weight; springs pull them towards the place that their prescribed
-// motion has for them. The equations: kernels/rigid_body.cpp. Ends of lines are tied to one in
-// solve/start_shape.cpp (hold_ends). system/tied_nodes.hpp moves them with it, and
-// system/tied_node_forces.hpp passes their forces to it.
+// Floating bodies: rigid bodies with mass and weight, and springs towards the pose of their prescribed
+// motion. The equations are in kernels/rigid_body.cpp. Ends of lines are attached to bodies in
+// solve/start_shape.cpp (hold_ends). system/tied_nodes.hpp moves the ends with the body,
+// system/tied_node_forces.hpp transmits their forces to it.
 #pragma once
 
 #include <array>
@@ -20,19 +20,19 @@ namespace hawser {
 
 class RigidBodies final : public ForceTerm, public ScalesResiduals, public RestrainedInStatics {
  public:
-  // For the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
+  // Builds the term for the bodies with mass of the case that this rank owns. gravity [m/s²] along -z.
   RigidBodies(const model::Case& c, const LocalMesh& mesh, std::shared_ptr<const Bodies> bodies);
 
-  // In statics a spring of 1 rad/s holds a body that has no other support, and its weight does not act. A
-  // body that comes to rest by itself (StaticRest) is only kept from drifting where nothing resists, such as
-  // a load that turns about its sling.
+  // In statics a spring of 1 rad/s holds a body without other support, and the body's weight does not act. A
+  // body that has an equilibrium of its own (StaticRest) is only kept from drifting in directions without
+  // resistance, such as the rotation of a load about its sling.
   void hold(bool on, bool friction) override {
     hold_ = on;
     friction_ = friction;
   }
 
-  // N and N m about its centre of mass, space axes: force of lines and contact on a body of the case in a
-  // state in balance, as the remainder of inertia, springs and weight. On the rank that owns it.
+  // Force [N] and moment [N m] of lines and contact about the centre of mass of a body, space axes: the
+  // remainder of inertia, springs and weight in a balanced state. On the rank that owns the body.
   std::array<Vec3, 2> force_on(int body, const Kinematics& at) const;
 
   std::string_view name() const override { return "floating bodies"; }
@@ -49,18 +49,18 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
  private:
   struct Load {
     RigidBodyLoad constant;
-    std::vector<std::pair<double, Vec6>> table;  // added to it
+    std::vector<std::pair<double, Vec6>> table;  // added to the constant load
     RigidBodyLoad at(double time) const;
   };
   struct Floating {
     RigidBodyData data;
     std::vector<Load> loads;
-    Vec3 centre;                // m, body frame
-    int body = 0, node = 0;     // of the case; local
+    Vec3 centre;                // m, centre of mass in the body frame
+    int body = 0, node = 0;     // index in the case; local node
     int block = 0, global = 0;  // local block of the position; mesh node
     StaticRest rest;
     RigidBodyState start;                      // at the last prepare()
-    MomentumForces momenta;                    // of the last accepted state
+    MomentumForces momenta;                    // at the last accepted state
     double damping = 0, work = 0;              // J, over the accepted steps
     double damping_power = 0, work_power = 0;  // W, at the start of the step
 
@@ -73,7 +73,7 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
     }
   };
   RigidPose rest(const Floating& f, double time) const;
-  // Without `step` inertia by accelerations, else by what the momenta change over it.
+  // Residual of a body. step: inertia from the change of the momenta over the step; else from accelerations.
   RigidBodyResidual own(const Floating& f, const RigidBodyState& s, const Kinematics& trial, bool step) const;
   void powers(const Floating& f, const Kinematics& at, double& damping, double& work) const;
 
@@ -85,9 +85,9 @@ class RigidBodies final : public ForceTerm, public ScalesResiduals, public Restr
   bool hold_ = false, friction_ = false;
 };
 
-// Where the centre of mass of a floating body starts, and its velocities (w in body axes).
+// Start position of the centre of mass of a floating body, and its velocities (w in body axes).
 RigidBodyState floating_start(const model::BodyMass& mass, const RigidPose& rest);
-// The pose of a body's frame from the state of its centre of mass.
+// Pose of the body's frame from the state of its centre of mass.
 RigidPose floating_pose(const RigidBodyState& s, const Vec3& centre);
 RigidBodyState floating_state(const Kinematics& at, int node);
 

@@ -1,7 +1,6 @@
-// The seabed under the lines: a plane or a surface with a spring, a damper and friction at every node and at
-// the middle of each cable element. Each point has the share of the line's length that belongs to it. The law
-// at a point, with friction and the tangents of both, is in kernels/surface_contact_law.cpp. See
-// docs/theory/seabed.md.
+// The seabed: a plane or a surface with a spring, a damper and friction at every node and at the middle of
+// each cable element. Each point represents a share of the line's length. The law at a point, with friction
+// and the tangents of both, is in kernels/surface_contact_law.cpp. See docs/theory/seabed.md.
 #pragma once
 
 #include <memory>
@@ -30,21 +29,20 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     double gap(const Vec3& x) const { return normal.dot(x - point); }
   };
   struct PointLaw {
-    double radius = 0;  // m, minus the lowering of the bed beside a held end
-    ContactLaw law;     // N/m, for the whole point; without normal stiffness there is no contact
+    double radius = 0;  // m, reduced by the lowering of the bed beside a held end
+    ContactLaw law;     // N/m, for the whole point; no contact without normal stiffness
     Suction suction;
-    // Of the share of the line at the point: length [m], weight in water [N], EA over the element's length
+    // Share of the line at the point: length [m], weight in water [N], EA divided by the element's length
     // [N/m].
     double length = 0, weight = 0, axial_stiffness = 0;
     bool operator==(const PointLaw&) const = default;
   };
-  // `nodes`: one law for each owned node. `middles`: one for the middle of each local element, or none at
-  // all.
+  // `nodes`: one law for each owned node. `middles`: one for the middle of each local element, or empty.
   struct PointLaws {
     std::vector<PointLaw> nodes, middles;
   };
 
-  // A surface is given in space axes; the ground is its inside.
+  // A surface is given in space axes; its inside is the ground.
   SeabedTerm(const LocalMesh& mesh, const Plane& plane, PointLaws laws);
   SeabedTerm(const LocalMesh& mesh, std::shared_ptr<const Surface> surface, PointLaws laws);
   // held: supported local nodes, on which the bed does not act.
@@ -63,19 +61,19 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   void enable_friction(bool on) override { friction_ = on ? Friction::contact : Friction::none; }
-  // Friction in statics is counted from where the lines were laid, in two stages, until the first step in
-  // time. In the first stage (pressed) the normal force does not depend on the trial, so that friction has a
-  // potential: it is the weight of what lies on the bed at the start, then the contact force of the last
-  // solution. In the second stage friction has the law of motion. firm: in the first stage the friction
-  // springs are as stiff as the line's elements; the mobilised friction is taken over into the second stage.
-  // places: m, by local node; NaN: not laid
+  // In statics, until the first time step, slip is counted from where the lines were laid, in two stages. In
+  // the first stage (pressed) the normal force does not depend on the trial, so that friction has a
+  // potential. It is the weight of the points on the bed at the start, later the contact force of the last
+  // solution. In the second stage friction has the law of motion. firm: the friction springs of the first
+  // stage are as stiff as the line's elements; the mobilised friction carries over to the second stage.
+  // places: by local node, m; NaN: not laid.
   void lay(const std::vector<Vec3>& places, const Kinematics& start, bool firm);
-  // For the first stage: friction is fully mobilised at this slip [m] or more, so that lines slip smoothly.
+  // For the first stage: friction is fully mobilised at this slip [m] or more, so that it increases smoothly.
   void mobilise_by(double least_slip) { least_slip_ = least_slip; }
   void press_by_contact(const Kinematics& at);
   void follow_contact(const Kinematics& at);
 
-  // The part of a line that is on the bed in the accepted state.
+  // Part of a line on the bed in the accepted state.
   struct OnBed {
     // m of line on the bed: with friction; with friction that is not fully mobilised.
     double friction_length = 0, sticking = 0;
@@ -100,7 +98,7 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
       each("held by suction", "", self.soil.held);
     }
   };
-  // J, dissipated so far at the points that this rank counts. The work of suction counts as damping.
+  // Energy dissipated so far at the points that this rank counts, J. The work of suction counts as damping.
   struct Account {
     double friction = 0, damping = 0;
 
@@ -110,20 +108,20 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
       each("damping work", "J", self.damping);
     }
   };
-  // State of a point at the start of the step: its place, its gap, and the direction of the line.
+  // Point at the start of the step: position, gap, and direction of the line.
   struct Start {
     Vec3 point = Vec3::Zero(), direction = Vec3::UnitX();
     double gap = 0;
   };
   enum class Friction { none, pressed, contact };
-  // Reference of friction in statics: a place, the slip at this place, and the bed's normal and the normal
-  // force at the last iteration.
+  // Reference of friction in statics: position, slip at this position, bed normal, and normal force at the
+  // last iteration.
   struct Laid {
     Vec3 place = Vec3::Zero(), slip = Vec3::Zero(), normal = Vec3::UnitZ();
     double pressed = 0;                               // N
     bool known() const { return place.allFinite(); }  // false: no friction
   };
-  // For a bed that is a surface. It saves time and does not change results. There is no contact within
+  // Cache for a bed that is a surface; it saves time and does not change results. There is no contact within
   // `clear` of `centre`, because the signed distance is 1-Lipschitz. `hint`: nearest triangle of the last
   // query.
   struct Cache {
@@ -131,18 +129,18 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
     double clear = -1;
     int hint = -1;
   };
-  // Most points do not touch. This struct therefore holds only what every evaluation reads of all points.
-  // Other lists hold the rest by the index of the point; only points in contact have a LandedPoint.
+  // Most points do not touch, so this struct contains only the data that every evaluation reads for all
+  // points. Other lists hold the rest by the index of the point; only points in contact have a LandedPoint.
   struct Point {
-    // local; second: other node of the element whose middle the point is, -1: the point is a node
+    // Local nodes. second: other node of the element whose middle is the point; -1: the point is a node.
     int node = 0, second = -1;
     int element = -1;     // local
     int law = 0;          // index into laws_
     int touch = -1;       // index into landed_; -1: none
     bool counted = true;  // this rank counts it in sums
   };
-  // of_nodes: interpolation of nodal values at the point. share: part of a force on the point that a node
-  // bears.
+  // of_nodes(): interpolates nodal values to the point. share(): fraction of a force on the point that acts
+  // on a node.
   static Vec3 of_nodes(const Point& p, std::span<const Vec3> values) {
     const Vec3& first = values[p.node];
     return p.second < 0 ? first : Vec3(0.5 * (first + values[p.second]));
@@ -162,19 +160,20 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   bool laid() const { return !laid_.empty(); }
   Vec3 line_direction(const Point& p, const Kinematics& at) const;
   void add(const Point& p, const Vec3& residual, const Mat3* K, const Mat3* C, Assembler& assembler) const;
-  // Friction of the first stage of statics. In the second stage its potential stands for friction in the line
+  // Friction of the first stage of statics. In the second stage its potential replaces friction in the line
   // search.
   PressedFriction pressed(const Point& p, const Vec3& x) const;
   double contact_distance(const Point& p) const { return law(p).radius + law(p).law.normal.smoothing; }
   // Sets gap, normal and curvature of the trial for a point at x [m]. Returns false if the point does not
-  // touch; the gap to a surface is then at most `beyond` [m] more than where contact begins.
+  // touch; the gap to a surface is then limited to `beyond` [m] more than where contact begins.
   bool locate(const Point& p, const Vec3& x, double beyond, ContactTrial& trial) const;
-  // Signed distance of x [m] if it is less than `most` [m], else infinity.
+  // Signed distance of x [m] if it is less than `most` [m]; else infinity.
   double gap(const Vec3& x, double most) const;
   // convex: without the geometric stiffness of a curved bed, which is negative over a mound.
   PointContact contact(const Point& p, const Kinematics& at, bool derivatives, ContactTrial& trial,
                        bool convex = false) const;
-  // Of a point at the start of a step. Suction does not act in statics, which follows no path.
+  // Suction state of a point at the start of a step. Suction does not act in statics, which has no path in
+  // time.
   SuctionState soil(const Point& p, double step) const {
     return step > 0 && suction_ ? landed(p).soil : SuctionState{};
   }
@@ -182,19 +181,19 @@ class SeabedTerm final : public ForceTerm, public HasFriction {
   const LocalMesh& mesh_;
   Plane plane_;
   std::shared_ptr<const Surface> surface_;          // null: the plane
-  std::shared_ptr<const ContactForceTable> table_;  // to which the laws point; may be null
-  Box bounds_ = Box::everything();                  // of the surface
-  std::vector<PointLaw> laws_;                      // every law once
+  std::shared_ptr<const ContactForceTable> table_;  // referenced by the laws; may be null
+  Box bounds_ = Box::everything();                  // bounding box of the surface
+  std::vector<PointLaw> laws_;                      // each distinct law once
   std::vector<Point> points_;
   std::vector<Start> starts_;
   std::vector<Laid> laid_;  // in statics with friction; empty: slip and normal are those of landed_
   bool firm_ = false;
   double least_slip_ = 0;
   std::vector<LandedPoint> landed_;
-  std::vector<int> vacant_;  // unused indices in landed_, of points that have left the bed
+  std::vector<int> vacant_;  // free indices in landed_
   Account account_;
   mutable std::vector<Cache> cache_;  // empty: a plane
-  bool suction_ = false;              // some point has suction
+  bool suction_ = false;              // at least one point has suction
   std::vector<double> element_;       // m, longest element at each local node
   LineNeighbours line_;
   Friction friction_ = Friction::contact;

@@ -1,6 +1,6 @@
-// Places that two stretches of lines share: ends that are held at one point, or nearer to each other than the
-// lines are thick. Near such a place the stretches must overlap. There is contact between them only beyond
-// the length at which they are first apart. See docs/theory/line-line.md.
+// Shared places of lines: ends held at one point, or closer to each other than the lines' thickness. The two
+// stretches of lines must overlap near such a place, so contact between them starts only beyond the length at
+// which they are first apart. See docs/theory/line-line.md.
 #pragma once
 
 #include <mpi.h>
@@ -18,7 +18,7 @@
 
 namespace hawser {
 
-// The part of a line from one of its nodes on, in one direction.
+// Part of a line from one of its nodes in one direction.
 struct Stretch {
   int node = 0;  // of the mesh
   int way = 1;   // 1: towards end B; -1: towards end A
@@ -35,21 +35,21 @@ class SharedPlaces {
   SharedPlaces(MPI_Comm comm, const LocalMesh& mesh, ContactRadii radii, std::vector<SharedPlace> places,
                std::vector<int> whole);
 
-  // Sets how many elements of each line are inside feeders at its ends A and B. Stretches begin at the
+  // Sets the number of elements of each line inside feeders at its ends A and B. Stretches begin at the
   // feeder.
   void set_elements_in_feeders(std::vector<std::array<int, 2>> inside) { inside_ = std::move(inside); }
 
-  // Updates from a committed state how far from each place there is no contact. The first call determines
-  // this length from the state alone. Later it shrinks and, if `settles` (statics), it also grows. A second
-  // call for the same state changes nothing. Collective.
+  // Updates the length without contact at each place from a committed state. The first call determines it
+  // from the state alone. Later it shrinks and, if `settles` (statics), also grows. A second call for the
+  // same state changes nothing. Collective.
   void update(const Kinematics& at, bool settles);
 
   int size() const { return static_cast<int>(places_.size()); }
   const SharedPlace& place(int k) const { return places_[k].of; }
-  double diameter(int k) const;  // m, the mean of the two at place k
-  // Length without contact, m along either stretch from place k.
+  double diameter(int k) const;  // m, mean of the two diameters at place k
+  // Length without contact along either stretch from place k, m.
   double within(int k) const { return places_[k].step * std::max(places_[k].within, 0); }
-  // The record of a place in a checkpoint, stored by the rank with its first node.
+  // Checkpoint record of a place, stored by the rank with its first node.
   struct Kept {
     int place = 0, steps = 0;
     template <class Self, class Each>
@@ -59,23 +59,23 @@ class SharedPlaces {
     }
   };
   Kept kept(int k) const { return {k, places_[k].within}; }
-  // forget() makes all places unknown; restore() sets those that this rank has. The next update() distributes
-  // them.
+  // forget() marks the lengths of all places as unknown; restore() sets those that this rank has. The next
+  // update() distributes them.
   void forget();
   void restore(const Kept& kept);
 
-  // The places between stretches of two lines, in any order, also of a line with itself.
+  // Places between stretches of two lines, in any order, or of a line with itself.
   const std::vector<int>& between(int line, int other) const;
-  // m, along a stretch from its place to the first and to the second node of an element; none if the element
-  // is not on the stretch.
+  // Distances [m] along a stretch from its place to the first and the second node of an element; nullopt if
+  // the element is not on the stretch.
   std::optional<std::array<double, 2>> along(const Stretch& stretch, int element) const;
-  // Two elements on the two stretches from a place: distances [m] from it to the nearer and the farther end
-  // of each, in the order of the stretches.
+  // Two elements on the two stretches from a place: distances [m] from the place to the nearer and the
+  // farther end of each, in the order of the stretches.
   struct Found {
     int place = 0;
     std::array<double, 2> one, other;
   };
-  // Whether what(found) is true for any of the places between two elements.
+  // Whether what(found) is true for any place between two elements.
   template <class What>
   bool any_between(int element, int second, const What& what) const;
   // Shortens the parts [from, to] of two elements by their lengths without contact with each other.
@@ -83,19 +83,19 @@ class SharedPlaces {
 
  private:
   static constexpr int kUnknown = -1;
-  // Lengths along the stretches are counted in steps, so that the same state has the same result.
+  // Lengths along the stretches are counted in steps, so that the same state gives the same result.
   struct Place {
     SharedPlace of;
     double step = 0;        // m
     double limit = 0;       // m, largest length along either stretch
     int within = kUnknown;  // length without contact, in steps
-    int clear = 0;          // steps up to which the stretches were clearly apart beyond that, in statics
+    int clear = 0;          // in statics: steps up to which the stretches were clearly apart beyond `within`
   };
-  // A stretch as a polyline.
+  // Stretch as a polyline.
   struct Rope {
-    std::vector<double> s;  // m from the place on
+    std::vector<double> s;  // m, from the place
     std::vector<Vec3> x;
-    std::vector<double> radius;  // of the segment after each point
+    std::vector<double> radius;  // radius of the segment after each point
   };
   struct Gaps;
 
@@ -114,7 +114,7 @@ class SharedPlaces {
   std::vector<double> offset_;  // m, of each line, its start along its uncut line
   std::vector<std::array<int, 2>> inside_;
   std::vector<Place> places_;
-  bool agreed_ = true;                                       // all ranks have the same values of the places
+  bool agreed_ = true;                                       // all ranks have the same lengths
   std::map<std::pair<int, int>, std::vector<int>> between_;  // by uncut lines
 };
 

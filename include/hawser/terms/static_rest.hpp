@@ -6,14 +6,14 @@
 namespace hawser {
 
 struct StaticRest {
-  // It is a platform, has loads, carries lines or links or can be touched by lines, or springs hold it in
-  // wind and current, or it floats in water where no current moves it.
+  // The body is a platform, has loads or dynamic positioning, carries lines or links, can be touched by
+  // lines, is held by springs in wind and current, or floats in water where no current moves it.
   bool always = false;
-  bool by_friction = false;  // other bodies can hold it, where contact has friction in statics
+  bool by_friction = false;  // other bodies can hold it if contact has friction in statics
   bool found(bool friction) const { return always || (friction && by_friction); }
 };
 
-// body: of the case, with mass.
+// body: index in the case, of a body with mass.
 StaticRest static_rest(const model::Case& c, int body);
 
 }  // namespace hawser

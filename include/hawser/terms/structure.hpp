@@ -43,8 +43,7 @@ class StructureTerm final : public ForceTerm,
 
   StructureTerm(const LocalMesh& mesh, std::vector<Beam> beams, std::vector<Cable> cables);
 
-  // Takes the line types of the case for the elements of the mesh. Every beam is straight when free of
-  // stress.
+  // Takes the sections from the line types of the case. Every beam is straight when stress-free.
   StructureTerm(const LocalMesh& mesh, const model::Case& c);
 
   std::string_view name() const override { return "structure"; }
@@ -56,7 +55,7 @@ class StructureTerm final : public ForceTerm,
   double round_off(const Kinematics& at, double h) const override;
   Overstretch overstretched(const Kinematics& at) const override;
   void tensions(const Kinematics& at, std::span<LineTension> lines) const override;
-  // Length [m] of this rank's cables without tension, by line.
+  // Length of this rank's cables without tension, by line, m.
   std::vector<double> slack(const Kinematics& at) const;
   bool soften(double most) override;
   double axial_stiffness() const override;
@@ -66,17 +65,17 @@ class StructureTerm final : public ForceTerm,
   void restore(const std::vector<CheckpointRecord>& records) override;
 
   std::vector<Beam>& beams() { return beams_; }
-  // Called before the feed point of a feeder moves to the next element, inwards where a node is released: the
-  // plastic history moves with the material. Collective.
+  // Called before the feed point of a feeder moves to the next element; releases: inwards, because a node is
+  // released. Moves the plastic history with the material. Collective.
   void transfer_node(MPI_Comm comm, size_t feeder, bool releases);
 
  private:
-  // Plastic history on either side of a feed point (structure_feed.cpp), by label from the free node on.
+  // Plastic history on both sides of a feed point (structure_feed.cpp), by material label from the free node
+  // on.
   struct FedBends {
     std::vector<double>
-        inside;  // of material inside the feeder: of the element at the feed point, and of the next one
-    std::vector<double>
-        trial;  // of the element at the feed point at its trial length, in the element's order
+        inside;  // material inside the feeder: of the element at the feed point, and of the next one
+    std::vector<double> trial;  // element at the feed point with its trial length, in the element's order
   };
   // accepted: the lengths are those at the end of the step.
   void update_from_feeders(double step, bool accepted = false);
@@ -93,14 +92,14 @@ class StructureTerm final : public ForceTerm,
   std::vector<Beam> beams_;
   std::vector<Cable> cables_;
   std::vector<FedBends> fed_;             // by feeder, in the order of FedLines
-  bool damped_ = false, yields_ = false;  // any type of the model bends plastically
+  bool damped_ = false, yields_ = false;  // yields_: a line type of the model bends plastically
   std::vector<double> set_;               // histories of all beams, see BeamReference::set; zero in statics
-  // True values while elements are softened: EA [N] and plastic law of beams; EA of cables.
+  // Unsoftened values while elements are softened: EA [N] and plastic law of beams; EA of cables.
   std::vector<std::pair<double, const PlasticBending*>> true_beams_;
   std::vector<double> true_EA_;
   double power_ = -1;     // W, dissipated by beams at the committed state; < 0: not yet computed
   double damping_ = 0;    // J, dissipated so far
-  double filtered_ = 0;   // J, taken so far from axial vibration that steps do not resolve
+  double filtered_ = 0;   // J, removed so far from axial vibration that the steps do not resolve
   double last_step_ = 0;  // s, length of the step that led to the committed state
 };
 

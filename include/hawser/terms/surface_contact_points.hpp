@@ -1,5 +1,5 @@
-// Contact of an axis with a surface as plain data: the places that a finder finds in a trial, and the points
-// that an accepted step leaves. All in the frame of the surface's body.
+// Plain data of contact between an axis and a surface: the quadrature points found in a trial, and the
+// contact points of an accepted step. All in the frame of the surface's body.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@
 
 namespace hawser {
 
-// At a surface, with the elastic slip that is left there.
+// Contact point with its elastic slip.
 struct SurfaceContactPoint : ContactPoint {
   Vec3 slip = Vec3::Zero();  // m
 
@@ -34,11 +34,11 @@ struct SurfaceContactPoint : ContactPoint {
   }
 };
 
-// A place of an axis that touches, kept while it does.
+// Contact point on an axis, kept while it is in contact.
 struct AxisContactPoint : SurfaceContactPoint {
   using SurfaceContactPoint::SurfaceContactPoint;
-  double xi = 0, from = 0, to = 0;  // where; its panel: all of it touches
-  int group = 0;                    // of the surface, where it has several
+  double xi = 0, from = 0, to = 0;  // position, and limits of the panel, all of which is in contact
+  int group = 0;                    // facet group, if the surface has several
 
   template <class Self, class Each>
   static void quantities(Self& self, Each&& each) {
@@ -59,13 +59,13 @@ inline AxisShape no_axis() {
   return AxisShape(e);
 }
 
-// An axis beside a body, as they were when something was found out about them.
+// Axis and surface pose for which stored results are valid.
 struct AxisBeside {
   bool known = false;
   AxisShape shape = no_axis();
   RigidPose pose;
 
-  // The same places, whatever their velocities.
+  // Whether the positions are equal, regardless of velocities.
   bool same_configuration(const AxisShape& s, const RigidPose& p) const {
     return known && shape.same_axis(s) && pose.position == p.position &&
            pose.rotation.coeffs() == p.rotation.coeffs();
@@ -76,25 +76,24 @@ struct AxisBeside {
   }
 };
 
-// An interval of an axis that touches, or a part of one; of which facet group of the surface, where it has
-// several.
+// Interval of an axis in contact, or a part of one; group: facet group, if the surface has several.
 struct ContactPanel : ContactInterval {
   int group = 0;
 };
 
-// A place of a panel, and the surface there.
+// Quadrature point of a panel, and the surface there.
 struct QuadraturePoint {
   double xi = 0, weight = 0;   // -, m
-  double along = 0, part = 1;  // of the panel: where on it; the weight of the rule
+  double along = 0, part = 1;  // position in the panel, 0 to 1; weight of the rule
   size_t panel = 0;
   SurfacePoint at;
 };
 
-// Where an axis touches: its panels and their places, by panel.
+// Contact of an axis: panels and their quadrature points, sorted by panel.
 struct ContactQuadrature {
   AxisBeside of;
   std::vector<ContactPanel> panels;
-  std::vector<InactiveInterval> filled;  // parts of panels that do not touch
+  std::vector<InactiveInterval> filled;  // parts of panels without contact
   std::vector<QuadraturePoint> quadrature;
 
   void clear() {
@@ -103,8 +102,8 @@ struct ContactQuadrature {
     filled.clear();
     quadrature.clear();
   }
-  // Adds panels, and their Gauss points, to an axis of that length [m]. query(xi): the surface there, or
-  // nothing where it is out of touch.
+  // Adds panels and their Gauss points for an axis of this length [m]. query(xi): surface point, or nullopt
+  // out of contact.
   template <class Query>
   void add_panels(const std::vector<ContactInterval>& intervals, int group, double length,
                   const Query& query) {

@@ -1,4 +1,4 @@
-// Dynamic positioning: thrusters hold place and heading of floating bodies by their slow motion. See
+// Dynamic positioning: thrusters keep position and heading of floating bodies by their slow motion. See
 // docs/theory/positioning.md.
 #pragma once
 
@@ -16,11 +16,11 @@ namespace hawser {
 
 class Thrusters final : public ForceTerm, public ActsOnBodies {
  public:
-  // Of the bodies of the case that this rank owns.
+  // Builds the term for the bodies of the case that this rank owns.
   Thrusters(const model::Case& c, const LocalMesh& mesh);
 
-  // At rest: true, as in statics, the integral part holds the place; false, as for modes, the integral is
-  // constant and the proportional part acts on motion about rest.
+  // Behaviour at rest. true, as in statics: the integral part holds the position. false, as for modes: the
+  // integral is constant, and the proportional part acts on motion about rest.
   void integrate_at_rest(bool on) { integrates_ = on; }
 
   std::string_view name() const override { return "dynamic positioning"; }
@@ -35,35 +35,35 @@ class Thrusters final : public ForceTerm, public ActsOnBodies {
   void restore(const std::vector<CheckpointRecord>& records) override;
 
  private:
-  // Forces in x and y [N] and the moment about the vertical [N m] on the body's origin, and their derivative
-  // by its x, y [m] and heading [rad].
+  // Forces in x and y [N] and moment about the vertical [N m] at the body's origin, and their derivative by
+  // its x, y [m] and heading [rad].
   struct Push {
-    Vec3 force = Vec3::Zero();  // axes of space
+    Vec3 force = Vec3::Zero();  // space axes
     Vec3 asked = Vec3::Zero();  // before limits, axes of the slow heading
     Mat3 by_pose = Mat3::Zero();
     bool force_limited = false, moment_limited = false;
   };
-  // Input of the controller: offset, velocity and integral of the offset over time, axes of space, and their
+  // Input of the controller: offset, velocity and time integral of the offset, space axes, and their
   // derivatives by the body's pose.
   struct Deviation {
     double heading = 0;  // rad, slow
     Vec3 offset = Vec3::Zero(), speed = Vec3::Zero(), sum = Vec3::Zero();
     double by_place = 1, by_speed = 0, by_sum = 0;
   };
-  // Force and pose at the start of a step, for the work of the force in it.
+  // Force and pose at the start of a step, for the work of the force over the step.
   struct Passed {
     Vec3 force = Vec3::Zero(), origin = Vec3::Zero();
     Quat turned = Quat::Identity();
   };
   struct Positioned {
     model::DynamicPositioning data;
-    Vec3 target = Vec3::Zero(), arm = Vec3::Zero();  // x, y, heading; of the origin from the centre of mass
-    int node = 0, block = 0, global = 0, body = 0;   // local node and block; of the mesh; of the case
-    SlowPose slow;                                   // of the last accepted state, at `time`
-    Vec3 integral = Vec3::Zero();                    // of the offset over time, axes of space: m s, rad s
+    Vec3 target = Vec3::Zero(), arm = Vec3::Zero();  // x, y, heading; from centre of mass to origin
+    int node = 0, block = 0, global = 0, body = 0;   // local node; local block; mesh node; body of the case
+    SlowPose slow;                                   // at the last accepted state, at `time`
+    Vec3 integral = Vec3::Zero();                    // time integral of the offset, space axes: m s, rad s
     double time = 0, work = 0;                       // s, J
     bool begun = false;
-    Passed last;  // of the last accepted state; in statics, of the last iteration
+    Passed last;  // at the last accepted state; in statics at the last iteration
   };
   static Vec3 offset(const Positioned& p, const Vec3& pose);
   static Push push(const model::DynamicPositioning& data, const Deviation& deviation);
@@ -71,7 +71,7 @@ class Thrusters final : public ForceTerm, public ActsOnBodies {
   Push push_at_rest(const Positioned& p, const Vec3& pose) const;
   static Push push_in_motion(const Positioned& p, const Vec3& pose, double time);
   static Passed passed(const Positioned& p, const Kinematics& at, const Push& push);
-  static double work(const Passed& from, const Passed& to);  // J, of the mean force over the way
+  static double work(const Passed& from, const Passed& to);  // J, of the mean force over the displacement
   static void begin(Positioned& p, const Vec3& pose, double time);
 
   bool statics_, integrates_ = true;
