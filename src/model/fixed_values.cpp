@@ -1,4 +1,4 @@
-// Which values of a case file must be the same when a run goes on from a checkpoint.
+// Values of a case file that must not change in a restart from a checkpoint.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,5 +1,5 @@
-// The time scales of a case (waves, prescribed motions, ramps, natural periods of lines and floating bodies,
-// drag) and the longest automatic step that follows from them.
+// Time scales of a case (waves, prescribed motions, ramps, natural periods of lines and floating bodies,
+// drag) and the resulting limit of automatic steps.
 #include "hawser/model/longest_step.hpp"
 
 #include <algorithm>
@@ -16,15 +16,14 @@ namespace {
 
 constexpr double kOfPeriod = 100, kOfWaves = 75, kOfRamp = 20, kOfOwn = 20, kOfDrag = 10, kOfDuration = 50,
                  kOfGust = 4;
-// What lines do by themselves, and drag, shortens what drives them to no less than this; the local error does
-// more.
+// Smallest factors by which natural periods of lines and drag reduce the step of the excitation; the local
+// error reduces it further.
 constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
-// Of the period of a body by itself, where nothing periodic drives it: the period of the scheme is too long
-// by 3.47/n² at n steps a period and rho_infinity 0.8, a thousandth here. What is driven has the period of
-// that.
+// Steps per natural period of a body without periodic excitation: with n steps per period and rho_infinity
+// 0.8 the scheme lengthens the period by 3.47/n², here 0.1 %. A driven body has the period of its excitation.
 constexpr double kOfFree = 60;
 
-// The shortest of what is added.
+// Keeps the shortest step and its reason.
 class Shortest {
  public:
   void of(double length, const std::string& reason) {
@@ -37,9 +36,8 @@ class Shortest {
   LongestStep best_;
 };
 
-// Speed of the water that drag meets, twice the root of the sum of (a omega)² at the surface: the significant
-// amplitude of irregular waves, twice the amplitude of regular ones; and T01 = sum of a² over that of a² f,
-// of linear components.
+// Water velocity for drag, 2 sqrt(sum of (a omega)²) at the surface (the significant amplitude of irregular
+// waves, twice the amplitude of regular ones), and T01 = sum of a² over sum of a² f.
 struct Sea {
   double speed = 0, period = 0;
 };
@@ -62,7 +60,7 @@ void add_harmonic(const HarmonicMotion& m, const std::string& who, Shortest& to)
   if (moves(m)) to.of(m.period / kOfPeriod, "a hundredth of the period of " + who);
 }
 
-// Farthest of what is attached to a body from its origin, m: what its rotation moves.
+// Largest distance of attached lines and links from the body's origin, m: lever arm of its rotation.
 double lever(const Case& c, const Body& b) {
   double out = 0;
   for (const auto& [line, end] : line_ends_at(c, b)) out = std::max(out, end.at.norm());
@@ -72,13 +70,13 @@ double lever(const Case& c, const Body& b) {
   return out;
 }
 
-// The mean period of a curve by the second and fourth moments of its spectrum, 2 pi sqrt(m2/m4): that of the
-// peaks of its displacement (Rice 1944), for a sine its period. A steady velocity does not count.
+// Mean period of a curve from the second and fourth spectral moments, 2 pi sqrt(m2/m4): the mean period of
+// its peaks (Rice 1944); for a sine its period. A steady velocity has no effect.
 double mean_period(const RowCurve::Activity& a) {
   return a.second > 0 ? 2 * M_PI * std::sqrt(a.rate / a.second) : 0;
 }
 
-// Speed, m/s: as of the sine with the same root mean square.
+// Adds the period of a motion table and returns a speed [m/s], that of a sine with the same root mean square.
 double add_table(const TableMotion& m, const std::string& who, double lever, Shortest& to) {
   if (m.of_waves || m.time.size() < 2) return 0;
   const TableLaw law = table_law(m);
@@ -95,7 +93,7 @@ double add_table(const TableMotion& m, const std::string& who, double lever, Sho
   return std::sqrt(2 * moved.rate / (m.time.back() - m.time.front()));
 }
 
-// Speed of a body's points by its own motion, m/s.
+// Adds the motion of a body and returns the largest speed of its points, m/s.
 double add_body(const Case& c, const Body& b, Shortest& to) {
   const std::string who = "body " + b.name;
   double speed = 0;
@@ -115,7 +113,7 @@ double add_body(const Case& c, const Body& b, Shortest& to) {
   return speed;
 }
 
-// A number by time, straight between its rows.
+// Adds a time factor, linear between its rows.
 void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
   std::vector<double> time;
   std::vector<Vec3> value;
@@ -127,7 +125,7 @@ void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
         "a hundredth of the mean period of the time_factor of " + of);
 }
 
-// Forces on a body by time.
+// Adds the time-dependent forces on a body.
 void add_loads(const Body& b, Shortest& to) {
   if (!b.mass) return;
   for (const BodyLoad& load : b.mass->loads) {
@@ -164,8 +162,8 @@ double taut_stiffness(const Case& c, const Body& b) {
   return sum;
 }
 
-// The periods of bodies that move by their own equations: on springs, on taut lines, on links, in the surface
-// and by the coefficients of platforms, of which the share `part` is a step.
+// Adds 1/part of the natural periods of bodies with mass: on springs, taut lines and links, on the water
+// surface, and as platforms.
 void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own) {
   const std::string fraction = part == kOfFree ? "a sixtieth" : "a twentieth";
   const auto has_period = [&](Shortest& to, double period, const std::string& what) {
@@ -196,7 +194,7 @@ void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own
       has_period(afloat, periods.roll, b.name + " in roll");
       has_period(afloat, periods.pitch, b.name + " in pitch");
     }
-    // What is driven follows such a line as if it were a bar.
+    // With prescribed excitation a body follows such a line as a rigid bar.
     if (part == kOfFree) oscillates(own, mass, taut_stiffness(c, b), b.name + " on its lines");
   }
   for (const Link& l : c.links)
@@ -205,7 +203,7 @@ void add_free_bodies(const Case& c, double part, Shortest& afloat, Shortest& own
         oscillates(own, c.bodies[body].mass->mass, l.law.most_stiffness(), e->body + " on link " + l.name);
 }
 
-// Turns that bodies begin with, of those that move by their own equations.
+// Adds the initial rotation of bodies that move by their own equations.
 void add_spin(const Case& c, Shortest& to) {
   for (const Body& b : c.bodies)
     if (b.mass)
@@ -222,7 +220,7 @@ void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortes
              "a tenth of the time in which drag carries body " + b.name + " along");
 }
 
-// Its slowest period, the time of a wave along it where something jolts it, and drag.
+// Adds a line: its slowest period, the axial wave travel time if it starts with a jump, and drag.
 void add_line(const Case& c, const Line& line, double speed, bool jolted, Shortest& own, Shortest& drags) {
   double length = 0, mass = 0, along = 0;
   for (const Section& s : line.sections) {
@@ -243,7 +241,7 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
     own.of(2 * along / kOfOwn, "a twentieth of the time of a wave along line " + line.name + " and back");
 }
 
-// Changes of its speed, where it goes by a table.
+// Adds the ramps between the speed rows of a feeder.
 void add_feed(const End& end, const std::string& line, Shortest& to) {
   if (!end.feed) return;
   const auto& rows = end.feed->speed;
@@ -288,7 +286,7 @@ double slowest_period(const Case& c, const Line& line) {
   }
   if (length == 0 || mass == 0) return 0;
   const bool spans = line.end_a.kind != EndKind::free && line.end_b.kind != EndKind::free;
-  const double wave = spans ? M_PI : 1.8751;  // of a beam between hinges, of a cantilever
+  const double wave = spans ? M_PI : 1.8751;  // beam on hinges; cantilever
   double square = 1.45 * c.environment.gravity / length + std::pow(wave / length, 4) * bend / mass;
   if (is_held(line.end_a) && is_held(line.end_b)) {
     const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
@@ -306,7 +304,7 @@ LongestStep longest_step(const Case& c) {
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(c, b, to));
   for (const Body& b : c.bodies) add_loads(b, to);
   for (const Body& b : c.bodies) add_drag_of_body(b, c.environment, speed, drags);
-  // Where nothing drives them, neither outputs nor the duration say how long their steps may be.
+  // Without excitation, outputs and duration do not limit the steps of free bodies from below.
   Shortest afloat;
   const bool driven_by_motion = to.best().length > 0;
   add_free_bodies(c, driven_by_motion ? kOfOwn : kOfFree, driven_by_motion ? own : afloat, own);

@@ -1,4 +1,4 @@
-// Whether added mass and damping of the files belong together.
+// Consistency of added mass and damping of the files, and names of their freedoms.
 #include "hawser/model/platform_memory.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row)
   return (bodies.size() > 1 ? body + " " : "") + kFreedomNames[row % 6];
 }
 
-// Not of the last row, where damping that ends has no finite added mass.
+// Excludes the last frequency, where truncated damping has no finite added mass.
 OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& of) {
   std::vector<Eigen::RowVectorXd> by_damping;
   for (size_t k = 0; k + 1 < data.omega.size() && !of.entries.empty(); ++k)

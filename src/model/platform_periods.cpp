@@ -1,4 +1,4 @@
-// Periods of heave, roll and pitch with the added mass of their own frequency.
+// Natural periods of heave, roll and pitch with the added mass at their own frequency.
 #include "hawser/model/platform_periods.hpp"
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace hawser::model {
 namespace {
 
-// Between the rows; beyond them as there.
+// Linear between the rows, constant beyond.
 double added_mass(const HydrodynamicData& data, int mode, double omega) {
   const auto [low, high, share] = frequency_place(data.omega, omega);
   return (1 - share) * data.added_mass[low](mode, mode) + share * data.added_mass[high](mode, mode);
