@@ -1,5 +1,4 @@
-// Which datasets a results file has, how it is made anew with more room and the rows of the earlier file, and
-// how it takes that one's place.
+// Datasets of a results file, copying into a file with more capacity, and atomic replacement of the old file.
 #include "hawser/io/results_build.hpp"
 
 #include <fcntl.h>
@@ -95,7 +94,7 @@ void write_description(hid_t file, const ResultContents& c) {
   std::vector<int> ranks = c.ranks;
   ranks.resize(line_of.size());
   write_ints(file, "nodes/rank", ranks);
-  // One cell of kind 2 (polyline) a line: kind, count, nodes. What XDMF calls a mixed topology.
+  // One cell of type 2 (polyline) per line: type, count, nodes (XDMF mixed topology).
   std::vector<int> mixed;
   for (const auto& line : c.lines) {
     mixed.insert(mixed.end(), {2, line.nodes});
@@ -130,7 +129,7 @@ hsize_t rows_in(const RowSet& s, long long outputs, long long steps, const Resul
   return static_cast<hsize_t>(s.by == RowsBy::step ? steps : outputs);
 }
 
-// What tools beside the program show of a field, and how they call it.
+// Labels of fields for external tools.
 void describe_fields(hid_t file, const std::vector<Field>& fields) {
   for (const Field& f : fields) {
     const h5::Id set = h5::open_dataset(file, field_place(f));
@@ -157,7 +156,7 @@ void write_row_sets(hid_t file, const ResultContents& c, const ResultRoom& room)
       h5::texts_attribute(
           set, "columns",
           {"minimum", "time_of_minimum", "maximum", "time_of_maximum", "mean", "standard_deviation"});
-    if (s.name == "outputs/time" || s.name == "series/time") {  // rows not yet there show as NaN
+    if (s.name == "outputs/time" || s.name == "series/time") {  // missing rows read as NaN
       const std::vector<double> nan(shape[0], std::numeric_limits<double>::quiet_NaN());
       h5::check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, nan.data()), s.name);
     }
@@ -234,7 +233,7 @@ void write_summary(hid_t file, const std::vector<SummaryRow>& rows) {
   write_all(file, "summary", type, {rows.size()}, bytes.data(), type);
 }
 
-// The first n rows, in pieces that stay in the processor's cache.
+// Copies the first n rows, in pieces that fit the processor's cache.
 void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
   h5::Shape count = h5::shape_of(to), start(count.size(), 0);
   hsize_t row = H5Tget_size(type);
@@ -258,7 +257,7 @@ void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
   }
 }
 
-// `newest_checkpoint`: only that one, where the run is at its end and it is complete.
+// `newest_checkpoint`: copy only the newest one, at the end of the run if it is complete.
 void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, const ResultRoom& room,
                   const ResultCount& kept, long long clashes, bool newest_checkpoint) {
   const h5::Id from = h5::open_read(path);
@@ -269,8 +268,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   for (const auto& line : c.lines) names.push_back(line.name);
   if (!h5::exists(from, "lines/name") || h5::read_texts(from, "lines/name") != names)
     throw differs("its lines");
-  // Against the case, not what is in the new file: reading there what a full disk did not take would fail
-  // oddly.
+  // Compares with the case, not with the new file, which a full disk may have left incomplete.
   std::vector<double> arc;
   for (const auto& line : c.lines) arc.insert(arc.end(), line.arc.begin(), line.arc.end());
   if (h5::read_array(from, "nodes/arc_length").values != arc) throw differs("its nodes");
@@ -284,7 +282,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
             path, name);
   }
   for (const auto& s : row_sets(c)) {
-    // Statistics are made anew from the checkpoint, which older files do not hold.
+    // Statistics are rebuilt from the checkpoint if an older file lacks them.
     if (s.by == RowsBy::node && !h5::exists(from, s.name)) continue;
     if (!h5::exists(from, s.name)) throw differs("its " + s.name);
     const h5::Id old = h5::open_dataset(from, s.name), made = h5::open_dataset(to, s.name);
@@ -296,7 +294,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   if (c.clashes) copy_clash_tables(from, to, clashes);
   if (room.slot_doubles == 0) return;
   const auto header_of = [&from](const std::string& slot) {
-    std::array<std::uint64_t, 4> h{};  // the first one counts checkpoints; 0: the slot is empty
+    std::array<std::uint64_t, 4> h{};  // the first number is the sequence; 0: the slot is empty
     if (h5::exists(from, slot))
       h5::check(H5Dread(h5::open_dataset(from, slot + "/header"), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL,
                         H5P_DEFAULT, h.data()),
@@ -320,7 +318,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   }
 }
 
-// On disk before it takes the name, and the name on disk as well.
+// Flushes the file before renaming it, and the folder after.
 void put_in_place(const std::string& made, const std::string& path) {
   const auto sync = [](const std::string& what) {
     const int fd = open(what.c_str(), O_RDONLY);
@@ -352,7 +350,7 @@ std::vector<std::string> volume_places(const ResultContents& c) {
 }
 
 std::vector<std::string> series_places(const ResultContents& c) {
-  std::vector<std::string> names{"time"};  // taken
+  std::vector<std::string> names{"time"};  // names in use
   for (const auto& s : c.series) names.push_back(s.name);
   names = safe_names(names);
   names.erase(names.begin());
@@ -425,7 +423,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
                    const std::string& from, const ResultCount& kept, long long clashes,
                    const ResultLast* last) {
   const std::string made = path + ".new";
-  std::remove(made.c_str());  // it may be a link, and lead to something else
+  std::remove(made.c_str());  // a link would write elsewhere
   try {
     const h5::Id file = h5::create(made);
     {

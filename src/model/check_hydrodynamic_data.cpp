@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-// In long waves the water carries a body as it moves itself: heave follows the crest and surge comes a
-// quarter of a period before it, and the heave force is that of the hydrostatic stiffness. Waves of this wave
-// number times the side of a cube of its volume are long.
+// In long waves a body moves with the water: heave is in phase with the crest, surge leads it by a quarter of
+// a period, and the heave force equals hydrostatic stiffness times elevation. Upper limit of wave number
+// times cube root of volume for long waves:
 constexpr double kLongWaves = 0.1;
 constexpr double kPhase = 30 * kDegree;
 

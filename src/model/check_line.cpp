@@ -13,8 +13,7 @@ namespace {
 // Largest strain between held ends with a modulus [Pa] of metal; more is a typing error, not a taut line.
 constexpr double kLargestStrain = 0.10, kMetal = 20e9;
 constexpr double kLargestExpansion = 0.05;  // thermal; ropes and rubber stay below
-constexpr double kMostWeight =
-    100;  // of a line in air, relative to EA; soft rubber under water has at most 1
+constexpr double kMostWeight = 100;         // of a line in air over EA; soft rubber under water: at most 1
 
 class LineCheck {
  public:

@@ -49,8 +49,7 @@ Line part_of(const Line& line, double from, double to, double length) {
   std::erase_if(out.point_loads, elsewhere);
   for (PointMass& m : out.masses) m.at -= from;
   for (PointLoad& p : out.point_loads) p.at -= from;
-  for (BendStiffener& b : out.bend_stiffeners)
-    b.at -= from;  // a stiffener across the cut belongs to both parts
+  for (BendStiffener& b : out.bend_stiffeners) b.at -= from;  // one across a cut belongs to both parts
   for (auto& row : out.temperature_change) row.first -= from;
   const auto cut = [&](double& a, double& b) {
     a = std::max(a, from) - from;
@@ -174,8 +173,7 @@ class Cuts {
           }
       }
     }
-    BetweenLines& between =
-        c_.contact.between_lines;  // a line without self-contact has none between its parts
+    BetweenLines& between = c_.contact.between_lines;  // no self-contact: none between the parts
     for (std::size_t k = 1; k < names_.size() && !between.self; ++k)
       for (std::size_t i = 0; i < k; ++i) between.exclude.emplace_back(names_[i], names_[k]);
   }

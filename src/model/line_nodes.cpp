@@ -12,7 +12,7 @@ namespace {
 constexpr double kSamePlace = 1e-9;  // fraction of an element
 constexpr double kApart = 0.1;       // smallest distance between moved nodes, as a fraction of an element
 
-// A geometric progression.
+// Element lengths in geometric progression.
 std::vector<double> plain_lengths(const Section& s) {
   std::vector<double> l(static_cast<std::size_t>(s.elements), s.length / s.elements);
   if (s.elements < 2 || s.grading == 1) return l;

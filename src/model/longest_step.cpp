@@ -143,7 +143,7 @@ void add_loads(const Body& b, Shortest& to) {
   }
 }
 
-// N/m, by which lines that are taut at the start hold a body along themselves, the other end held.
+// Axial stiffness [N/m] on a body of lines that are taut at the start, with the other end held.
 double taut_stiffness(const Case& c, const Body& b) {
   constexpr double kTaut = 1e-3;  // of its length, by which the chord of a taut line may be shorter
   double sum = 0;

@@ -370,8 +370,7 @@ class Checker {
   const std::string& file_;
   Value& root_;
   const MoreNames& more_;
-  std::map<std::string, std::unordered_set<std::string>>
-      known_;  // known names by the map that references use
+  std::map<std::string, std::unordered_set<std::string>> known_;  // names by top-level map
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The structure of a results file: made (or made anew, with more room) by one rank in a file of its own
-// that then takes the name of the old one in a single step. Inside io only.
+// Structure of a results file. One rank creates it, also with more capacity later, as a separate file that
+// then replaces the old one atomically. Internal to io.
 #pragma once
 
 #include <hdf5.h>
@@ -13,28 +13,28 @@
 
 namespace hawser::io {
 
-// Rows or lengths the datasets have.
+// Capacity of the datasets, rows or lengths.
 struct ResultRoom {
   long long outputs = 0, steps = 0;
   long long slot_doubles = 0, slot_text = 0;  // of each of the two checkpoint slots; 0: no slots
   ClashRoom clashes = {};
 };
 
-// What the file gets beside the rows it keeps: with the last of them these clashes, and the table of the
-// summary and the notes and warnings of the run when it is made for the last time.
+// Additional contents after the kept rows: the clashes of the last one and, at the end of the run, the
+// summary table, notes and warnings.
 struct ResultLast {
   const ClashTables& clashes;
   const std::vector<SummaryRow>* summary = nullptr;
   const std::vector<std::string>* messages = nullptr;
 };
 
-// The counter that makes rows count. One small aligned write, after the rows are written.
+// Counter that validates rows: one small aligned write after the rows are written.
 struct ResultCount {
   long long outputs = 0, steps = 0;
 };
 h5::Id result_count_type();
 
-// A dataset with one row an output, one a step, or one a node.
+// Dataset with one row per output, step or node.
 enum class RowsBy { output, step, node };
 struct RowSet {
   std::string name;
@@ -47,17 +47,17 @@ std::vector<RowSet> row_sets(const ResultContents& contents);
 std::string field_place(const ResultField& field);
 std::string statistics_place(const ResultField& field);
 
-// Numbers in a row of a series.
+// Numbers per row of a series.
 hsize_t numbers_in_row(const ResultSeries& series);
 
-// "volumes/<name>"; "series/<name>", or "line_series/<name>" of those by line: in the order of the contents.
+// "volumes/<name>"; "series/<name>", or "line_series/<name>" for those by line; in the order of the contents.
 std::vector<std::string> volume_places(const ResultContents& contents);
 std::vector<std::string> series_places(const ResultContents& contents);
 
-// Write `path` anew. `from`: an earlier file whose first `kept` rows, ended `clashes` and newest checkpoint
-// are taken over, or empty; one at `path` is then kept (back_up_results). Serial. Throws InputError when
-// `from` does not hold the same things, std::runtime_error when the disk fails; the file at `path` is then as
-// it was.
+// Writes a new file `path`. `from`: an earlier file whose first `kept` rows, ended `clashes` and newest
+// checkpoint are copied, or empty; an existing file at `path` is then backed up (back_up_results). Serial.
+// Throws InputError if `from` has other contents, std::runtime_error if the disk fails; the file at `path` is
+// then unchanged.
 void build_results(const std::string& path, const ResultContents& contents, const ResultRoom& room,
                    const std::string& from, const ResultCount& kept, long long clashes,
                    const ResultLast* last);
