@@ -1,6 +1,6 @@
-// What a line carries beside its own weight and strength: masses and buoys of no material, loads that are
-// nothing or too much, targets and feeders that its weight makes impossible; ends that point the wrong way,
-// stiffeners that stiffen nothing, and lines that float or lie where their kind does not.
+// Implausible attachments and loads of a line: masses and buoys of no material, negligible or excessive
+// loads, targets and feeders that its weight excludes, reversed end directions, ineffective stiffeners, and
+// lines that float or lie where their type does not.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,11 +18,11 @@ using namespace model;
 
 namespace {
 
-constexpr int kLoadKinds = 50;  // the first of this file's kinds
-// kg/m³ of what is in water: air bags have 5 and more, foam 200 to 700, lead 11340, tungsten 19300.
+constexpr int kLoadKinds = 50;  // first number of this file's kinds
+// Density in water, kg/m³: air bags have 5 or more, foam 200 to 700, lead 11340, tungsten 19300.
 constexpr double kLightest = 5, kHeaviest = 12000;
 constexpr double kMetallic = 10e9, kFibreDensity = 1700;  // Pa, kg/m³
-constexpr double kNothing = 1e-4;                         // of the weight of the line
+constexpr double kNothing = 1e-4;                         // fraction of the line's weight
 
 double modulus(const LineType& t) { return t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter); }
 double density(const LineType& t) { return t.mass_per_length / (M_PI / 4 * t.displaced() * t.displaced()); }
@@ -76,7 +76,7 @@ class LineLoads {
     const double up = w.present ? c_.environment.gravity * (w.density * m.volume - m.mass) : 0;
     const LineType& t = type(section_at(m.at));
     const double bears = t.breaking_load > 0 ? t.breaking_load : t.tension_table ? HUGE_VAL : 0.1 * t.EA;
-    if (0.5 * std::abs(up) > bears)  // the tensions on both sides together
+    if (0.5 * std::abs(up) > bears)  // shared by both sides
       return warn(1, key, "{:.3g} kN {} is more than twice of what '{}' bears there, {:.3g} kN{}",
                   std::abs(up) / 1000, up > 0 ? "of buoyancy" : "of weight", t.name, bears / 1000,
                   t.breaking_load > 0 ? "" : " at a strain of 10 %");
@@ -95,7 +95,7 @@ class LineLoads {
       return warn(3, key, "{:.4g} N is {:.1g} of the line's weight and moves nothing{}", force,
                   force / weight_, force * 1000 >= kNothing * weight_ ? "; is it in kN?" : "");
     const LineType& t = type(section_at(p.at));
-    // Where the tensions on both sides hold it, the larger one has half of it at least.
+    // If both sides carry the load, the larger tension is at least half of it.
     if (t.kind == LineKind::cable && t.breaking_load > 0 && 0.5 * force > t.breaking_load)
       return warn(3, key, "{:.4g} kN is more than twice the breaking load of '{}', {:.4g} kN", force / 1000,
                   t.name, t.breaking_load / 1000);
@@ -119,7 +119,7 @@ class LineLoads {
          load < own && load * 1000 > kNothing * own ? "; is it in kN/m?" : "");
   }
 
-  // From end A to end B, which is the way of the line on the whole.
+  // Directions are from end A to end B, the mean direction of the line.
   void direction(bool b) {
     const End& e = line_.end(b);
     if (!e.direction || !line_.starts_by_itself() || !is_held(line_.end_a) || !is_held(line_.end_b)) return;
@@ -137,7 +137,7 @@ class LineLoads {
     return exp_so3(body.rotation).toRotationMatrix();
   }
 
-  // What is anchored on the bed is heavy there.
+  // A line anchored on the bed should be heavy there.
   void bed_end(bool b) {
     const Seabed& bed = c_.environment.seabed;
     const End &e = line_.end(b), &other = line_.end(!b);
@@ -183,7 +183,7 @@ class LineLoads {
     if (most < 0.1 * own)
       warn(9, key, "it adds {:.3g} N m² at most to the {:.3g} N m² of '{}': are they N m²?", most, own,
            t.name);
-    else if (most > 0.1 * t.EA)  // of a diameter of metres
+    else if (most > 0.1 * t.EA)  // or with diameters of metres
       warn(9, key, "it adds {:.3g} N m², {:.2g} times the EI of '{}': are they N m²?", most, most / own,
            t.name);
     else if (s.rows.back().second > 2 * s.rows.front().second)
@@ -191,7 +191,7 @@ class LineLoads {
            "it is stiffer at its tip than at its root; rows count from the root, which is at {:.6g} m", s.at);
   }
 
-  // Below the end hangs at least what is between the heights of both, if it is the higher one.
+  // The tension at the higher end includes at least the weight between the heights of the ends.
   void target() {
     if (!line_.target || line_.target->kind != LengthTarget::Kind::tension) return;
     const bool b = !line_.target->at_a;
