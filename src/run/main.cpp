@@ -1,4 +1,4 @@
-// hawser: the command line.
+// Command line of hawser.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <petsclog.h>
@@ -35,7 +35,7 @@ namespace {
 
 using hawser::run::RunOptions;
 
-// MPI and PETSc for the life of the program. PETSc's errors come back as codes, not as tracebacks.
+// MPI and PETSc for the life of the program; PETSc returns error codes without tracebacks.
 struct Petsc {
   int rank = 0;
   Petsc(int argc, char** argv) {
@@ -45,10 +45,10 @@ struct Petsc {
     PetscPopSignalHandler();
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
   }
-  // No rank ends before the others are here: mpirun kills the rest when one ends with an error, and rank 0
-  // has something to say.
+  // Ranks wait for each other before they end: mpirun kills the rest when one ends with an error, and rank 0
+  // may have messages left.
   ~Petsc() {
-    // PETSc has a stage that is not used here; -log_view would show it, as "Unknown".
+    // Removes an unused stage that -log_view would show as "Unknown".
     PetscStageLog log = nullptr;
     if (PetscLogGetStageLog(&log) == 0)
       for (int s = 0; s < log->numStages; ++s)
@@ -57,8 +57,8 @@ struct Petsc {
   }
 };
 
-// Of the options given to PETSc, in the order they were given, those that nothing has asked for. One is asked
-// for after the end of the run.
+// PETSc options that nothing has used, in their given order; some options are used only after the end of the
+// run.
 std::vector<std::string> unused(const std::vector<char*>& given) {
   PetscInt n = 0;
   char **names = nullptr, **values = nullptr;
@@ -88,7 +88,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
     code = hawser::kExitWrite;
     text = e.what();
   } catch (const std::exception& e) {
-    // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
+    // An internal error, perhaps only on this rank; the others must not wait for it.
     std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
     const int size = hawser::ranks_of(PETSC_COMM_WORLD);
     if (size > 1) MPI_Abort(PETSC_COMM_WORLD, 1);
@@ -96,7 +96,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   }
   if (petsc.rank == 0) std::fputs(fmt::format("hawser: {}\n", text).c_str(), stderr);
   if (code == hawser::kExitWrite) {
-    // All ranks are here. When MPI ends HDF5 would write once more what a full disk has refused, and crash.
+    // All ranks are here. At the end of MPI, HDF5 would retry the writes that a full disk refused, and crash.
     std::fflush(nullptr);
     MPI_Barrier(PETSC_COMM_WORLD);
     std::_Exit(code);
@@ -104,7 +104,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   return code;
 }
 
-// Three or six numbers with commas between, those that are missing 0. InputError for anything else.
+// Three or six comma-separated numbers; missing ones are 0. Throws InputError for other text.
 hawser::run::Offset numbers_of(const char* option, const std::string& text, size_t most) {
   hawser::run::Offset out{};
   size_t n = 0;
@@ -135,7 +135,7 @@ void read_places(const std::vector<std::string>& point, const std::vector<std::s
   to.direction = direction * kDegree;
 }
 
-// The command line: commands, their options, and what was given.
+// Commands, options and arguments of the command line.
 struct CommandLine {
   CLI::App cli{"hawser: nonlinear statics and dynamics of the lines of the sea, and their contact."};
   CLI::App *run_command = nullptr, *modes_command = nullptr, *stiffness_command = nullptr,
@@ -143,7 +143,7 @@ struct CommandLine {
   RunOptions run;
   hawser::run::ModesOptions modes;
   hawser::run::StiffnessOptions stiffness;
-  std::vector<std::string> point, offsets;  // numbers with commas between
+  std::vector<std::string> point, offsets;  // comma-separated numbers
   double direction = 0;                     // deg
   std::vector<std::string> changes;
   bool in_vacuum = false;
@@ -253,10 +253,10 @@ CommandLine::CommandLine() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file larger than the shell allows (ulimit -f) is then an error of writing, as a full disk is.
+  // A file above the shell's limit (ulimit -f) becomes a write error, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   if (argc > 1 && hawser::run::is_post_command(argv[1])) return hawser::run::post(argv + 1);
-  // What follows a lone "--" is PETSc's.
+  // Arguments after a lone "--" are for PETSc.
   std::vector<char*> mine, for_petsc{argv[0]};
   std::string options;
   bool after = false;
@@ -276,7 +276,7 @@ int main(int argc, char** argv) {
     return hawser::run::usage_error(line.cli, e, {mine.begin() + 1, mine.end() - 1});
   });
 
-  // A question that the command line answers needs no MPI, but of several ranks one answers.
+  // Requests answered by the parser need no MPI, but only one of several ranks answers.
   std::optional<Petsc> petsc;
   const auto begin = [&] { petsc.emplace(static_cast<int>(for_petsc.size()) - 1, for_petsc.data()); };
   if (hawser::launched()) begin();

@@ -11,7 +11,7 @@ namespace hawser::advice {
 struct Happened {
   double tension = -1;      // N, of the released end; below 0: not reported
   double from_place = -1;   // m, distance of an end attached at a given place
-  double from_origin = -1;  // m, distance to the body of an end attached where it was
+  double from_origin = -1;  // m, distance from the body's origin of an end attached where it was
 };
 // stage: its name; empty: the event happened at the time [s].
 std::string happened(const model::Action& action, double time, const std::string& stage, const Happened& how);

@@ -1,4 +1,4 @@
-// The table of `hawser check --radiation`: what the bodies' own motion makes of waves, as it was understood.
+// The table of `hawser check --radiation`: radiation properties of bodies as read.
 #pragma once
 
 #include <mpi.h>
@@ -8,10 +8,10 @@
 
 namespace hawser::run {
 
-// Writes, for the bodies of a case with hydrodynamic coefficients, their retardation functions K(t), damping
-// and added mass of the files by frequency, and the added mass that the damping has by Ogilvie's relation, as
-// one CSV file; of several groups of bodies a file each, named after their first body. Prints where. Throws
-// InputError and WriteError. Collective.
+// Writes a CSV file for the bodies with hydrodynamic coefficients: retardation functions K(t), damping and
+// added mass of the files by frequency, and added mass from damping by Ogilvie's relation; several groups of
+// bodies have one file each, named after their first body. Prints the path. Throws InputError and WriteError.
+// Collective.
 void write_radiation(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes,
                      const std::string& path);
 
