@@ -1,1 +1,1 @@
-"""What is made of a results file of hawser: figures, CSV files and a report. `python3 -m hawser_post --help`."""
+"""Figures, CSV files and reports from a results file of hawser. `python3 -m hawser_post --help`."""

@@ -1,4 +1,4 @@
-"""The commands written in Python: hawser report, plot, export, rao, extremes, fatigue, pipe, lay, compare, view and new."""
+"""Commands written in Python: hawser report, plot, export, rao, extremes, fatigue, pipe, lay, compare, view and new."""
 import os
 import sys
 import traceback
@@ -6,7 +6,7 @@ import warnings
 from pathlib import Path
 
 if __name__ == "__main__" and sys.argv[1:2] == ["view"] and sys.argv[2:] and not {"-h", "--help"} & set(sys.argv):
-    print("view: reading the model ...", flush=True)  # before the modules below, which a busy machine reads for seconds
+    print("view: reading the model ...", flush=True)  # before the imports below, which can take seconds
 
 try:
     from . import export, extremes_report, fatigue, fatigue_report, lay, pipe_report, plot, report, responses_report, scene
@@ -36,7 +36,7 @@ def make_export(options):
 
 
 def make_view(options):
-    from .viewer import view  # with a server, which the other commands do not need
+    from .viewer import view  # includes a server, which the other commands do not need
     view.make(options)
 
 
@@ -170,20 +170,20 @@ def commands():
 def main(arguments=None):
     options = commands().parse_args(arguments)
     if not sys.warnoptions:
-        warnings.simplefilter("ignore")  # of NumPy and Matplotlib, for programmers
+        warnings.simplefilter("ignore")  # of NumPy and Matplotlib, not for users
     try:
         options.do(options)
         sys.stdout.flush()
     except Refusal as refusal:
         return failed(refusal, 2)
-    except BrokenPipeError:  # who reads what is printed has seen enough
+    except BrokenPipeError:  # the reader of the output has closed it
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 1
     except OSError as error:
         if error.filename:
             return failed(f"{error.filename}: cannot be written ({error.strerror})", 1)
         return failed(f"a results file is damaged and cannot be read ({first_line(error)})", 2)
-    except Exception as error:  # of this program
+    except Exception as error:  # internal error
         place = traceback.extract_tb(error.__traceback__)[-1]
         return failed(f"internal error: {type(error).__name__}: {first_line(error)} ({Path(place.filename).name}:{place.lineno})", 1)
     return 0

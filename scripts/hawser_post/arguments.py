@@ -1,4 +1,4 @@
-"""Command lines in sentences: what is wrong in one of them, with the nearest valid word, and --set of a case."""
+"""Command lines: error messages with the nearest valid word, and --set of a case."""
 import argparse
 import difflib
 import json
@@ -14,7 +14,7 @@ from .results import Refusal
 
 
 class Parser(argparse.ArgumentParser):
-    """Says in one sentence what is wrong, as the program's own commands do; exit code 2."""
+    """Reports errors in one sentence, as the program's own commands do; exit code 2."""
 
     def error(self, message):
         unknown = re.match(r"unrecognized arguments: (\S+)", message)
@@ -52,7 +52,7 @@ def near(word, known):
 
 
 def time_from(text):
-    """A time of --since, s."""
+    """Time of --since, s."""
     try:
         value = float(text)
     except ValueError:
@@ -63,34 +63,34 @@ def time_from(text):
 
 
 def port_from(text):
-    """A port of --port."""
+    """Port of --port."""
     if not text.isascii() or not text.isdigit() or not int(text) < 65536:
         raise argparse.ArgumentTypeError(f"'{text}' is no port from 0 to 65535")
     return int(text)
 
 
 def add_set(parser):
-    """--set KEY=VALUE, as of hawser run."""
+    """Adds --set KEY=VALUE, as for hawser run."""
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="changes",
                         help="change a key of the case file that is run first (see hawser run --help); repeatable")
 
 
 def refuse_changes(path, changes):
-    """Changes are of a case, not of results."""
+    """Refuses changes of results; only a case can be changed."""
     if changes:
         raise Refusal(f"{path}: --set changes a case file that is run first, and this is none")
 
 
 def unwind_at_interrupts():
-    """Ctrl-C raises KeyboardInterrupt from here on, instead of ending the process at once: for commands with temporary folders,
-    which are then removed."""
+    """Makes Ctrl-C raise KeyboardInterrupt instead of ending the process, so that commands can remove their
+    temporary folders."""
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def run_case(command, path, changes, *more):
-    """The exit code of a command of the program, with a case and these changes of it. Ctrl-C is the program's, which ends a
-    run with what it has; where that leaves nothing it is answered here."""
-    before = signal.signal(signal.SIGINT, lambda *_: None)  # the program does not inherit this, as it would SIG_IGN
+    """Exit code of a command of the program with a case and its changes. The program handles Ctrl-C and ends a run
+    with its results so far; if there are none, it is handled here."""
+    before = signal.signal(signal.SIGINT, lambda *_: None)  # a handler is not inherited by the program, unlike SIG_IGN
     try:
         code = subprocess.run(words_of(command, path, changes, *more)).returncode
     finally:
@@ -101,9 +101,9 @@ def run_case(command, path, changes, *more):
 
 
 def read_case(path, changes=()):
-    """A case as the program reads it (`hawser check --json`)."""
+    """A case as read by the program (`hawser check --json`)."""
     done = subprocess.run(words_of("check", path, changes, "--json"), stdout=subprocess.PIPE)
-    if done.returncode != 0:  # it has said why
+    if done.returncode != 0:  # the program has printed the reason
         sys.exit(done.returncode)
     return json.loads(done.stdout.decode("utf-8", "surrogateescape"))
 
@@ -114,8 +114,8 @@ def words_of(command, path, changes, *more):
 
 
 def place_for(path, results, endings=(), what="", more=()):
-    """`path` as that of a file to write, refused unless it ends in one of `endings`, and where it is a file that one of these
-    results, or their run, has read; likewise one of `more`."""
+    """`path` of an output file, refused unless it ends in one of `endings`, or if one of these results, their runs'
+    input files or `more` would be overwritten."""
     path = Path(path)
     if endings and path.suffix not in endings:
         raise Refusal(f"{path}: {what} is a {' or '.join(filter(None, (', '.join(endings[:-1]), endings[-1])))} file")

@@ -1,4 +1,5 @@
-"""Heights of a bed that is a grid or a mesh in a file beside the case, for pictures: a function of places, NaN where there is no bed."""
+"""Heights of a gridded or meshed bed from a file beside the case, for pictures: a function of x and y, NaN without a
+bed."""
 import re
 from pathlib import Path
 
@@ -6,14 +7,14 @@ import numpy as np
 from scipy.interpolate import LinearNDInterpolator, RegularGridInterpolator
 from scipy.spatial import QhullError
 
-LARGEST = 200_000_000  # bytes of a file that is read
-MOST_VERTICES = 100_000  # of a mesh; of larger ones each so manieth
+LARGEST = 200_000_000  # bytes, largest file that is read
+MOST_VERTICES = 100_000  # vertices used of a mesh; larger ones are sampled
 PLY_TYPES = {"char": "i1", "int8": "i1", "uchar": "u1", "uint8": "u1", "short": "i2", "int16": "i2", "ushort": "u2", "uint16": "u2",
              "int": "i4", "int32": "i4", "uint": "u4", "uint32": "u4", "float": "f4", "float32": "f4", "double": "f8", "float64": "f8"}
 
 
 def surface_of(results, bed):
-    """Of the keys of a seabed; None where its file is not found or holds no such surface."""
+    """Surface for the keys of a seabed; None if its file is missing or holds no such surface."""
     kind = "grid" if "grid" in bed else "mesh"
     keys = bed[kind] if isinstance(bed[kind], dict) else {}
     name = Path(str(keys.get("file", "")))
@@ -29,7 +30,7 @@ def surface_of(results, bed):
 
 
 def grid(path, depths):
-    """Between the heights of rows x, y, z, one for every x and every y."""
+    """Interpolates between the heights of rows x, y, z, one for every x and every y."""
     lines = path.read_text(encoding="utf-8", errors="replace").replace(",", " ").splitlines()
     rows = np.loadtxt(lines, ndmin=2)[:, :3]
     xs, ys = np.unique(rows[:, 0]), np.unique(rows[:, 1])
@@ -41,14 +42,14 @@ def grid(path, depths):
 
 
 def sheet(path, scale):
-    """Between the vertices of a mesh that has one height at each place, however its triangles join them."""
+    """Interpolates between the vertices of a mesh with one height at each place, ignoring its triangles."""
     x = np.unique(scale * vertices(path.read_bytes()), axis=0)
     x = x[:: -(-len(x) // MOST_VERTICES)]
     return LinearNDInterpolator(x[:, :2], x[:, 2])
 
 
 def vertices(data):
-    """n x 3, of the bytes of a STL, OBJ or PLY file."""
+    """Vertices (n x 3) from the bytes of an STL, OBJ or PLY file."""
     number = rb"([-+.\deE]+)"
     if data.startswith(b"ply"):
         return ply_vertices(data)

@@ -1,4 +1,4 @@
-"""Figures of numbers: range graphs, histories, spectra and one quantity over another."""
+"""Charts: range graphs, histories, spectra and one quantity over another."""
 import matplotlib
 
 matplotlib.use("Agg")
@@ -9,8 +9,8 @@ from .envelopes import envelope  # noqa: E402
 from .statistics import mean_of, spectrum  # noqa: E402
 
 WIDE, HIGH = 7.2, 2.7  # inches
-MOST_POINTS = 2000  # of a curve, more are not seen
-# Results are in SI units; figures and pages show these: factor and name.
+MOST_POINTS = 2000  # per curve; more are invisible
+# Displayed units of SI quantities in figures and pages: factor and name.
 SHOWN = {"N": (1e3, "kN"), "N m": (1e3, "kN m"), "N s": (1e3, "kN s"), "J": (1e3, "kJ"), "Pa": (1e6, "MPa")}
 COLOURS = ["#1f5a92", "#c8651b", "#3c8d5a", "#8b4a8b", "#a03030", "#5b6770", "#b59a1f", "#2a9aa8"]
 plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
@@ -19,13 +19,13 @@ plt.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes
 
 
 def shown(unit):
-    """The unit in which a quantity is shown, and how many of the results' unit it is."""
+    """Displayed unit of a quantity, and its size in the results' unit."""
     factor, name = SHOWN.get(unit, (1.0, unit))
     return name, factor
 
 
 def colour(k, n):
-    """Of the k-th of n curves in one figure, each of which has its own."""
+    """Distinct colour of the k-th of n curves in one figure."""
     return COLOURS[k] if n <= len(COLOURS) else matplotlib.colors.to_hex(matplotlib.colormaps["turbo"](0.05 + 0.9 * k / (n - 1)))
 
 
@@ -38,7 +38,7 @@ def label(name, unit):
 
 
 def thinned(t, x):
-    """A curve that looks the same with fewer points: of each piece its least and its largest."""
+    """A curve of the same appearance with fewer points: the least and largest of each piece."""
     if len(t) <= MOST_POINTS:
         return t, x
     keep = [0, len(t) - 1]
@@ -54,7 +54,7 @@ def sheet(high=HIGH):
 
 
 def legend(axes, most=5):
-    """Above the axes, where it covers nothing; rows of up to `most`."""
+    """Adds a legend above the axes in rows of up to `most`."""
     names = axes.get_legend_handles_labels()[1]
     if not names:
         return
@@ -65,8 +65,8 @@ def legend(axes, most=5):
 
 
 def range_graph(results, line, field, since=0.0):
-    """The envelope from `since` on (over every step where the results have it, else over the outputs), the mean, and the
-    first output (static, if the case has it)."""
+    """Range graph: envelope from `since` on (over every step if the results have statistics, else over the outputs),
+    mean, and first output (static, if the case has statics)."""
     start = results.magnitude(field, line, 0)
     unit, factor = shown(results.unit(field))
     figure, axes = sheet()
@@ -82,7 +82,7 @@ def range_graph(results, line, field, since=0.0):
 
 
 def station_graph(results, line, field, distance, found):
-    """The envelope and the mean of a field at the stations of a fed line (stations.of_line)."""
+    """Envelope and mean of a field at the stations of a fed line (stations.of_line)."""
     unit, factor = shown(results.unit(field))
     figure, axes = sheet()
     least, most, mean = (found[field][:, k] / factor for k in (0, 2, 4))
@@ -95,7 +95,7 @@ def station_graph(results, line, field, distance, found):
 
 
 def stress_graph(results, line, stress, since=0.0):
-    """Von Mises stress [Pa], outputs x nodes, along a line: its envelope from `since` on and the first output."""
+    """Von Mises stress [Pa], outputs x nodes, along a line: envelope from `since` on and first output."""
     keep = results.since(since)
     figure, axes = sheet()
     if np.count_nonzero(keep) > 1:
@@ -110,7 +110,7 @@ def stress_graph(results, line, stress, since=0.0):
 
 
 def history(time, curves, unit, name, title=""):
-    """curves: (label, values) at the times."""
+    """Histories; curves: (label, values) at the times."""
     unit, factor = shown(unit)
     figure, axes = sheet(2.6)
     for k, (label_of, values) in enumerate(curves):
@@ -122,7 +122,7 @@ def history(time, curves, unit, name, title=""):
 
 
 def power(unit):
-    """The square of a unit."""
+    """Square of a unit."""
     return f"({unit})²" if any(c in unit for c in " /") else f"{unit}²"
 
 
@@ -130,7 +130,7 @@ def density(time, values, unit, name, title=""):
     unit, factor = shown(unit)
     f, s = spectrum(time, values / factor)
     figure, axes = sheet(2.6)
-    # Up to where 99.9 % of the variance is.
+    # Up to 99.9 % of the variance.
     total = np.cumsum(s)
     last = max(np.searchsorted(total, 0.999 * total[-1]) + 2, 3)
     axes.plot(f[:last], s[:last], lw=1.0, marker=".", ms=4)

@@ -1,4 +1,4 @@
-"""hawser compare: two results over each other, in three dimensions, in tables of differences and in graphs."""
+"""hawser compare: two results together in three dimensions, in tables of differences and in graphs."""
 from pathlib import Path
 
 import numpy as np

@@ -1,4 +1,4 @@
-"""Differences of two results as tables: what their cases say, and what came of it."""
+"""Differences of two results as tables: their inputs and their outcomes."""
 import numpy as np
 
 from . import charts, tables
@@ -17,7 +17,7 @@ def inputs(a, b):
 
 
 def changed(a, b):
-    """Absolute difference and share of A in %, which is nothing where A is 0."""
+    """Absolute difference, and percentage of A, empty if A is 0."""
     return b - a, (b - a) / abs(a) * 100 if a else float("nan")
 
 
@@ -32,7 +32,7 @@ HEAD = ["quantity", "A", "B", "B - A", "%"]
 
 
 def extremes(a, b):
-    """Of the summaries: what both have."""
+    """Extremes that both summaries have."""
     other = {(quantity, line): value for quantity, line, value, *_ in b.summary()}
     rows = [[line, *row(quantity, unit, value, other[quantity, line])] for quantity, line, value, unit, *_ in a.summary()
             if (quantity, line) in other]
@@ -68,7 +68,7 @@ def histories(a, b):
 
 
 def places(a, b):
-    """How far nodes of lines with the same arc lengths are from each other, at the first and the last output of both."""
+    """Distances of nodes with the same arc lengths, at the first and last output of both."""
     rows = []
     for name in common(a, b):
         one, other = a.line(name), b.line(name)
@@ -83,7 +83,7 @@ def places(a, b):
 
 
 def common(a, b):
-    """Names of lines of both."""
+    """Names of lines in both."""
     there = {line.name for line in b.lines}
     return [line.name for line in a.lines if line.name in there]
 

@@ -1,5 +1,4 @@
-"""What a field along a line has been between the least and the largest: over every step of the run where the results have
-that (`statistics`), else over the outputs."""
+"""Range of a field along a line: over every step of the run if the results have `statistics`, else over the outputs."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,26 +18,27 @@ class Envelope:
 
 
 def only_one(values):
-    """Of one output."""
+    """Envelope of a single output."""
     return Envelope(values, 0 * values, values, 0 * values, values, False)
 
 
 def of_every_step(results, field, since):
-    """Whether the envelope of a field from `since` on can be taken over every step: the file has it from just then on."""
-    if not results.ended:  # they are as old as the last checkpoint
+    """True if the envelope of a field from `since` on is available over every step: the file has statistics from
+    exactly this time."""
+    if not results.ended:  # statistics are as old as the last checkpoint
         return False
     data = results.file.get(f"statistics/{field}")
-    # Of a vector there are the components, and the size has no envelope in them.
+    # Statistics of a vector are those of its components, not of its magnitude.
     return data is not None and data.ndim == 2 and since in (0.0, results.statistics_from)
 
 
 def begin(results, since):
-    """From when envelopes are taken, unless said: from where statistics of every step begin, also those over outputs."""
+    """Default start of envelopes: that of the statistics, also for envelopes over outputs."""
     return results.statistics_from if since == 0.0 and results.ended and "statistics" in results.file else since
 
 
 def envelope(results, line, field, since=0.0):
-    """None where there is no more than one output."""
+    """None with a single output."""
     if results.outputs < 2:
         return None
     since = begin(results, since)
@@ -51,12 +51,13 @@ def envelope(results, line, field, since=0.0):
                     mean_of(time, values), False)
 
 
-NOISE = 1e-9  # what is less, of that beside which it counts, is rounding
+NOISE = 1e-9  # relative size of rounding errors
 
 
 def above_noise(results, line, fields, since=0.0):
-    """Those of these fields that are more than rounding somewhere along a line: beside the largest of the unit there, and a moment
-    also beside tension times diameter, as the stress of bending is 8 M/(T D) times that of tension in a round bar."""
+    """Those of these fields that exceed rounding errors somewhere along a line: relative to the largest value of the
+    unit, and for a moment also to tension times diameter, as the stress of bending is 8 M/(T D) times that of
+    tension in a round bar."""
     sizes = {}
     for field in results.reported("graph", "table"):
         found = envelope(results, line, field, since)
@@ -71,7 +72,7 @@ def above_noise(results, line, fields, since=0.0):
 
 
 def description(results, fields, since):
-    """What the envelopes of these fields are over, in a sentence."""
+    """Sentence on the basis of the envelopes of these fields."""
     since = begin(results, since)
     every = [of_every_step(results, field, since) for field in fields]
     outputs = f"the {np.count_nonzero(results.since(since))} outputs from t = {since:g} s on, so a peak may lie between two of them"

@@ -1,4 +1,4 @@
-"""Results as CSV files, one table each, with the units in the first row."""
+"""Results as CSV files, one table each, with units in the first row."""
 import csv
 import re
 
@@ -22,7 +22,7 @@ def file_name(name):
 
 
 def file_names(names):
-    """For each name one for a file that no other has, letter case aside: `a_b` its own, then `a b` the next, `a_b_2`."""
+    """Unique file names, ignoring letter case: `a_b` keeps its name, then `a b` becomes `a_b_2`."""
     found, taken = {}, set()
     for name in sorted(names, key=lambda name: file_name(name) != name):
         wanted, k = file_name(name), 1
@@ -40,8 +40,8 @@ def series(results, name):
 
 
 def ranges(results, line, since=0.0):
-    """Of each field along a line: least, mean and largest from `since` on, over every step where the results have that,
-    else over the outputs."""
+    """Least, mean and largest value of each field along a line from `since` on, over every step if the results have
+    statistics, else over the outputs."""
     head, columns = ["arc_length [m]"], [line.arc]
     for field in results.fields:
         if field in ("position", "velocity", "axis_1", "axis_2"):
@@ -56,7 +56,7 @@ def ranges(results, line, since=0.0):
 
 
 def shapes(results, line):
-    """The translations of each mode along a line."""
+    """Translations of each mode along a line."""
     head, columns = ["arc_length [m]"], [line.arc]
     for k in range(1, results.outputs):
         head += [f"mode_{k}_{c}" for c in "xyz"]
@@ -70,7 +70,8 @@ def modes(results):
 
 
 def everything(results, folder, since=0.0):
-    """`since`: s, from when on statistics and ranges count. Paths of the files, none of which is one that was read."""
+    """Writes all tables. since: s, start of statistics and ranges. Returns the paths of the files; input files are
+    never overwritten."""
     lines, series_of = (file_names(names) for names in ([line.name for line in results.lines], results.series_names))
     if results.modes:
         files = [("modes", lambda: modes(results))]

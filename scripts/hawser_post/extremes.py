@@ -1,10 +1,10 @@
-"""Extreme values of a signal: samples of its maxima, distributions fitted to them, and what they tell of a duration.
+"""Extreme values of a signal: samples of its maxima, fitted distributions, and extremes in a given duration.
 
-Two samples: the largest value between successive upcrossings of the mean ("peaks"), and the largest of each block of time
-("blocks"). Two distributions by maximum likelihood: Gumbel, and Weibull above the mean of the signal (two parameters). In
-a duration with m values of the sample the largest is distributed as F(x)^m (Gumbel 1958, Statistics of Extremes, 3.1). The
-most probable maximum is its quantile 1/e: for a Gumbel distribution exactly the mode, and for others what the mode tends to
-as m grows (the level exceeded once on average), sigma sqrt(2 ln N) for N Rayleigh peaks.
+Samples: the largest value between successive upcrossings of the mean ("peaks"), or the largest of each block of time
+("blocks"). Distributions by maximum likelihood: Gumbel, and Weibull above the mean of the signal (two parameters). The
+largest of m sample values in a duration has the distribution F(x)^m (Gumbel 1958, Statistics of Extremes, 3.1). The
+most probable maximum is its quantile 1/e: exactly the mode of a Gumbel distribution, and for others the limit of the
+mode for large m (the level exceeded once on average), sigma sqrt(2 ln N) for N Rayleigh peaks.
 """
 from dataclasses import dataclass
 
@@ -15,12 +15,12 @@ from .results import Refusal
 from .statistics import integral, upcrossings
 
 LEAST_PEAKS, LEAST_BLOCKS = 20, 10
-PERIODS = 10  # in a block, unless its length is given
+PERIODS = 10  # periods per block, unless its length is given
 
 
 @dataclass
 class Record:
-    """A signal at steps of any length, of one run."""
+    """A signal with nonuniform steps, from one run."""
     time: np.ndarray
     values: np.ndarray
 
@@ -33,7 +33,7 @@ class Record:
 class Sample:
     kind: str  # peaks or blocks
     values: np.ndarray
-    length: float  # s that one value stands for
+    length: float  # s per value
 
 
 @dataclass
@@ -42,7 +42,7 @@ class Fit:
     name: str  # Gumbel or Weibull
     location: float
     scale: float
-    shape: float  # NaN: it has none
+    shape: float  # NaN: none
 
     @property
     def distribution(self):
@@ -51,8 +51,8 @@ class Fit:
         return stats.weibull_min(self.shape, self.location, self.scale)
 
     def quantile(self, probability, duration):
-        """Not exceeded in a duration [s] with this probability."""
-        of_one = np.log(probability) * self.sample.length / duration  # log of F there
+        """Level not exceeded in a duration [s] with this probability."""
+        of_one = np.log(probability) * self.sample.length / duration  # log F of a single value
         return float(self.distribution.isf(-np.expm1(of_one)))
 
     def most_probable(self, duration):
@@ -60,14 +60,14 @@ class Fit:
 
 
 def mean_and_deviation(records):
-    """Over the time of all records together."""
+    """Mean and standard deviation over the time of all records."""
     length = sum(r.length for r in records)
     mean = sum(integral(r.time, r.values) for r in records) / length
     return mean, np.sqrt(sum(integral(r.time, (r.values - mean) ** 2) for r in records) / length)
 
 
 def peaks(records, mean):
-    """The largest value between each two upcrossings of the mean; it stands for the mean time between them."""
+    """Largest values between successive upcrossings of the mean; each represents the mean time between them."""
     found, seconds = [], 0.0
     for r in records:
         up = upcrossings(r.time, r.values, mean)
@@ -80,8 +80,8 @@ def peaks(records, mean):
 
 
 def blocks(records, length):
-    """The largest value in each block of `length` [s]; a rest shorter than a block is excluded. None: each record is one
-    block, and they have to be of nearly one length."""
+    """Largest value in each block of `length` [s]; a shorter remainder is excluded. None: each record is one block,
+    and all must have nearly the same length."""
     if length is None:
         lengths = [r.length for r in records]
         if max(lengths) > 1.01 * min(lengths):
@@ -95,15 +95,16 @@ def blocks(records, length):
 
 
 def gumbel(sample):
-    middle, spread = sample.values.mean(), sample.values.std()  # numbers about one are solved for most exactly
+    middle, spread = sample.values.mean(), sample.values.std()  # numbers near one give the best accuracy
     location, scale = stats.gumbel_r.fit((sample.values - middle) / spread)
     return Fit(sample, "Gumbel", float(middle + spread * location), float(spread * scale), np.nan)
 
 
 def weibull(sample, mean):
-    """Above `mean`. The likelihood is largest where sum(y^c ln y)/sum(y^c) - 1/c = mean(ln y), y above the mean (Johnson,
-    Kotz and Balakrishnan 1994, Continuous Univariate Distributions 1, chapter 21): the left side grows with c."""
-    y = (sample.values - mean) / (sample.values - mean).max()  # powers of it stay below one
+    """Weibull fit above `mean`. Maximum of the likelihood: sum(y^c ln y)/sum(y^c) - 1/c = mean(ln y), y above the
+    mean (Johnson, Kotz and Balakrishnan 1994, Continuous Univariate Distributions 1, chapter 21); the left side
+    increases with c."""
+    y = (sample.values - mean) / (sample.values - mean).max()  # scaled so that powers stay below one
     logs = np.log(y)
 
     def equation(c):
@@ -119,7 +120,7 @@ def weibull(sample, mean):
 
 
 def fits(sample, mean, deviation):
-    """Both distributions, Weibull where all values are above the mean."""
+    """Both distributions; Weibull only if all values are above the mean."""
     if np.std(sample.values) < 1e-4 * deviation:
         raise Refusal(f"the maxima are all {sample.values.max():.6g}, as in a regular wave: there is nothing to extrapolate")
     found = [gumbel(sample)]

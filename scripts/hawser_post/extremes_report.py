@@ -1,4 +1,4 @@
-"""hawser extremes: what a history tells of the extremes in a duration, as text, JSON or CSV."""
+"""hawser extremes: extremes of a history in a given duration, as text, JSON or CSV."""
 import json
 import numpy as np
 
@@ -9,7 +9,7 @@ from .results import Refusal
 
 
 def records_of(runs, options):
-    """The records of all results, and the names of the history, of its column and of the unit."""
+    """Records of all results, and the names of history, column and unit."""
     records, names = [], None
     for results in runs:
         refuse_since(results, options.since)
@@ -26,7 +26,7 @@ def records_of(runs, options):
 
 
 def samples_of(options, records, mean, what):
-    """The samples that are large enough, and what is said of one that is not."""
+    """Samples that are large enough, and messages about others."""
     own = extremes.peaks(records, mean)
     if len(own.values) < extremes.LEAST_PEAKS:
         raise Refusal(f"{what} has {len(own.values)} {'minima' if options.minima else 'maxima'} between upcrossings of its "
@@ -47,7 +47,7 @@ def samples_of(options, records, mean, what):
 
 
 def report_values(options, sign, names, records, mean, deviation, found, duration):
-    """What is written to a file, in SI units."""
+    """Values for output to a file, in SI units."""
     top = max(records, key=lambda r: r.values.max())
     return {
         "history": names[0], "quantity": names[1], "unit": names[2], "of": "minima" if options.minima else "maxima",

@@ -1,4 +1,4 @@
-"""Fatigue of lines: cycles of tension or stress by the rainflow method, and the damage they do by published curves."""
+"""Fatigue of lines: cycles of tension or stress by the rainflow method, and damage by published curves."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,11 +8,11 @@ from .results import Refusal
 from .statistics import upcrossings
 
 YEAR = 365.25 * 24 * 3600.0  # s
-PLACES = 16  # around a pipe
+PLACES = 16  # around the circumference of a pipe
 
 
 def turning_points(x):
-    """The values at which a signal turns, with its ends."""
+    """Turning points of a signal, including its ends."""
     x = np.asarray(x, float)
     x = x[np.concatenate([[True], np.diff(x) != 0])]
     if len(x) < 3:
@@ -30,7 +30,7 @@ def rainflow(x):
             last, before = abs(points[-1] - points[-2]), abs(points[-2] - points[-3])
             if last < before:
                 break
-            if len(points) == 3:  # holds the start of the history: half a cycle
+            if len(points) == 3:  # includes the start of the history: half a cycle
                 cycles.append((before, (points[0] + points[1]) / 2, 0.5))
                 points.pop(0)
             else:
@@ -42,7 +42,7 @@ def rainflow(x):
 
 @dataclass(frozen=True)
 class Curve:
-    """N cycles to failure at a range s: N = a s^-m, with another a and m beyond `knee` cycles."""
+    """Fatigue curve: N cycles to failure at range s, N = a s^-m, with another a and m beyond `knee` cycles."""
     source: str
     of: str  # tension: range over breaking load, of chain that of ORQ chain (strength.py); area: nominal stress [MPa] of the rope or chain; pipe: of the wall
     log_a: float
@@ -50,7 +50,7 @@ class Curve:
     log_a2: float = 0.0
     m2: float = 0.0
     knee: float = np.inf
-    by_mean: float = 0.0  # log_a falls by this times mean tension over breaking load
+    by_mean: float = 0.0  # decrease of log_a per mean tension over breaking load
 
     def cycles(self, ranges, mean=0.0):
         with np.errstate(divide="ignore"):
@@ -80,25 +80,26 @@ CURVES = {
 
 
 def damage(signal, curve):
-    """Miner's sum over the cycles of a signal in the curve's unit: tension over breaking load, or MPa."""
+    """Miner's sum over the cycles of a signal in the unit of the curve: tension over breaking load, or MPa."""
     ranges, _, counts = rainflow(signal)
     keep = ranges > 0
     return float(np.sum(counts[keep] / curve.cycles(ranges[keep], np.mean(signal))))
 
 
 def wall_stress(tension, moment_2, moment_3, wall):
-    """MPa in the outer fibre of a pipe (stress.Wall) at PLACES angles from axis 2: times x nodes -> times x nodes x
-    places."""
+    """Stress [MPa] in the outer fibre of a pipe (stress.Wall) at PLACES angles from axis 2: times x nodes -> times x
+    nodes x places."""
     angle = np.arange(PLACES) * 2 * np.pi / PLACES
-    # The outer fibre lies at y2 = r cos, y3 = r sin; N/A + (M2 y3 - M3 y2)/I.
+    # The outer fibre is at y2 = r cos, y3 = r sin; N/A + (M2 y3 - M3 y2)/I.
     moment = moment_2[..., None] * np.sin(angle) - moment_3[..., None] * np.cos(angle)
     return 1e-6 * ((tension / wall.area)[..., None] + moment * np.atleast_1d(wall.outer / (2 * wall.inertia))[:, None])
 
 
 def along(results, line, curve, since, breaking_load=None, area=None, outer=None, wall=None, factor=1.0):
-    """breaking_load [N], area [m²]: at each node, NaN where the curve is of another kind of line. Damage a second at each node of a line (rows; NaN where the curve is of pipes and the line is none) and each place
-    around it (columns; one but for pipes), over the outputs from `since` on. Several sea states add up place by place.
-    outer, wall: of a pipe [m]; None: as the case has it, where two pipes meet the larger damage."""
+    """Damage per second at each node of a line (rows; NaN where a pipe curve meets no pipe) and place around it
+    (columns; one except for pipes), over the outputs from `since` on. Damage of several sea states adds place by
+    place. breaking_load [N], area [m²]: at each node, NaN where the curve is for another kind of line; outer, wall:
+    of a pipe [m], None: from the case, with the larger damage between two pipes."""
     keep = results.time >= since
     if np.count_nonzero(keep) < 16:
         raise Refusal(f"{results.path}: {np.count_nonzero(keep)} outputs from t = {since:g} s on are too few for cycles")
@@ -108,7 +109,7 @@ def along(results, line, curve, since, breaking_load=None, area=None, outer=None
             raise Refusal(f"{results.path}: there is no bending moment, as all lines are cables")
         moments = [results.field(f"bending_moment_{k}", line)[keep] for k in (2, 3)]
         sums = np.full((len(line.arc), PLACES), np.nan)
-        known = []  # both sides of a node are mostly alike
+        known = []  # both sides of a node are usually equal
         for own, tension, _, _ in stress.walls_along(results, line, outer, wall):
             around = factor * wall_stress(tension[keep], *moments, own)
             for n in range(len(line.arc)):
@@ -125,7 +126,7 @@ def along(results, line, curve, since, breaking_load=None, area=None, outer=None
 
 
 def outputs_a_period(results, line, since):
-    """Outputs in a mean period of the tension at the end with the larger one: with fewer than ten cycles are cut."""
+    """Outputs per mean period of tension at the end with the larger one; with fewer than ten, cycles are truncated."""
     keep = results.time >= since
     tension = results.field("effective_tension", line)[keep]
     up = upcrossings(results.time[keep], tension[:, 0 if tension[:, 0].max() > tension[:, -1].max() else -1])

@@ -1,4 +1,4 @@
-"""hawser fatigue: the damage of sea states along a line, as a sentence and as CSV."""
+"""hawser fatigue: damage by sea states along a line, as a sentence and as CSV."""
 import numpy as np
 
 from . import export, fatigue, report, strength
@@ -8,7 +8,7 @@ from .results import Refusal
 
 
 def sea_states(given, changes):
-    """Results files and the share of the time of each: 'FILE=SHARE', or FILE for equal shares."""
+    """Results files and the fraction of time of each: 'FILE=SHARE', or FILE for equal fractions."""
     out = []
     for text in given:
         path, _, share = text.rpartition("=") if "=" in text else (text, "", "")
@@ -22,8 +22,8 @@ def sea_states(given, changes):
 
 
 def divisor(results, line, options, curve):
-    """What the tension is divided by at the nodes of a line: the breaking load [N] or the area [m²] as given, else of the
-    line types of the case; NaN where they are of another kind. And what there is to say about it."""
+    """Divisor of the tension at the nodes of a line: breaking load [N] or area [m²], as given or from the line types
+    of the case; NaN for line types of another kind. Also returns messages."""
     chain, by_load = options.curve.endswith("chain"), curve.of == "tension"
     name = "--breaking-load" if by_load else "--area"
     known = strength.along(results, line, lambda t, used: (strength.reference_load if by_load else strength.nominal_area)(t, used, chain))
@@ -54,7 +54,7 @@ def orq_words(given, known, curve):
 
 
 def check_load(results, line, divided, curve):
-    """Refuses a breaking load or an area that the tensions of the run are far beyond or nothing of."""
+    """Refuses a breaking load or area that is implausible for the tensions of the run."""
     largest = results.field("effective_tension", line).max(axis=0)
     known = ~np.isnan(divided)
     if curve.of == "tension" and (share := (largest / divided)[known].max()) > 2:

@@ -1,4 +1,4 @@
-"""What the words of a command line stand for: results of files and cases, histories, durations."""
+"""Arguments of command lines: results of files and cases, histories, durations."""
 import os
 import re
 import sys
@@ -11,7 +11,8 @@ SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0, "d": 86400.0}
 
 
 def results_of(given, changes=()):
-    """A results file, or that of a case, which is run if there is none yet or if the case, or a file that it reads, is newer."""
+    """A results file, or the results of a case, which is run if it or an input file is newer or there are no
+    results."""
     path = Path(given)
     if path.suffix not in (".yaml", ".yml") or not path.is_file():
         refuse_changes(path, changes)
@@ -22,14 +23,14 @@ def results_of(given, changes=()):
     old = not results.is_file() or results.stat().st_mtime < newest
     if old or (changes and Results(results).changes != list(changes)):
         code = run_case("run", path, changes)
-        # Where the solver failed, a signal came or the energy does not add up, the results say so.
+        # After a solver failure, a signal or an energy error the results are still valid up to that point.
         if code not in (0, 3, 4, 130) or not results.is_file() or results.stat().st_mtime < path.stat().st_mtime:
             sys.exit(code)
     return Results(results)
 
 
 def modes_of(given, changes=()):
-    """Results of `hawser modes` of a case file, which runs if there are none yet or if the case is newer."""
+    """Results of `hawser modes` of a case file, which is run if it is newer or there are none."""
     path = Path(given)
     if path.suffix not in (".yaml", ".yml"):
         raise Refusal(f"{path}: modes are those of a case: give the case file with --modes")
@@ -42,7 +43,7 @@ def modes_of(given, changes=()):
 
 
 def refuse_since(results, since):
-    """What --since [s] leaves nothing of, or has nothing to exclude."""
+    """Refuses a --since [s] that excludes all or nothing of the results."""
     if since is None:
         return
     if results.modes:
@@ -52,7 +53,7 @@ def refuse_since(results, since):
 
 
 def history_of(results, name, column):
-    """A history and the name of one of its columns: without names the first history, its tension or its first column."""
+    """A history and one of its columns; by default the first history and its tension or first column."""
     if name is None and not results.histories:
         raise Refusal(f"{results.path} has no history: the case asks for them by output.histories")
     series = results.series(name) if name else results.series_at(results.histories[0])
@@ -60,7 +61,7 @@ def history_of(results, name, column):
 
 
 def seconds(text):
-    """A time with its unit, as 3h, '90 min' or 600."""
+    """A time with its unit, such as 3h, '90 min' or 600."""
     found = re.fullmatch(r"\s*([\d.]+(?:[eE][-+]?\d+)?)\s*(s|min|h|d)?\s*", text)
     try:
         value = float(found.group(1)) * SECONDS[found.group(2) or "s"]
@@ -72,7 +73,7 @@ def seconds(text):
 
 
 def time_words(value):
-    """The same, as it is said: 3 h."""
+    """The same as text: 3 h."""
     for name in ("d", "h", "min"):
         if value >= SECONDS[name] and abs(value / SECONDS[name] - round(value / SECONDS[name])) < 1e-9:
             return f"{value / SECONDS[name]:g} {name}"

@@ -1,10 +1,10 @@
-"""What a report shows of the case: line types, lines with their sections and ends, any other part; as it is written there with
-its units, and what the program takes by itself where nothing is."""
+"""Input in a report: line types, lines with their sections and ends, and other parts of the case, as written with
+their units, plus defaults."""
 from .results import dictionary
 from .sections import lengths, part, sections_of, length_key
 
-LONGEST = 80  # letters of a value
-# Of a line type, in the order of the table of what is computed with: key, unit.
+LONGEST = 80  # characters of a value
+# Properties of line types in the order of the table: key, unit.
 PROPERTIES = (("outer_diameter", "m"), ("contact_diameter", "m"), ("displaced_diameter", "m"), ("drag_diameter", "m"),
               ("inner_diameter", "m"), ("mass_per_length", "kg/m"), ("EA", "N"), ("EI2", "N m²"), ("EI3", "N m²"), ("GJ", "N m²"),
               ("GA", "N"), ("stiffness_damping", "s"), ("thermal_expansion", "1/K"), ("breaking_load", "N"),
@@ -30,7 +30,7 @@ def shortened(text):
 
 
 def rows_of(value, path=()):
-    """Keys with their paths, and their values as text; those below each other one by one."""
+    """Keys with their paths and their values as text; nested keys in separate rows."""
     if isinstance(value, dict) and value:
         for key, inner in value.items():
             yield from rows_of(inner, (*path, key))
@@ -39,7 +39,7 @@ def rows_of(value, path=()):
 
 
 def with_defaults(given, read, path=()):
-    """The same of what is given, and behind it of what is not and has a default, marked so. Empty defaults are not shown."""
+    """Rows of given keys, followed by marked rows of nonempty defaults."""
     for key, value in given.items():
         if isinstance(value, dict) and value:
             yield from with_defaults(value, dictionary(read.get(key)), (*path, key))
@@ -51,7 +51,7 @@ def with_defaults(given, read, path=()):
 
 
 def line_types(results):
-    """The line types as the case has them: a row for each key, 'pipe.wall_thickness' for those of its maps."""
+    """Table of line types in the case, one row per key, with nested keys such as 'pipe.wall_thickness'."""
     read = part(results, "line_types")
     types = {name: dict(with_defaults(keys, dictionary(read.get(name))))
              for name, keys in dictionary(results.given.get("line_types")).items()}
@@ -60,7 +60,8 @@ def line_types(results):
 
 
 def properties(results):
-    """What the line types are computed with: given, of the library, or made of other keys; nothing of what is 0 for all."""
+    """Table of properties used for line types: given, from the library, or derived; without properties that are 0
+    for all."""
     types = dictionary(results.as_read.get("line_types"))
     rows = [[f"{key} [{unit}]" if unit else key, *(float(values[key]) for values in types.values())]
             for key, unit in PROPERTIES if any(values.get(key) for values in types.values())]
@@ -68,7 +69,7 @@ def properties(results):
 
 
 def sections(results):
-    """The lines as the case has them: sections and ends; of a section with the length that a target has found that one."""
+    """Table of sections and ends of lines; a section length found by a target is included."""
     head, rows = ["line", "section", "length", "type", "end A", "end B"], []
     known = {line.name: line for line in results.lines}
     for name, line in dictionary(results.given.get("lines")).items():
@@ -82,7 +83,7 @@ def sections(results):
 
 
 def length_words(text):
-    """A length as it is written: a bare number is in m."""
+    """A length as written; a bare number is in m."""
     try:
         float(text)
     except ValueError:
@@ -91,7 +92,7 @@ def length_words(text):
 
 
 def end_words(end):
-    """An end of a line in a few words."""
+    """Short description of a line end."""
     if not isinstance(end, dict):
         return str(end or "")
     clamped = ", clamped" if end.get("clamped") in ("true", "True", "TRUE") else ""
@@ -103,8 +104,7 @@ def end_words(end):
 
 
 def on_lines(results):
-    """What the case says of lines beside their sections and how their ends are held: masses, bend stiffeners, springs of ends,
-    loads, targets."""
+    """Table of other items of lines: masses, bend stiffeners, end springs, loads, targets."""
     rows = []
     for name, line in dictionary(results.given.get("lines")).items():
         rest = {key: value for key, value in line.items() if key != "sections"}
@@ -113,7 +113,7 @@ def on_lines(results):
             rest.pop(end, None)
             rest.update({end: kept} if kept else {})
         for key, value in rest.items():
-            if isinstance(value, list) and any(isinstance(v, dict) for v in value):  # an entry each
+            if isinstance(value, list) and any(isinstance(v, dict) for v in value):  # one row per entry
                 rows += [[name, f"{key}[{k}]", shortened(words(v))] for k, v in enumerate(value)]
             else:
                 rows += [[name, *row] for row in rows_of(value, (key,))]
@@ -121,7 +121,7 @@ def on_lines(results):
 
 
 def echo(results, name):
-    """A part of the case, such as its environment: a row for each key, with its path; a list has a row for each entry."""
+    """Rows of a part of the case, such as its environment: one per key or list entry, with its path."""
     given, read = results.given.get(name), results.keys.get(name)
     if isinstance(given, list):
         return [name, "value"], [[f"[{k}]", shortened(words(v))] for k, v in enumerate(given)]

@@ -1,5 +1,5 @@
-"""hawser lay: the smallest tension with which a pipe is laid in each of a list of depths, so that it clears the tip of its
-stinger and is not used up in the sagbend; with a list of stinger radii of each, and the smallest that spares the overbend."""
+"""hawser lay: smallest lay tension of a pipe in each of a list of depths that clears the stinger tip and satisfies
+the sagbend check; with a list of stinger radii, also the smallest radius that satisfies the overbend check."""
 import tempfile
 from pathlib import Path
 
@@ -20,8 +20,8 @@ HEAD = ["depth [m]", "stinger radius [m]", "tension [N]", "tip clearance [m]", "
 
 
 def smallest_tension(rig, depth, asked):
-    """The lay at a depth with the smallest tension that keeps to what is asked, None where there is none, and why; tells
-    what is tried."""
+    """The lay at a depth with the smallest tension that meets the requirements, or None and the reason; prints each
+    trial."""
     def lay_at(bottom):
         lay = rig.at(depth, bottom)
         print(f"  depth {depth:g} m: " + ("" if lay is None else f"tension {lay.tension / 1e3:.4g} kN, clearance "
@@ -50,7 +50,7 @@ def numbers_of(option, text, what, example):
 
 
 def lays(case, options, depths, radii):
-    """(depth, radius, lay or None) of each depth and radius, and what to warn of."""
+    """(depth, radius, lay or None) for each depth and radius, and warnings."""
     found, warnings = [], []
     asked = Asked(options.clearance, options.utilisation)
     unwind_at_interrupts()
@@ -72,7 +72,7 @@ def lays(case, options, depths, radii):
 
 
 def draw(rows, path):
-    """Tension and local buckling over depth, in a colour of its own for each radius."""
+    """Figure of tension and local buckling over depth, one colour per radius."""
     figure, axes = sheet(3.2)
     axes.set(xlabel="depth [m]", ylabel="tension [kN]")
     right = axes.twinx()
@@ -121,17 +121,17 @@ def make(options):
 
 
 def show(rows):
-    """Quantities below each other, lays side by side."""
+    """Prints the quantities as rows, lays as columns."""
     print()
     shown = [[name.replace("[N]", "[kN]").replace(" [-]", ""), *(v / 1e3 if name.endswith("[N]") else float(v) for v in values)]
              for name, values in zip(HEAD, zip(*rows))]
-    shown = [row for row in shown if not np.isnan(row[1:]).all()]  # a radius that is none, a steel without such a check
+    shown = [row for row in shown if not np.isnan(row[1:]).all()]  # excludes undefined radii and checks that do not apply to the steel
     print_table([shown[0][0], *(f"{v:g}" for v in shown[0][1:])], shown[1:])
     print(f"Smallest tensions, found to {100 * CLOSE:g} %, at rest; a check is met up to 1.")
 
 
 def chosen(found, utilisation):
-    """Of each depth the smallest radius that spares the overbend, a sentence each."""
+    """For each depth a sentence with the smallest radius that satisfies the overbend check."""
     for depth in dict.fromkeys(depth for depth, *_ in found):
         kept = [(radius, lay) for d, radius, lay in found if d == depth and lay and lay.overbend <= utilisation]
         if kept:

@@ -1,4 +1,4 @@
-"""A lay as a case has it, and its equilibrium in other depths, with other tensions and on other stingers."""
+"""A lay of a case, and its equilibrium at other depths, tensions and stinger radii."""
 from pathlib import Path
 
 import numpy as np
@@ -10,12 +10,12 @@ from .pipe_report import pipe_of
 from .results import Refusal, Results, dictionary
 from .sections import lengths, part, sections_of
 
-MOST_STRAINED = 0.004  # bending strain of a catenary with the tension that is tried first
+MOST_STRAINED = 0.004  # bending strain of the catenary of the first trial
 
 
 def bends_of(results, line):
-    """The curved lengths of the paths of a line's supports: radius [m] by key. A path of boxes that ride on beams is drawn to
-    fit these."""
+    """Curved lengths of the paths of a line's supports: radius [m] by key. A path of boxes on beams is adjusted to
+    these."""
     found = {}
     for group, keys in part(results, "supports").items():
         if "path" not in keys or keys.get("on") or keys.get("line", line) != line:
@@ -27,7 +27,7 @@ def bends_of(results, line):
 
 
 class Rig:
-    """A lay as the case has it, and how its line changes with depth and tension."""
+    """A lay of a case, and the dependence of its line on depth and tension."""
 
     def __init__(self, case, changes, folder):
         self.case, self.changes, self.folder = Path(case), list(changes), Path(folder)
@@ -36,7 +36,7 @@ class Rig:
             raise Refusal(f"{case}: {self.description()} has no equilibrium from which to begin: see what 'hawser run' says of it")
         try:
             self.name = pipe_of(results, None).name
-        except Refusal as why:  # of the results in the temporary folder
+        except Refusal as why:  # concerning results in the temporary folder
             raise Refusal(str(why).replace(str(results.path), str(case))) from None
         line = results.line(self.name)
         if pipe_checks.judged_pipe(results, line) is None:
@@ -59,15 +59,15 @@ class Rig:
         x, (arc, place) = results.field("position", line, 0), checked.down
         self.top = x[0 if self.forwards else -1]
         lift = np.array([np.interp(checked.left.arc[0], line.arc, x[:, k]) for k in range(3)])
-        self.rise = lift[2] - place[0][2]  # m, of the free span, and its length
+        self.rise = lift[2] - place[0][2]  # m, height of the free span, and its length
         self.span = abs(arc[0] - checked.left.arc[0])
         self.drop = self.top[2] - place[0][2]
         tension = np.interp(arc[0], line.arc, results.field("effective_tension", line, 0))
-        # N/m: of the catenary of this height and length with this tension at touchdown.
+        # Weight [N/m] of the catenary with this height and length and this tension at touchdown.
         self.weight = tension * 2 * self.rise / (self.span**2 - self.rise**2)
         self.reach = self.width(tension, self.rise)
         self.outer, self.warnings = checked.outer, pipe_checks.warnings(checked)
-        found = lengths(results, line)  # a length that a target has found is kept, and the target excluded
+        found = lengths(results, line)  # a length found by a target is kept, without the target
         self.section = int(np.searchsorted(np.cumsum(found), (arc[0] + checked.left.arc[0]) / 2))
         self.length, self.elements = float(found[self.section]), sections_of(results, self.name)[self.section].get("elements")
         self.kept = [f"lines.{self.name}.target=null"] if keys.get("target") else []
@@ -77,23 +77,23 @@ class Rig:
         return "the case" + (f" with {', '.join(self.changes)}" if self.changes else "")
 
     def radius(self):
-        """m, of the supports; NaN where they have no curved length, or several."""
+        """Radius of the supports, m; NaN without a curved length, or with several."""
         return list(self.bends.values())[0] if len(self.bends) == 1 else np.nan
 
     def with_radius(self, radius):
-        """The same with another stinger."""
+        """The same lay with another stinger radius."""
         if len(self.bends) != 1:
             raise Refusal(f"{self.case}: --radii is for supports with one curved length in their path, fixed to a body or in "
                           f"space, and this has {len(self.bends) or 'none'}: change them by --set")
         return Rig(self.case, [*self.changes, f"{list(self.bends)[0]}={radius:.9g}"], self.folder)
 
     def width(self, tension, rise):
-        """m, of a catenary from its lowest point, with this tension there."""
+        """Horizontal extent [m] of a catenary from its lowest point, with this tension there."""
         scale = tension / self.weight
         return scale * np.arccosh(1 + rise / scale)
 
     def run(self, more):
-        """The static equilibrium of the case with changes; None where there is none."""
+        """Static equilibrium of the case with changes; None if there is none."""
         path = self.folder / "lay.h5"
         path.unlink(missing_ok=True)
         code = run_case("run", self.case, [*self.changes, *more, "dynamics=null"], "-q", "-o", str(path))
@@ -105,16 +105,16 @@ class Rig:
         return Results(path) if code == 0 and path.is_file() else None
 
     def rise_of_tension(self, depth):
-        """N, of a catenary from its lowest point to the upper end."""
+        """Increase of tension [N] of a catenary from its lowest point to the upper end."""
         return self.weight * (self.drop + depth - self.depth)
 
     def first_tension(self):
-        """N, at the lowest point of a catenary that is bent as much there as none is laid."""
+        """Tension [N] at the lowest point of a catenary with the bending strain MOST_STRAINED."""
         return self.weight * self.outer / 2 / MOST_STRAINED
 
     def changes_at(self, depth, bottom):
-        """The case at a depth, its line as long as that of a catenary with this tension at its lowest point is longer than
-        the case's, in elements as long as those of the case."""
+        """Changes of the case for a depth and a tension at the lowest point: the line length changes by that of the
+        catenary, with the same element lengths."""
         rise = self.rise + depth - self.depth
         if not rise > 0:
             raise Refusal(f"{self.case}: a depth of {depth:g} m is too small for this stinger: in the lay of the case, in "
@@ -132,7 +132,7 @@ class Rig:
                 f"{self.far}=[{', '.join(f'{v:.9g}' for v in anchor)}]"]
 
     def at(self, depth, bottom):
-        """The lay; None where statics finds none."""
+        """The lay; None if statics finds no equilibrium."""
         results = self.run(self.changes_at(depth, bottom))
         return None if results is None else self.read(results)
 

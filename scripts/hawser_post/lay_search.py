@@ -1,27 +1,27 @@
-"""The smallest tension of a lay that keeps to what is asked, between one that does and one that does not."""
+"""Search for the smallest lay tension that meets the requirements, by bracketing."""
 from dataclasses import dataclass
 
-CLOSE = 0.005  # of the tension: how far apart the two are at most
-MOST_STEPS = 10  # by 2, up or down, until both are found
+CLOSE = 0.005  # final width of the bracket relative to the tension
+MOST_STEPS = 10  # steps by a factor of 2 until the bracket is found
 
 
 @dataclass
 class Lay:
-    """What comes out of one tension."""
+    """Results of a lay with one tension."""
     tension: float  # N, at the upper end
     row: list  # as lay.HEAD, without the depth
     clearance: float  # m
     sagbend: float  # local buckling
-    overbend: float = 0.0  # the larger of local buckling and the simplified criterion of strain at rest
+    overbend: float = 0.0  # larger of local buckling and the simplified criterion of static strain
 
 
 @dataclass
 class Asked:
-    clearance: float  # m, of the tip, at least
-    utilisation: float  # of the sagbend, at most
+    clearance: float  # m, least clearance of the tip
+    utilisation: float  # largest utilisation of the sagbend
 
     def missed(self, lay):
-        """What a lay does not keep to, "" where it keeps to all. What could not be computed (NaN) is not kept to."""
+        """Requirements that a lay misses, "" if it meets all. Undefined values (NaN) miss their requirement."""
         if lay is None:
             return "no equilibrium"
         missed = [] if lay.clearance >= self.clearance else ["too near the tip"]
@@ -31,9 +31,9 @@ class Asked:
 
 
 def smallest(lay_at, asked, start, height):
-    """The smallest tension whose lay keeps to what is asked, and one at most CLOSE below whose lay does not, by doubling or
-    halving and then bisection: two pairs (tension, lay), None where there is none. `lay_at` makes the lay of a tension [N] at
-    the bottom of a catenary, which at its top is larger by `height` [N]; `start` is the first that is tried."""
+    """Smallest tension whose lay meets the requirements, and one at most CLOSE below whose lay does not, by doubling
+    or halving and then bisection: two pairs (tension, lay), or None. `lay_at` computes the lay for a tension [N] at
+    the bottom of a catenary, which is larger by `height` [N] at its top; `start` is the first trial."""
     trial, keeps, fails = start, None, None
     while start / 2**MOST_STEPS <= trial <= start * 2**MOST_STEPS:
         lay = lay_at(trial)

@@ -1,5 +1,5 @@
-"""A line that leaves its supports for the seabed: where it lifts off them and at what angle, how it clears the last, and
-where it touches down."""
+"""A line that leaves its supports for the seabed: lift-off point and angle, clearance at the last support, and
+touchdown."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,17 +11,17 @@ from .sections import part
 
 @dataclass
 class Departure:
-    """Of each output."""
+    """Departure at each output."""
     forwards: bool  # the line leaves its supports towards end B
     support: list  # name of the last support that carries the line, "" where none does
     arc: np.ndarray  # m, of lift-off; NaN
-    angle: np.ndarray  # deg, of the line there below the horizontal
-    tip: str  # name of the support that is last of all
-    tip_clearance: np.ndarray  # m, of every step
+    angle: np.ndarray  # deg below the horizontal at lift-off
+    tip: str  # name of the last support
+    tip_clearance: np.ndarray  # m, at every step
 
 
 def of_line(results, line):
-    """The series of the supports of a line with the arc lengths at which they are, in their order along the line."""
+    """Series of the supports of a line and their arc lengths, in order along the line."""
     found = []
     for name in results.histories:
         series = results.series_at(name)
@@ -33,25 +33,25 @@ def of_line(results, line):
 
 
 def support_line(results, name):
-    """The line that a support is for: that of its group in the case, or the only one."""
+    """Line of a support: that of its group in the case, or the only one."""
     groups = part(results, "supports")
     named = dictionary(groups.get(name.rsplit(" ", 1)[0], groups.get(name))).get("line")
     return named if named is not None else results.lines[0].name
 
 
 def step_of(results):
-    """The step nearest to each output."""
+    """Step nearest to each output."""
     return np.array([np.argmin(np.abs(results.step_time - t)) for t in results.time])
 
 
 def departure(results, line):
-    """None where the line has no supports."""
+    """Departure of a line; None without supports."""
     boxes = of_line(results, line)
     if not boxes:
         return None
     arcs = np.array([b.column("arc_length") for b in boxes])
     forces = np.array([np.linalg.norm([b.column(f"force_{k}") for k in "xyz"], axis=0) for b in boxes])
-    # Away from its feeder, else towards the farther end.
+    # Away from the feeder, else towards the farther end.
     fed = stations.end_of(results, line)
     forwards = fed == "end_a" if fed else bool(np.nanmean(arcs[:, 0]) < line.length / 2)
     if not forwards:
@@ -70,7 +70,7 @@ def departure(results, line):
 
 
 def slope(line, x, arc, forwards):
-    """deg below the horizontal of a line with nodes x at an arc length, along the way to the seabed."""
+    """Slope [deg below the horizontal] of a line with nodes x at an arc length, towards the seabed."""
     if np.isnan(arc):
         return np.nan
     node = int(np.clip(np.searchsorted(line.arc, arc), 1, len(line.arc) - 1))
@@ -79,7 +79,7 @@ def slope(line, x, arc, forwards):
 
 
 def touchdown(results, line, forwards=True):
-    """Arc length and place [m] at each output of the first touchdown point on the way from the supports; None where the
+    """Arc length and position [m] at each output of the first touchdown point after the supports; None if the
     results have none."""
     name = f"{line.name} touchdown"
     if results.steps == 0 or not results.has_series(name):
@@ -90,7 +90,8 @@ def touchdown(results, line, forwards=True):
 
 
 def from_end_a(results, line, left):
-    """Whether the way to the seabed is from end A to end B: as the line leaves its supports; without, from its higher end."""
+    """True if the path to the seabed is from end A to end B: as the line leaves its supports, else from its higher
+    end."""
     if left is not None:
         return left.forwards
     height = results.field("position", line, 0)[:, 2]
@@ -98,9 +99,9 @@ def from_end_a(results, line, left):
 
 
 def inflection(results, line, left, down):
-    """Arc length [m] at each output of the steepest place between lift-off and touchdown, where the overbend goes over into
-    the sagbend; where no support carries the line, between its end on the barge and touchdown. NaN where the line has no
-    supports and so no overbend."""
+    """Arc length [m] at each output of the steepest point between lift-off and touchdown, the inflection between
+    overbend and sagbend; if no support carries the line, between its end on the barge and touchdown. NaN without
+    supports, since there is no overbend."""
     if left is None:
         return np.full(results.outputs, np.nan)
     forwards = left.forwards

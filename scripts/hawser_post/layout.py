@@ -1,24 +1,24 @@
-"""Which data sets a results file has and of which shapes they are (docs/user-guide/results.md). What is otherwise in a damaged
-file, or in one of another program, is refused in a sentence when the file is opened."""
+"""Data sets of a results file and their shapes (docs/user-guide/results.md). Damaged files and files of other
+programs are refused with a sentence when opened."""
 import h5py
 import numpy as np
 
 
 class Refusal(Exception):
-    """What the user asked for cannot be done; the text is one sentence."""
+    """The user's request is impossible; the text is one sentence."""
 
 
 def text_of(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
-LARGEST = 1e60  # the program takes no larger numbers from a case
+LARGEST = 1e60  # larger than any number accepted from a case
 NUMBERS, INTEGERS, TEXTS, RECORDS = "numbers", "whole numbers", "texts", "records"
 KINDS = {NUMBERS: "fiu", INTEGERS: "iu", TEXTS: "SOU", RECORDS: "V"}
 
 
 class AtLeast(int):
-    """So many rows or more: of a run in progress there are more than have been written."""
+    """A minimum number of rows: a run in progress has more than have been written."""
 
 
 class Layout:
@@ -29,10 +29,10 @@ class Layout:
         raise Refusal(f"{self.path}: is damaged or of another version: '{name}' {why}")
 
     def data(self, name, kind, *shape, needed=True):
-        """The data set, None where there is none. shape: of each dimension the extent, or None for any."""
+        """Data set, or None if absent. shape: extent of each dimension, None for any."""
         try:
             found = self.file.get(name)
-        except (KeyError, OSError, RuntimeError, ValueError) as error:  # a link to nowhere, an unreadable header
+        except (KeyError, OSError, RuntimeError, ValueError) as error:  # a dangling link or unreadable header
             self.bad(name, f"cannot be read ({str(error).splitlines()[0]})")
         if found is None:
             return self.bad(name, "is missing") if needed else None
@@ -48,14 +48,14 @@ class Layout:
         return found
 
     def group(self, name):
-        """The names of what is in a group, none where there is none."""
+        """Names in a group, empty if it is absent."""
         found = self.file.get(name)
         if found is not None and not isinstance(found, h5py.Group):
             self.bad(name, "is no group of data sets")
         return [] if found is None else list(found)
 
     def finite(self, name, values, growing=False):
-        if not np.all(np.abs(values) <= LARGEST) or growing and np.any(np.diff(values) < 0):  # nor NaN
+        if not np.all(np.abs(values) <= LARGEST) or growing and np.any(np.diff(values) < 0):  # NaN fails as well
             self.bad(name, "does not hold growing numbers" if growing else "holds what is no number of that kind")
 
     def records(self, name, *columns, shape=(None,), needed=True):
@@ -162,5 +162,5 @@ class Layout:
 
 
 def check_layout(file, path):
-    """Refuses a results file whose data sets are missing, or not of the kinds and shapes that they have to be."""
+    """Refuses a results file with missing data sets or with wrong types or shapes."""
     Layout(file, path).check()

@@ -1,4 +1,4 @@
-"""hawser new: a short dialogue on the terminal that writes a case file with one line, and shows it."""
+"""hawser new: a short dialogue in the terminal that writes and shows a case file with one line."""
 import re
 import subprocess
 import sys
@@ -17,7 +17,7 @@ class Ended(Refusal):
 
 
 def ask(question, usual, read):
-    """The answer as `read` understands it; asked again, with the reason, until it does. An empty answer is the usual one."""
+    """The answer converted by `read`; repeated with the reason until it is valid. An empty answer is the default."""
     while True:
         print(f"{question} [{usual}]: ", end="", flush=True)
         line = sys.stdin.readline()
@@ -30,7 +30,7 @@ def ask(question, usual, read):
 
 
 def number(low, high, unit="m"):
-    """Reads a number with or without a unit, between two limits."""
+    """Reader of a number with or without unit, between two limits."""
     def read(text):
         found = re.fullmatch(r"([-+]?[\d.]+(?:[eE][-+]?\d+)?)\s*([a-z]*)", text)
         try:
@@ -44,7 +44,7 @@ def number(low, high, unit="m"):
 
 
 def one_of(words):
-    """Reads one of some words, or its number in the list."""
+    """Reader of one of several words, or its number in the list."""
     words = list(words)
 
     def read(text):

@@ -1,8 +1,8 @@
-"""The text of a case file made of a few answers: one line from an anchor on the bed to a vessel or a fixed point."""
+"""Text of a case file from a few answers: one line from an anchor on the bed to a vessel or a fixed point."""
 import math
 from dataclasses import dataclass
 
-KINDS = {  # what a line can be made of: the words of the list, and its library type or "" for a pipe
+KINDS = {  # kinds of lines: name in the list, and library type, or "" for a pipe
     "chain": ("studless chain", "chain-studless"), "studlink": ("studlink chain", "chain-studlink"),
     "wire": ("wire rope with a wire core", "wire-six-strand"), "fibre-core": ("wire rope with a fibre core", "wire-six-strand-fibre-core"),
     "polyester": ("polyester rope", "polyester"), "plaited": ("plaited polyester rope", "polyester-plaited"),
@@ -11,8 +11,8 @@ TAUT = ("polyester", "plaited", "nylon")
 USUAL_DIAMETER = {"chain": 0.084, "studlink": 0.084, "wire": 0.09, "fibre-core": 0.09, "polyester": 0.16, "plaited": 0.16, "nylon": 0.16,
                   "pipe": 0.273}  # m
 GRADES = ("R3", "R3S", "R4", "R4S", "R5")
-DEEP = 300.0  # m, of water in which chains and wires carry so much of themselves that they hang steeper
-WALL = 0.02  # of the usual pipe, m
+DEEP = 300.0  # m, water depth from which chains and wires hang steeply under their own weight
+WALL = 0.02  # m, of the default pipe
 
 
 @dataclass
@@ -21,15 +21,15 @@ class Answers:
     depth: float  # m
     kind: str
     diameter: float  # m
-    grade: str = ""  # of chain
-    wall: float = 0.0  # of a pipe, m
-    top: float = 10.0  # of the upper end below the surface, m
-    distance: float = 0.0  # of the anchor, m, horizontally
+    grade: str = ""  # for chain
+    wall: float = 0.0  # for a pipe, m
+    top: float = 10.0  # m, upper end below the surface
+    distance: float = 0.0  # m, horizontal distance of the anchor
     length: float = 0.0  # m
-    moves: bool = False  # the upper end with a vessel
-    height: float = 0.0  # of the wave, m; 0: still water
+    moves: bool = False  # the upper end moves with a vessel
+    height: float = 0.0  # m, wave height; 0: still water
     period: float = 0.0  # s
-    direction: float = 180.0  # deg, in which it runs
+    direction: float = 180.0  # deg, direction of propagation
 
 
 def rise(depth, top):
@@ -37,14 +37,14 @@ def rise(depth, top):
 
 
 def usual_distance(kind, depth, top, diameter):
-    """m, of the anchor from the upper end; of a pipe so far that it can bend on its way."""
+    """Horizontal distance [m] of the anchor from the upper end; for a pipe large enough for its bending."""
     deep = rise(depth, top) > DEEP
     found = rise(depth, top) * (1.6 if kind == "pipe" else 1.5 if kind in TAUT else 2.0 if deep else 5.0)
     return float(f"{max(found, 400 * diameter if kind == 'pipe' else 0.0):.2g}")
 
 
 def usual_length(kind, depth, top, distance):
-    """m, of a line that lies on the bed at its anchor; of a rope that is taut."""
+    """Length [m] of a line that lies on the bed at its anchor, or of a taut rope."""
     straight = math.hypot(rise(depth, top), distance)
     steep = distance < 2.5 * rise(depth, top)
     slack = 0.995 if kind in TAUT else 1.025 if not steep else 1.13 if kind == "pipe" else 1.1
@@ -52,10 +52,11 @@ def usual_length(kind, depth, top, distance):
 
 
 def element_length(a):
-    """m: a share of the line, of a pipe a few diameters, over which it bends at most, and in waves a twelfth of their length."""
+    """Element length [m]: a fraction of the line; for a pipe at most a few diameters; in waves a twelfth of the wave
+    length."""
     limits = [a.length / 160, 15 * a.diameter] if a.kind == "pipe" else [a.length / 100]
     if a.height:
-        limits.append(1.56 * a.period**2 / 12)  # g T² / 2 pi is the length in deep water
+        limits.append(1.56 * a.period**2 / 12)  # deep-water wave length g T² / 2 pi
     return max(0.5, float(f"{min(limits):.2g}"))
 
 
@@ -68,7 +69,7 @@ def line_type(a):
 
 
 def text(a):
-    """The case file, each part with what it is."""
+    """Text of the case file with comments."""
     element = element_length(a)
     upper = f"{{body: vessel, at: [0, 0, {-a.top:g}]}}" if a.moves else f"{{anchor: [0, 0, {-a.top:g}]}}"
     parts = [f"# Written by hawser new. Units are SI where none is written, angles in degrees; z is up, from still water.\nhawser: 1\ntitle: {quoted(a.title)}"]
@@ -93,5 +94,5 @@ def text(a):
 
 
 def quoted(title):
-    """A title that is one text in YAML."""
+    """A title quoted for YAML."""
     return '"' + title.replace("\\", "\\\\").replace('"', '\\"') + '"'

@@ -11,7 +11,7 @@ FIRST = "x offset [m]"
 
 
 def read(path):
-    """The columns of a table of stiffnesses by name."""
+    """Columns of a stiffness table by name."""
     try:
         with open(path, newline="") as file:
             rows = list(csv.reader(file))
@@ -25,7 +25,7 @@ def read(path):
 
 
 def figure_of(path):
-    """Force back to rest and tension of each line over the horizontal offset. The rows are those of one direction."""
+    """Figure of restoring force and line tensions over the horizontal offset; rows are those of one direction."""
     path = Path(path)
     table = read(path)
     x, y = table[FIRST], table["y offset [m]"]

@@ -1,4 +1,4 @@
-"""The HTML of a report: one file with everything in it, for the screen and for paper."""
+"""HTML of a report: a single self-contained file for screen and paper."""
 import base64
 import html
 import io
@@ -35,7 +35,7 @@ figure { margin: 0; break-inside: avoid } figcaption { color: #54616d; font-size
 
 
 def number(value):
-    """Four digits or so, and no more than an engineer reads."""
+    """Number with about four significant digits."""
     if isinstance(value, str):
         return value
     if isinstance(value, int):
@@ -49,7 +49,8 @@ def number(value):
 
 
 def from_place_to_place(path):
-    """A path of an SVG: its straight strokes by differences of places in tenths of a point, whose errors do not add up. Others stay."""
+    """SVG path with straight segments as differences in tenths of a point, without accumulated rounding. Other paths
+    are unchanged."""
     if not re.fullmatch(rb"[-\d.\sMLz]*", path):
         return path.replace(b"\n", b"")
     out, at, start, command, numbers = [b""], [0, 0], [0, 0], b"", []
@@ -69,15 +70,15 @@ def from_place_to_place(path):
 
 
 def tenths(count, before):
-    """So many tenths as a number that can follow what stands before it."""
+    """Number of tenths in the shortest form that may follow the text `before`."""
     text = re.sub(r"^(-?)0(?=\.)", r"\1", f"{count / 10:g}").encode()
     apart = not before.isalpha() and not text.startswith(b"-") and not (text.startswith(b".") and b"." in before)
     return b" " + text if apart else text
 
 
 def shortened(svg):
-    """A drawing whose strokes have places to a tenth of a point, each from the one before it, and no description: smaller, and the
-    same to see."""
+    """SVG with coordinates rounded to a tenth of a point and written as differences, without metadata: smaller, with
+    the same appearance."""
     svg = re.sub(rb"<metadata>.*?</metadata>", b"", svg, flags=re.DOTALL)
     svg = re.sub(rb'(?<= d=")[^"]*', lambda d: from_place_to_place(d[0]), svg)
     svg = re.sub(rb"(?<=DejaVu Sans')[^;\"]*(?=, sans-serif)", b"", svg)
@@ -89,7 +90,7 @@ def shortened(svg):
 
 
 def whole(figure):
-    """The figure with what stands out of it, as names of axes in space do; None where nothing does."""
+    """Bounding box of the figure with protruding parts such as axis labels in space; None if nothing protrudes."""
     if not any(hasattr(axes, "zaxis") for axes in figure.axes):
         return None
     figure.canvas.draw()
@@ -101,7 +102,7 @@ class Page:
         self.title, self.parts, self.sections = title, [], []
         self.has_model = False
         self.figures = 0
-        self.drawn = not libraries.missing()  # whether a browser can draw models and graphs
+        self.drawn = not libraries.missing()  # the browser can draw models and graphs
 
     def section(self, name):
         key = f"s{len(self.sections)}"
@@ -116,7 +117,7 @@ class Page:
         if not rows:
             return
         rows = [list(row) for row in rows]
-        for k in range(len(head)):  # what is nothing beside the others of its column
+        for k in range(len(head)):  # values negligible in their column
             sizes = [abs(row[k]) for row in rows if isinstance(row[k], float) and np.isfinite(row[k])]
             for row in rows:
                 if isinstance(row[k], float) and abs(row[k]) < 1e-9 * max(sizes, default=0):
@@ -131,11 +132,11 @@ class Page:
                           + "</tbody></table></div>")
 
     def figure(self, figure, caption, form="svg"):
-        """Takes the figure; `form`: svg, or png for what has very many strokes."""
+        """Adds a figure. form: svg, or png for very many strokes."""
         self.figures += 1
         curves = embedded.curves_of(figure) if self.drawn and form == "svg" else None
         data = io.BytesIO()
-        with plt.rc_context({"svg.fonttype": "none"}):  # letters of the reader's machine: outlines are two thirds of a small drawing
+        with plt.rc_context({"svg.fonttype": "none"}):  # fonts of the reader; outlines take two thirds of a small drawing
             figure.savefig(data, format=form, dpi=130, metadata={"Date": None} if form == "svg" else None, bbox_inches=whole(figure))
         plt.close(figure)
         kind = "svg+xml" if form == "svg" else form
@@ -148,8 +149,8 @@ class Page:
                           f"<figcaption>{html.escape(caption)}</figcaption>{script}</figure>")
 
     def within(self, things, most, rest):
-        """The things, one after another, until `most` figures have been made of them; then `rest`, with how many that were and of how
-        many, is said of the others."""
+        """Yields `things` until `most` figures were added; then reports the number of the others with the text
+        `rest`."""
         before = self.figures
         for place, thing in enumerate(things):
             if self.figures - before >= most:
@@ -158,9 +159,9 @@ class Page:
             yield thing
 
     def model(self, results, other=None):
-        """The model in three dimensions, with another in it, or the sentence that says why it is not there."""
+        """Adds the three-dimensional model, with another one in it if given, or the reason why it cannot be shown."""
         if self.drawn:
-            # Before the rest of the page, so that the model is there first.
+            # The model precedes the rest of the page so that it is available first.
             scenes = [embedded.scene(results)] if other is None else embedded.two_scenes(results, other)
             self.parts += [*scenes, embedded.libraries_of_page()]
             self.has_model = True
@@ -168,7 +169,7 @@ class Page:
             self.text(libraries.missing(), "note")
 
     def end(self):
-        """What draws graphs in a page without a model, and the licences of what is in the page."""
+        """Adds the scripts of graphs in a page without a model, and the licences of the page's contents."""
         if not self.drawn:
             return ""
         return ("" if self.has_model else embedded.libraries_of_page()) + embedded.licences()

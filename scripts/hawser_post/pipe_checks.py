@@ -1,4 +1,4 @@
-"""Strain, stress and the checks of codes of a pipe, by part: on its supports, in its sagbend and on the seabed."""
+"""Strain, stress and code checks of a pipe by part: on its supports, in its sagbend and on the seabed."""
 import numpy as np
 
 from . import laying, pipe_codes, stations, stress
@@ -16,7 +16,7 @@ UNEVEN_SEABED = 1.07
 
 
 def judged_pipe(results, line):
-    """The keys of the line's pipe, with the defaults of those that say how it is judged; None where it has no grade or several."""
+    """Keys of the line's pipe with the defaults of the checks; None without a grade or with several."""
     found = [t["pipe"] for t in types_of(results, line) if "pipe" in t]
     if len({pipe.get("grade") for pipe in found}) != 1 or found[0].get("grade") not in pipe_codes.YIELD:
         return None
@@ -25,18 +25,18 @@ def judged_pipe(results, line):
 
 
 def of_case(results, line):
-    """The checks of a pipe; None where the case does not say of which steel it is, or the program did not check it."""
+    """Checks of a pipe; None if the case gives no steel grade or the program did not check the pipe."""
     pipe = judged_pipe(results, line)
     return None if pipe is None or not results.has("api_bending_pressure") else Checked(results, line, pipe)
 
 
 def is_uneven(results):
-    """Whether the seabed is measured: a grid or a mesh."""
+    """True if the seabed is a grid or a mesh."""
     return bool({"grid", "mesh"} & set(dictionary(part_of_case(results, "environment").get("seabed"))))
 
 
 def one_size(values):
-    """Of a line all whose pipe has one wall."""
+    """The wall of a line with a single one."""
     found = np.unique(np.round(values[~np.isnan(values)], 9))
     if len(found) != 1:
         raise Refusal("the checks are for a line whose pipe has one diameter and one wall thickness")
@@ -44,8 +44,8 @@ def one_size(values):
 
 
 class Checked:
-    """A pipe's checks at the outputs, each outputs x nodes; NaN where the line is no pipe. Those of codes are fields of the
-    results."""
+    """Checks of a pipe at the outputs, each outputs x nodes; NaN where the line is no pipe. Code checks are fields
+    of the results."""
 
     def __init__(self, results, line, pipe):
         self.results, self.line, self.pipe, self.grade = results, line, pipe, pipe["grade"]
@@ -54,7 +54,7 @@ class Checked:
         self.outer, self.wall = one_size(wall.outer), one_size((wall.outer - wall.inner) / 2)
         self.yields_at = pipe_codes.YIELD[self.grade]
         self.yields = any("plasticity" in t for t in types_of(results, line))
-        # Only a run that began with statics and has its first output knows a state at rest.
+        # Only a run that began with statics and has its first output has a state at rest.
         self.at_rest = results.has("dnv_local_buckling") and not results.time[0] > 0
         self.find_parts(results, line)
         self.tension = results.field("effective_tension", line)
@@ -65,7 +65,7 @@ class Checked:
         self.values.update({name: results.field(field, line) for name, field in FIELDS.items() if results.has(field)})
 
     def find_parts(self, results, line):
-        """Which part of the line each node is in, at each output: the overbend ends where the line is steepest."""
+        """Part of the line at each node and output: the overbend ends at the steepest point."""
         self.left = laying.departure(results, line)
         self.forwards = laying.from_end_a(results, line, self.left)
         self.down = laying.touchdown(results, line, self.forwards)
@@ -76,7 +76,7 @@ class Checked:
                      (way > np.nan_to_num(down, nan=np.inf)[:, None]))
 
     def description(self):
-        """What the checks are by, in sentences."""
+        """Sentences on the basis of the checks."""
         given = self.pipe["condition_factor"]
         uneven = is_uneven(self.results)
         usual = {"supports": 1.0, "span": 1.0, "seabed": UNEVEN_SEABED if uneven else 1.0}
@@ -90,11 +90,11 @@ class Checked:
                 f"gamma_C of functional loads: {parts}{why}.{fed}"]
 
     def static(self, quantity, part):
-        """The largest of a part at rest; NaN where no output is at rest."""
+        """Largest value in a part at rest; NaN if no output is at rest."""
         return largest(self.values[quantity][:1], self.part[:1] == part)[0] if self.at_rest else np.nan
 
     def criteria(self, part, keep):
-        """Rows (check, value at rest, largest, its output and node) of the simplified criteria for laying."""
+        """Rows (check, value at rest, largest, its output and node) of the simplified laying criteria."""
         k, rows = PARTS.index(part), []
 
         def row(name, quantity, limit, still, moving):
@@ -112,7 +112,7 @@ class Checked:
 
 
 def largest(values, where):
-    """The largest of outputs x nodes, with its output and node; NaN where there is none."""
+    """Largest value of outputs x nodes with its output and node; NaN if there is none."""
     masked = np.where(where, values, -np.inf)
     masked[np.isnan(masked)] = -np.inf
     place = np.unravel_index(np.argmax(masked), masked.shape)
@@ -120,7 +120,7 @@ def largest(values, where):
 
 
 def warnings(checked):
-    """Where the von Mises stress, which is that of an elastic section, is none of the pipe's."""
+    """Warnings if the von Mises stress, which assumes an elastic section, is not valid for the pipe."""
     most = np.nanmax(checked.values[STRESS])
     if checked.yields:
         return ["the pipe has 'plasticity': its von Mises stress is that of an elastic section with the same moment, and knows "

@@ -1,4 +1,4 @@
-"""hawser pipe: strain, stress and the checks of codes of a pipe on its supports, in its sagbend and on the seabed."""
+"""hawser pipe: strain, stress and code checks of a pipe on its supports, in its sagbend and on the seabed."""
 import numpy as np
 
 from . import export, pipe_checks, pipe_tables, stations, stress
@@ -57,7 +57,7 @@ def make(options):
 
 
 def print_table(head, rows):
-    """Columns of words to the left, those with numbers to the right."""
+    """Prints a table with text left-aligned and numbers right-aligned."""
     text = [[f"{v:.4g}" if isinstance(v, float) else str(v) for v in row] for row in rows]
     widths = [max(len(row[k]) for row in [head, *text]) for k in range(len(head))]
     numbers = [any(isinstance(row[k], float) for row in rows) for k in range(len(head))]

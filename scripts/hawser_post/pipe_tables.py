@@ -1,11 +1,11 @@
-"""The checks of a pipe as tables: by part of the line, and what is watched while it is laid."""
+"""Tables of pipe checks: by part of the line, and quantities monitored during laying."""
 import numpy as np
 
 from .pipe_checks import FIELDS, PARTS, largest
 
 
 def checks(checked, since):
-    """A table: part of the line, quantity, value at rest, largest, its time and arc length."""
+    """Table with part of the line, quantity, value at rest, largest value, its time and arc length."""
     head = ["part", "quantity", "static", "largest", "at [s]", "at [m]"]
     results, rows = checked.results, []
     keep = np.flatnonzero(results.since(since))
@@ -25,7 +25,8 @@ def checks(checked, since):
 
 
 def every_step(checked):
-    """A table of the checks by codes over every step and node: largest, its time and arc length. None before the end of a run."""
+    """Table of the code checks over every step and node: largest value, its time and arc length. None before the end
+    of a run."""
     results, line, rows = checked.results, checked.line, []
     for name, field in FIELDS.items():
         found = results.statistics(field, line) if results.ended else None
@@ -37,7 +38,7 @@ def every_step(checked):
 
 
 def watched(checked):
-    """What is watched while a pipe is laid, of each output, and the height over the last support of each step."""
+    """Quantities monitored during laying: at each output, and the height over the last support at each step."""
     results, line, left, out = checked.results, checked.line, checked.left, {}
     tension, top = checked.tension, 0 if checked.forwards else -1
     out["top tension [kN]"] = tension[:, top] / 1e3
@@ -56,7 +57,7 @@ def watched(checked):
 
 
 def geometry(checked, since):
-    """A table of what is watched: value at rest, least and largest since."""
+    """Table of the monitored quantities: value at rest, least and largest since."""
     results, rows = checked.results, []
     for name, values in watched(checked).items():
         keep = (results.step_time >= since) if name.startswith("clearance at the tip") else results.since(since)
@@ -67,7 +68,7 @@ def geometry(checked, since):
 
 
 def for_reading(head, rows):
-    """Moments in kN m and stresses in MPa, the unit in the name of the quantity."""
+    """Moments in kN m and stresses in MPa, with the unit in the name of the quantity."""
     out = []
     for row in rows:
         name, factor = row[1], 1.0

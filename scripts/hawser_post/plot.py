@@ -8,7 +8,7 @@ from .page import whole
 from .results import Refusal
 
 HISTORY = {"name", "column", "since"}
-# What each figure takes, besides a file and --set.
+# Options of each figure besides a file and --set.
 TAKES = {"range": {"line", "field", "since"}, "stress": {"line", "outer_diameter", "wall", "since"},
          "offsets": set(), "radiation": set(), "history": HISTORY, "spectrum": HISTORY, "phase": HISTORY | {"over"}, **{view: {"time"} for view in scene.VIEWS}}
 
@@ -21,7 +21,7 @@ def refuse_what_is_not_taken(options):
 
 
 def output_at(results, time):
-    """The output nearest to a time [s], the last for None."""
+    """Output nearest to a time [s]; None: the last."""
     if time is None:
         return -1
     first, last = results.time[0], results.time[-1]
@@ -80,7 +80,7 @@ def make(options):
             other = options.over or "position_z"
             figure = charts.one_over_another(series.column(other)[keep], values,
                                              (charts.label(other, series.unit(other)), charts.label(column, unit)), series.name)
-    # Another field or history does not take the place of the first figure.
+    # File names of other fields or histories differ from that of the first figure.
     lines = export.file_names([line.name for line in results.lines])
     histories = export.file_names([results.series_name(key) for key in results.series_names])
     words = {"range": [lines.get(options.line), field if field != "effective_tension" else None], "stress": [lines.get(options.line)]}

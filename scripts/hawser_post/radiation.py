@@ -1,4 +1,5 @@
-"""hawser plot TABLE radiation: retardation functions of a table of hawser check --radiation, and its check by Ogilvie's relation."""
+"""hawser plot TABLE radiation: retardation functions from a table of hawser check --radiation, and their check by
+Ogilvie's relation."""
 import csv
 from pathlib import Path
 
@@ -13,7 +14,7 @@ QUANTITIES = ("retardation", "damping", "added mass", "added mass by damping")
 
 
 def read(path):
-    """The names of the entries, and by quantity its times or frequencies and its rows."""
+    """Names of the entries, and times or frequencies and rows by quantity."""
     try:
         with open(path, newline="") as file:
             rows = list(csv.reader(file))
@@ -30,15 +31,15 @@ def read(path):
 
 
 def figure_of(path):
-    """K(t) over K(0) of the freedoms by themselves; their added mass by frequency, that of the files as dots and that by the damping
-    as a line, over the largest of each."""
+    """Figure of K(t)/K(0) for the diagonal entries, and of their added mass by frequency, from the files as dots and
+    from the damping as a line, relative to the largest of each."""
     names, found = read(Path(path))
     own = [k for k, name in enumerate(names) if len(set(name.split("-"))) == 1]
     figure, (left, right) = plt.subplots(1, 2, figsize=(WIDE, 3.4), layout="constrained")
     time, K = found["retardation"]
     omega, A = found["added mass"]
     by_omega, by_damping = found["added mass by damping"]
-    # K at the end is small for most of the memory: the figure has what is above a hundredth of its start.
+    # K is small at the end of most of the memory: the figure shows the part above one percent of the start.
     visible = np.flatnonzero((np.abs(K[:, own]) > 0.01 * np.abs(K[0, own])).any(axis=1))
     for n, k in enumerate(own):
         shade = colour(n, len(own))

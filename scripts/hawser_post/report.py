@@ -1,4 +1,4 @@
-"""The report of a run: what an engineer looks at before signing."""
+"""Report of a run for engineering review."""
 from pathlib import Path
 
 import numpy as np
@@ -7,10 +7,10 @@ from . import charts, envelopes, inputs, pipe_checks, pipe_tables, scene, statio
 from .page import Page
 from .results import Refusal, Results
 
-MOST_LINES = 8  # with figures of their own
+MOST_LINES = 8  # lines with their own figures
 MOST_MODES = 12
 MOST_HISTORY_FIGURES = 48
-MOST_ROWS = 60  # of a table of the input
+MOST_ROWS = 60  # rows in a table of the input
 OTHER_PARTS = ("bodies", "joints", "links", "volumes", "supports", "contact", "statics", "stages", "dynamics", "events")
 
 
@@ -19,7 +19,7 @@ def title_of(results):
 
 
 def by_tension(results):
-    """The lines, the one with the largest tension first, and how many of them are shown."""
+    """The lines by decreasing largest tension, and the number of lines shown."""
     if not results.has("effective_tension"):
         return results.lines
     return sorted(results.lines, key=lambda line: -results.field("effective_tension", line).max())
@@ -69,7 +69,7 @@ def start(page, results):
 
 
 def stages(page, results):
-    """The rests of the stages of statics, in their order."""
+    """Equilibria of the stages of statics, in order."""
     if not results.stages:
         return
     page.section("Stages of statics")
@@ -132,11 +132,11 @@ def stresses(page, results, lines, since):
 
 
 def strength(page, results, lines, since):
-    """Code checks of pipes whose case says of which steel they are."""
+    """Code checks of pipes whose case gives the steel."""
     for line in lines:
         try:
             found = pipe_checks.of_case(results, line) if stress.is_pipe(results, line) else None
-        except Refusal as refusal:  # what the checks cannot be for, in a sentence
+        except Refusal as refusal:  # checks that do not apply, in a sentence
             page.section(f"Strength of {line.name}")
             page.text(f"Not checked by hawser pipe: {refusal}.", "warning")
             continue
@@ -185,7 +185,7 @@ def history_figures(page, results, series, since):
 
 
 def groups(series):
-    """Columns that stand in one figure: the components of a vector, else each by itself."""
+    """Columns grouped by figure: components of a vector together, others alone."""
     out = {}
     for c in series.columns:
         stem = c[:-2] if c.endswith(("_x", "_y", "_z")) else c
@@ -224,7 +224,7 @@ def meetings(page, results):
 
 
 def without_empty(head, rows):
-    """Without the columns in which nothing stands, of places and of another line also nothing but zeros."""
+    """Table without empty columns; of columns of places and other lines also without those that are all zero."""
     keep = []
     for k, title in enumerate(head):
         nothing = ("", 0.0) if title.startswith("other ") or "arc" in title else ("",)
@@ -248,7 +248,8 @@ def energy(page, results):
 
 
 def modes(page, results):
-    """A file of `hawser modes`: output k is mode k, drawn with 5 % of the longest line as its largest displacement."""
+    """Section for a file of `hawser modes`: output k is mode k, drawn with a largest displacement of 5 % of the
+    longest line."""
     page.section("Natural modes")
     series = results.series("modes")
     page.text("Small vibrations about the static equilibrium.")
@@ -270,7 +271,7 @@ def count(n, what):
 
 
 def run_of(results):
-    """Who has computed what, and when."""
+    """Program, user and time of the run."""
     ranks = results.attribute("ranks")
     changes = "".join(f" --set {change}" for change in results.changes)
     return (f"{Path(results.attribute('case_path')).name}{changes}: hawser {results.attribute('version')}, "
@@ -293,7 +294,7 @@ def of_modes(results, path):
 
 
 def make(results, path, since, vibrations=None):
-    """`vibrations`: results of `hawser modes` of the same case, which get a section."""
+    """Writes the report. vibrations: results of `hawser modes` of the same case, for a section of their own."""
     if results.modes:
         return of_modes(results, path)
     page = Page(title_of(results))

@@ -1,9 +1,9 @@
-"""Response amplitude operators of a body from its motion in a run, and the wave that it meets.
+"""Response amplitude operators of a body from its motion in a run and the waves.
 
-Motions are those of a point of the body in axes that have its mean heading, x ahead and y to port: of the point, and the
-rotation vector. The elevation is that of the waves of the case at the body's origin, where its slow motion has it, as for
-its wave forces: eta = Re sum a exp(i (omega t - k x - phase)). A response H is motion over elevation, both as Re(... exp(i
-omega t)); its lag is minus its phase.
+Motions are those of a point of the body in axes with its mean heading, x forward and y to port: translations of the
+point, and the rotation vector. The elevation is that of the case's waves at the low-frequency position of the body's
+origin, as for its wave forces: eta = Re sum a exp(i (omega t - k x - phase)). A response H is motion over elevation,
+both as Re(... exp(i omega t)); its lag is minus its phase.
 """
 from dataclasses import dataclass
 
@@ -18,18 +18,18 @@ FREEDOMS = ("surge", "sway", "heave", "roll", "pitch", "yaw")
 
 @dataclass
 class Response:
-    """At one frequency; rotations in rad/m."""
+    """Response at one frequency; rotations in rad/m."""
     omega: float  # rad/s
-    direction: float  # deg where the wave goes to, from the bow: 0 from astern
+    direction: float  # deg, wave propagation direction relative to the bow: 0 from astern
     value: np.ndarray  # six complex numbers
-    amplitude: float  # m, of a regular wave; m²/Hz of the spectrum of an irregular sea
-    # Of an irregular sea the coherence of each motion with the wave. Of a regular wave the share of its variance that the
+    amplitude: float  # m for a regular wave; m²/Hz, spectral density of an irregular sea
+    # Irregular sea: coherence of each motion with the wave. Regular wave: fraction of the variance that the
     # response and its trend explain.
     explained: np.ndarray
 
 
 class Motion:
-    """What a body does in a run, at the times `time` [s]; values: times x 6, m and rad."""
+    """Motion of a body in a run at the times `time` [s]; values: times x 6, m and rad."""
 
     def __init__(self, results, series, point):
         self.results, self.name = results, series.name
@@ -45,14 +45,14 @@ class Motion:
         self.turns = turns
 
     def in_mean_axes(self, keep):
-        """(heading [rad], motions: times x 6) in axes of the mean heading of the steps `keep`."""
+        """(heading [rad], motions: times x 6) in axes with the mean heading of the steps `keep`."""
         heading = np.arctan2(*np.mean(self.bow[keep, :2], axis=0)[::-1])
         back = Rotation.from_rotvec([0.0, 0.0, -heading])
         return heading, np.column_stack([back.apply(self.point), (back * self.turns).as_rotvec()])
 
     def slow_origin(self, keep):
-        """x and y of the origin at all steps, without the motion with the waves: the filter by which a platform's wave forces
-        follow it, c² (3 s + c)/(s + c)³ with c = 2 pi over its `follow_period`; for other bodies the mean over `keep`."""
+        """x and y of the origin at all steps without wave-frequency motion, by the filter of a platform's wave
+        forces, c² (3 s + c)/(s + c)³ with c = 2 pi / `follow_period`; for other bodies the mean over `keep`."""
         floating = dictionary(dictionary(dictionary(self.results.keys.get("bodies")).get(self.body)).get("floating"))
         water = dictionary(floating.get("hydrodynamics"))
         period = water.get("follow_period", 0.0)
@@ -71,7 +71,7 @@ class Motion:
 
 
 def body_of(results, series):
-    """The body of a history."""
+    """Body of a history."""
     points = dictionary(results.keys.get("output")).get("histories") or []
     names = [p["body"] for p in points if isinstance(p, dict) and "body" in p and p.get("name", p["body"]) == series.name]
     if "rotation_vector_x" not in series.columns or not names:
@@ -80,7 +80,7 @@ def body_of(results, series):
 
 
 class Waves:
-    """The components of a run's waves: amplitude [m], omega [rad/s], k [1/m], direction [rad], phase [rad]."""
+    """Wave components of a run: amplitude [m], omega [rad/s], k [1/m], direction [rad], phase [rad]."""
 
     def __init__(self, results):
         if "waves/components" not in results.file:
@@ -100,7 +100,7 @@ class Waves:
         return len(self.omega) == 1
 
     def elevation(self, time, place, omega=None):
-        """At places (times x 2), m."""
+        """Elevation [m] at places (times x 2)."""
         way = place @ self.along
         out = np.zeros(len(time))
         for a, w, k, phase in zip(self.amplitude, self.omega, self.k, self.phase):
@@ -109,15 +109,15 @@ class Waves:
 
 
 def weights(time):
-    """Hann's window at steps of any length, times the time that each stands for: what is slow next to it, such as the end of
-    a free decay, hardly counts as an oscillation."""
+    """Hann window on nonuniform steps, times the step weights; suppresses slow motion such as the end of a free
+    decay."""
     window = np.sin(np.pi * (time - time[0]) / (time[-1] - time[0])) ** 2
     return window * np.gradient(time)
 
 
 def harmonic(time, values, omega):
-    """Complex amplitudes of Re(c exp(i omega t)), one a column, by least squares beside a parabola of time and the second
-    harmonic, and the share of each variance that these explain."""
+    """Complex amplitudes c of Re(c exp(i omega t)) per column, by least squares together with a parabola in time and
+    the second harmonic, and the explained fraction of each variance."""
     middle, half = 0.5 * (time[0] + time[-1]), 0.5 * (time[-1] - time[0])
     s = (time - middle) / half
     basis = np.column_stack([np.cos(omega * time), -np.sin(omega * time), np.cos(2 * omega * time), np.sin(2 * omega * time),
@@ -132,7 +132,7 @@ def harmonic(time, values, omega):
 
 
 def to_regular_wave(motion, waves, keep):
-    """The response to the run's one wave, over the steps `keep`."""
+    """Response to the run's single wave over the steps `keep`."""
     time = motion.time[keep]
     omega = float(waves.omega[0])
     if (time[-1] - time[0]) * omega < 2 * np.pi * 3:
@@ -145,8 +145,8 @@ def to_regular_wave(motion, waves, keep):
 
 
 def steadiness(motion, waves, keep):
-    """How much the response of the second half of the time differs from that of the first, over the largest of its kind
-    (translations, rotations)."""
+    """Difference of the responses in both halves of the record, relative to the largest of their kind (translations,
+    rotations)."""
     time = motion.time[keep]
     middle = 0.5 * (time[0] + time[-1])
     halves = []
@@ -158,19 +158,19 @@ def steadiness(motion, waves, keep):
 
 
 def bow_direction(waves, heading):
-    """deg from -180 to 180, of the waves from the bow, without the noise of a mean heading."""
+    """Direction of the waves relative to the bow, deg from -180 to 180, rounded to remove noise of the mean heading."""
     turn = np.degrees(np.arctan2(waves.along[1], waves.along[0]) - heading)
     turn = (turn + 180) % 360 - 180
     return round(float(turn), 6) + 0.0
 
 
-SEGMENTS = 8  # that a record is cut into, besides those that overlap them by half
-LEAST_WAVE = 0.01  # of the largest density of the sea: where it has less there is no response
+SEGMENTS = 8  # number of segments of a record, excluding the overlapping ones
+LEAST_WAVE = 0.01  # fraction of the sea's peak density below which no response is computed
 
 
 def to_irregular_sea(motion, waves, keep, segment=None):
-    """Responses by H1 = S(eta, x)/S(eta, eta) (Bendat and Piersol 2010, Random Data, 6.1.4) with Welch's segments of `segment`
-    s, Hann windows that overlap by half; coherence |S(eta, x)|²/(S(eta, eta) S(x, x))."""
+    """Responses by H1 = S(eta, x)/S(eta, eta) (Bendat and Piersol 2010, Random Data, 6.1.4) with Welch's segments of
+    `segment` s and Hann windows overlapping by half; coherence |S(eta, x)|²/(S(eta, eta) S(x, x))."""
     time = motion.time[keep]
     length = time[-1] - time[0]
     segment = segment or length / SEGMENTS
@@ -192,7 +192,7 @@ def to_irregular_sea(motion, waves, keep, segment=None):
     shared = np.abs(cross) ** 2 / np.maximum(wave * own, 1e-300)
     out = []
     for i in np.flatnonzero(wave > LEAST_WAVE * wave.max()):
-        if f[i] >= 1.5 / segment:  # below that a Hann window sees the mean
+        if f[i] >= 1.5 / segment:  # below this the mean leaks through a Hann window
             out.append(Response(2 * np.pi * f[i], bow_direction(waves, heading), cross[:, i] / wave[i], float(wave[i]), shared[:, i]))
     if not out:
         raise Refusal(f"{motion.results.path}: the waves are longer than segments of {segment:.4g} s resolve: run longer")

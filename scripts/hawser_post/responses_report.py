@@ -1,4 +1,4 @@
-"""hawser rao: the responses of a body to the waves of one or several runs, as text, table and figure."""
+"""hawser rao: responses of a body to the waves of one or several runs, as text, table and figure."""
 import argparse
 from pathlib import Path
 
@@ -11,14 +11,14 @@ from .given import refuse_since, results_of, seconds
 from .responses import FREEDOMS
 from .results import Refusal
 
-SHOWN_ROWS = 16  # of a sea, in the terminal
-STEADY = 0.01  # change from the first to the second half of the time, beyond which a wave's response is not steady
-COHERENT = 0.95  # below it a response is not one to this wave alone
-SMALL = 1e-4  # of the largest of its kind, m/m or rad/m: noise
+SHOWN_ROWS = 16  # rows of a sea printed in the terminal
+STEADY = 0.01  # largest change between the halves of the record of a steady response
+COHERENT = 0.95  # least coherence of a response to a single wave
+SMALL = 1e-4  # noise relative to the largest of its kind, m/m or rad/m
 
 
 def point_from(text):
-    """A point of --at."""
+    """Parses a point of --at."""
     try:
         numbers = [float(word) for word in text.split(",")]
     except ValueError:
@@ -29,7 +29,7 @@ def point_from(text):
 
 
 def of_run(results, options):
-    """(responses, the steps that count, whether the sea is irregular, change of the response over the time)."""
+    """(responses, steps used, sea is irregular, change of the response over time) of one run."""
     refuse_since(results, options.since)
     name = options.name or next((key for key in results.histories if "rotation_vector_x" in results.series_columns(key)[0]), None)
     if name is None:
@@ -37,7 +37,7 @@ def of_run(results, options):
     motion, waves = responses.Motion(results, results.series(name), options.at), responses.Waves(results)
     last = motion.time[-1]
     since = options.since if options.since is not None else max(waves.ramp, 0.5 * last) if waves.regular else waves.ramp
-    keep = motion.time >= since - 1e-9 * last  # times are sums of steps
+    keep = motion.time >= since - 1e-9 * last  # tolerance: times are sums of steps
     if np.count_nonzero(keep) < 32:
         raise Refusal(f"{results.path}: from t = {since:g} s on there are {np.count_nonzero(keep)} steps, and a response needs 32")
     if waves.regular:
@@ -50,12 +50,12 @@ def of_run(results, options):
 
 
 def degrees(response):
-    """Six numbers, m/m and deg/m."""
+    """Six amplitudes, m/m and deg/m."""
     return np.abs(response.value) * np.repeat([1.0, 180 / np.pi], 3)
 
 
 def lags(response):
-    """deg from 0 to 360; zero where the motion is noise."""
+    """Phase lags, deg from 0 to 360; zero for noise."""
     size = np.abs(response.value)
     most = np.repeat([max(size[:3].max(), 1e-300), max(size[3:].max(), 1e-300)], 3)
     return np.where(size < SMALL * most, 0.0, np.degrees(-np.angle(response.value)) % 360)
@@ -70,7 +70,7 @@ def table_of(found):
 
 
 def write(path, found):
-    """A table of responses: .csv with its heads, or .rao as `motion.rao` of a body reads it."""
+    """Writes a table of responses: .csv with headings, or .rao for `motion.rao` of a body."""
     head, rows = table_of(found)
     if path.suffix == ".csv":
         export.write(path, head, rows)
@@ -95,7 +95,7 @@ def show(found, irregular):
 
 
 def draw(found, path):
-    """Amplitudes over the period, and lags below them; translations to the left, open circles where the coherence is poor."""
+    """Figure of amplitudes over the period with lags below; translations on the left, open circles at low coherence."""
     figure, axes = plt.subplots(2, 2, figsize=(WIDE, 4.6), sharex=True, layout="constrained", height_ratios=(2, 1))
     period = np.array([2 * np.pi / r.omega for r in found])
     order = np.argsort(period)
@@ -148,7 +148,7 @@ def make(options):
 
 
 def incoherent(results, found):
-    """A sentence on what in a sea is not a response to its waves."""
+    """Sentence on motion in a sea that is not a response to its waves."""
     out = []
     for k, name in enumerate(FREEDOMS):
         size = np.array([abs(r.value[k]) for r in found])

@@ -15,7 +15,7 @@ from .layout import LARGEST, Refusal, check_layout, text_of
 class Line:
     name: str
     number: int
-    nodes: slice  # of the node fields
+    nodes: slice  # slice of the node fields
     arc: np.ndarray  # m from end A, unstretched
 
     @property
@@ -25,7 +25,7 @@ class Line:
 
 @dataclass
 class Series:
-    """A table with a row at every step: a history, a clearance, the energy audit or the solver."""
+    """A table with one row per step: a history, a clearance, the energy audit or the solver."""
     name: str
     columns: list
     units: list
@@ -44,7 +44,8 @@ PLACED = ("bodies", "volumes", "supports", "joints", "lines", "links")
 
 
 def with_platforms(as_read, of):
-    """The keys `of` a case ("read" or "given"), and what a farm places, "T12/mooring", as the file of its platform has it."""
+    """Keys `of` a case ("read" or "given"), including placed objects of a farm, "T12/mooring", from the platform
+    files."""
     keys = dictionary(as_read.get(of))
     platforms = as_read.get("platforms")
     for platform in platforms if isinstance(platforms, list) else []:
@@ -63,7 +64,7 @@ def dictionary(value):
 
 class Results:
     def __init__(self, path, stage=None):
-        """`stage`: of the stages of statics by their place, whose rest is the only output then."""
+        """stage: index of a stage of statics whose equilibrium becomes the only output."""
         self.path = Path(path)
         if not self.path.is_file():
             raise Refusal(f"{path}: there is no such file")
@@ -74,15 +75,15 @@ class Results:
         if "hawser_results" not in self.file.attrs:
             raise Refusal(f"{path}: is an HDF5 file, but none that hawser has written")
         check_layout(self.file, path)
-        # Of a run in progress more rows than these may be there: they are not results.
+        # A run in progress may have more rows than these, which are not yet valid.
         self.outputs, self.steps = (int(n) for n in self.file["written"][0])
         if self.outputs == 0:
             raise Refusal(f"{path}: holds no output yet")
-        # Stages of statics, which are no part of the run, have negative times.
+        # Stages of statics, which are not part of the run, have negative times.
         written = self.file["outputs/time"][: self.outputs]
         first = min(int(np.count_nonzero(written < 0)), self.outputs - 1)
         names = [text_of(name) for name in self.file["stages"][:]] if "stages" in self.file else []
-        self.stages = names[: first + 1] if first > 0 else []  # with an output
+        self.stages = names[: first + 1] if first > 0 else []  # stages with an output
         self.rows = range(first, self.outputs) if stage is None else range(stage, stage + 1)
         self.outputs, self.time = len(self.rows), written[self.rows.start : self.rows.stop]
         arc = self.file["nodes/arc_length"][:]
@@ -95,7 +96,7 @@ class Results:
 
     @cached_property
     def as_read(self):
-        """The case as the program has read it: what `hawser check --json` prints. Empty: versions that did not write it."""
+        """The case as read by the program: output of `hawser check --json`. Empty for older versions."""
         if "case_read" not in self.file:
             return {}
         try:
@@ -108,18 +109,18 @@ class Results:
 
     @cached_property
     def keys(self):
-        """All keys of the case with their defaults, changed by --set: numbers in SI units (angles in deg)."""
+        """All keys of the case with defaults, as changed by --set: numbers in SI units (angles in deg)."""
         return with_platforms(self.as_read, "read")
 
     @cached_property
     def given(self):
-        """The keys that the case and --set give, as they are written there."""
+        """Keys given in the case and by --set, as written."""
         return with_platforms(self.as_read, "given")
 
     @property
     def inputs(self):
-        """Files that must not be written over: these results, and what their run has read, where it was and, as results are moved
-        along with their case, as seen from here."""
+        """Files that must not be overwritten: these results and the input files of their run, at their original
+        paths and, since results are moved together with their case, relative to these results."""
         case = self.attribute("case_path")
         read = [*([case] if case else []), *map(str, self.as_read.get("inputs", []))]
         beside = [self.path.parent / os.path.relpath(file, os.path.dirname(case)) for file in read] if case else []
@@ -146,26 +147,26 @@ class Results:
         return text_of(self.file["fields"][field].attrs.get("unit", ""))
 
     def declared(self, field, what, fallback):
-        """What the program declared of a field where it declares it; files of versions that do not say it have `otherwise`."""
+        """A declared property of a field; `fallback` for fields without it and files of older versions."""
         data = self.file["fields"].get(field)
         return fallback if data is None else data.attrs.get(what, fallback)
 
     def label(self, name):
-        """What a field, or a column of a history, is called where people read."""
+        """Readable name of a field or a column of a history."""
         return text_of(self.declared(name, "label", name.replace("_", " ")))
 
     def ordered(self, fields):
-        """As tables and reports have them."""
+        """Fields in the order of tables and reports."""
         return sorted(fields, key=lambda name: (int(self.declared(name, "order", 100)), name))
 
     def reported(self, *ways):
-        """The fields of which reports have a range graph ("graph"), or a row of the table of extremes alone ("table")."""
+        """Fields with a range graph in reports ("graph"), or only a row in the table of extremes ("table")."""
         scalars = [name for name in self.fields if self.file["fields"][name].ndim == 2]
         return self.ordered(name for name in scalars if text_of(self.declared(name, "report", "graph")) in ways)
 
     @property
     def utilisations(self):
-        """Of the fields that are a share of what is allowed: what each is of."""
+        """Quantity of each field that is a utilisation."""
         found = {name: text_of(self.declared(name, "utilisation", "")) for name in self.ordered(self.fields)}
         return {name: meaning for name, meaning in found.items() if meaning}
 
@@ -175,35 +176,35 @@ class Results:
             raise Refusal(f"there is no field '{name}' (there are: {', '.join(self.fields)})")
         rows = slice(self.rows.start, self.rows.stop) if output is None else self.rows[output]
         values = self.file["fields"][name][rows, line.nodes]
-        if name == "position" and not np.all(np.abs(values) <= LARGEST):  # nor NaN
+        if name == "position" and not np.all(np.abs(values) <= LARGEST):  # NaN fails as well
             raise Refusal(f"{self.path}: is damaged: line '{line.name}' has nodes whose position is no number")
         return values
 
     def magnitude(self, name, line, output=None):
-        """As `field`, of vectors their size: outputs x nodes, or nodes of one output."""
+        """As `field`, with vectors replaced by their magnitude: outputs x nodes, or nodes of one output."""
         values = self.field(name, line, output)
         vectors = values.ndim == (3 if output is None else 2)
         return np.linalg.norm(values, axis=-1) if vectors else values
 
     def statistics(self, name, line):
-        """Of a field over every accepted step, at the nodes of a line: nodes (x 3) x 6, the last axis minimum, its time,
-        maximum, its time, mean, standard deviation. None where the file has them not."""
+        """Statistics of a field over all accepted steps at the nodes of a line: nodes (x 3) x 6, the last axis
+        minimum, its time, maximum, its time, mean, standard deviation. None if the file has none."""
         data = self.file.get(f"statistics/{name}")
         return None if data is None else data[line.nodes]
 
     @property
     def ended(self):
-        """Whether the run has come to its end, by itself or by a signal."""
+        """True if the run has ended, regularly or by a signal."""
         return "summary" in self.file
 
     @property
     def statistics_from(self):
-        """s, from when on `statistics` count."""
+        """Start time of `statistics`, s."""
         return float(dictionary(self.keys.get("output")).get("statistics_from") or 0)
 
     @cached_property
     def line_series(self):
-        """Of the series that have a row for each line: where those of a line are, (name of the table, number of the line)."""
+        """Place of a line's row in series with one row per line: (name of the table, number of the line)."""
         return {f"{line.name} {name}": (name, line.number) for name in self.file.get("line_series", {}) for line in self.lines}
 
     @cached_property
@@ -212,16 +213,16 @@ class Results:
 
     @property
     def modes(self):
-        """Whether output k is a natural mode and not a state at a time."""
+        """True if output k is a natural mode instead of a state at a time."""
         return self.has("mode_shape")
 
     @property
     def duration(self):
-        """s that the case asks for; 0: not known."""
+        """Duration in the case, s; 0: unknown."""
         return float(dictionary(self.keys.get("dynamics")).get("duration") or 0)
 
     def since(self, t):
-        """Which outputs are at t [s] or later: two at least, where there are more than one."""
+        """Outputs at t [s] or later; at least two if there are several outputs."""
         keep = self.time >= t
         if self.outputs > 1 and np.count_nonzero(keep) < 2:
             raise Refusal(f"{self.path}: there are no two outputs from t = {t:g} s on (the last is at {self.time[-1]:g} s)")
@@ -229,23 +230,23 @@ class Results:
 
     @property
     def histories(self):
-        """Places in the file of what `output.histories` and `output.clearances` ask for."""
+        """Places in the file of the series of `output.histories` and `output.clearances`."""
         return [n for n in self.series_names if n not in ("energy", "solver")]
 
     def series_name(self, key):
-        """What the case calls the series with this place in the file."""
+        """Name in the case of the series at this place in the file."""
         return key if key in self.line_series else text_of(self.file["series"][key].attrs.get("name", key))
 
     @cached_property
     def series_keys(self):
-        """Places in the file by what the case calls the series."""
+        """Places in the file by the names of series in the case."""
         return {self.series_name(key): key for key in self.series_names}
 
     def has_series(self, name):
         return name in self.series_keys
 
     def series_columns(self, key):
-        """Columns and units of the series with this place in the file."""
+        """Columns and units of the series at this place in the file."""
         attributes = self.series_data(key).attrs
         return [text_of(c) for c in attributes["columns"]], [text_of(u) for u in attributes["units"]]
 
@@ -253,12 +254,12 @@ class Results:
         return self.file["line_series"][self.line_series[key][0]] if key in self.line_series else self.file["series"][key]
 
     def series_at(self, key):
-        """That with this place in the file, as of `series_names` and `histories`."""
+        """Series at this place in the file, as of `series_names` and `histories`."""
         data, (_, line) = self.series_data(key), self.line_series.get(key, ("", None))
         return Series(self.series_name(key), *self.series_columns(key), data[: self.steps] if line is None else data[: self.steps, line])
 
     def series(self, name):
-        """That which the case calls so, else that with this place in the file, which may be another's name."""
+        """Series by its name in the case, else by its place in the file, which may be the name of another."""
         if name in self.series_keys or name in self.series_names:
             return self.series_at(self.series_keys.get(name, name))
         raise Refusal(f"there is no history '{name}' (there are: {', '.join(self.series_keys) or 'none'})")
@@ -268,17 +269,17 @@ class Results:
         return self.file["series/time"][: self.steps] if "series" in self.file else np.zeros(0)
 
     def summary(self):
-        """Rows (quantity, line, value, unit, time, arc length) over all steps; none before the end of a run."""
+        """Rows (quantity, line, value, unit, time, arc length) over all steps; empty before the end of a run."""
         rows = self.file["summary"][:] if "summary" in self.file else []
         return [(text_of(r["quantity"]), text_of(r["line"]), float(r["value"]), text_of(r["unit"]),
                  float(r["time"]), float(r["arc_length"])) for r in rows]
 
     def ends(self, what):
-        """'force', 'moment' or 'direction': outputs x ends x 3; nothing where the file has none."""
+        """'force', 'moment' or 'direction': outputs x ends x 3; empty if the file has none."""
         return self.file[f"ends/{what}"][self.rows.start : self.rows.stop] if f"ends/{what}" in self.file else None
 
     def clashes(self):
-        """Names of the columns, their units, and rows of those that ended and those in progress."""
+        """Names and units of columns, and rows of ended and ongoing clashes."""
         if "clashes" not in self.file or self.outputs == 0:
             return [], [], []
         ended, still = (int(n) for n in self.file["outputs/clashes"][self.rows[-1]])
@@ -307,7 +308,7 @@ class Results:
         return [text_of(n) for n in self.file["bodies/name"][:]] if "bodies/name" in self.file else []
 
     def volumes(self, output):
-        """Name, vertices in space and triangles of each volume that is kept as a mesh."""
+        """Name, vertices in space and triangles of each volume kept as a mesh."""
         for name, volume in self.file.get("volumes", {}).items():
             if "vertices" not in volume or "triangles" not in volume:
                 continue

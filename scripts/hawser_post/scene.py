@@ -1,4 +1,4 @@
-"""Pictures of the model: from above, from the side and in space, with sea, seabed and volumes."""
+"""Pictures of the model from above, from the side and in space, with sea, seabed and volumes."""
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
@@ -11,12 +11,12 @@ from .sea import Sea
 VIEWS = ("plan", "elevation", "space")
 SEA, BED, HULL, FACE = "#4d8fbf", "#9c7a4d", "#7a858f", "#e4e8ec"
 MOST_EDGES, MOST_FACES = 6000, 30000
-MOST_WAVES = 60  # places along a side of the surface of the sea in a picture in space
+MOST_WAVES = 60  # points along a side of the sea surface in a picture in space
 TICKS = 8  # along the longest axis of a picture in space
 
 
 def edges(x, triangles):
-    """Edges of a mesh to draw, the sharp ones first, at most MOST_EDGES."""
+    """Edges of a mesh to be drawn, sharp ones first, at most MOST_EDGES."""
     corners = x[triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
@@ -27,14 +27,14 @@ def edges(x, triangles):
     twin = np.flatnonzero((all_edges[1:] == all_edges[:-1]).all(axis=1))
     bend = 1 - (normals[of[twin]] * normals[of[twin + 1]]).sum(axis=1)
     kept = twin[bend > 0.03]  # beyond 14 degrees
-    if len(kept) < 12:  # round all over
+    if len(kept) < 12:  # a round mesh
         kept = twin
     kept = kept[np.argsort(-bend[np.searchsorted(twin, kept)], kind="stable")[:MOST_EDGES]]
     return x[all_edges[kept]]
 
 
 def across(results):
-    """The horizontal direction in which the lines extend most, a unit vector: what a view from the side shows."""
+    """Horizontal unit vector in which the lines extend most, the abscissa of a view from the side."""
     if not results.lines:
         return np.array([1.0, 0.0])
     x = np.concatenate([results.field("position", line, 0)[:, :2] for line in results.lines])
@@ -72,7 +72,7 @@ def picture(results, view, output=-1, high=4.2, name=None):
     for b, body in enumerate(results.bodies):
         x = results.file["bodies/position"][results.rows[output], b]
         axes.plot(*flat(x), "k+", ms=8, zorder=4)
-        # Of two that are close the names go to different sides.
+        # Names of two close bodies are placed on different sides.
         axes.annotate(body, flat(x), xytext=(4, 4 if b % 2 == 0 else -9), textcoords="offset points", fontsize=8)
     if view == "elevation":
         water_and_bed(axes, results, along, output)
@@ -85,7 +85,7 @@ def picture(results, view, output=-1, high=4.2, name=None):
 
 
 def water_and_bed(axes, results, along, output):
-    """Surface and seabed in a view from the side, in the plane through the middle of the lines."""
+    """Draws surface and seabed in a view from the side, in the plane through the middle of the lines."""
     sea = Sea(results)
     time = 0.0 if results.modes else results.time[output]
     x = [results.field("position", line, output)[:, :2] for line in results.lines]
@@ -93,7 +93,7 @@ def water_and_bed(axes, results, along, output):
     middle -= (middle @ along) * along
     low, high = axes.get_xlim()
     axes.set_autoscalex_on(False)
-    span = max(high - low, np.ptp(axes.get_ylim()))  # equal scales may widen the view by this much, not more
+    span = max(high - low, np.ptp(axes.get_ylim()))  # equal scales may widen the view by this much at most
     s = np.linspace(low - span, high + span, 1200)
     place = middle[:, None] + along[:, None] * s
     if sea.level is not None:
@@ -125,13 +125,13 @@ def title(results, view, shown):
 
 
 def widened(low, high):
-    """No side shorter than 0.15 times the longest."""
+    """Limits with no side shorter than 0.15 times the longest."""
     size = np.maximum(high - low, 0.15 * (high - low).max())
     return (low + high - size) / 2, (low + high + size) / 2
 
 
 def draw_sea(axes, sea, low, high, time):
-    """Surface and seabed over what is shown, which grows upwards and downwards to hold them."""
+    """Draws surface and seabed over the range shown, which is extended vertically to contain them."""
     x, y = np.meshgrid(*(np.linspace(low[k], high[k], MOST_WAVES) for k in (0, 1)))
     surfaces = []
     if sea.bed:
@@ -141,7 +141,7 @@ def draw_sea(axes, sea, low, high, time):
     for z, paint, alpha in surfaces:
         if np.isnan(z).all():
             continue
-        # Of a plane one face is enough.
+        # A plane needs only one face.
         step = MOST_WAVES - 1 if np.nanmax(np.abs(z - z[0, 0])) < 1e-9 else 1
         axes.plot_surface(x[::step, ::step], y[::step, ::step], z[::step, ::step], color=paint, alpha=alpha, zorder=1,
                           rcount=MOST_WAVES, ccount=MOST_WAVES, shade=False, lw=0)
@@ -163,7 +163,7 @@ def in_space(results, output):
         if not results.lines:
             low, high = np.minimum(low, x.min(axis=0)), np.maximum(high, x.max(axis=0))
             continue
-        # A volume far larger than what lies on it does not make that small.
+        # A volume far larger than the objects on it must not shrink them.
         reach = 1.5 * (high - low).max()
         low, high = np.minimum(low, np.maximum(x.min(axis=0), low - reach)), np.maximum(high, np.minimum(x.max(axis=0), high + reach))
     if not np.all(np.isfinite(low)):

@@ -1,4 +1,4 @@
-"""The surface of the sea and the seabed of a run, as heights over x and y: for pictures."""
+"""Surface of the sea and the seabed of a run as heights over x and y, for pictures."""
 import numpy as np
 
 from .bed_files import surface_of
@@ -6,13 +6,13 @@ from .results import dictionary
 
 
 def ramp_at(t, ramp):
-    """Of a smooth start, quintic, as the solver's."""
+    """Factor of a smooth start at time t, the quintic of the solver."""
     z = np.clip(t / ramp, 0, 1) if ramp > 0 else 1.0
     return z**3 * (10 + z * (6 * z - 15))
 
 
 class Sea:
-    """`level` [m] of the still water, None without water; `bed` whether the seabed is known."""
+    """Sea of a run. `level`: still water level [m], None without water; `bed`: the seabed is known."""
 
     def __init__(self, results):
         environment = dictionary(results.keys.get("environment"))
@@ -28,7 +28,7 @@ class Sea:
             if "grid" in bed or "mesh" in bed:
                 self.measured = surface_of(results, bed)
             else:
-                depth = bed.get("depth", water.get("depth"))  # below z = 0, as the solver takes both
+                depth = bed.get("depth", water.get("depth"))  # below z = 0, as in the solver
                 slope, way = (np.radians(bed.get(k, 0.0)) for k in ("slope_deg", "slope_direction_deg"))
                 self.plane = None if depth is None else (depth, np.tan(slope) * np.cos(way), np.tan(slope) * np.sin(way))
 
@@ -41,7 +41,7 @@ class Sea:
         return self.components is None
 
     def surface(self, x, y, t):
-        """z [m] of the water at places at a time [s]."""
+        """Height z [m] of the water at places (x, y) at a time [s]."""
         x, y = np.broadcast_arrays(np.asarray(x, float), y)
         z = np.full(x.shape, self.level)
         if self.components is None:
@@ -52,7 +52,7 @@ class Sea:
         return z + ramp_at(t, self.ramp) * raised
 
     def seabed(self, x, y):
-        """z [m]; NaN outside a measured bed."""
+        """Height z [m] of the seabed; NaN outside a measured bed."""
         x, y = np.broadcast_arrays(np.asarray(x, float), y)
         if self.measured is not None:
             return self.measured(np.stack([x, y], axis=-1))

@@ -1,21 +1,21 @@
-"""The sections of a line as it was run: the length of each, with the one that a target has found, and its line type."""
+"""Sections of a line as run: their lengths, including one found by a target, and their line types."""
 import numpy as np
 
 from .results import dictionary
 
 
 def part(results, key):
-    """A map of the case, empty where there is none."""
+    """A map of the case, or an empty one."""
     return dictionary(results.keys.get(key))
 
 
 def sections_of(results, name):
-    """The sections of a line as the case has them; none of what is beyond a cut, which the case does not name."""
+    """Sections of a line in the case; empty for parts beyond a cut, which the case does not name."""
     return dictionary(part(results, "lines").get(name)).get("sections") or []
 
 
 def length_key(results, name):
-    """Which section has the length that the line's target has found, from 0; None without a target."""
+    """Index of the section whose length the line's target determines; None without a target."""
     target, sections = dictionary(part(results, "lines").get(name)).get("target"), sections_of(results, name)
     if not target or not sections:
         return None
@@ -25,7 +25,7 @@ def length_key(results, name):
 
 
 def lengths(results, line):
-    """m, unstretched, of each section."""
+    """Unstretched length of each section, m."""
     found = [float(s["length"]) for s in sections_of(results, line.name)]
     k = length_key(results, line.name)
     if k is not None and k < len(found):  # the others are as given
@@ -34,8 +34,8 @@ def lengths(results, line):
 
 
 def at_nodes(results, line):
-    """The number of the section, from 0, at each node of a line on the side of end A and on that of end B: 2 x nodes; nothing where
-    the case does not name the line."""
+    """Index of the section at each node of a line towards end A and towards end B: 2 x nodes; empty if the case does
+    not name the line."""
     ends = np.cumsum(lengths(results, line))
     if len(ends) == 0:
         return np.empty((2, 0), int)
@@ -44,6 +44,6 @@ def at_nodes(results, line):
 
 
 def types_of(results, line):
-    """The line type of each section as the case has it."""
+    """Line type of each section in the case."""
     types = part(results, "line_types")
     return [dictionary(types.get(s["type"])) for s in sections_of(results, line.name)]

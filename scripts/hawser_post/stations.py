@@ -1,5 +1,5 @@
-"""Range graphs of lines that are fed over stations, which stay with the feeder while the line runs through them: over every
-step of the run (the statistics whose names end with _at_stations)."""
+"""Range graphs of fed lines over stations, which are fixed relative to the feeder while the line moves through them:
+statistics over every step (names ending with _at_stations)."""
 import numpy as np
 
 from .charts import label, shown
@@ -10,19 +10,20 @@ END = "_at_stations"
 
 
 def fields(results):
-    """Those that are kept at stations."""
+    """Names of the fields kept at stations."""
     return results.ordered(name[: -len(END)] for name in results.file.get("statistics", {}) if name.endswith(END))
 
 
 def end_of(results, line):
-    """The end of a line, "end_a" or "end_b", whose feeder its stations belong to; None where it is not fed."""
+    """The end of a line, "end_a" or "end_b", whose feeder its stations belong to; None if it is not fed."""
     ends = dictionary(part(results, "lines").get(line.name))
     return next((name for name in ("end_a", "end_b") if "feed" in dictionary(ends.get(name))), None)
 
 
 def of_line(results, line):
-    """Distance of each station from the feeder [m of unstretched line], and by field stations x 6 as Results.statistics has
-    them; stations that the line never came to are excluded. None where the line is not fed, or the run has not ended."""
+    """Distance of each station from the feeder [m of unstretched line], and by field stations x 6 as in
+    Results.statistics, without stations that the line never reached. None if the line is not fed or the run has not
+    ended."""
     end = end_of(results, line)
     found = {f: results.statistics(f + END, line) for f in fields(results)} if end and results.ended else {}
     if not found:
@@ -34,14 +35,15 @@ def of_line(results, line):
 
 
 def as_of_a_pipe(results, field, name, outer):
-    """Name, unit and factor of a field of a pipe with this outer diameter [m]: of a curvature it is the strain that it
-    bends the pipe's skin by."""
+    """Name, unit and factor of a field of a pipe with this outer diameter [m]: curvature is shown as strain of the
+    outer fibre."""
     unit = text_of(results.file[f"statistics/{field}{END}"].attrs.get("unit", ""))
     return (name.replace("curvature", "bending strain"), "%", 50 * outer) if unit == "1/m" else (name, unit, 1)
 
 
 def table(results, line, outer):
-    """Rows (quantity, least, largest, its time, its distance from the feeder) of a pipe with this outer diameter [m]."""
+    """Rows (quantity, least, largest, its time, its distance from the feeder) of a pipe with this outer diameter
+    [m]."""
     stations, rows = of_line(results, line), []
     if stations is None:
         return None
@@ -56,7 +58,7 @@ def table(results, line, outer):
 
 
 def columns(results, line, outer):
-    """Head and rows of a CSV file: each station's distance, and least, largest and mean of each quantity there."""
+    """Head and rows of a CSV file: distance of each station, and least, largest and mean of each quantity."""
     distance, found = of_line(results, line)
     head, values = ["distance_from_feeder [m]"], [distance]
     for field, of_field in found.items():

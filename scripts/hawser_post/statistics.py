@@ -1,4 +1,4 @@
-"""What is said of a signal in a few numbers, and its spectrum. Signals may have steps of any length."""
+"""Statistics and spectrum of signals with nonuniform steps."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +13,7 @@ class Statistics:
     most_time: float
     mean: float
     deviation: float  # standard deviation
-    period: float  # s, mean between upcrossings of the mean; NaN with fewer than two
+    period: float  # s, mean time between upcrossings of the mean; NaN with fewer than two
 
 
 def integral(t, x):
@@ -21,12 +21,12 @@ def integral(t, x):
 
 
 def mean_of(t, x):
-    """Mean over time by the trapezoidal rule, of each column where there are columns."""
+    """Mean over time by the trapezoidal rule, column by column."""
     return integral(t, x) / (t[-1] - t[0]) if len(t) > 1 and t[-1] > t[0] else x[-1]
 
 
 def upcrossings(t, x, level=None):
-    """Times at which x rises through a level, its mean unless given, by straight lines between samples."""
+    """Times at which x rises through a level (default: its mean), by linear interpolation."""
     y = np.asarray(x) - (mean_of(t, x) if level is None else level)
     i = np.flatnonzero((y[:-1] < 0) & (y[1:] >= 0))
     return t[i] - y[i] * (t[i + 1] - t[i]) / (y[i + 1] - y[i])
@@ -43,9 +43,9 @@ def statistics(t, x):
 
 
 def spectrum(t, x):
-    """One-sided power spectral density by Welch's method (Welch 1967): frequencies [Hz] and unit²/Hz. Hann windows of a
-    quarter of a signal of 40 mean periods or more, of half of one of 20, else of all of it; they overlap by half. The
-    signal is brought to equal steps first, as many as it has."""
+    """One-sided power spectral density by Welch's method (Welch 1967): frequencies [Hz] and unit²/Hz. Hann windows
+    overlapping by half, with the length of a quarter of a signal of 40 mean periods or more, half of one of 20, else
+    all of it. The signal is first resampled to the same number of equal steps."""
     t, x = np.asarray(t, float), np.asarray(x, float)
     even = np.linspace(t[0], t[-1], len(t))
     periods = len(upcrossings(t, x))

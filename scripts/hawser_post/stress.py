@@ -1,4 +1,4 @@
-"""Von Mises stress of pipes: by wall tension, bending, torsion and the pressures inside and outside, after Lamé."""
+"""Von Mises stress of pipes from wall tension, bending, torsion and internal and external pressure, after Lamé."""
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,12 +7,12 @@ from .results import Refusal, dictionary
 from .sections import at_nodes, part, types_of
 
 THICKEST = 5.0  # m
-GRAVITY, SEAWATER = 9.80665, 1025.0  # m/s², kg/m³: what a case has that does not say
+GRAVITY, SEAWATER = 9.80665, 1025.0  # m/s², kg/m³, defaults of the case
 
 
 @dataclass
 class Wall:
-    """A pipe's section: numbers, or arrays of one a node, NaN where the line is no pipe."""
+    """Section of a pipe: numbers, or arrays with one value per node, NaN where the line is no pipe."""
     outer: np.ndarray  # m, diameter
     inner: np.ndarray
 
@@ -21,14 +21,14 @@ class Wall:
         return np.pi / 4 * (self.outer**2 - self.inner**2)
 
     @property
-    def inertia(self):  # of area, m^4
+    def inertia(self):  # second moment of area, m^4
         return np.pi / 64 * (self.outer**4 - self.inner**4)
 
 
 def von_mises(wall, wall_tension, moment, torsion, outside, inside):
-    """Pa, the largest of the inner and the outer fibre on both sides of the plane of bending. Forces in N, moments in N m,
-    pressures in Pa. Hoop and radial stress are Lamé's (Timoshenko and Goodier 1970, Theory of Elasticity, article 28);
-    the shear force, which acts where bending does not, is excluded."""
+    """Largest stress [Pa] of the inner and outer fibre on both sides of the bending plane. Forces in N, moments in N
+    m, pressures in Pa. Hoop and radial stress are Lamé's (Timoshenko and Goodier 1970, Theory of Elasticity, article
+    28); shear stress, which is zero at the extreme fibres, is excluded."""
     outer, inner = wall.outer / 2, wall.inner / 2
     ring = outer**2 - inner**2
     largest = 0.0
@@ -44,7 +44,7 @@ def von_mises(wall, wall_tension, moment, torsion, outside, inside):
 
 
 def of_type(values):
-    """Of a line type of the case, m: outer and inner diameter of its wall, bore of its contents; NaN: not given."""
+    """Outer and inner diameter of the wall, and bore, of a line type of the case, m; NaN: not given."""
     pipe, contents = dictionary(values.get("pipe")), dictionary(values.get("contents"))
     outer = pipe.get("outer_diameter", values.get("outer_diameter", np.nan))
     inner = contents.get("inner_diameter", outer - 2 * pipe.get("wall_thickness", np.nan))
@@ -53,7 +53,7 @@ def of_type(values):
 
 
 def types_along(results, line):
-    """What `of_type` gives at the nodes of a line on the side of end A and on that of end B: 2 x 3 x nodes."""
+    """`of_type` at the nodes of a line towards end A and towards end B: 2 x 3 x nodes."""
     sections = at_nodes(results, line)
     if sections.size == 0:
         return np.full((2, 3, len(line.arc)), np.nan)
@@ -62,12 +62,12 @@ def types_along(results, line):
 
 
 def is_pipe(results, line):
-    """Whether the case says that a part of the line is a pipe with a wall."""
+    """True if a part of the line is a pipe with a wall."""
     return results.has("bending_moment") and any("pipe" in t for t in types_of(results, line))
 
 
 def outside_pressure(results, line):
-    """Pa, outputs x nodes, of the still water."""
+    """Hydrostatic pressure [Pa] of the still water, outputs x nodes."""
     environment = part(results, "environment")
     position = results.field("position", line)
     if "water" not in environment:
@@ -78,10 +78,10 @@ def outside_pressure(results, line):
 
 
 def walls_along(results, line, outer=None, thickness=None):
-    """The wall [m] as given or as the case has it, on the side of end A and on that of end B of each node, with its axial
-    force [N] and the pressures outside and inside [Pa], outputs x nodes; NaN where the line is no pipe. The pressure
-    inside is that of the results, whose wall tension is effective tension + p_i A_i - p_e A_e of the wall under all coatings
-    (docs/theory/water.md), which hand the pressure outside on to it and carry no tension of their own."""
+    """Wall [m] as given or from the case, towards end A and end B of each node, with its axial force [N] and the
+    external and internal pressures [Pa], outputs x nodes; NaN where the line is no pipe. The internal pressure is
+    that of the results, whose wall tension is effective tension + p_i A_i - p_e A_e of the wall below all coatings
+    (docs/theory/water.md); coatings transmit the external pressure and carry no tension."""
     if (outer is None) != (thickness is None) or outer is not None and not (outer > 0 and 0 < thickness <= outer / 2):
         raise Refusal("the stress of a pipe needs --outer-diameter and --wall, above 0, the wall at most half of the diameter")
     if outer is not None and outer > THICKEST:
@@ -93,7 +93,7 @@ def walls_along(results, line, outer=None, thickness=None):
         inside = np.zeros(effective.shape)
         if results.has("wall_tension"):
             by_contents = results.field("wall_tension", line) - effective + outside * np.pi / 4 * own_outer**2
-            inside = np.where(np.isnan(bore), 0.0, by_contents / (np.pi / 4 * bore**2))  # without contents none
+            inside = np.where(np.isnan(bore), 0.0, by_contents / (np.pi / 4 * bore**2))  # no contents
         sides.append((wall, effective + np.pi / 4 * (inside * wall.inner**2 - outside * wall.outer**2), outside, inside))
     if all(np.isnan(tension).all() for _, tension, _, _ in sides):
         raise Refusal(f"{results.path}: the case gives no wall of line '{line.name}': give --outer-diameter and --wall")
@@ -101,7 +101,8 @@ def walls_along(results, line, outer=None, thickness=None):
 
 
 def along(results, line, outer=None, thickness=None):
-    """Pa, outputs x nodes; NaN where the line is no pipe. The wall is as given [m], else as the case has it."""
+    """Von Mises stress [Pa], outputs x nodes; NaN where the line is no pipe. The wall is as given [m], else that of
+    the case."""
     if not results.has("bending_moment"):
         raise Refusal(f"{results.path}: there is no bending moment, as all lines are cables")
     moment, torsion = (results.field(f"{name}_moment", line) for name in ("bending", "torsion"))
@@ -114,7 +115,7 @@ def along(results, line, outer=None, thickness=None):
 
 
 def description(results, line, largest, since=0.0):
-    """The largest of these stresses, with its time and place, in a sentence."""
+    """Sentence with the largest of these stresses, its time and place."""
     keep = np.flatnonzero(results.since(since))
     output, node = np.unravel_index(np.nanargmax(largest[keep]), largest[keep].shape)
     return (f"largest von Mises stress of {line.name} at the outputs: {largest[keep][output, node] / 1e6:.4g} MPa at arc length "

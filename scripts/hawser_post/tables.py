@@ -1,5 +1,5 @@
-"""Tables of a report and of the CSV files: what lines are like at rest, extremes, statistics, clashes, energy. In SI
-units; `for_reading` brings them to those of a page."""
+"""Tables of reports and CSV files: lines at rest, extremes, statistics, clashes, energy. In SI units; `for_reading`
+converts them to those of a page."""
 import re
 
 import numpy as np
@@ -13,8 +13,8 @@ VERTICAL = np.array([0.0, 0.0, 1.0])
 
 
 def for_reading(head, rows):
-    """A table with forces in kN, moments in kN m and so on. The unit of a column stands in its head, as [N]; that of a row
-    in the column `unit`, for the columns before and behind it that have no unit of their own."""
+    """A table with forces in kN, moments in kN m and so on. The unit is in the heading of a column, as [N], or in
+    the column `unit` of a row, for the columns around it without units."""
     factors, names = [], []
     for title in head:
         unit = re.search(r"\[(.+)\]$", title)
@@ -33,7 +33,7 @@ def for_reading(head, rows):
 
 
 def at_ends(results, output=0):
-    """Rows of each end at an output: line, end, place, force of the line on what holds it, its angles."""
+    """Rows of each end at an output: line, end, position, force of the line on its support, its angles."""
     head = ["line", "end", "x [m]", "y [m]", "z [m]", "tension [N]", "horizontal force [N]", "vertical force [N]",
             "declination [deg]", "azimuth [deg]"]
     forces, directions = results.ends("force"), results.ends("direction")
@@ -54,14 +54,14 @@ def at_ends(results, output=0):
 
 
 def azimuth(direction):
-    """deg, of the horizontal part of a unit vector, in (-180, 180]; what is rounding beside 1 counts as 0."""
-    x, y, _ = np.round(direction, 12) + 0.0  # no -0, which would turn 180 into -180
+    """Azimuth of a unit vector, deg in (-180, 180]; rounding errors count as 0."""
+    x, y, _ = np.round(direction, 12) + 0.0  # avoids -0, which would turn 180 into -180
     return float(np.degrees(np.arctan2(y, x)))
 
 
 def laid(results, line, output):
-    """m of the line on the seabed at the first (0) or the last (-1) output: between its touchdown points where the results
-    have them, else between the nodes that press on the seabed; "" where nothing is known."""
+    """Length [m] of the line on the seabed at the first (0) or last (-1) output: between its touchdown points if
+    available, else between the nodes that press on the seabed; "" if unknown."""
     name = f"{line.name} touchdown"
     if results.steps > 0 and results.has_series(name):
         series = results.series(name)
@@ -90,13 +90,13 @@ def extremes(results):
 
 
 def of_fields(results, fields, since=0.0, lines=None):
-    """The least and the largest value of each field along each line (or these), with time and place."""
+    """Least and largest value of each field along each line (or `lines`), with time and place."""
     head = ["line", "quantity", "unit", "minimum", "at [s]", "at [m]", "maximum", "at [s]", "at [m]"]
     rows = []
     for line in results.lines if lines is None else lines:
         for field in above_noise(results, line, fields, since):
             found = envelope(results, line, field, since) if results.has(field) else None
-            if found is None or not np.any(np.abs([found.least, found.most]) > 0):  # NaN: not known
+            if found is None or not np.any(np.abs([found.least, found.most]) > 0):  # NaN: unknown
                 continue
             low, high = int(np.nanargmin(found.least)), int(np.nanargmax(found.most))
             rows.append([line.name, results.label(field), results.unit(field), found.least[low], found.least_time[low],
@@ -105,13 +105,13 @@ def of_fields(results, fields, since=0.0, lines=None):
 
 
 def utilisation(results, since=0.0):
-    """The largest of each utilisation of each line that has it."""
+    """Largest value of each utilisation of each line."""
     head, rows = of_fields(results, results.utilisations, since)
     return [*head[:2], "largest", *head[7:]], [[*row[:2], *row[6:]] for row in rows]
 
 
 def clearances(results):
-    """The smallest of each clearance of `output.clearances`, over every step."""
+    """Smallest value of each clearance of `output.clearances` over every step."""
     head, rows = ["clearance", "smallest [m]", "at [s]", "on the line at [m]"], []
     for name in results.histories:
         series = results.series_at(name)
@@ -131,7 +131,7 @@ def is_support(series):
 
 
 def supports(results):
-    """The reactions of the boxes of `supports`: at the start, and the least and the largest over every step."""
+    """Reactions of the boxes of `supports`: at the start, and least and largest over every step."""
     head = ["support", "at the start [N]", "least [N]", "at [s]", "largest [N]", "at [s]", "largest of one roller [N]",
             "that is", "highest above it [m]"]
     rows = []
@@ -154,7 +154,7 @@ def supports(results):
 
 
 def place_of(results, name):
-    """The line and the node of a history of a point, None where it is of something else or between two nodes."""
+    """Line and node of a point history; None for other histories or points between two nodes."""
     points, written = (dictionary(keys.get("output")).get("histories") or [] for keys in (results.keys, results.given))
     for point, as_written in zip(points, written):
         if "line" not in point or point.get("name", f"{point['line']}@{as_written['at']}") != name:
@@ -168,9 +168,9 @@ def place_of(results, name):
 
 
 def statistics_of(results, since=0.0):
-    """A row for each column of each history that is not zero throughout, over the steps from `since` on; unless said, from
-    where the results' own statistics begin. Those count where they are of the same place from just then on: histories
-    may have fewer rows than steps."""
+    """One row per column of each nonzero history, over the steps from `since` on, by default from the start of the
+    results' own statistics. Those are preferred if they are at the same place and start at the same time, because
+    histories may have fewer rows than steps."""
     head = ["history", "quantity", "unit", "minimum", "at [s]", "maximum", "at [s]", "mean", "standard deviation",
             "mean period [s]", "from [s]"]
     rows = []
@@ -200,7 +200,7 @@ def clashes(results):
 
 
 def energy(results):
-    """The audit at the end of the run."""
+    """Energy audit at the end of the run."""
     if "energy" not in results.series_names or results.steps == 0:
         return [], []
     series = results.series("energy")

@@ -1,5 +1,5 @@
-// What no body is or does: mass, volume and inertia of no material, springs whose motion takes no time or
-// hours, weight that does not act where it should, and motions with accelerations that no vessel has.
+// Implausible bodies: densities and inertia of no material, spring periods that are too short or too long,
+// missing weight, and excessive accelerations of motions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ class BodyProportions {
     weight(m);
   }
 
-  // kg/m³: an air bag has 6, a pneumatic fender 90, solid steel 7850.
+  // Plausible densities, kg/m³: an air bag has 6, a pneumatic fender 90, solid steel 7850.
   void in_water(const BodyMass& m, const BodyInWater& w) {
     constexpr double kLeast = 5, kMost = 12000, kLight = 30;
     const double density = m.mass / w.volume, size = std::cbrt(w.volume);
@@ -63,8 +63,8 @@ class BodyProportions {
            w.added_mass.maxCoeff(), added);
   }
 
-  // Radius of gyration beside that of a steel ball of the mass, than which nothing is denser by much; the
-  // widest frames and ships have some ten times that.
+  // Radius of gyration relative to that of a steel ball of the same mass, close to the densest possible body;
+  // wide frames and ships have about ten times that.
   void inertia(const BodyMass& m) {
     const double ball = std::cbrt(3 * m.mass / (4 * M_PI * 7850)), least = 0.3 * std::sqrt(0.4) * ball,
                  most = 150 * ball;
@@ -79,7 +79,7 @@ class BodyProportions {
          off, off == small ? "none" : "too much", m.mass, std::sqrt(0.4) * ball);
   }
 
-  // Periods of its springs alone.
+  // Natural periods on the body's own springs.
   void springs(const BodyMass& m) {
     constexpr double kShortest = 0.02, kLongest = 3000;  // s
     for (int i = 0; i < 3; ++i) {
@@ -96,9 +96,9 @@ class BodyProportions {
     }
   }
 
-  // Of what hangs in air or lies deep in the water.
+  // For bodies in air or deep in the water.
   void weight(const BodyMass& m) {
-    constexpr double kAbove = 5;  // m, over the still water
+    constexpr double kAbove = 5;  // m, above the still water
     const Water& w = c_.environment.water;
     if (!w.present || m.in_water || m.hull || m.hydrodynamics) return;
     const double z = b_.position.z() - w.surface;
@@ -112,7 +112,7 @@ class BodyProportions {
            -z);
   }
 
-  // What stands on a deck lifts off where it falls faster than g, and nothing is steered at more.
+  // Objects on a deck lift off at downward accelerations above g; no vessel exceeds the limit.
   void motion() {
     const double g = c_.environment.gravity > 0 ? c_.environment.gravity : 9.80665;
     if (const auto* h = std::get_if<HarmonicMotion>(&b_.motion)) {

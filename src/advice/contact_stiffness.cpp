@@ -1,4 +1,4 @@
-// Sentences about contact stiffness.
+// Messages about contact stiffness.
 #include "hawser/advice/contact_stiffness.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 namespace hawser::advice {
 namespace {
 
-constexpr double kProposed = 0.05;  // of the radius: penetration of the stiffness that is proposed
+constexpr double kProposed = 0.05;  // of the radius: penetration at the recommended stiffness
 
 const char* name_of(StiffnessReason::Bend bend) {
   switch (bend) {
@@ -30,7 +30,7 @@ const char* key_of(model::StiffnessBasis basis) {
                                                       : "per_area";
 }
 
-// Upwards to two digits.
+// Rounds up to two digits.
 double rounded_up(double v) {
   const double unit = std::pow(10, std::floor(std::log10(v)) - 1);
   return std::ceil(v / unit) * unit;

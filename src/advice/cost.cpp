@@ -1,4 +1,4 @@
-// Sentences about what a run will cost.
+// Messages about the expected cost of a run.
 #include "hawser/advice/cost.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ std::string expected_results(const ResultBytes& size, const std::string& folder)
   for (const auto& [name, n] : size.parts)
     if (n > 0.005 * size.total) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", name, bytes(n));
   std::string s = fmt::format("expected results: about {} ({})", bytes(size.total), parts);
-  // At its end the file is written once more, without spare room.
+  // At the end of a run the file is rewritten without spare capacity.
   if (size.left >= 0 && 2 * size.total > size.left)
     s += fmt::format(
         "\nnote: the disk of {} has {} left, and a run takes up to twice the size of its results: give a "

@@ -1,4 +1,4 @@
-// Sentences about the energy balance.
+// Messages about the energy balance.
 #include "hawser/advice/energy.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ const char* words(ContactWith with) {
   return "its motion changes faster than the time steps resolve";
 }
 
-// One that is surely short: a quarter of what was too long.
+// A step that is certainly short enough: a quarter of the one that was too long.
 std::string remedy(bool fixed, double step) {
   return fmt::format("give dynamics.{}: {:.2g} s", fixed ? "step" : "max_step", step / 4);
 }

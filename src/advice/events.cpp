@@ -1,4 +1,4 @@
-// Sentences about events.
+// Messages about events.
 #include "hawser/advice/events.hpp"
 
 #include <fmt/format.h>

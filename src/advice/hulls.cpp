@@ -1,4 +1,4 @@
-// Sentences about hulls that displace water by their volumes.
+// Messages about hulls that displace water by their volumes.
 #include "hawser/advice/hulls.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
-// What the elements of a line make of its parts: what is fixed to a node that is not where the case has it,
-// since no other is left; masses that only the elements beside them hold up on the bed, and bend stiffeners
-// too short for them.
+// Consequences of discretisation: attachments whose node is elsewhere because no other is free, masses that
+// sink into the bed between the adjacent elements, and bend stiffeners with too few elements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,12 +16,12 @@ using namespace model;
 
 namespace {
 
-constexpr double kApart = 0.1;   // of the element that it lies in
-constexpr double kFewest = 3;    // elements of a stiffener: the curvature at its tip is 6 % too low
-constexpr double kSteel = 7850;  // kg/m³, of a mass without a volume
-constexpr double kRound = 1e-6;  // of a number of elements
+constexpr double kApart = 0.1;   // fraction of the element at the place
+constexpr double kFewest = 3;    // elements of a stiffener; the curvature at its tip is then 6 % too low
+constexpr double kSteel = 7850;  // kg/m³, for a mass without volume
+constexpr double kRound = 1e-6;  // tolerance of a number of elements
 
-// Where the elements of a line begin and end, m from end A.
+// Arc lengths of the nodes of a line, m from end A.
 using Arcs = std::vector<double>;
 Arcs node_arcs(const Line& line, const std::vector<double>& places) {
   Arcs arcs = {0};
@@ -31,7 +30,7 @@ Arcs node_arcs(const Line& line, const std::vector<double>& places) {
   return arcs;
 }
 
-// The element that an arc length [m] lies in, and its node that is nearer.
+// Element that contains an arc length [m], and the nearer of its nodes.
 struct Place {
   double from = 0, to = 0, node = 0;
   int number = 0;  // of the element along the line
@@ -54,7 +53,8 @@ void warn_of_place(const Line& line, const Arcs& arcs, double at, const std::str
                 at, line.name, p.node, at);
 }
 
-// N, of a chain of this weight [N/m] between an end on a level bed and one above it; 0: not of that form.
+// Horizontal tension [N] of a chain of this weight [N/m] between an end on a level bed and one above; 0: not
+// such a line.
 double tension_on_bed(const Case& c, const Line& line, double weight) {
   const Seabed& bed = c.environment.seabed;
   if (!is_held(line.end_a) || !is_held(line.end_b) || bed.surface || !line.starts_by_itself()) return 0;
@@ -65,8 +65,8 @@ double tension_on_bed(const Case& c, const Line& line, double weight) {
   return std::max(slack_tension(length_of(line), (high - low).head<2>().norm(), h), 0.0) * weight;
 }
 
-// On the bed a mass rests on the length of line that belongs to its node, about an element, however large it
-// is itself: it may sink in by more than its diameter. Not where the bed is out of reach.
+// On the bed a mass rests on the part of the line that belongs to its node, about one element, independent of
+// its own size; it may sink by more than its diameter. Skipped if the bed is out of reach.
 void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const PointMass& m,
                      std::vector<InputWarning>& out) {
   const Seabed& bed = c.environment.seabed;
@@ -80,9 +80,9 @@ void warn_of_sinking(const Case& c, const Line& line, const Arcs& arcs, const Po
   const LineType& t = c.line_type(line.sections[static_cast<std::size_t>(section)].type);
   const double per_length =
       bed.normal_stiffness * (bed.basis == StiffnessBasis::per_length ? 1 : t.contact_diameter);
-  // It presses the elements on both sides down with it, which bear k d l together, and lifts the nodes beyond
-  // them, whose weight w l it then carries as well as its own; a tension H spreads it over 2 sqrt(H/k), as of
-  // a string on springs, where that is longer.
+  // The mass presses down both adjacent elements, which resist with k d l together, and lifts the nodes
+  // beyond, whose weight w l it carries as well. A tension H spreads the load over 2 sqrt(H/k), as for a
+  // string on an elastic foundation, if that is longer.
   const double element = p.to - p.from,
                line_weight = std::max(c.environment.gravity * mass_in_water(c, t, -HUGE_VAL), 0.0),
                bearing = std::max(element, 2 * std::sqrt(tension_on_bed(c, line, line_weight) / per_length)),

@@ -1,6 +1,6 @@
-// Whether mass, diameter and EA of a line type are those of one thing: by density and modulus. Steel: 7850
-// kg/m³ and 206 GPa (DNV-OS-E301); the diameter of a chain is that of a round bar of its volume, 1.8 times
-// that of its bar. Whether the contents are as dense as what pipes carry, and coatings as thick as any.
+// Consistency of mass, diameter and EA of a line type by density and modulus. Steel: 7850 kg/m³ and 206 GPa
+// (DNV-OS-E301); the diameter of a chain is that of a round bar of equal volume, 1.8 times its bar.
+// Plausibility of contents and coatings.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,17 +15,17 @@ using namespace model;
 
 namespace {
 
-constexpr double kHeavy = 8500, kLight = 100;  // kg/m³, mean density of a line with its bore
+constexpr double kHeavy = 8500, kLight = 100;  // kg/m³, mean density including the bore
 // In air the diameter may be nominal, that of a chain's bar: 25 t/m³.
 constexpr double kHeavyInAir = 30000;
 constexpr double kThick = 5;  // m
-// kg/m³ of contents: gas under pressure has 50 and more, the heaviest drilling mud 2400.
+// Density of contents, kg/m³: pressurised gas has 50 or more, the heaviest drilling mud 2400.
 constexpr double kLeastContents = 10, kMostContents = 5000;
 constexpr double kStiff = 250e9, kSoft = 5e5;  // Pa
 
 bool in_range(double x, double least, double most) { return x >= least && x <= most; }
 
-// In which unit mass or diameter would fit.
+// Unit in which the mass or diameter would be plausible.
 std::string density_hint(const Case& c, const LineType& t, double density, bool water) {
   const double d = t.displaced();
   const auto fits = [water](double x) { return in_range(x, kLight, water ? kHeavy : kHeavyInAir); };
@@ -55,7 +55,7 @@ void warn_of_contents(const LineType& t, std::vector<InputWarning>& out) {
               density < kLeastContents ? "lighter" : "heavier", kLeastContents, kMostContents, hint);
 }
 
-// A coating that is thicker than half of the pipe in it, by the keys of the file: the type has but the sums.
+// Coatings thicker than half the pipe, by the keys of the file because the type has only sums.
 bool warn_of_coatings(const Case& c, const LineType& t, std::vector<InputWarning>& out) {
   const Value* type = entry_of(c, "line_types", t.name);
   const Value* pipe = type ? type->find("pipe") : nullptr;
@@ -72,7 +72,7 @@ bool warn_of_coatings(const Case& c, const LineType& t, std::vector<InputWarning
   return out.size() > before;
 }
 
-// Pipes that the formulas of the codes were not fitted to.
+// Pipes outside the range of the code formulas.
 void warn_of_slenderness(const LineType& t, std::vector<InputWarning>& out) {
   if (!t.steel) return;
   const double slender = std::round(t.steel->slenderness() * 1e6) / 1e6;
@@ -98,7 +98,7 @@ void warn_of_line_types(const Case& c, std::vector<InputWarning>& out) {
   for (const LineType& t : c.line_types) {
     warn_of_contents(t, out);
     warn_of_slenderness(t, out);
-    if (warn_of_coatings(c, t, out)) continue;  // all else follows from it
+    if (warn_of_coatings(c, t, out)) continue;  // all else is a consequence
     const std::string key = "line_types." + t.name;
     const double d = t.displaced(), density = t.mass_per_length / (M_PI / 4 * d * d);
     if (density > (water ? kHeavy : kHeavyInAir) || density < kLight)

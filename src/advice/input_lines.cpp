@@ -1,6 +1,5 @@
-// What a line must bear at least by the distance of its ends, its loads and its weight, as a strain and
-// against its breaking load; and whether it is far longer than the way between its ends, or hangs there in
-// too few elements.
+// Lower bounds of strain and tension from the distance of the ends, loads and weight, compared with breaking
+// loads; lines far longer than the distance of their ends, or hanging with too few elements.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,20 +15,20 @@ using namespace model;
 
 namespace {
 
-// What materials bear before they yield or break, and designs stay far below: steel wire and chain break at 1
-// to 2 %, polyester at 10 %, nylon at 40 % (ISO 18692, ISO 19901-7).
+// Strains far above those of designs: steel wire and chain break at 1 to 2 %, polyester at 10 %, nylon at 40
+// % (ISO 18692, ISO 19901-7).
 constexpr double kMetal = 20e9, kMetalStrain = 0.01,
-                 kFibreStrain = 0.1;  // Pa, modulus of what counts as metal
-constexpr double kLong = 10;          // lengths over the distance of the ends
-constexpr int kFew = 5;          // elements of what hangs: with fewer its tension is off by a tenth and more
-constexpr double kSlack = 1.01;  // lengths over the distance of the ends, of what hangs in a curve
-constexpr double kDeepLong = 5;  // and over that and the height of both ends above the bed
+                 kFibreStrain = 0.1;  // Pa, smallest modulus of a metal
+constexpr double kLong = 10;          // length over distance of the ends
+constexpr int kFew = 5;          // elements of a hanging line; with fewer the tension error is 10 % or more
+constexpr double kSlack = 1.01;  // length over distance of the ends, for a sagging line
+constexpr double kDeepLong = 5;  // and over that plus the heights of both ends above the bed
 
 double allowed_strain(const LineType& t) {
   return t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter) > kMetal ? kMetalStrain : kFibreStrain;
 }
 
-// One warning of the section that a tension [N] stretches or overloads.
+// Adds one warning for a section that a tension [N] overstretches or overloads.
 void bears(const Case& c, const Section& s, double tension, const std::string& key, const std::string& why,
            std::vector<InputWarning>& out) {
   const LineType& t = c.line_type(s.type);
@@ -48,7 +47,7 @@ void bears(const Case& c, const Section& s, double tension, const std::string& k
 void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   if (!is_held(line.end_a) || !is_held(line.end_b)) return;
   const double chord = (end_position(c, line.end_b) - end_position(c, line.end_a)).norm();
-  double length = length_of(line);  // what is outside of feeders
+  double length = length_of(line);  // outside the feeders
   for (const End* e : {&line.end_a, &line.end_b})
     if (e->feed) length -= e->feed->stock;
   const double loose = length + expansion_of(c, line);
@@ -58,7 +57,7 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
   const Section& weakest = *std::min_element(
       line.sections.begin(), line.sections.end(),
       [&](const Section& a, const Section& b) { return c.line_type(a.type).EA < c.line_type(b.type).EA; });
-  // A body that moves by its own equations gives way.
+  // A body with mass yields to the line.
   const auto yields_to_line = [&](const End& e) {
     return e.kind == EndKind::body && c.floats(c.body_index(e.body));
   };
@@ -84,8 +83,8 @@ void warn_of_span(const Case& c, const Line& line, std::vector<InputWarning>& ou
                 length, length / chord, chord);
 }
 
-// At the higher end of a line hangs at least what is between the heights of its ends, at the end of one that
-// hangs freely all of it that does not lie.
+// The higher end carries at least the weight between the heights of the ends; the end of a freely hanging
+// line carries all that is not on the bed.
 void warn_of_weight(const Case& c, const Line& line, std::vector<InputWarning>& out) {
   const bool a = is_held(line.end_a), b = is_held(line.end_b);
   if ((!a && !b) || line.start == Start::points || line.start == Start::other_run) return;
@@ -97,7 +96,7 @@ void warn_of_weight(const Case& c, const Line& line, std::vector<InputWarning>& 
     height = std::min(height, std::abs(end_position(c, line.end_a).z() - end_position(c, line.end_b).z()));
   if (const Seabed& bed = c.environment.seabed; bed.present)
     height = std::min(height, std::max(height_above_bed(bed, top), 0.0));
-  const LineType* lightest = nullptr;  // whichever of its types hangs there
+  const LineType* lightest = nullptr;  // any of the types may hang there
   for (const Section& s : line.sections)
     if (const LineType& t = c.line_type(s.type);
         !lightest || mass_in_water(c, t, -HUGE_VAL) < mass_in_water(c, *lightest, -HUGE_VAL))
@@ -117,7 +116,7 @@ void warn_of_loads(const Case& c, const Line& line, std::vector<InputWarning>& o
     for (const Section& s : line.sections) {
       end += s.length;
       if (p.at > end && &s != &line.sections.back()) continue;
-      // A beam carries what acts across it by bending.
+      // A beam carries transverse loads by bending.
       const bool pulled = (p.at <= 0 && !is_held(line.end_a)) || (p.at >= end && !is_held(line.end_b));
       if (c.line_type(s.type).kind == LineKind::cable && pulled)
         bears(c, s, p.force.norm(), fmt::format("lines.{}.loads[{}]", line.name, p.order), "its force", out);

@@ -1,5 +1,4 @@
-// What a case with platforms has that their coefficients cannot take, inertia that no body has, wind without
-// a body in it.
+// Settings outside the range of platform coefficients, impossible inertia, and wind without an exposed body.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -132,8 +131,8 @@ void warn_of_floating(const Case& c, const Body& b, std::vector<InputWarning>& o
                 lines ? "they have to hold it upright, as tendons do; if they are not to, " : "");
 }
 
-// Of a matrix that is not that of dampers: it takes energy of each velocity alone and brings some in of
-// others.
+// A damping matrix that is not positive semidefinite: it dissipates for single velocities but adds energy for
+// some combinations.
 void warn_of_damping(const Case& c, const Body& b, std::vector<InputWarning>& out) {
   constexpr double kRounded = 1e-6;
   const Mat6& B = b.mass->hydrodynamics->damping;
@@ -147,9 +146,9 @@ void warn_of_damping(const Case& c, const Body& b, std::vector<InputWarning>& ou
                 "large for those on it, or have the wrong sign");
 }
 
-// Ends of lines that are far from the body that holds them.
+// Line ends far from the body that holds them.
 void warn_of_fairleads(const Case& c, const Body& b, std::vector<InputWarning>& out) {
-  constexpr double kFar = 5;  // sides of a cube; the bow of a ship is at 3
+  constexpr double kFar = 5;  // in sides of a cube; the bow of a ship is at 3
   const BodyMass& m = *b.mass;
   if (!m.hydrodynamics && !m.hull) return;
   const bool given = m.hydrodynamics && m.hydrodynamics->volume > 0;
@@ -166,7 +165,7 @@ void warn_of_fairleads(const Case& c, const Body& b, std::vector<InputWarning>& 
   }
 }
 
-// Positioning whose loop is unstable.
+// Dynamic positioning with an unstable control loop.
 void warn_of_positioning(const Body& b, std::vector<InputWarning>& out) {
   const Vec3 growth = model::loop_growth(b);
   const std::string key = "bodies." + b.name + ".floating.positioning";

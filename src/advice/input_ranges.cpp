@@ -1,6 +1,5 @@
-// Numbers of a case beside the range of what they can be: the strongest current at sea, the deepest ocean,
-// the density of any water. Outside of it a unit, a decimal point or a column of a table is likely to be
-// wrong. And angles that are written in radians.
+// Plausible ranges of numbers: the strongest current, the deepest ocean, the density of water. A value
+// outside suggests a wrong unit, decimal point or column. Also angles given in radians.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,11 +18,11 @@ using namespace model;
 
 namespace {
 
-// Of the size of a number, SI; 0 is never outside.
+// Range of a magnitude, SI; 0 is always accepted.
 struct Range {
-  std::string_view path;  // names of the user's choice are *, entries of lists []
+  std::string_view path;  // '*': names of the user's choice; []: list entries
   double least, most;
-  const char* of;  // what lies in it
+  const char* of;  // what lies in the range
 };
 
 // Currents: tidal streams of narrows have 5 m/s (Pentland Firth), ocean currents 2.5. Waves: hs of 20 m and
@@ -98,7 +97,7 @@ constexpr auto kRanges = std::to_array<Range>({
     {"dynamics.error_tolerance", 0, 0.1, "errors of a step that do not show"},
 });
 
-// In the base unit of the key, which of angles is degrees.
+// In the base unit of the key; degrees for angles.
 std::string in_unit(double si, Dimension d) {
   const double number = d == Dimension::angle ? si * 180 / M_PI : si;
   return fmt::format("{:.4g}{}{}", number, d == Dimension::none ? "" : " ",
@@ -110,7 +109,7 @@ bool plain(const Value& v) {
   return q.status == Quantity::Status::ok;
 }
 
-// Angles that are round in radians and not in degrees. Those of 15 degrees to 1e-3, which has 1.57 and 3.14.
+// True for angles that are multiples of 15 degrees in radians to 1e-3, such as 1.57 and 3.14.
 bool written_in_radians(const Value& v) {
   constexpr double kStep = M_PI / 12, kRounded = 1e-3;
   const Quantity q = parse_quantity(v.text, Dimension::none);
@@ -119,7 +118,7 @@ bool written_in_radians(const Value& v) {
       v.text.find('.') == std::string::npos)
     return false;
   const double steps = std::round(size / kStep);
-  // 0.25 to 0.27 is one step of 0.2618: with fewer digits a small angle of degrees is more likely.
+  // 0.25 to 0.27 could be one step of 0.2618; with so few digits a small angle in degrees is more likely.
   return steps > 0 && std::abs(size - steps * kStep) < kRounded * size;
 }
 
@@ -140,7 +139,7 @@ class Walk {
         if (v.schema->type == Key::Type::vec3) {
           const std::size_t before = out_.size();
           for (const Value& x : v.items)
-            if (out_.size() == before) number(x, *v.schema, path, v.where);  // one note of all three
+            if (out_.size() == before) number(x, *v.schema, path, v.where);  // one note for all three
         } else {
           for (const Value& x : v.items) visit(x, path + "[]");
         }

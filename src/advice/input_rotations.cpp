@@ -1,4 +1,4 @@
-// Whether the rotations of a motion, which are about the axes of space, are those of a body that is turned.
+// Rotations of motions, which are about space axes, of bodies with another heading.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kTurned = 0.17;  // rad, about ten degrees
 
-// A rotation vector [rad] of a motion.
+// about: rotation vector of a motion [rad].
 void warn_of_rotation(const Body& b, const Vec3& about, const char* motion, std::vector<InputWarning>& out) {
   const double size = about.norm();
   if (!(size > 0)) return;

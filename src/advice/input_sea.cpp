@@ -1,6 +1,5 @@
-// Whether the depths of water, bed and ends fit each other, whether the bed is as stiff as soil, what a
-// current does in statics to a slack line on the bed, which nothing holds across there, and to linear waves,
-// and buoys that moving water passes through.
+// Consistency of water and bed depths and line ends, soil stiffness, effects of current on slack lines on the
+// bed and on linear waves, and buoys without drag or added mass.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +28,7 @@ double lowest_reach(const Case& c, const Line& line) {
 
 double slack_tension(double L, double X, double h) {
   if (L >= X + h) return 0;
-  const auto left = [&](double a) {  // what is too long where the tension is a
+  const auto left = [&](double a) {  // excess length at horizontal tension a
     return L - std::sqrt(h * h + 2 * h * a) + (a > 0 ? a * std::acosh(1 + h / a) : 0) - X;
   };
   double low = 0, high = h;
@@ -44,12 +43,12 @@ double slack_tension(double L, double X, double h) {
 
 namespace {
 
-constexpr double kSameDepth = 0.02;  // of the depth of the water
+constexpr double kSameDepth = 0.02;  // fraction of the water depth
 constexpr double kNear = 10,
                  kNearShare = 0.5;  // m, and of the depth: anchors that high are meant to be there
-constexpr double kBow = 0.01;       // of the length that lies
-// N/m³, and per length N/m² over the thickest line. DNV-RP-F105 (2006), section 7, has for pipes 50 kN/m²
-// in very soft clay to 4200 in hard clay, at rest; rock and fast motion are stiffer, and mud is softer.
+constexpr double kBow = 0.01;       // fraction of the length on the bed
+// N/m³, and per length N/m² over the thickest line. DNV-RP-F105 (2006), section 7, gives 50 kN/m² for pipes
+// in very soft clay to 4200 in hard clay, static; rock and fast motion are stiffer, mud is softer.
 constexpr double kSoftBed = 2e3, kStiffBed = 1e9;
 
 void warn_of_depths(const Case& c, std::vector<InputWarning>& out) {
@@ -64,8 +63,8 @@ void warn_of_depths(const Case& c, std::vector<InputWarning>& out) {
                 depth, w.depth);
 }
 
-// An anchor above the water as far as the bed is below: a lost minus sign. One in the lower half of the
-// water, but well above the bed: another depth than that of the bed.
+// An anchor above the water by the depth of the bed: a lost minus sign. One in the lower half of the water
+// but well above the bed: a depth other than that of the bed.
 void warn_of_anchor(const Case& c, const Line& line, const End& e, const char* which,
                     std::vector<InputWarning>& out) {
   if (e.kind != EndKind::anchor) return;
@@ -91,7 +90,7 @@ void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
   if (!bed.present || bed.surface || bed.slope > 0 || c.lines.empty()) return;
   double least = std::numeric_limits<double>::infinity();
   for (const Line& l : c.lines) least = std::min(least, lowest_reach(c, l));
-  // Bodies that move take their lines along.
+  // Moving bodies carry their lines along.
   if (least > -0.8 * bed.depth)
     add_warning(out, "environment.seabed", Effect::all,
                 "no line gets near the bed at z = {:.6g} m: hanging straight down the deepest "
@@ -99,10 +98,10 @@ void warn_of_bed_in_reach(const Case& c, std::vector<InputWarning>& out) {
                 -bed.depth, least);
 }
 
-// Horizontal velocity of the current at t = 0 at a depth [m], m/s.
+// Horizontal velocity [m/s] of the current at a depth [m] at t = 0.
 Vec3 current_at(const Water& w, double depth) {
   const std::vector<CurrentRow>& rows = w.current.profile;
-  if (rows.empty() || w.current.exponent > 0) return Vec3::Zero();  // a power law has none at the bed
+  if (rows.empty() || w.current.exponent > 0) return Vec3::Zero();  // a power law is zero at the bed
   const auto vector = [](const CurrentRow& r) {
     return Vec3(r.speed * std::cos(r.direction), r.speed * std::sin(r.direction), 0);
   };
@@ -131,12 +130,12 @@ void warn_of_current(const Case& c, const Line& line, std::vector<InputWarning>&
   for (const Section& s : line.sections) {
     const LineType& t = c.line_type(s.type);
     const double own = c.environment.gravity * mass_in_water(c, t, low.z());
-    if (!(own > 0)) return;  // it floats somewhere and hangs in other shapes
+    if (!(own > 0)) return;  // it floats in parts and has other shapes
     weight += own * s.length / length;
     drag += 0.5 * w.density * t.Cd_normal * t.dragged() * speed * speed * s.length / length;
   }
   const double X = (high - low).head<2>().norm(), a = slack_tension(length, X, h);
-  if (!(speed > 0) || a < 0 || drag > bed.friction.lateral * weight) return;  // it would be swept away
+  if (!(speed > 0) || a < 0 || drag > bed.friction.lateral * weight) return;  // it would be carried away
   const double lies = length - std::sqrt(h * h + 2 * h * a),
                bow = drag * lies / (8 * std::max(a, 1e-9) * weight);
   if (!(lies > 0) || bow < kBow) return;
@@ -166,7 +165,7 @@ void warn_of_soil(const Case& c, std::vector<InputWarning>& out) {
               by_length ? "50 to 5000 kN/m²" : "50 to 10000 kN/m³", hint);
 }
 
-// Nothing of a buoy is taken for granted, as it is of lines.
+// Buoys, unlike lines, have no default drag and added mass.
 void warn_of_buoy(const Case& c, const Line& line, const PointMass& m, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool moves = c.dynamics.enabled || !w.current.profile.empty();
@@ -177,7 +176,7 @@ void warn_of_buoy(const Case& c, const Line& line, const PointMass& m, std::vect
               m.volume, m.at, line.name, 0.5 * M_PI / 4 * std::pow(6 / M_PI * m.volume, 2.0 / 3));
 }
 
-// The wave that stands for a sea of linear waves: its peak, or the highest of those given. Period 0: none.
+// Representative wave of a linear sea: its peak, or the highest of given waves. Period 0: none.
 Waves::Row leading_wave(const Waves& w) {
   Waves::Row out;
   if (w.kind == Waves::Kind::spectrum || w.kind == Waves::Kind::table) {
@@ -189,9 +188,9 @@ Waves::Row leading_wave(const Waves& w) {
   return out;
 }
 
-// Linear waves are those of still water: the current neither stretches nor steepens them.
+// Linear waves propagate in still water: the current neither stretches nor steepens them.
 void warn_of_waves_on_current(const Case& c, std::vector<InputWarning>& out) {
-  constexpr double kMuch = 0.1;  // of the speed of the waves: a fifth of their length
+  constexpr double kMuch = 0.1;  // of the wave speed; changes the wave length by a fifth
   const Water& w = c.environment.water;
   const Waves::Row wave = leading_wave(w.waves);
   if (!c.dynamics.enabled || w.current.profile.empty() || !(wave.period > 0)) return;

@@ -1,4 +1,5 @@
-// Supports that bend their line more than pipes bear, and elements too long to show what rollers do to it.
+// Supports that bend their line beyond the capacity of pipes, and elements too long to resolve roller
+// contact.
 #include <fmt/format.h>
 
 #include "hawser/advice/input_warnings.hpp"
@@ -11,13 +12,13 @@ using namespace model;
 namespace {
 
 constexpr double kStrain = 0.005;  // of the outer fibre; laying criteria of steel pipes are 0.2 to 0.35 %
-constexpr double kCoarse = 0.5;    // of the distance between boxes: peaks on rollers are 1.4 % too low
+constexpr double kCoarse = 0.5;    // of the distance of boxes; roller peaks are then 1.4 % too low
 
 struct Here {
-  double diameter = 0, element = 0;  // m; the longest of the section
+  double diameter = 0, element = 0;  // m; longest element of the section
 };
 
-// Of the section at `from` [m] of arc length from the end before the supports.
+// Section at arc length `from` [m] from the end before the supports.
 Here section_at(const Case& c, const Line& line, bool from_a, double from) {
   Here out;
   for (std::size_t i = 0; i < line.sections.size(); ++i) {

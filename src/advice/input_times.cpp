@@ -1,5 +1,4 @@
-// Whether steps and outputs are short enough for what moves the lines, and whether there is an impact at t =
-// 0.
+// Time steps and output intervals relative to the motions of the lines, and impacts at t = 0.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,10 +15,10 @@ using namespace model;
 namespace {
 
 constexpr double kSteps = 20,
-                 kOwnSteps = 5;  // fewest in a period of what drives, of the line's own slowest motion
-constexpr double kOutputs = 2;   // fewest in a period
-// Of the fastest motion of a body, and m/s: what its first moment may have. A spline through rows that begin
-// at rest is not quite at rest.
+                 kOwnSteps = 5;  // minimum per period of the excitation, of the line's slowest motion
+constexpr double kOutputs = 2;   // minimum per period
+// Acceptable initial speed: fraction of the largest speed of a body, and m/s. A spline through rows that
+// begin at rest is not exactly at rest.
 constexpr double kJump = 0.05, kLeastJump = 0.05;
 
 struct Period {
@@ -31,7 +30,7 @@ void shorter(Period& least, double length, const std::string& of) {
   if (length > 0 && (least.length == 0 || length < least.length)) least = {length, of};
 }
 
-// The shortest period of waves (of a spectrum: its peak) and of harmonic motions.
+// Shortest period of waves (of a spectrum: its peak) and of harmonic motions.
 Period driving(const Case& c) {
   Period least;
   const Waves& w = c.environment.water.waves;
@@ -48,7 +47,7 @@ Period driving(const Case& c) {
   return least;
 }
 
-// Whether a line is a member of a frame: short and stiff, so that what vibrates slowly is the frame.
+// True if a line is a short, stiff member of a frame, whose slow vibration is that of the frame.
 bool is_member(const Case& c, const Line& line) {
   const auto rigid = [&](const End& e) { return e.kind == EndKind::joint && c.joint(e.body).rigid; };
   return rigid(line.end_a) || rigid(line.end_b);
@@ -86,7 +85,7 @@ void warn_of_outputs(const Case& c, const Period& drive, std::vector<InputWarnin
                 every, drive.length / every, drive.of, drive.length);
 }
 
-// Speed of a body's origin and, by its turning, of the ends that are tied to it [m/s].
+// Largest speed of a body's origin and the line ends attached to it [m/s].
 double speed_at(const std::vector<EndAtBody>& ends, const RigidMotion& motion, double t) {
   const RigidPose p = motion.at(t);
   double most = p.velocity.norm();
@@ -94,7 +93,7 @@ double speed_at(const std::vector<EndAtBody>& ends, const RigidMotion& motion, d
   return most;
 }
 
-// The speed with which a motion begins at t = 0 [m/s], 0 where that is little beside what follows.
+// Speed at which a motion begins at t = 0 [m/s]; 0 if small relative to the later motion.
 double jump(const Case& c, const Body& b, const std::vector<EndAtBody>& ends) {
   const RigidMotion motion = rigid_motion(b);
   const double first = speed_at(ends, motion, 0);
@@ -111,7 +110,7 @@ bool always_jumps(const TableMotion& t) { return t.between == BetweenRows::linea
 StartSpeeds start_speeds_of(const Case& c, const Body& b, const std::vector<EndAtBody>& ends) {
   StartSpeeds out;
   if (b.mass || b.on || !c.statics.enabled) return out;
-  // Straight lines between rows jump at all of them, and rows of waves are given with their ramp.
+  // Linear interpolation jumps at all rows, and rows of waves include their ramp.
   const auto* table = std::get_if<TableMotion>(&b.motion);
   if (b.motion.index() != 0 && b.ramp == 0 && !(table && (always_jumps(*table) || table->of_waves))) {
     Body alone = b;
@@ -167,8 +166,8 @@ void warn_of_releases(const Case& c, std::vector<InputWarning>& out) {
 
 namespace {
 
-// A jump of a feeder's speed stretches the element at its feed point at once, whose damper then pulls with v
-// beta EA/l: more, the shorter it is.
+// A jump v of a feeder's speed strains the element at its feed point, whose damper then pulls with v beta
+// EA/l: more for shorter elements.
 void warn_of_feed(const Case& c, const std::string& line, bool at_b, double jump, const std::string& key,
                   const char* remedy, std::vector<InputWarning>& out) {
   const Line& of = c.lines[c.line_index(line)];

@@ -1,4 +1,4 @@
-// The input warnings of all subjects as notes with the line of the file, many of one kind cut short.
+// Input warnings of all subjects as notes with file lines; long lists of one kind are shortened.
 #include "hawser/advice/input_warnings.hpp"
 
 #include <fmt/format.h>
@@ -39,14 +39,14 @@ std::vector<InputWarning> input_warnings(const Case& c) {
 }
 
 std::vector<std::string> input_notes(const Case& c, Effect from, Effect to) {
-  constexpr int kReported = 3;  // of a kind
+  constexpr int kReported = 3;  // per kind
   std::vector<InputWarning> all = input_warnings(c);
   std::stable_sort(all.begin(), all.end(),
                    [](const InputWarning& a, const InputWarning& b) { return a.effect < b.effect; });
   std::erase_if(all, [&](const InputWarning& d) { return d.effect < from || d.effect > to; });
   std::vector<std::string> texts;
   for (const InputWarning& d : all) texts.push_back(d.key + ": " + d.text);
-  std::vector<InputWarning> once;  // at all places of a farm
+  std::vector<InputWarning> once;  // joined over the places of a farm
   for (const NoteOfPlaces& n : join_places(c, texts)) {
     once.push_back(std::move(all[n.first]));
     once.back().text += n.also;

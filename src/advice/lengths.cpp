@@ -1,4 +1,4 @@
-// Sentences about lengths that are searched for, and lines that feeders have used up.
+// Messages about length searches and exhausted feeders.
 #include "hawser/advice/lengths.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The limits beyond which an extreme is reported, and the sentences.
+// Limits of extremes, and their messages.
 #include "hawser/advice/limits.hpp"
 
 #include <fmt/format.h>
@@ -28,10 +28,9 @@ std::string utilisation_warning(const model::Case& c, const Extreme& at, const s
                      when_text(c, at.time), label, at.value);
 }
 
-// A beam of weight w that stands on a pinned foot and is pulled further up, EI theta'' = w (z - z0) theta
-// with theta' = 0 at the foot, buckles there where the compression is that of the first zero of Ai', 1.019
-// (EI w²)^(1/3). Then its shape carries what presses, and its moments grow with it. A short one is a strut,
-// which its weight does not hold: Euler's pi² EI/L².
+// A beam of weight w on a pinned foot, pulled up at its top, EI theta'' = w (z - z0) theta with theta' = 0 at
+// the foot, buckles if the compression at the foot exceeds that of the first zero of Ai', 1.019 (EI
+// w²)^(1/3). A short line is a strut without stabilising weight: Euler's pi² EI/L².
 std::string compression_warning(const model::Case& c, const Extreme& at) {
   if (!(at.value < 0)) return {};
   const model::Line& line = c.line(at.line);
@@ -56,7 +55,7 @@ std::string compression_warning(const model::Case& c, const Extreme& at) {
 
 std::string penetration_warning(const model::Case& c, const Extreme& at) {
   const double radius = 0.5 * model::contact_diameter_of(c, c.line(at.line));
-  // What the case allows needs no warning. The extreme does not know its volume.
+  // Penetration allowed by the case needs no warning; the extreme does not identify its volume.
   double allowed = 0;
   for (const model::Volume& v : c.volumes) allowed = std::max(allowed, v.allowed_penetration);
   if (!(at.value > std::max(c.contact.warned_penetration * radius, 1.1 * allowed))) return {};

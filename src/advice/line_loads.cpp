@@ -1,6 +1,6 @@
-// What a line carries beside its own weight and strength: masses and buoys of no material, loads that are
-// nothing or too much, targets and feeders that its weight makes impossible; ends that point the wrong way,
-// stiffeners that stiffen nothing, and lines that float or lie where their kind does not.
+// Implausible attachments and loads of a line: masses and buoys of no material, negligible or excessive
+// loads, targets and feeders that its weight excludes, reversed end directions, ineffective stiffeners, and
+// lines that float or lie where their type does not.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 // kg/m³ of what is in water: air bags have 5 and more, foam 200 to 700, lead 11340, tungsten 19300.
 constexpr double kLightest = 5, kHeaviest = 12000;
 constexpr double kMetallic = 10e9, kFibreDensity = 1700;  // Pa, kg/m³
-constexpr double kNothing = 1e-4;                         // of the weight of the line
+constexpr double kNothing = 1e-4;                         // fraction of the line's weight
 
 double modulus(const LineType& t) { return t.EA / (M_PI / 4 * t.outer_diameter * t.outer_diameter); }
 double density(const LineType& t) { return t.mass_per_length / (M_PI / 4 * t.displaced() * t.displaced()); }
@@ -94,7 +94,7 @@ class LineLoads {
       return warn(key, "{:.4g} N is {:.1g} of the line's weight and moves nothing{}", force, force / weight_,
                   force * 1000 >= kNothing * weight_ ? "; is it in kN?" : "");
     const LineType& t = type(section_at(p.at));
-    // Where the tensions on both sides hold it, the larger one has half of it at least.
+    // If both sides carry the load, the larger tension is at least half of it.
     if (t.kind == LineKind::cable && t.breaking_load > 0 && 0.5 * force > t.breaking_load)
       return warn(key, "{:.4g} kN is more than twice the breaking load of '{}', {:.4g} kN", force / 1000,
                   t.name, t.breaking_load / 1000);
@@ -117,7 +117,7 @@ class LineLoads {
          load < own && load * 1000 > kNothing * own ? "; is it in kN/m?" : "");
   }
 
-  // From end A to end B, which is the way of the line on the whole.
+  // Directions are from end A to end B, the mean direction of the line.
   void direction(bool b) {
     const End& e = line_.end(b);
     if (!e.direction || !line_.starts_by_itself() || !is_held(line_.end_a) || !is_held(line_.end_b)) return;
@@ -135,7 +135,7 @@ class LineLoads {
     return exp_so3(body.rotation).toRotationMatrix();
   }
 
-  // What is anchored on the bed is heavy there.
+  // A line anchored on the bed should be heavy there.
   void bed_end(bool b) {
     const Seabed& bed = c_.environment.seabed;
     const End &e = line_.end(b), &other = line_.end(!b);
@@ -187,7 +187,7 @@ class LineLoads {
            s.at);
   }
 
-  // Below the end hangs at least what is between the heights of both, if it is the higher one.
+  // The tension at the higher end includes at least the weight between the heights of the ends.
   void target() {
     if (!line_.target || line_.target->kind != LengthTarget::Kind::tension) return;
     const bool b = !line_.target->at_a;

@@ -1,4 +1,4 @@
-// Sentences about contact of lines with lines.
+// Messages about contact between lines.
 #include "hawser/advice/line_pairs.hpp"
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
-// Proportions of a line type that no section of any material has: of stiffnesses to each other, of diameters,
-// of strength and of the radius that it may be bent to. Mass and EA over the area are in
-// input_line_types.cpp.
+// Proportions of line types that no section of any material has: stiffnesses, diameters, strength and bend
+// radius. Mass and EA over the area: input_line_types.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,7 +23,7 @@ class Proportions {
       : c_(c), t_(t), key_("line_types." + t.name), out_(out) {}
 
   void run() {
-    // Where mass, diameter and EA do not fit each other already, the rest follows from that.
+    // If mass, diameter and EA are already inconsistent, the rest is a consequence.
     const auto known = [this](const InputWarning& d) { return d.key == key_; };
     if (std::any_of(out_.begin(), out_.end(), known)) return;
     if (t_.kind == LineKind::beam) {
@@ -51,14 +50,14 @@ class Proportions {
   std::string hint(const char* key, const std::function<bool(double)>& fits) const {
     return unit_hint(c_, {"line_types", t_.name, key}, fits);
   }
-  // Radius of gyration of the section's stiffness [m].
+  // Radius of gyration of the bending stiffness [m].
   double gyration(double EI) const { return std::sqrt(EI / t_.EA); }
 
-  // The stiffness of a section is at most D/2 from its axis: EI2 + EI3 = sum of E A r² <= EA D²/4. A bundle
-  // of loose wires of diameter d has EI = EA d²/16, and none has more than 10^4 of them: d >= D/125.
+  // All stiffness is within D/2 of the axis: EI2 + EI3 = sum of E A r² <= EA D²/4. A bundle of loose wires of
+  // diameter d has EI = EA d²/16, with at most 10^4 wires: d >= D/125.
   void bending() {
-    // EA of spiral ropes and hoses is that of their lay, below that of their material; rods of benchmarks and
-    // hulls that are made lines have up to 12 times that. A kN for a N makes 1000.
+    // EA of spiral ropes and hoses is reduced by their lay; benchmark rods and hulls modelled as lines reach
+    // 12 times the bound. kN in place of N makes a factor of 1000.
     constexpr double kGive = 13;
     const double D = t_.outer_diameter, EI = 0.5 * (t_.EI2 + t_.EI3);
     const double most = kGive * D * D / 8, least = std::pow(D / 125, 2) / 16;
@@ -76,7 +75,7 @@ class Proportions {
            EI, t_.EA, 4000 * gyration(EI), D, hint("EI", fits));
   }
 
-  // Of a round section GJ/EI = 1/(1 + nu) = 0.67 to 1; helical armour makes that up to 300.
+  // Round sections have GJ/EI = 1/(1 + nu) = 0.67 to 1; helical armour increases it up to 300.
   void torsion() {
     const double EI = 0.5 * (t_.EI2 + t_.EI3), least = 0.05, most = 500;
     if (between(t_.GJ / EI, least, most)) return;
@@ -91,7 +90,7 @@ class Proportions {
          t_.GA, t_.GA / t_.EA, hint("GA", [&](double x) { return between(x / t_.EA, 1e-4, 1); }));
   }
 
-  // The strain of the outer fibre where tables of bending end.
+  // Strain of the outer fibre at the end of bending tables.
   void curvatures() {
     double last = 0;  // 1/m
     const char* key = "EI";
@@ -108,7 +107,7 @@ class Proportions {
          last, strain, t_.outer_diameter);
   }
 
-  // Strain at which it breaks, were it linear: steel 0.2 % and more, nylon 40 %.
+  // Linear breaking strain: steel 0.2 % and more, nylon 40 %.
   void strength() {
     if (!(t_.breaking_load > 0) || t_.tension_table) return;
     const double strain = t_.breaking_load / t_.EA, least = 5e-4, most = 1;
@@ -120,8 +119,7 @@ class Proportions {
          t_.breaking_load, t_.EA, 100 * strain, of_load);
   }
 
-  // Metals are as dense as this, and none of them is as soft; chains are 30 GPa over this diameter, wire
-  // ropes 50.
+  // Metals reach this density, and none is so soft; chains have 30 GPa over this diameter, wire ropes 50.
   void softness() {
     constexpr double kDense = 3500, kSoft = 1e8;  // kg/m³, Pa
     const double D = t_.outer_diameter, area = M_PI / 4 * D * D;
@@ -150,7 +148,7 @@ class Proportions {
     return v && v->given;
   }
 
-  // In diameters: ropes and hoses 2 to 20, steel pipes 100 to 300 (a strain of 0.2 to 0.5 %).
+  // In diameters: ropes and hoses 2 to 20, steel pipes 100 to 300 (strains of 0.2 to 0.5 %).
   void bend_radius() {
     if (!(t_.minimum_bend_radius > 0)) return;
     const double ratio = t_.minimum_bend_radius / t_.outer_diameter, least = 0.5, most = 2000;
@@ -160,7 +158,7 @@ class Proportions {
          hint("minimum_bend_radius", [&](double x) { return between(x / t_.outer_diameter, least, most); }));
   }
 
-  // Of a pipe that no code judges.
+  // For pipes without code checks.
   void wall() {
     if (t_.steel || !given("pipe") || !(t_.wall_diameter > t_.inner_diameter)) return;
     const double slender = t_.wall_diameter / (0.5 * (t_.wall_diameter - t_.inner_diameter));

@@ -1,4 +1,4 @@
-// Sentences about elements that are too long.
+// Messages about elements that are too long.
 #include "hawser/advice/long_elements.hpp"
 
 #include <fmt/format.h>
@@ -8,8 +8,7 @@
 namespace hawser::advice {
 namespace {
 
-// States an error as a share of the largest value. The estimates hold for small errors only; from 50 % on no
-// number is given.
+// Error as a percentage of the largest value. The estimates are asymptotic; from 50 % on no number is given.
 std::string off_by(double share) {
   return share < 0.5 ? fmt::format("by about {:.2g} % of the largest", 100 * share)
                      : "by half of the largest and more";

@@ -1,4 +1,4 @@
-// Sentences about triangle meshes.
+// Messages about triangle meshes.
 #include "hawser/advice/meshes.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ std::string many(int n, const char* one, const char* more) {
   return fmt::format("{} {}", n, n == 1 ? one : more);
 }
 
-// What makes a mesh unclean, as nouns.
+// Faults of a mesh, as nouns.
 std::string faults_of(const MeshReport& found) {
   std::vector<std::string> faults;
   if (found.open_edges > 0) faults.push_back(many(found.open_edges, "open edge", "open edges"));

@@ -1,4 +1,4 @@
-// Sentences of `hawser modes`, `hawser stiffness` and `hawser check --radiation`.
+// Messages of `hawser modes`, `hawser stiffness` and `hawser check --radiation`.
 #include "hawser/advice/modes.hpp"
 
 #include <fmt/format.h>

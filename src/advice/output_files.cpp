@@ -1,4 +1,4 @@
-// Sentences about files that a run would write.
+// Messages about output files.
 #include "hawser/advice/output_files.hpp"
 
 #include <fmt/format.h>

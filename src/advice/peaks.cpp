@@ -1,4 +1,4 @@
-// Sentences about largest tensions.
+// Messages about peak tensions.
 #include "hawser/advice/peaks.hpp"
 
 #include <fmt/format.h>

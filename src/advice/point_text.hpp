@@ -1,4 +1,4 @@
-// A place in a sentence.
+// Text of a point.
 #pragma once
 
 #include <fmt/format.h>

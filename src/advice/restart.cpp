@@ -1,4 +1,4 @@
-// Sentences about runs that continue from a checkpoint.
+// Messages about runs that continue from a checkpoint.
 #include "hawser/advice/restart.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Sentences about a run as a whole.
+// Messages about a run.
 #include "hawser/advice/run.hpp"
 
 #include <fmt/format.h>

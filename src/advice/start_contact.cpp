@@ -1,4 +1,4 @@
-// Sentences about lines beside volumes at the start, with what helps.
+// Messages about lines near volumes at the start, with remedies.
 #include "hawser/advice/start_contact.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +8,8 @@
 namespace hawser::advice {
 namespace {
 
-// Next to a held end whose stretch without contact is too short, that; else where the line starts.
+// Remedy: a longer stretch without contact at a held end if one is given but too short, else another start
+// shape.
 std::string remedy(const model::Line& line, const InsideVolume& s) {
   const double length = s.length;
   for (const bool b : {false, true}) {

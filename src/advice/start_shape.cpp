@@ -1,4 +1,4 @@
-// Sentences about start shapes.
+// Messages about start shapes.
 #include "hawser/advice/start_shape.hpp"
 
 #include <fmt/format.h>

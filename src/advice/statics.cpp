@@ -1,4 +1,4 @@
-// Sentences about static equilibrium.
+// Messages about static equilibrium.
 #include "hawser/advice/statics.hpp"
 
 #include <fmt/format.h>

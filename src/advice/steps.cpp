@@ -1,4 +1,4 @@
-// Sentences about steps that cannot be taken.
+// Messages about rejected steps.
 #include "hawser/advice/steps.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ std::string lost_in_rounding(const LostInRounding& at) {
       at.line, 100 * at.share, at.EA, at.sufficient);
 }
 
-// One clause for each kind of finding.
+// One clause per kind of finding.
 struct Clause {
   std::string operator()(std::monostate) const { return {}; }
   std::string operator()(const Imbalance& at) const {

@@ -1,4 +1,4 @@
-// Where a line would lie on its supports, which of them is out of line with the others, and the sentences.
+// Path of a line over its supports, the support that is out of line with the others, and the messages.
 #include "hawser/advice/supports.hpp"
 
 #include <fmt/format.h>
@@ -12,8 +12,8 @@
 namespace hawser::advice {
 namespace {
 
-// On the way of a line over its supports, in space: the end from which it goes overboard, which has the box
-// after it, and where it lies on each.
+// A point on the path of a line over its supports, in space: the end at the tensioner, which has the box
+// after it, and the resting point on each box.
 struct Stop {
   Vec3 at, along, up;  // m; unit
   const model::SupportBox* box;
@@ -42,8 +42,8 @@ std::vector<Stop> way_over_supports(const model::Case& c, const model::Line& lin
   return way;
 }
 
-// m, of a stop above where the others lead: the cubic through its two neighbours in their directions, at
-// either end of the way on from there as it turns between the nearest two. Of three at least.
+// Height [m] of a point above the path of the others, at least three: for interior points the cubic Hermite
+// curve through both neighbours; for end points an arc with the curvature between the nearest two.
 double above_the_others(const std::vector<Stop>& way, size_t k) {
   const Stop& here = way[k];
   if (k > 0 && k + 1 < way.size()) {

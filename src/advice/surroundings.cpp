@@ -1,4 +1,4 @@
-// Whether water, bed, waves and the time that is run fit each other and what the lines are in.
+// Consistency of water, bed, waves and duration with each other and with the lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ void dry_bed(const Case& c, std::vector<InputWarning>& out) {
                 bed.surface ? "; 'depths: true' is for a grid that counts downwards" : "");
 }
 
-// Waves break where they are as high as the water is deep.
+// Waves break when their height reaches the water depth.
 void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool spectrum = w.waves.kind == Waves::Kind::spectrum;
@@ -45,8 +45,8 @@ void shallow_waves(const Case& c, std::vector<InputWarning>& out) {
               w.waves.height, w.waves.height / w.depth, w.depth);
 }
 
-// What a table of a spectrum adds up to: 4 sqrt(m0) m and its peak, against the steepest seas (DNV-RP-C205
-// 3.5.4, 1/15 at 8 s and below) and the longest swell.
+// Significant height 4 sqrt(m0) [m] and peak of a tabulated spectrum, compared with the steepest seas
+// (DNV-RP-C205 3.5.4, 1/15 at 8 s and below) and the longest swell.
 void spectrum_rows(const Case& c, std::vector<InputWarning>& out) {
   const Waves& w = c.environment.water.waves;
   if (w.kind != Waves::Kind::table) return;
@@ -67,7 +67,7 @@ void spectrum_rows(const Case& c, std::vector<InputWarning>& out) {
                        : "which would break");
 }
 
-// What starts over a time that the run does not reach, and motion that no run shows.
+// Ramps longer than the run, and waves without dynamics.
 void short_period_motion(const Case& c, std::vector<InputWarning>& out) {
   const Water& w = c.environment.water;
   const bool waves = w.waves.kind != Waves::Kind::none;

@@ -1,4 +1,4 @@
-// In which other unit a number that was written without one would be plausible.
+// Hints of a unit in which a bare number would be plausible.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 
 namespace hawser::advice {
 
-// "; is it in kN? ('900 kN')" for the first unit that fits, by the SI value that the number then has. Empty:
-// none does, or the number has its unit.
+// "; is it in kN? ('900 kN')" for the first unit whose SI value satisfies `fits`. Empty: none does, or the
+// number has a unit.
 std::string unit_hint(const model::Value& v, model::Dimension d, const std::function<bool(double)>& fits);
-// The same of the value at these keys, one below the other: {"line_types", "chain", "EA"}.
+// The same for the value at nested keys: {"line_types", "chain", "EA"}.
 std::string unit_hint(const model::Case& c, const std::vector<std::string>& keys,
                       const std::function<bool(double)>& fits);
 

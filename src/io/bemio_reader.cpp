@@ -1,6 +1,6 @@
-// BEMIO's HDF5 (WEC-Sim user manual, "BEMIO"): a group for each body, values over rho, rho omega and rho g
-// where simulation_parameters/scaled is 0, matrices by freedom, then frequency; phases are leads, as WAMIT's,
-// moments about the centre of gravity.
+// Reader of BEMIO's HDF5 (WEC-Sim user manual, "BEMIO"): one group per body; values over rho, rho omega and
+// rho g if simulation_parameters/scaled is 0; matrices by freedom, then frequency; phases are leads, as
+// WAMIT's; moments are about the centre of gravity.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -66,7 +66,7 @@ class BemioFile {
   std::vector<size_t> order_;
 };
 
-// rho, rho omega and rho g of what the file has over them.
+// Factors rho, rho omega and rho g of values that the file has in scaled form.
 struct Scales {
   double density = 1, damping_by_omega = 0, damping = 0, force = 1;
 };
@@ -139,7 +139,7 @@ void read_hydrostatics(const BemioFile& file, const Scales& scale, HydrodynamicD
     file.refuse("'linear_restoring_stiffness' has entries that are no numbers");
 }
 
-// Forces by direction of the parts `re` and `im` of each body; im may be none.
+// Forces by direction from the datasets `re` and `im` of each body; im may be empty.
 std::vector<WaveForceTable> force_tables(const BemioFile& file, const HydrodynamicForm& form, double scale,
                                          const std::string& re, const std::string& im, int bodies,
                                          const std::string& path) {

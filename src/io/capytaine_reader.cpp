@@ -1,6 +1,6 @@
-// Capytaine's NetCDF (user manual, "Export outputs", "Conventions", "Hydrostatics"): amplitudes with
-// exp(-i omega t), so that its forces are the conjugates of those of WAMIT, directions in rad, values in SI
-// units for the density and gravity of the file, the weight of the body in its hydrostatic stiffness.
+// Reader of Capytaine's NetCDF (user manual, "Export outputs", "Conventions", "Hydrostatics"): amplitudes
+// with exp(-i omega t), so that forces are conjugates of WAMIT's; directions in rad; SI values for the
+// density and gravity of the file; hydrostatic stiffness including the body's weight.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -42,21 +42,21 @@ class CapytaineFile {
     if (v.values.empty()) refuse(fmt::format("variable '{}' has no numbers", name));
     return v.values;
   }
-  // Of a constant, or of a variable along a dimension of one.
+  // Value of a constant, or of a variable along a dimension of length one.
   double number(const std::string& name) const {
     const std::vector<double>& values = numbers(name);
     if (std::any_of(values.begin(), values.end(), [&](double x) { return x != values.front(); }))
       refuse(fmt::format("has several values of '{}': export a dataset with one of them", name));
     return values.front();
   }
-  // The dimension that frequencies are along: 'omega', or another variable that the dataset was made by.
+  // Dimension of frequencies: 'omega', or another variable by which the dataset was made.
   const std::string& frequencies() const {
     const NetcdfVariable& v = at("omega");
     if (v.dimensions.size() != 1) refuse("variable 'omega' is not along one dimension");
     return v.dimensions.front();
   }
 
-  // Values of a variable by the places along named dimensions; others have one place.
+  // Values of a variable by indices along named dimensions; other dimensions must have length one.
   class View {
    public:
     View(const CapytaineFile& file, const std::string& name, const std::vector<std::string>& dimensions)
@@ -95,8 +95,8 @@ class CapytaineFile {
   std::map<std::string, NetcdfVariable> variables_;
 };
 
-// The mode, from 0, that each place along a dimension of freedoms is: -1 of those that are none of a rigid
-// body. Of several bodies names are BODY__Heave, and bodies are numbered as they come.
+// Mode, from 0, of each index along a dimension of freedoms; -1 for non-rigid modes. With several bodies
+// names are BODY__Heave, and bodies are numbered in order of appearance.
 std::vector<int> modes_along(const CapytaineFile& file, const std::string& name,
                              std::vector<std::string>& bodies) {
   const std::vector<std::string>& texts = file.at(name).texts;
@@ -150,7 +150,7 @@ Eigen::MatrixXd matrix_of(const CapytaineFile::View& view, const Freedoms& f, in
   return m;
 }
 
-// Where the panel method failed there are entries that are no numbers.
+// Entries are NaN where the panel method failed.
 void note_excluded(const std::string& path, const char* what, const std::vector<double>& omega,
                    std::vector<std::string>& notes) {
   if (!omega.empty())
@@ -196,8 +196,8 @@ void read_radiation(const CapytaineFile& file, const Freedoms& f, double scale, 
     file.refuse("has fewer than two finite frequencies above 0, and memory needs a range of them");
 }
 
-// The stiffness, and the moments m g (x, y, z) of the weight in it by the inertia about the same point:
-// M15 = m z, M26 = m x, M16 = -m y.
+// The stiffness, and the moments m g (x, y, z) of the weight that it includes, from the inertia about the
+// same point: M15 = m z, M26 = m x, M16 = -m y.
 void read_hydrostatics(const CapytaineFile& file, const Freedoms& f, double scale, double gravity,
                        HydrodynamicData& data) {
   if (!file.has("hydrostatic_stiffness"))

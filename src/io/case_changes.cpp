@@ -1,5 +1,4 @@
-// How the key of a change is followed through the document and the schema at once, and what is said where it
-// leads nowhere.
+// Look-up of a changed key in the document and the schema at once, and messages for keys that do not exist.
 #include "hawser/io/case_changes.hpp"
 
 #include <fmt/format.h>
@@ -22,7 +21,7 @@ using Type = Key::Type;
 using Kind = Value::Kind;
 
 struct Step {
-  std::string name;  // empty: a place in a list
+  std::string name;  // empty: an index of a list
   std::size_t index = 0;
 };
 
@@ -45,7 +44,7 @@ class Change {
     mark(value_);
   }
 
-  // Makes it and returns the note.
+  // Applies the change and returns its note.
   std::string make(Value& root) {
     Value* parent = nullptr;
     Value* at = &root;
@@ -82,7 +81,7 @@ class Change {
                      fmt::format(why, std::forward<Args>(args)...));
   }
 
-  // As the value of a key, which the search for the likely mistake knows best.
+  // Parses the value as that of a key, for the hints of the YAML parser.
   std::string why_no_value() const {
     try {
       parse_yaml("value: " + given_ + "\n", "");
@@ -98,7 +97,7 @@ class Change {
     for (Value& x : v.items) mark(x);
   }
 
-  // key_ into steps_
+  // Splits key_ into steps_.
   void read_steps() {
     std::size_t at = 0;
     const auto wrong = [&](const std::string& why) {
@@ -126,7 +125,7 @@ class Change {
     if (key_.back() == '.') wrong("the key ends with a '.'");
   }
 
-  // Of the alternatives of a key the one that the step goes into.
+  // The alternative of a key into which the step leads.
   static const Key& form(const Key& key, const Step& step) {
     if (key.type != Type::one_of) return key;
     for (const Key& k : key.keys) {

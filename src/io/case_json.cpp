@@ -1,4 +1,4 @@
-// The JSON of a case: its tree once as it is written, once as it was read, and its line types.
+// JSON of a case: its tree as written and as read, and its line types.
 #include "hawser/io/case_json.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +20,7 @@ using model::Key;
 using model::Value;
 using Kind = Value::Kind;
 
-// The elements of an array or an object.
+// Builder of an array or an object.
 class Elements {
  public:
   explicit Elements(char open) : text_(1, open) {}

@@ -1,5 +1,5 @@
-// The checked tree of a case file into model::Case. Form, units, references and defaults are the
-// schema's; here are names for numbers, and what takes the knowledge of whether a key was given.
+// Conversion of the checked tree of a case file to model::Case. Form, units, references and defaults belong
+// to the schema; this file resolves names and handles keys whose presence matters.
 #include "hawser/io/case_reader.hpp"
 
 #include <fmt/format.h>
@@ -28,8 +28,8 @@ using model::Case;
 using model::Value;
 namespace fs = std::filesystem;
 
-// First what the schema binds to fields, then by hand what is more than copying: files, what depends on other
-// parts of the case, and what is made of several keys.
+// First copies the keys that the schema binds to fields, then handles files, dependencies on other parts of
+// the case, and values made from several keys.
 void read_all(const Value& root, const CaseSource& source, const SectionLengths& lengths, Case& c) try {
   model::take(root, c);
   finish_environment(root["environment"], source, c.environment, c.notes);
@@ -41,11 +41,11 @@ void read_all(const Value& root, const CaseSource& source, const SectionLengths&
   model::fail(source.file, r.line, r.where, r.what());
 }
 
-// What can only be judged when all of it is read.
+// Checks that need the complete case.
 void examine(Case& c) {
   for (const model::Issue& i : model::check(c)) c.refuse(i.key, i.text);
   check_bed(c);
-  // What can change all results first, then what the reader has noted, then the rest.
+  // Order: notes on faults that can change all results, then the reader's notes, then the rest.
   using advice::Effect;
   std::vector<std::string> notes = advice::input_notes(c, Effect::all, Effect::all);
   notes.insert(notes.end(), c.notes.begin(), c.notes.end());
@@ -81,7 +81,7 @@ Case read_document(const std::string& text, const std::string& path, const ReadP
 
 }  // namespace
 
-// Platforms come before what the file itself has, which may be tied to them.
+// Platforms come first because objects of the file itself may be attached to them.
 void read_things(const Value& root, const Value* whole, const CaseSource& source,
                  const SectionLengths& lengths, bool sea, Case& c) {
   const std::size_t bodies = c.bodies.size(), volumes = c.volumes.size(), lines = c.lines.size(),
@@ -89,7 +89,7 @@ void read_things(const Value& root, const Value* whole, const CaseSource& source
   const Value& types = root["line_types"];
   for (std::size_t i = 0; i < types.items.size(); ++i) {
     const auto same = [&](const model::LineType& t) { return t.name == types.keys[i]; };
-    if (std::any_of(c.line_types.begin(), c.line_types.end(), same)) continue;  // the farm's file has it too
+    if (std::any_of(c.line_types.begin(), c.line_types.end(), same)) continue;  // also in the farm's file
     const model::LineType& t =
         c.line_types.emplace_back(read_line_type(types.keys[i], types.items[i], c.environment));
     if (t.kind == model::LineKind::cable && t.minimum_bend_radius > 0)
@@ -150,7 +150,7 @@ model::Case read_case_text(const std::string& text, const std::string& path,
   try {
     return read_document(text, path, read_progress, comm, changes);
   } catch (const InputError& e) {
-    // What is wrong may be in another line of the file than what was changed.
+    // The fault may be on another line than the change.
     const std::string why = e.what();
     if (changes.empty() || why.find("--set") != std::string::npos) throw;
     throw InputError("{} (the case is changed by --set {})", why, fmt::join(changes, " --set "));

@@ -1,4 +1,4 @@
-// A seabed that is a grid of heights or a mesh, from a file.
+// Reader of a seabed grid or mesh, and checks of lines against the bed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 using model::refuse;
 using model::Value;
 
-// Ascending coordinates, those nearer than a millionth of the whole taken for one.
+// Distinct coordinates in ascending order; differences below a millionth of the range are rounding.
 std::vector<double> distinct(std::vector<double> t) {
   std::sort(t.begin(), t.end());
   const double same = 1e-6 * (t.back() - t.front());
@@ -146,7 +146,7 @@ void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& b
     const MeshView t = mesh->mesh();
     low = std::numeric_limits<double>::infinity();
     high = -low;
-    for (size_t i = 0; i < t.vertices.size() / 2; ++i) {  // the other half is the floor
+    for (size_t i = 0; i < t.vertices.size() / 2; ++i) {  // the other half is the bottom of the closed volume
       low = std::min(low, t.vertices[i].z());
       high = std::max(high, t.vertices[i].z());
     }
@@ -160,10 +160,10 @@ void read_bed_surface(const Value& v, const CaseSource& source, model::Seabed& b
 
 namespace {
 
-constexpr double kKnownHeight = 0.1;  // m, to which surveys know the height of a bed
+constexpr double kKnownHeight = 0.1;  // m, accuracy of seabed surveys
 
-// How deep the axis of a line may start [m]: on or in the soil that it may be pressed into, and what a bed's
-// height is known to.
+// Largest depth of a line's axis below the bed at the start [m]: on the soil or pressed into it, plus the
+// accuracy of the bed's height.
 double deepest_start(const model::Case& c, const model::LineType& t) {
   constexpr double kPressed = 3;  // times the weight
   return kKnownHeight + t.contact_diameter +
@@ -171,7 +171,7 @@ double deepest_start(const model::Case& c, const model::LineType& t) {
                                   t.contact_diameter);
 }
 
-// Places of a line that the case gives, against the bed.
+// Checks of given positions of a line against the bed.
 class BedCheck {
  public:
   explicit BedCheck(model::Case& c) : c_(c), bed_(c.environment.seabed) {}
@@ -191,9 +191,9 @@ class BedCheck {
   }
 
  private:
-  static constexpr double kRounded = 0.02;  // m under the bed, what a rounded depth of the water may leave
+  static constexpr double kRounded = 0.02;  // m below the bed, allowed for a rounded water depth
 
-  // No bed under a line is as large, one in mm taken for m is, nor as small as the line is thick.
+  // Upper limit: a bed in mm read as m. Lower limit: the thickness of the line.
   void size() const {
     constexpr SizeLimits kSizes{1e6, 1, std::numeric_limits<double>::infinity()};
     const double size =
@@ -203,8 +203,7 @@ class BedCheck {
     if (const std::string odd = other_units(size, kSizes, c_); !odd.empty())
       c_.refuse(fmt::format("environment.seabed.{}.file", kind), "{}: the bed {}", bed_.file, odd);
   }
-  // A smooth surface through a step of the ground has a hollow below it and a rise above it that no one
-  // measured.
+  // A smooth surface through a step of the ground overshoots below and above it.
   void steps() const {
     const HeightGrid::Overshoot o = grid_->overshoot();
     if (o.by < kKnownHeight) return;
@@ -215,7 +214,8 @@ class BedCheck {
         "across the step, or a mesh",
         bed_.file, o.by, o.above ? "above" : "below", o.at.x(), o.at.y()));
   }
-  // Whether a share of the line's length is in the soil or where it comes out of it.
+  // True if a place, given as a fraction of the line's length, is in the soil or at the end of a buried
+  // stretch.
   static bool buried(const model::Line& line, double share) {
     const double length = model::length_of(line), s = share * length, near = 1e-3 * length;
     return std::any_of(line.buried.begin(), line.buried.end(),
@@ -250,7 +250,7 @@ class BedCheck {
                                                                        : ".at");
     const model::LineType& type = c_.line_type(section.type);
     if (e.kind != model::EndKind::anchor) return place(where, x, type, deepest_start(c_, type));
-    // The bed gives way to an anchor (model::bed_at_end), on a small part of the line.
+    // The bed is lowered at an anchor (model::bed_at_end) along a small part of the line.
     constexpr double kPart = 0.01;
     const double deep = -model::height_above_bed(bed_, x);
     place(where, x, type, std::max(deepest_start(c_, type), kPart * model::length_of(line)));
@@ -260,7 +260,7 @@ class BedCheck {
           "the height of the seabed there, or the length that is 'buried'",
           where, deep, model::bed_at_end(c_, line, &e == &line.end_b, 0).length));
   }
-  // A line that starts by itself goes straight from its end in the soil to the bed.
+  // A line with an automatic start shape is straight from its end in the soil to the bed.
   void reaches(const model::Line& line, const model::End& e, const Vec3& x) const {
     if (!line.starts_by_itself()) return;
     const bool a = &e == &line.end_a;
@@ -271,7 +271,7 @@ class BedCheck {
       c_.refuse(key, "{:.4g} m of line do not reach the seabed, which is {:.4g} m above its end", length,
                 deep);
   }
-  // The bed would throw out what starts deeper than `most` [m].
+  // Refuses positions deeper than `most` [m], which bed contact would expel.
   void place(const std::string& key, const Vec3& x, const model::LineType& type, double most) const {
     const double deep = -model::height_above_bed(bed_, x);
     if (covers(x) && deep > most)

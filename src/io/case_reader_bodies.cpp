@@ -1,4 +1,4 @@
-// What is more than copying in an entry of `bodies`: motion from files and rows, and what goes by the sea.
+// Entries of `bodies`: motion from files and rows, hydrodynamics, and settings that depend on the sea.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -61,7 +61,7 @@ auto reader_of(model::BodyHydrodynamics::Format format) {
   return read_wamit;
 }
 
-// Where the files tell the body's mass centre, by the weight in their stiffness.
+// Compares the centre of mass implied by the weight in the files' stiffness with that of the body.
 void compare_centre(const Vec3& weight, const model::BodyMass& m, const model::Environment& e,
                     const std::string& key, std::vector<std::string>& notes) {
   constexpr double kSame = 0.05;
@@ -75,7 +75,7 @@ void compare_centre(const Vec3& weight, const model::BodyMass& m, const model::E
         key, centre.x(), centre.y(), centre.z(), m.centre.x(), m.centre.y(), m.centre.z()));
 }
 
-// Rows of a period and the diagonal or all of the matrix of surge, sway and yaw; kept by growing frequency.
+// Rows of a period and the diagonal or full matrix of surge, sway and yaw; stored by increasing frequency.
 void read_drift_damping(const Value& v, const CaseSource& source, model::BodyHydrodynamics& h) {
   const auto [at, rows] = read_input_rows(v, source);
   std::map<double, Mat3> by_omega;
@@ -96,7 +96,7 @@ void read_drift_damping(const Value& v, const CaseSource& source, model::BodyHyd
   h.drift_damping.assign(by_omega.begin(), by_omega.end());
 }
 
-// The files of a body's coefficients, read once.
+// Reads the files of a body's coefficients, once per file.
 void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b, model::Case& c) {
   model::BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const Value& files = v[h.key()];
@@ -137,7 +137,7 @@ void read_hydrodynamics(const Value& v, const CaseSource& source, model::Body& b
     compare_centre(*h.data->weight[body], *b.mass, c.environment, "bodies." + b.name + ".floating", c.notes);
 }
 
-// Rows of t, force and maybe moment.
+// Rows of time, force and optionally moment.
 void read_load_table(const Value& table, const CaseSource& source, model::BodyLoad& load) {
   const InputRows given = read_input_rows(table, source);
   const auto& [at, rows] = given;

@@ -1,4 +1,4 @@
-// The sea, its bed, and what lines are in it, from the checked tree.
+// Sea and seabed, and properties of lines in water, from the checked tree.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using model::refuse;
 using model::refuse_key;
 using model::Value;
 
-// Rows of t and factor, from a file or written there.
+// Rows of time and factor, from a file or the case.
 TimeFactor read_time_factor(const Value& v, const CaseSource& source) {
   const InputRows given = read_input_rows(v, source);
   const auto& [at, rows] = given;
@@ -43,7 +43,7 @@ void finish_current(const Value& v, double water_depth, const CaseSource& source
       refuse(v["profile"].items[i]["depth"], "rows go downwards, but {:g} m comes after {:g} m", here, above);
 }
 
-// Rows of a spectrum; the period [s] of its peak.
+// Rows of a spectrum; returns its peak period [s].
 double read_spectrum(const Value& s, const CaseSource& source, model::Waves& w) {
   const auto [at, rows] = read_input_rows(s, source);
   const double unit = s["frequency"].number;
@@ -109,7 +109,7 @@ void check_stokes(const Value& v, const model::Environment& e, std::vector<std::
                     ".current: lines feel it beside 'environment.current', which does not change the wave");
 }
 
-// DNV-RP-C205, 3.5.4: steepness 2 pi Hs/(g Tp²) of the steepest seas, straight between 8 and 15 s.
+// Steepness limit 2 pi Hs/(g Tp²) of DNV-RP-C205, 3.5.4, linear between 8 and 15 s.
 void check_sea_steepness(const Value& v, const model::Environment& e, std::vector<std::string>& notes) {
   const model::Waves& w = e.water.waves;
   if (w.kind != model::Waves::Kind::spectrum) return;
@@ -124,7 +124,7 @@ void check_sea_steepness(const Value& v, const model::Environment& e, std::vecto
         w.height * steepest / steepness));
 }
 
-// Linear theory goes on where a wave would break (Miche 1944).
+// Linear theory has no breaking limit (Miche 1944).
 void check_steepness(const model::Environment& e, std::vector<std::string>& notes) {
   const model::Waves& w = e.water.waves;
   if (w.kind != model::Waves::Kind::regular && w.kind != model::Waves::Kind::components) return;
@@ -183,8 +183,8 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
     const Value& given = bore ? (*c)["inner_diameter"] : v["pipe"];
     if (t.inner_diameter >= t.outer_diameter)
       refuse(given, "{:g} m is not inside the outside of {:g} m", t.inner_diameter, t.outer_diameter);
-    // The bore is inside of what the line displaces, or its contents would weigh in the water though they
-    // displace none.
+    // The bore must lie inside the displaced volume; otherwise its contents would have weight in water
+    // without buoyancy.
     if (t.inner_diameter >= t.displaced_diameter)
       refuse(given, "a bore of {:g} m does not fit into the {:.4g} m that the line displaces{}",
              t.inner_diameter, t.displaced_diameter,
@@ -196,7 +196,7 @@ void finish_in_water(const Value& v, const model::Water& water, model::LineType&
     t.mass_per_length += t.contents_density * M_PI / 4 * t.inner_diameter * t.inner_diameter;
   }
   if (const Value* g = v.find("marine_growth")) {
-    // Around the outside, whatever part of that displaces water.
+    // Marine growth is added to the outer diameter, independent of the displaced diameter.
     const double d = t.outer_diameter, D = d + 2 * (*g)["thickness"].number,
                  area = M_PI / 4 * (D * D - d * d);
     t.mass_per_length += (*g)["density"].number * area;

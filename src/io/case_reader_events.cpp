@@ -1,5 +1,4 @@
-// What is more than copying in an entry of `events`: keys that go together, and arc lengths by the length of
-// the line.
+// Entries of `events`: combinations of keys, and arc lengths relative to the line's length.
 #include "hawser/io/case_values.hpp"
 
 namespace hawser::io {

@@ -1,7 +1,7 @@
-// `farm`: each platform file is read once into a case of its own. Its bodies, lines and so on are then copied
-// to each place (model/place_platform.cpp). Motions in waves and start shapes of other runs depend on the
-// place: they are read for each copy. Environment, contact, statics, dynamics, events and output are those of
-// the farm's file.
+// `farm`: each platform file is read once into a case of its own, whose bodies, lines and other objects are
+// copied to each place (model/place_platform.cpp). Motions in waves and start shapes from other runs depend
+// on the place and are read for each copy. Environment, contact, statics, dynamics, events and output are
+// those of the farm's file.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,13 +29,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double kHeadingUnit = M_PI / 180;  // rad, of headings in lists and files
+constexpr double kHeadingUnit = M_PI / 180;  // rad, for headings in lists and files
 constexpr size_t kMostPlaces = 100'000;
 constexpr double kFarthestPlace = 1e6;  // m from the origin
 constexpr double kSamePlace = 1e-3;     // m
 
-// Splits a change "farm.of.KEY=VALUE" or "farm[1].of.KEY=VALUE" into the number of the platform and
-// KEY=VALUE, which is empty for other changes.
+// Splits a change "farm.of.KEY=VALUE" or "farm[1].of.KEY=VALUE" into the index of the platform and KEY=VALUE,
+// which is empty for other changes.
 std::pair<size_t, std::string> platform_change(const std::string& change) {
   constexpr std::string_view kFarm = "farm", kOf = ".of.";
   if (!change.starts_with(kFarm)) return {};
@@ -52,7 +52,7 @@ std::pair<size_t, std::string> platform_change(const std::string& change) {
   return {number, change.substr(at + kOf.size())};
 }
 
-// The keys of `farm` alone, checked: its names are what references of the other keys may mean.
+// Checks the keys of `farm` alone, because references in other keys may use its names.
 Value checked(const Value& root, const std::string& file) {
   static const model::Key only = [] {
     const auto& keys = model::case_schema().keys;
@@ -118,7 +118,7 @@ class Places {
       }
   }
 
-  // row: x, y [m] and maybe heading [deg]; where: its line in a file of places, for messages.
+  // row: x, y [m] and optionally heading [deg]; where: its line in a file of places, for messages.
   void add(const Value& v, const std::string& name, const std::vector<double>& row,
            const std::string& where = "") {
     FarmPlace place{name, row[0], row[1], row.size() > 2 ? row[2] * kHeadingUnit : heading_};
@@ -144,7 +144,7 @@ class Places {
   std::map<std::pair<long long, long long>, std::string> known_;
 };
 
-// The document of a platform, changed and checked.
+// Document of a platform, with its changes, checked.
 std::shared_ptr<const Value> document(const Value& of, const FarmPart& part, const std::string& path,
                                       const CaseChanges& changes, const std::vector<std::string>& types,
                                       std::vector<std::string>& change_notes) {
@@ -220,7 +220,7 @@ model::MoreNames names_of(const Farm& farm) {
 
 namespace {
 
-// Refuses a platform file whose sea is not that of the farm: mass and buoyancy of what floats belong
+// Refuses a platform file whose sea differs from the farm's: mass and buoyancy of floating bodies belong
 // together.
 void check_sea(const FarmPart& part, const model::Environment& own, const model::Case& c) {
   if (!(*part.tree)["environment"].given) return;
@@ -241,7 +241,7 @@ void check_sea(const FarmPart& part, const model::Environment& own, const model:
   differs("environment.water.surface", own.water.surface, farm.water.surface, " m");
 }
 
-// Refuses a line type that is another one elsewhere.
+// Refuses a line type that has another definition elsewhere.
 void check_line_types(const FarmPart& part, const model::Case& c) {
   const Value& types = (*part.tree)["line_types"];
   for (size_t i = 0; i < types.items.size(); ++i) {
@@ -256,7 +256,7 @@ void check_line_types(const FarmPart& part, const model::Case& c) {
   }
 }
 
-// Notes the settings of a platform file that the farm does not use, as its own file has others.
+// Notes settings of a platform file that the farm ignores because its own file differs.
 void note_unused(const FarmPart& part, const Value& root, std::vector<std::string>& notes) {
   std::vector<std::string> keys;
   for (const char* key : {"contact", "start", "stages", "events"}) {
@@ -270,7 +270,7 @@ void note_unused(const FarmPart& part, const Value& root, std::vector<std::strin
                                 keys.size() == 1 ? "its" : "their"));
 }
 
-// A platform as its file has it, in the sea of the farm. bed: that of its file.
+// A platform at the position of its file, in the sea of the farm. bed: receives the bed of the file.
 model::Case read_platform(const FarmPart& part, const CaseSource& source, const SectionLengths& lengths,
                           const model::Case& c, model::Seabed& bed) try {
   model::Case p;
@@ -278,7 +278,7 @@ model::Case read_platform(const FarmPart& part, const CaseSource& source, const 
   p.directory = part.directory;
   p.tree = part.tree;
   model::take(*part.tree, p);
-  std::vector<std::string> dropped;  // of a sea that is not there
+  std::vector<std::string> dropped;  // notes on a sea that is not used
   finish_environment((*part.tree)["environment"], source, p.environment, dropped);
   check_sea(part, p.environment, c);
   bed = p.environment.seabed;
@@ -292,7 +292,7 @@ model::Case read_platform(const FarmPart& part, const CaseSource& source, const 
   model::fail(part.file, r.line, r.where, r.what());
 }
 
-// Lengths of sections of one place by their keys in its file.
+// Section lengths of one place by their keys in the platform file.
 SectionLengths lengths_at(const FarmPlace& place, const SectionLengths& lengths) {
   SectionLengths own;
   const std::string kind = "lines.", begin = kind + model::placed_name(place, "");

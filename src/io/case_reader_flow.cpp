@@ -1,4 +1,4 @@
-// Tables of coefficients of wind and current on bodies.
+// Coefficient tables of wind and current on bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 constexpr double kSame = 1e-6;     // deg
-constexpr double kWideGap = 60;    // deg between rows, beyond which straight lines hide a side
-constexpr double kRounded = 1e-6;  // of coefficients that are to be equal or zero
+constexpr double kWideGap = 60;    // deg between rows; wider linear interpolation hides a side of the body
+constexpr double kRounded = 1e-6;  // tolerance of coefficients that should be equal or zero
 
 struct Row {
   double angle = 0;  // deg
@@ -45,7 +45,7 @@ double largest(const std::vector<Row>& rows) {
   return size;
 }
 
-// Rows of 0 to 180 deg (or of the other side) get the other side, as in a mirror.
+// Completes rows of 0 to 180 deg (or of the other side) by their mirror image.
 bool mirror(const Value& at, std::vector<Row>& rows) {
   const double first = rows.front().angle, last = rows.back().angle;
   if (std::abs(last - first - 180) > kSame || std::abs(std::remainder(first, 180)) > kSame) return false;
@@ -82,7 +82,7 @@ void check_gaps(const Value& at, const std::vector<Row>& rows) {
            gap.from, gap.to);
 }
 
-// A flow pushes a body along with it.
+// A flow must push a body in its own direction.
 void check_signs(const Value& at, const model::FlowOnBody& f) {
   for (const double angle : {0.0, 90.0, 180.0, 270.0}) {
     Vec3 C, slope;

@@ -1,4 +1,4 @@
-// `line_types`: from the library, from the case, or from both; a pipe, or by weights (case_reader_pipe.cpp).
+// `line_types`: from the library, from the case, or both; pipes and types by weight: case_reader_pipe.cpp.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ using model::refuse_key;
 using model::Value;
 
 void read_plasticity(const Value& v, model::LineType& t) {
-  constexpr double kStrain = 0.05;  // of the outer fibre: to where a curve is needed
+  constexpr double kStrain = 0.05;  // of the outer fibre: range of the curve
   constexpr int kRows = 21;         // 20 yield circles: within 0.5 % of the curve
   if (!v.has("plasticity")) return;
   const Value& p = v["plasticity"];
@@ -87,7 +87,7 @@ model::LineType read_line_type(const std::string& name, const Value& v, const mo
                    "outer_diameter, mass_per_length (or weight) and EA");
   }
   t.name = name;
-  model::take(v, t, known);  // what the library says goes before defaults
+  model::take(v, t, known);  // library values precede defaults
   finish_in_water(v, sea.water, t);
   if (t.kind == model::LineKind::beam) {
     finish_bending(v, t);

@@ -1,5 +1,5 @@
-// What is more than copying in an entry of `lines`: elements of sections, loads, the shape it starts from,
-// and what goes by its length. All other keys are copied by model/take.cpp, as model/schema_lines.cpp says.
+// Entries of `lines`: elements of sections, loads, start shapes, and arc lengths relative to the line's
+// length. model/take.cpp copies all other keys, as bound in model/schema_lines.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ void finish_buried(const Value& v, double length, const model::Line& l, const mo
   if (!(b.normal_length > 0)) b.normal_length = 0.1 * thick;
 }
 
-// Fewest elements of which none is longer than h: lengths are a geometric series, last over first g.
+// Smallest number of elements no longer than h in a geometric series with ratio g of last to first.
 double elements_for(double length, double h, double g) {
   double n = std::max(1.0, std::ceil(length / h * (1 - 1e-12)));
   const auto longest = [&](double count) {
@@ -95,7 +95,7 @@ void check_temperature_change(const Value& v, const model::Line& l) {
   }
 }
 
-// What is to be met by the length of which section.
+// Length target: the condition, and the section whose length is adjusted.
 void finish_target(const Value& v, const Value& sections, model::LengthTarget& t) {
   if (t.kind == model::LengthTarget::Kind::laid_length && v["at"].given)
     refuse(v["at"], "has no meaning for 'laid_length', which is that of the whole line; remove it");

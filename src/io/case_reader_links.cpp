@@ -1,4 +1,4 @@
-// What is more than copying in an entry of `links`: where its ends are, and curves through tables.
+// Entries of `links`: their ends, and curves through tables.
 #include <stdexcept>
 
 #include "hawser/io/case_values.hpp"
@@ -42,7 +42,7 @@ void finish_link(const Value& v, model::Link& l, const model::Case& c) {
     if (law.tension_only && r.front().second < 0)
       refuse_key(table->items[0], table->where,
                  "row 1 has a tension below 0, but the link is 'tension_only': begin where it goes slack");
-    // The slope at an end is at least a tenth of the secant's, so that it holds on beyond its rows.
+    // End slopes of at least a tenth of the secant's keep the spring stiff beyond its rows.
     constexpr double kLeastSlope = 0.1;
     law.spring = std::make_shared<MonotoneCubic>(std::move(r), std::nullopt, kLeastSlope);
   }

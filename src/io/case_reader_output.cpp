@@ -1,4 +1,4 @@
-// `output`: the names of the file and of what is kept in it.
+// `output`: names of the results file and of its series.
 #include <filesystem>
 
 #include "hawser/io/case_values.hpp"
@@ -18,9 +18,9 @@ void finish_output(const Value& v, const CaseSource& source, model::Case& c) {
   o.file = v.has("file") ? source.absolute(o.file)
                          : (fs::path(c.directory) / fs::path(c.path).stem()).string() + ".h5";
   const std::string extension = fs::path(o.file).extension().string();
-  if (extension != ".h5")  // nor can a case or a mesh be overwritten
+  if (extension != ".h5")  // protects case and mesh files from being overwritten
     refuse(v["file"], "must end in .h5, found " + model::quote(v["file"].text));
-  // What is there is kept under another name, in place of what had that.
+  // Existing results are renamed, replacing an older backup.
   for (const model::Line& l : c.lines)
     for (const std::string& replaced : {o.file, backup_name(o.file)})
       if (std::error_code same; l.previous_shape && fs::equivalent(l.previous_shape->file, replaced, same))

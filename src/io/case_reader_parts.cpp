@@ -1,4 +1,4 @@
-// What several parts of the case reader share: file paths, tables of numbers, and tables of motion.
+// Common parts of the case reader: file paths, tables of numbers and motion tables.
 #include "hawser/io/case_reader_parts.hpp"
 
 #include <fmt/format.h>
@@ -109,10 +109,10 @@ void check_time(const InputRows& given, size_t i) {
 
 namespace {
 
-// Of what a column spans: a sine of eleven rows a period and more stays within it.
+// Fraction of a column's range; a sine with eleven or more rows per period stays within it.
 constexpr double kOvershoot = 0.02;
 
-// The furthest that a spline goes beyond the rows on either side.
+// Notes the largest overshoot of a spline beyond its neighbouring rows.
 void note_overshoot(const model::TableMotion& m, const std::string& key, std::vector<std::string>& notes) {
   struct Column {
     const std::vector<Vec3>& rows;

@@ -1,5 +1,5 @@
-// Line types by how they are made or weighed: a pipe by its walls and coatings, a hose or an umbilical by the
-// weights of its data sheet.
+// Line types by construction or weight: pipes by walls and coatings, hoses and umbilicals by the weights of
+// their data sheets.
 #include <fmt/format.h>
 
 #include <array>
@@ -40,7 +40,7 @@ void only(const Value& v, const char* by, std::initializer_list<const char*> key
       refuse(*k, "'{}' already says what it is; remove one of them", by);
 }
 
-// What codes judge the pipe by; of no account without a grade.
+// Properties for pipe code checks; unused without a grade.
 void read_strength(const Value& p, const Material& m, bool uneven, model::LineType& t) {
   if (!p.has("grade")) {
     for (const char* key : {"safety_class", "fabrication", "ovality", "material_factor", "condition_factor"})
@@ -102,7 +102,7 @@ void read_weight(const Value& v, double gravity, model::LineType& t) {
   only(v, "weight", {"library", "diameter", "grade", "mass_per_length", "displaced_diameter"});
   const Value& w = v["weight"];
   const double air = w["in_air"].number, submerged = w["submerged"].number;
-  // Without gravity what weighs has its mass all the same.
+  // Mass from weight uses standard gravity if the case has none.
   const double g = gravity > 0 ? gravity : 9.80665;
   if (!(air > submerged))
     refuse(

@@ -1,4 +1,4 @@
-// Vessel motion by response amplitude operators, from a file or from rows in the case.
+// Vessel motion by response amplitude operators, from a file or rows in the case.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,10 +20,10 @@ namespace {
 using model::refuse;
 
 constexpr double kDegree = M_PI / 180;
-constexpr double kOneDirection = 1;  // deg from the only direction of a table, that it does not stand for
-constexpr double kWideGap = 100;     // deg between directions, beyond which straight lines hide a side
+constexpr double kOneDirection = 1;  // deg, largest deviation from the only direction of a table
+constexpr double kWideGap = 100;     // deg; a wider gap between directions hides a side of the vessel
 
-// Whether a table of both sides is declared as of one.
+// True if a table declared as one side has rows of both sides.
 bool both_sides(const std::vector<RaoTable::Row>& rows) {
   const auto on = [&](double sign) {
     return std::any_of(rows.begin(), rows.end(),
@@ -71,7 +71,7 @@ RaoTable read_table(const model::Value& rao, double gravity, const CaseSource& s
   }
 }
 
-// A table of 0 to 180 deg has a neighbour of 180 at 360: what goes to 270 is half of both, and nothing rolls.
+// A table of 0 to 180 deg interpolates from 180 to 360: at 270 it has the mean of both ends, without roll.
 void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                 std::vector<std::string>& notes) {
   size_t uncovered = 0;
@@ -87,7 +87,7 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
     }
   }
   if (uncovered == 0) return;
-  // Into the gap, however many times round.
+  // Shifts the direction into the gap by full turns.
   direction = gap.from + std::fmod(std::fmod(direction - gap.from, 2 * M_PI) + 2 * M_PI, 2 * M_PI);
   notes.push_back(
       fmt::format("{}: {} as seen from the bow, and the responses there lie on straight lines between {:.4g} "
@@ -100,11 +100,12 @@ void check_gaps(const RaoTable& table, const WaveField& waves, double bow, const
                   gap.from / kDegree, gap.to / kDegree));
 }
 
-// One direction holds for all, and the first and last period for what is beyond them.
+// A single direction applies to all, and the end periods apply beyond the table; notes waves for which this
+// matters.
 void check_reach(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                  std::vector<std::string>& notes) {
-  double furthest = 0, only = 0;                                       // deg from the table's one direction
-  double all = 0, fast = 0, slow = 0, highest = 0, lowest = HUGE_VAL;  // of the elevation's variance; rad/s
+  double furthest = 0, only = 0;                                       // deg from the table's only direction
+  double all = 0, fast = 0, slow = 0, highest = 0, lowest = HUGE_VAL;  // variance of the elevation; rad/s
   for (const WaveComponent& w : waves.components()) {
     const double to = std::atan2(w.y, w.x) - bow;
     const DirectionGap b = table.neighbours(to);
@@ -140,8 +141,7 @@ void check_reach(const RaoTable& table, const WaveField& waves, double bow, cons
   beyond(slow, "longer", "longest", lowest, table.lowest());
 }
 
-// Where the phase turns fast from row to row, the straight line between them has a response that the vessel
-// has not.
+// If the phase changes fast between rows, linear interpolation gives a false response; notes such intervals.
 void check_phases(const RaoTable& table, const WaveField& waves, double bow, const std::string& key,
                   std::vector<std::string>& notes) {
   constexpr double kReportedShare = 0.01;  // of the sea's energy
@@ -171,7 +171,7 @@ void check_phases(const RaoTable& table, const WaveField& waves, double bow, con
                                    : ""));
 }
 
-// Whether the vessel is at one place throughout.
+// True if the vessel has a constant position.
 bool stays(const model::Drift& d) {
   return d.harmonic.amplitude.isZero(0) && d.table.offset.empty() && d.ramp == 0;
 }
@@ -205,7 +205,7 @@ model::TableMotion read_rao(const model::Value& rao, const model::Environment& s
   if (advice::possible(sea.water.waves)) check_reach(table, waves, heading + yaw, key, notes);
   check_phases(table, waves, heading + yaw, key, notes);
   const RaoMotion motion(table, waves, body.position, heading, yaw);
-  // The highest of many components is ten times that of the peak and hardly there.
+  // The highest of many components has ten times the peak frequency and almost no energy.
   const double step = 2 * M_PI / motion.highest() / (waves.components().size() > 20 ? 30 : 100);
   const double count = duration / step + 20;
   constexpr double kMost = 5e6;

@@ -1,4 +1,4 @@
-// Start shapes from what another run left.
+// Start shapes from other runs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using model::refuse_key;
 using model::Value;
 
 namespace {
-constexpr double kTogether = 1e-9;  // of its length, the end of a part from the one before
+constexpr double kTogether = 1e-9;  // fraction of the length: gap between connected parts
 }
 
 const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
@@ -58,7 +58,7 @@ const OtherRuns::Run& OtherRuns::run(const Value& from, const Value* time) {
     if (h5::exists(file, "fields/axis_1") && h5::exists(file, "fields/axis_2"))
       for (const char* axis : {"fields/axis_1", "fields/axis_2"})
         r.axes.push_back(h5::read_row(file, axis, row).values);
-  } catch (const std::runtime_error& e) {  // no results file, or not whole
+  } catch (const std::runtime_error& e) {  // no results file, or incomplete
     refuse(from, "{}: cannot be read: {}", path, e.what());
   }
   if (!missing.empty()) refuse(*time, missing);
@@ -79,7 +79,7 @@ std::shared_ptr<const model::PreviousShape> OtherRuns::shape(const Value& start,
   left->file = r.path;
   parted_ = false;
   add_shape(r, found->second, *left);
-  // A line that the other run cuts at a time is there in parts, which hang together until then.
+  // A line that the other run cuts consists of parts, which are connected until the cut.
   for (int k = 2;; ++k) {
     const auto part = r.number.find(fmt::format("{} part {}", name, k));
     if (part == r.number.end()) break;
@@ -105,7 +105,7 @@ void OtherRuns::add_shape(const Run& r, size_t line, model::PreviousShape& left)
     left.position.push_back(Eigen::Map<const Vec3>(r.position.data() + 3 * n));
     if (r.axes.empty()) continue;
     const Eigen::Map<const Vec3> a(r.axes[0].data() + 3 * n), b(r.axes[1].data() + 3 * n);
-    if (!(a.norm() > 0.5) || !(b.norm() > 0.5)) continue;  // of a cable
+    if (!(a.norm() > 0.5) || !(b.norm() > 0.5)) continue;  // a cable
     Mat3 R;
     R.col(0) = a.normalized();
     R.col(1) = (b - R.col(0).dot(b) * R.col(0)).normalized();

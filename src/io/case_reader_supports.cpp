@@ -1,4 +1,4 @@
-// `supports`: where the boxes of a ramp or a stinger are, and the exact cylinders that their rollers are.
+// `supports`: positions of the boxes of a ramp or stinger, and the cylinders of their rollers.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -22,11 +22,12 @@ using model::refuse_key;
 using model::SupportBox;
 using model::Value;
 
-// Of the line's radius: the penetration that a stiffness of rollers is of.
+// Penetration, as a fraction of the line's radius, at which the given stiffness of rollers applies.
 constexpr double kNominal = 0.01;
 
-// The stiffness per length of line that gives `stiffness` [N/m] of a roller at the penetration d: a line of
-// radius r that lies across a roller of radius R is within d of it over 2 sqrt(2 (R + r) d), as a parabola.
+// Stiffness per length of line equivalent to `stiffness` [N/m] of a roller at penetration d: the gap of a
+// line of radius r across a roller of radius R is parabolic, and below d over a length of 2 sqrt(2 (R + r)
+// d).
 double per_length(double stiffness, double roller, double line) {
   const double d = kNominal * line;
   return 0.75 * stiffness / std::sqrt(2 * (roller + line) * d);
@@ -50,7 +51,7 @@ class Group {
  private:
   struct Place {
     const Value* entry;
-    double station;  // m along the path; of points their number
+    double station;  // m along the path; for points their number
     PathPoint at;
   };
 
@@ -111,7 +112,7 @@ class Group {
       add(at);
   }
 
-  // Directions where only points are known: of the circle through a point and its neighbours.
+  // Directions at points without a given path: tangent of the circle through a point and its neighbours.
   void turn_along_points() {
     std::vector<Vec3> points;
     for (const Place& p : places_) points.push_back(p.at.at);
@@ -197,8 +198,8 @@ class Group {
     c_.supports.push_back(std::move(b));
   }
 
-  // A body that a box rides with on the nearest place of the lines of a structure, each straight between its
-  // ends, with the axes of the group's body at the start. Its name.
+  // Adds a body that carries box b, attached to the nearest point of the lines of a structure, each straight
+  // between its ends, with the axes of the group's body at the start. Returns its name.
   std::string carry(const SupportBox& b, const Value& on) {
     RigidPose pose;
     if (const int body = c_.body_index(b.body); body >= 0) {

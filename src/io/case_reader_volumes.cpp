@@ -1,4 +1,4 @@
-// What is more than copying in an entry of `volumes`, and in the settings of contact for all of them.
+// Entries of `volumes`, and the settings of contact.
 #include <fmt/format.h>
 
 #include <set>
@@ -34,7 +34,7 @@ void finish_contact(const Value& v, model::Contact& to) {
   std::set<std::pair<std::string, std::string>> listed;
   for (const Value& p : pairs->items) {
     model::BetweenLines::Tuned& t = to.between_lines.pairs.emplace_back();
-    t.settings = to.between_lines.general;  // what a pair does not say is as for all
+    t.settings = to.between_lines.general;  // defaults of a pair are the settings for all
     model::take(p, t, true);
     if (!listed.insert(ordered(t.first, t.second)).second)
       refuse_key(p, p["lines"].where, "lines {} and {} have settings already", model::quote(t.first),

@@ -1,4 +1,4 @@
-// How a checkpoint is packed into one array of numbers with an index and secured by a checksum.
+// Packing of a checkpoint into one array of numbers with an index and a checksum.
 #include "hawser/io/checkpoint.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace hawser::io {
 
 namespace {
 
-// Finaliser of MurmurHash3, 64 bits: every bit of the input reaches every bit of the output.
+// Finaliser of MurmurHash3, 64 bits: every input bit affects every output bit.
 std::uint64_t mix(std::uint64_t h) {
   h ^= h >> 33;
   h *= 0xff51afd7ed558ccdULL;
@@ -41,15 +41,15 @@ std::string describe(const Checkpoint& c, int nodes_total) {
 
 void agree(MPI_Comm comm, bool valid, const std::string& names) {
   std::uint64_t hash = checkpoint_sum(names, 0, 0);
-  // If the largest hash and the largest complement belong to one value, all ranks have it.
+  // All ranks have the same hash if and only if the largest hash and the largest complement match.
   std::uint64_t most[3] = {hash, ~hash, valid ? 0u : 1u};
   MPI_Allreduce(MPI_IN_PLACE, most, 3, MPI_UINT64_T, MPI_MAX, comm);
   if (most[0] != ~most[1]) throw std::logic_error("checkpoint: names differ between ranks");
   if (most[2]) throw std::logic_error("checkpoint: values do not belong to the owned nodes");
 }
 
-// How many nodes' records are passed on at a time: an even part of them, so that terms which look through
-// all that they keep for each part do so a limited number of times.
+// Number of nodes whose records are passed at a time: a fixed fraction of all, so that terms that scan all
+// their records for each range do so a limited number of times.
 int nodes_at_a_time(int nodes_total) {
   constexpr int kParts = 16, kFewest = 500;
   return std::max(kFewest, nodes_total / kParts + 1);
@@ -71,7 +71,7 @@ unsigned long long checkpoint_sum(const std::string& index, long long sequence, 
   return sum;
 }
 
-// Whether a record has a kind that there is, and the length of whole entries of it.
+// True if the kind of the record exists and the length is a multiple of its entries.
 bool fits(const TermCheckpoint& kept, const CheckpointRecord& r) {
   if (r.kind < 0 || static_cast<size_t>(r.kind) >= kept.kinds.size()) return false;
   size_t size = 0;
@@ -79,10 +79,9 @@ bool fits(const TermCheckpoint& kept, const CheckpointRecord& r) {
   return size > 0 && r.values.size() % size == 0;
 }
 
-// The array: time, scalars, node fields (node after node), then for each term the number of doubles of its
-// records, the records by node (node, kind, key, length, values) and, where there are any, for each node
-// where among them its records begin, so that whoever has some of the nodes need not read the records of
-// others.
+// Layout of the array: time, scalars, node fields (node after node), then for each term the number of doubles
+// of its records, the records by node (node, kind, key, length, values) and, if there are any, for each node
+// the offset of its records, so that a rank need not read the records of other nodes.
 CheckpointRoom checkpoint_room(MPI_Comm comm, const Checkpoint& c, int nodes_total,
                                const std::vector<int>& owned) {
   bool valid = true;
@@ -162,7 +161,7 @@ unsigned long long put_checkpoint(MPI_Comm comm, Checkpoint c, int nodes_total, 
                          return std::tie(a->node, a->kind, a->key) < std::tie(b->node, b->kind, b->key);
                        });
       std::vector<long long> start(static_cast<size_t>(some) + 1,
-                                   0);  // of each node's records; then their end
+                                   0);  // of each node's records; the last is their end
       for (const auto* r : sorted)
         start[r->node - of.first + 1] += kCheckpointRecordHead + std::ssize(r->values);
       all_reduce(comm, MPI_SUM, start);

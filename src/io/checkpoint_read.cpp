@@ -1,5 +1,4 @@
-// Reading a checkpoint back: the newer valid one of its two slots, of which each rank takes what belongs to
-// its own nodes.
+// Reading of a checkpoint: the newer valid one of two slots; each rank takes the data of its own nodes.
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -14,8 +13,7 @@ namespace hawser::io {
 
 namespace {
 
-// Runs `work` on each rank; when it fails anywhere, all ranks throw what the first of those ranks says.
-// Collective.
+// Runs `work` on each rank; after a failure all ranks throw the error of the first failing rank. Collective.
 template <class Work>
 void on_each(MPI_Comm comm, const Work& work) {
   std::string error;
@@ -30,14 +28,14 @@ void on_each(MPI_Comm comm, const Work& work) {
 
 struct Slot {
   std::string index;
-  long long sequence = 0;  // 0: there is none
+  long long sequence = 0;  // 0: empty
   long long size = 0;      // of the array
-  std::uint64_t sum = 0;   // its checksum and the index's
+  std::uint64_t sum = 0;   // of the array and the index
 };
 
 std::string place_of(long long sequence) { return sequence % 2 ? "checkpoint/1/" : "checkpoint/0/"; }
 
-// What the slot says of itself.
+// Header and index of a slot.
 Slot read_slot(hid_t file, const std::string& place) {
   Slot slot;
   if (!h5::exists(file, place + "header")) return slot;
@@ -51,7 +49,7 @@ Slot read_slot(hid_t file, const std::string& place) {
   slot = {std::string(length, '\0'), static_cast<long long>(header[0]), static_cast<long long>(size),
           header[3]};
   h5::read_part(index, H5T_NATIVE_CHAR, 0, length, slot.index.data());
-  // The slot that a number belongs to is the number's.
+  // A sequence number is valid only in its own slot.
   if (slot.sequence < 0 || place_of(slot.sequence) != place) slot.sequence = 0;
   return slot;
 }
@@ -66,8 +64,8 @@ void broadcast(MPI_Comm comm, Slot& slot) {
   MPI_Bcast(slot.index.data(), static_cast<int>(slot.index.size()), MPI_CHAR, 0, comm);
 }
 
-// Whether the checksum is right: that of a slot which was being written when the run died is not. Each rank
-// sums as many numbers of the array. Collective.
+// True if the checksum matches; it does not for a slot that was being written when the run died. Each rank
+// sums an equal share of the array. Collective.
 bool complete(MPI_Comm comm, hid_t file, const Slot& slot) {
   constexpr long long kPiece = 1 << 17;  // numbers in memory at a time
   const long long ranks = ranks_of(comm), rank = rank_of(comm);
@@ -86,7 +84,7 @@ bool complete(MPI_Comm comm, hid_t file, const Slot& slot) {
   return slot.sum == checkpoint_sum(slot.index, slot.sequence, slot.size) + sum;
 }
 
-// The newest complete checkpoint of the file that all ranks have open. Collective.
+// Newest complete checkpoint of the open file. Collective.
 std::optional<Slot> newest(MPI_Comm comm, hid_t file) {
   std::array<Slot, 2> slots;
   on_each(comm, [&] {
@@ -100,7 +98,7 @@ std::optional<Slot> newest(MPI_Comm comm, hid_t file) {
   return std::nullopt;
 }
 
-// What the index says of the array.
+// Contents of the array according to the index.
 struct Contents {
   std::vector<std::string> scalars, fields, terms;  // names, in the order of the array
   Checkpoint checkpoint;                            // without values
@@ -143,15 +141,15 @@ Contents contents_of(const std::string& index, int nodes_total) {
   return c;
 }
 
-// A number of the array as a count from 0 to `most`.
+// A number of the array as an integer between 0 and `most`.
 long long count_of(double number, long long most) {
   if (!(number >= 0 && number <= static_cast<double>(most))) throw damaged(number);
   return static_cast<long long>(number);
 }
 
-// Adds the records in `values`, which are those of the nodes `of`.
+// Appends the records in `values`, which belong to the nodes `of`.
 void add_records(const std::vector<double>& values, NodeRange of, std::vector<CheckpointRecord>& list) {
-  constexpr long long kMostKinds = 100;  // of records of a term
+  constexpr long long kMostKinds = 100;  // kinds of records per term
   size_t at = 0;
   const auto next = [&] { return at < values.size() ? values[at++] : throw damaged(0); };
   while (at < values.size()) {
@@ -195,11 +193,11 @@ Checkpoint unpack_checkpoint(const std::string& index, long long size, int nodes
 
   for (const std::string& name : terms) {
     const long long length = count_of(part(at++, 1)[0], size);
-    const long long records = at, begins = at + length;  // where the records are, and where each node's begin
+    const long long records = at, begins = at + length;  // offsets of the records, of the nodes' offsets
     at = begins + (length > 0 ? nodes_total : 0);
     for (const RowRun& run : runs) {
       if (length == 0) break;
-      const bool last = run.first + run.count == nodes_total;  // whose records go to the end
+      const bool last = run.first + run.count == nodes_total;  // its records extend to the end
       const std::vector<double> of = part(begins + run.first, run.count + (last ? 0 : 1));
       const long long end = last ? length : count_of(of.back(), length), first = count_of(of[0], end);
       const NodeRange nodes{static_cast<int>(run.first), static_cast<int>(run.first + run.count)};

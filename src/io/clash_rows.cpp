@@ -1,5 +1,4 @@
-// The columns of the clash tables in a results file as an HDF5 type, and how these tables are created,
-// copied, completed and read.
+// HDF5 type of a row of the clash tables, and creation, copying, completion and reading of the tables.
 #include "hawser/io/clash_rows.hpp"
 
 #include <algorithm>
@@ -32,7 +31,7 @@ constexpr Column kColumns[] = {{"line", "", offsetof(ClashRow, line), false},
                                {"peak_energy", "J", offsetof(ClashRow, peak_energy), true},
                                {"penetration", "m", offsetof(ClashRow, penetration), true}};
 
-// Rows [first, first + n) of the table `slot` of those still going on, or of the ended ones (slot < 0).
+// Selects rows [first, first + n) of table `slot` of ongoing clashes, or of the ended ones (slot < 0).
 h5::Id select(hid_t set, long long slot, long long first, size_t n) {
   h5::Id space = h5::own(H5Dget_space(set), H5Sclose, "clashes");
   const hsize_t start[2] = {static_cast<hsize_t>(slot < 0 ? first : slot), static_cast<hsize_t>(first)},

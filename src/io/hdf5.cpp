@@ -1,5 +1,5 @@
-// The calls of the HDF5 library for files, groups, datasets, texts and attributes, with a failure reported as
-// an exception in the library's own words.
+// HDF5 calls for files, groups, datasets, texts and attributes; failures become exceptions with HDF5's own
+// message.
 #include "hawser/io/hdf5.hpp"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ std::string packed(const std::vector<std::string>& texts, size_t length) {
   return all;
 }
 
-// Modification times would make two runs of the same case differ, and would be metadata that changes.
+// Modification times would make equal runs differ and would change metadata.
 Id creation_list() {
   Id list = own(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "HDF5 property list");
   check(H5Pset_obj_track_times(list, false), "HDF5 property list");
@@ -67,7 +67,7 @@ void quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 Id serial_access() {
   Id list = own(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "HDF5 property list");
   check(H5Pset_file_locking(list, false, true), "HDF5 property list");
-  // Superblocks of 1.10 carry an "open for writing" mark that a killed run would leave behind.
+  // Superblocks of HDF5 1.10 have an "open for writing" flag that a killed run would leave set.
   check(H5Pset_libver_bounds(list, H5F_LIBVER_EARLIEST, H5F_LIBVER_V18), "HDF5 property list");
   check(H5Pset_alignment(list, 16, 64), "HDF5 property list");
   return list;
@@ -180,7 +180,7 @@ void int_attribute(hid_t object, const std::string& name, int value) {
 
 namespace {
 
-// Texts of `length` characters each, one after another, filled up with zeros.
+// Splits consecutive texts of `length` characters, padded with zeros.
 std::vector<std::string> unpacked(const std::string& all, size_t length) {
   std::vector<std::string> texts;
   for (size_t at = 0; at + length <= all.size(); at += length) {

@@ -1,4 +1,4 @@
-// What added mass and damping cannot be, and what looks odd in them.
+// Checks of added mass and damping: impossible and implausible values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,15 +14,15 @@ namespace {
 
 using model::HydrodynamicData;
 
-// Of the diagonal of added mass, over its range.
+// Largest magnitude of each diagonal entry of added mass.
 Eigen::VectorXd largest_diagonal(const HydrodynamicData& data) {
   Eigen::VectorXd most = Eigen::VectorXd::Zero(6 * data.bodies);
   for (const Eigen::MatrixXd& A : data.added_mass) most = most.cwiseMax(A.diagonal().cwiseAbs());
   return most;
 }
 
-// The water moves with the body at infinite frequency, so that its kinetic energy, and the added mass, is not
-// negative. At single finite frequencies it may be (a moonpool, a gap between hulls), but not on average.
+// At infinite frequency the water moves with the body and the added mass is nonnegative. At single
+// frequencies it may be negative (a moonpool, a gap between hulls), but not on average.
 void check_sign(const HydrodynamicData& data, const Eigen::VectorXd& scale) {
   constexpr double kNoise = 0.02;
   for (Eigen::Index i = 0; i < scale.size(); ++i) {
@@ -38,8 +38,8 @@ void check_sign(const HydrodynamicData& data, const Eigen::VectorXd& scale) {
   }
 }
 
-// Added mass goes to that of omega = 0 in long waves, and to that of infinite frequency in short ones. Where
-// the file has both and they fit the other end, it is refused; one alone may be near the wrong end by chance.
+// Added mass tends to its value at omega = 0 in long waves and to that at infinite frequency in short waves.
+// If the file has both and they fit the opposite ends, it is refused; one alone may fit by chance.
 void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::MatrixXd& zero_frequency,
                   const Eigen::VectorXd& scale, std::vector<std::string>& notes) {
   const bool has_zero = zero_frequency.size() > 0;
@@ -67,7 +67,7 @@ void check_limits(const HydrodynamicData& data, bool has_infinite, const Eigen::
   notes.push_back(text);
 }
 
-// By Ogilvie's relation each row tells the added mass at infinite frequency: all the same one.
+// By Ogilvie's relation each row yields the added mass at infinite frequency; all rows must agree.
 void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen::VectorXd& scale,
                    std::vector<std::string>& notes) {
   constexpr size_t kRows = 60;
@@ -114,8 +114,8 @@ void check_ogilvie(const HydrodynamicData& data, bool has_infinite, const Eigen:
                     data.radiation_file, 100 * apart / varies));
 }
 
-// How far each value is from the straight line between its neighbours where it is not between them; of the
-// first and the last 0.
+// Deviation of each value from linear interpolation between its neighbours, 0 if it lies between them; 0 for
+// the first and the last.
 std::vector<double> off_line(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>& of,
                              Eigen::Index i, Eigen::Index j) {
   std::vector<double> off(data.omega.size(), 0);
@@ -128,10 +128,10 @@ std::vector<double> off_line(const HydrodynamicData& data, const std::vector<Eig
   return off;
 }
 
-// A single value that is far from its neighbours while all others are near theirs.
+// Notes a single value far from its neighbours in an otherwise smooth series.
 void note_wild(const HydrodynamicData& data, const std::vector<Eigen::MatrixXd>& of, const char* what,
                std::vector<std::string>& notes) {
-  // Of the diagonal. Sharp peaks of semi-submersibles that are well resolved are a tenth off the line.
+  // Fraction of the diagonal. Well-resolved peaks of semi-submersibles deviate by a tenth.
   constexpr double kFar = 0.3, kTimes = 4;
   if (data.omega.size() < 8) return;
   Eigen::VectorXd scale = Eigen::VectorXd::Zero(6 * data.bodies);

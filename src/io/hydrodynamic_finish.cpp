@@ -1,5 +1,5 @@
-// What is made of coefficients once they are read: symmetric matrices, damping that is passive, the added
-// mass at infinite frequency.
+// Completion of coefficients after reading: symmetric matrices, passive damping, added mass at infinite
+// frequency.
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
@@ -33,9 +33,9 @@ void estimate_infinite(HydrodynamicData& data, std::vector<std::string>& notes) 
 
 void make_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
 
-// Waves that a body makes only take energy: B without its negative eigenvalues, in the metric of the added
-// mass, so that translations and rotations compare. The irregular frequencies of panel methods and the noise
-// of small entries have some. Refused where that is much of it.
+// Radiation only dissipates energy: removes negative eigenvalues of B in the metric of the added mass, which
+// makes translations and rotations comparable. Irregular frequencies of panel methods and noise of small
+// entries cause some. Large changes are refused.
 void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
   constexpr double kMuch = 0.3, kSome = 0.02;
   const Eigen::Index n = data.infinite.rows();
@@ -75,7 +75,7 @@ void make_passive(HydrodynamicData& data, std::vector<std::string>& notes) {
   if (taken > kSome * all) notes.push_back(found + "; it is excluded");
 }
 
-// Of a matrix over its largest diagonal entries.
+// Largest asymmetry of a matrix relative to its diagonal entries.
 double asymmetry(const Eigen::MatrixXd& m) {
   double most = 0;
   for (Eigen::Index i = 0; i < m.rows(); ++i)

@@ -1,5 +1,5 @@
-// What the readers of diffraction programs share: tables of wave forces that grow by entries, and what is
-// made of coefficients and asked of them once they are read.
+// Common parts of the readers of diffraction programs: tables of wave forces built from entries, and
+// completion and checks of coefficients.
 #pragma once
 
 #include <cmath>
@@ -16,15 +16,15 @@ inline constexpr double kRadPerDegree = M_PI / 180;
 
 inline bool rotates(int mode) { return mode % 6 >= 3; }  // modes from 0
 
-// Force tables from their entries, by frequency, direction [rad, 0 to 2 pi] and mode. Modes without an entry
-// are zero; the directions -180 and 180 degrees are the same.
+// Force tables from entries by frequency, direction [rad, 0 to 2 pi] and mode. Modes without an entry are
+// zero; the directions -180 and 180 degrees are the same.
 class WaveForceRows {
  public:
   WaveForceRows(int bodies, bool mirrored) : bodies_(bodies), mirrored_(mirrored) {}
   void add(double omega, double direction_deg, int mode, Complex value);
   bool none() const { return values_.empty(); }
-  // Of each body. Refused: a pair of frequency and direction without any row, or without one of a mode that
-  // counts.
+  // Tables of each body. Refuses a pair of frequency and direction without rows or without one of a
+  // significant mode.
   std::vector<WaveForceTable> tables(const std::string& path);
 
  private:
@@ -37,17 +37,17 @@ class WaveForceRows {
   std::map<std::pair<double, long>, std::vector<Complex>> values_;
 };
 
-// Symmetric matrices, damping without negative eigenvalues, the added mass at infinite frequency where the
-// files have none (`has_infinite` false). zero_frequency: added mass at omega = 0, empty where there is none.
-// Refuses what no body has, and notes what looks odd (hydrodynamic_checks.cpp).
+// Symmetric matrices, damping without negative eigenvalues, and added mass at infinite frequency if the files
+// have none (`has_infinite` false). zero_frequency: added mass at omega = 0, or empty. Refuses impossible
+// coefficients and notes implausible ones (hydrodynamic_checks.cpp).
 void finish_coefficients(model::HydrodynamicData& data, bool has_infinite,
                          const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes);
 
-// Added mass and damping within themselves and against each other, symmetric.
+// Checks symmetric added mass and damping individually and against each other.
 void check_coefficients(const model::HydrodynamicData& data, bool has_infinite,
                         const Eigen::MatrixXd& zero_frequency, std::vector<std::string>& notes);
 
-// "surge and pitch", of modes from 0.
+// Names such as "surge and pitch" of modes from 0.
 std::string modes_text(int i, int j);
 
 }  // namespace hawser::io

@@ -1,4 +1,4 @@
-// The test that an input file exists, is regular and no larger than allowed, or the reason why not.
+// Check that an input file exists, is regular and not too large.
 #include "hawser/io/input_file.hpp"
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// How a line type is taken from the library: name and grade, polynomials in the nominal diameter, refusals;
-// and the page of the user guide that lists these formulas.
+// Line types of the library: look-up by name and grade, polynomials in the nominal diameter, and the page of
+// the user guide with these formulas.
 #include "hawser/io/line_library.hpp"
 
 #include <fmt/format.h>
@@ -35,7 +35,7 @@ double as_number(const Value& v) {
   return x;
 }
 
-// A plain number, or the sum that a map of powers says.
+// A number, or the polynomial given by a map of powers.
 double value(const Value& v, double d, double breaking_load) {
   if (v.kind != Value::Kind::map) return as_number(v);
   double sum = 0;
@@ -47,7 +47,7 @@ double value(const Value& v, double d, double breaking_load) {
   return sum;
 }
 
-// "19900 d²", "44e9 d² - 80e9 d³", "14 MBL"
+// Text of a formula: "19900 d²", "44e9 d² - 80e9 d³", "14 MBL".
 std::string formula(const Value& v) {
   if (v.kind != Value::Kind::map) return v.text;
   std::string s;

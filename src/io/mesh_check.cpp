@@ -1,5 +1,5 @@
-// Tests of a volume's mesh against its tasks: size in metres, the inside test asked for, its active part, and
-// sharp edges where edges or corners are to touch other bodies.
+// Checks of a volume's mesh: size in metres, suitability for its inside test, active part, and sharp edges
+// for contact by edges or corners.
 #include "hawser/io/mesh_check.hpp"
 
 #include <fmt/format.h>
@@ -19,11 +19,11 @@ namespace hawser::io {
 
 namespace {
 
-// Of the schema, in the order of model::SignTest.
+// Names in the schema, in the order of model::SignTest.
 constexpr const char* kSigns[] = {"automatic",   "pseudonormal", "winding",
                                   "tetrahedron", "ray",          "solid_angle"};
 
-// Why a mesh is not fit for the test of points its volume asks for; empty: it is.
+// Reason why a mesh is unsuitable for the inside test of its volume; empty: it is suitable.
 std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
   const MeshReport& r = loaded.report;
   if (sign == model::SignTest::automatic || sign == model::SignTest::winding) return "";
@@ -38,7 +38,7 @@ std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
         "is for one convex body, but the mesh has {} pieces; give each a volume of its own, or use 'ray' or "
         "'solid_angle'",
         r.components);
-  // What the file's single precision may leave of a flat face.
+  // Tolerance for flat faces in single precision.
   if (!is_convex(loaded.mesh, 1e-5 * r.box.extent().maxCoeff()))
     return "is for convex bodies, and this mesh is not convex; use 'ray' or 'solid_angle', or cut it into "
            "convex parts";
@@ -48,7 +48,7 @@ std::string unfit(const LoadedMesh& loaded, model::SignTest sign) {
 }  // namespace
 
 double reading_time(const std::string& path) {
-  constexpr double kSpeed = 2e7;  // bytes a second, of STL and OBJ files on one core of docs/performance.md
+  constexpr double kSpeed = 2e7;  // bytes per second, STL and OBJ files on one core of docs/performance.md
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   return error ? 0 : static_cast<double>(size) / kSpeed;
@@ -63,7 +63,7 @@ std::string reading_text(const std::string& path) {
 }
 
 FitMesh check_mesh(const model::Case& c, const model::Volume& v, const LoadedMesh& loaded) {
-  // No body at sea is as large, a mesh in mm taken for m is.
+  // Limits: no body at sea is as large as a mesh in mm read as m.
   constexpr SizeLimits kSizes{5000, 0.02, 1e5};
   const std::string key = "volumes." + v.name;
   const double size = loaded.report.box.extent().maxCoeff();

@@ -1,5 +1,5 @@
-// The steps from a mesh file to a closed outward surface: import by format, welding, closing of cracks,
-// removal of duplicates, orientation and repair, each with a note for the user.
+// Steps from a mesh file to a closed outward surface: import, welding, closing of cracks, removal of
+// duplicates, orientation and repair, each with a note for the user.
 #include "hawser/io/mesh_reader.hpp"
 
 #include <assimp/postprocess.h>
@@ -44,7 +44,7 @@ void append(const aiMesh& from, const std::string& name, const aiMatrix4x4& to_r
   }
   for (unsigned i = 0; i < from.mNumFaces; ++i) {
     const aiFace& f = from.mFaces[i];
-    if (f.mNumIndices != 3) continue;  // points and lines bound nothing
+    if (f.mNumIndices != 3) continue;  // points and lines bound no volume
     mesh.triangles.push_back({first + static_cast<int>(f.mIndices[0]),
                               first + static_cast<int>(f.mIndices[1]),
                               first + static_cast<int>(f.mIndices[2])});
@@ -57,7 +57,7 @@ void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& above, 
   const aiMatrix4x4 to_root = above * node.mTransformation;
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const aiMesh& m = *scene.mMeshes[node.mMeshes[i]];
-    // Of an OBJ, which names its groups on the meshes.
+    // An OBJ has the names of its groups on the meshes.
     append(m, m.mName.length > 0 ? m.mName.C_Str() : node.mName.C_Str(), to_root, scale, mesh);
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i) append(scene, *node.mChildren[i], to_root, scale, mesh);
@@ -97,7 +97,7 @@ TriangleMesh import(const std::string& path, double scale) {
 
 namespace {
 
-// A mesh that is open, inconsistent or inside out: repair what can be, say what is wrong and what is assumed.
+// Repairs a mesh that is open, inconsistent or inside out, and notes faults and assumptions.
 void repair_mesh(const std::string& path, LoadedMesh& loaded, bool closed) {
   const MeshReport found = loaded.report;
   const RepairResult repaired = repair(loaded.mesh);
@@ -109,7 +109,7 @@ void repair_mesh(const std::string& path, LoadedMesh& loaded, bool closed) {
   if (loaded.open) loaded.notes.push_back(path + ": " + advice::holes_not_filled(repaired));
 }
 
-// Equal corners may differ by rounding to single precision.
+// Tolerance of equal corners: rounding to single precision.
 double rounding(const TriangleMesh& mesh) {
   double size = 0;
   for (const Vec3& v : mesh.vertices) size = std::max(size, v.cwiseAbs().maxCoeff());
@@ -122,20 +122,20 @@ WeldResult weld_corners(const std::string& path, TriangleMesh& mesh) {
   return welded;
 }
 
-// Corners that noise or rounding of the file has taken apart.
+// Closes cracks between corners that differ by noise or rounding.
 void close_cracks(const std::string& path, LoadedMesh& loaded) {
   const CrackResult c = weld_cracks(loaded.mesh);
   if (c.welded == 0) return;
   loaded.notes.push_back(path + ": " + advice::cracks_closed(c));
 }
 
-// What is listed more than once, and what has no thickness.
+// Removes duplicate triangles and pieces without thickness.
 void drop_double(const std::string& path, LoadedMesh& loaded) {
   if (const std::string text = advice::duplicates_excluded(drop_duplicates(loaded.mesh)); !text.empty())
     loaded.notes.push_back(path + ": " + text);
   if (const int flat = drop_flat_pieces(loaded.mesh, rounding(loaded.mesh)); flat > 0)
     loaded.notes.push_back(path + ": " + advice::flat_pieces_excluded(flat));
-  weld(loaded.mesh);  // corners that no triangle has now
+  weld(loaded.mesh);  // removes unused corners
   if (loaded.mesh.triangles.empty()) bad(path, "{}", advice::only_flat_pieces());
 }
 

@@ -1,5 +1,5 @@
-// NetCDF 4: each variable is a dataset of HDF5, and its attribute DIMENSION_LIST refers to the dataset of
-// each dimension (HDF5 dimension scales).
+// NetCDF 4: each variable is an HDF5 dataset whose attribute DIMENSION_LIST refers to the datasets of its
+// dimensions (HDF5 dimension scales).
 #include "netcdf.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ std::string name_of(hid_t object) {
   return name.substr(name.rfind('/') + 1);
 }
 
-// Of a variable that is a dimension itself: its own name.
+// Names of the dimensions of a variable; a variable without the list is its own dimension.
 std::vector<std::string> dimensions_of(hid_t file, hid_t variable, const std::string& name, size_t rank) {
   if (H5Aexists(variable, "DIMENSION_LIST") <= 0)
     return std::vector<std::string>(rank, rank == 1 ? name : "");
@@ -61,7 +61,7 @@ std::vector<std::string> texts_of(hid_t variable, hid_t type, size_t count) {
   return texts;
 }
 
-// Characters of the last dimension as one text; without what fills it up.
+// Joins the characters of the last dimension to one text, without padding.
 void join_texts(NetcdfVariable& v) {
   const bool single = !v.texts.empty() && !v.shape.empty() && v.texts.front().size() == 1;
   if (single && v.shape.back() > 0) {

@@ -1,4 +1,4 @@
-// Variables of a NetCDF file: of version 4, which is HDF5, or of the classic formats (versions 1, 2 and 5).
+// Reader of NetCDF variables: version 4, which is HDF5, and the classic formats (versions 1, 2 and 5).
 #pragma once
 
 #include <map>
@@ -11,18 +11,18 @@ namespace hawser::io {
 
 struct NetcdfVariable {
   std::vector<std::string> dimensions;
-  h5::Shape shape;                 // of those
-  std::vector<double> values;      // of numbers, the last dimension fastest
-  std::vector<std::string> texts;  // of characters: without the dimension of their length
+  h5::Shape shape;                 // of these dimensions
+  std::vector<double> values;      // numeric variables, last dimension fastest
+  std::vector<std::string> texts;  // character variables, without the dimension of their length
 };
 
-// Those of the names that the file has. std::runtime_error, a whole sentence that names the file, where it
-// cannot be read.
+// Those of the named variables that the file has. Throws std::runtime_error with a whole sentence that names
+// the file if it is unreadable.
 std::map<std::string, NetcdfVariable> read_netcdf(const std::string& path,
                                                   const std::vector<std::string>& names);
 
-// The same for files that begin with "CDF"; `bytes` are all of the file. Unidata, "NetCDF Classic Format
-// Specification".
+// The same for files that begin with "CDF"; `bytes` is the content of the file. Unidata, "NetCDF Classic
+// Format Specification".
 std::map<std::string, NetcdfVariable> read_netcdf_classic(const std::string& bytes,
                                                           const std::vector<std::string>& names);
 

@@ -1,6 +1,5 @@
-// The classic formats of NetCDF: a header of big-endian numbers with dimensions, attributes and variables,
-// then the values of each variable in one piece. Version 2 has places of 64 bits, version 5 counts of 64 bits
-// as well.
+// Classic NetCDF formats: a big-endian header with dimensions, attributes and variables, then the contiguous
+// values of each variable. Version 2 has 64-bit offsets, version 5 also 64-bit counts.
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -68,7 +67,7 @@ class Header {
       skip(values * size);
     }
   }
-  // Unsigned, of `size` bytes.
+  // Unsigned integer of `size` bytes.
   std::uint64_t bits(std::uint64_t at, size_t size) const {
     std::uint64_t value = 0;
     for (size_t i = 0; i < size; ++i) value = value << 8 | static_cast<unsigned char>(bytes_[at + i]);
@@ -80,7 +79,7 @@ class Header {
   }
 
  private:
-  // And what fills it up to four bytes.
+  // Skips `size` bytes and the padding to a multiple of four.
   void skip(std::uint64_t size) {
     const std::uint64_t filled = (size + 3) / 4 * 4;
     need(filled);
@@ -123,7 +122,7 @@ double value_of(const Header& file, std::uint64_t at, std::uint64_t type) {
 std::map<std::string, NetcdfVariable> read_netcdf_classic(const std::string& bytes,
                                                           const std::vector<std::string>& names) {
   Header file(bytes);
-  file.count();  // of records
+  file.count();  // number of records
   std::vector<std::pair<std::string, std::uint64_t>> dimensions;
   file.number(4);
   for (std::uint64_t n = file.count(); n > 0; --n) {
@@ -147,7 +146,7 @@ std::map<std::string, NetcdfVariable> read_netcdf_classic(const std::string& byt
     }
     file.skip_attributes();
     const std::uint64_t type = file.number(4);
-    file.count();  // bytes
+    file.count();  // size in bytes
     const std::uint64_t at = file.place();
     if (std::find(names.begin(), names.end(), name) == names.end()) continue;
     const size_t size = size_of(type);

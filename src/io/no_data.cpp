@@ -1,4 +1,4 @@
-// Heights of a bed that stand for no data: far from all others, and mostly written as a mark such as -9999.
+// Bed heights that represent missing data: outliers, usually marked by a number such as -9999.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace hawser::io {
 namespace {
 
-// Nines, the limits of two-byte integers, and floats that no height has (ESRI grids, GMT, GDAL).
+// Numbers of nines, limits of two-byte integers, and huge floats (ESRI grids, GMT, GDAL).
 bool is_mark(double z) {
   const double size = std::abs(z);
   if (size >= 1e10) return true;
@@ -23,7 +23,7 @@ bool is_mark(double z) {
 OddHeights odd_heights(const std::vector<double>& z, double spacing) {
   std::vector<double> sorted = z;
   std::sort(sorted.begin(), sorted.end());
-  // The widest gap between heights: on its side with fewer of them are the odd ones.
+  // The outliers are on the smaller side of the widest gap between heights.
   std::size_t at = 0;
   double gap = 0;
   for (std::size_t i = 0; i + 1 < sorted.size(); ++i)
@@ -37,8 +37,8 @@ OddHeights odd_heights(const std::vector<double>& z, double spacing) {
   const double limit = low ? sorted[at] : sorted[at + 1];
   const auto odd = [&](double h) { return low ? h <= limit : h >= limit; };
   const bool mark = is_mark(low ? sorted.front() : sorted.back());
-  // A mark is sure where it is farther from the others than half of what they span. Other heights give a
-  // note only where they are far beyond and steeper than any wall of a pit: ten times the distance of places.
+  // A mark is certain if it is farther from the others than half their range. Other outliers are noted only
+  // if they are far outside the range and steeper than any pit wall: ten times the spacing.
   constexpr double kBeyond = 5, kSteep = 10;
   OddHeights out;
   if (!(gap > (mark ? 0.5 : kBeyond) * spread) || !(gap > (mark ? 1 : kSteep) * spacing)) return out;

@@ -1,4 +1,4 @@
-// Reading of such tables by zlib, which reads what is not packed as it is.
+// Reading of number tables by zlib, which passes uncompressed files through.
 #include "number_table.hpp"
 
 #include <fmt/format.h>
@@ -37,7 +37,7 @@ std::string unpacked(const std::string& path) {
   return text;
 }
 
-// False where the line has something that is no number. Fortran writes some exponents with D.
+// False if a word of the line is no number. Fortran writes some exponents with D.
 bool numbers_of(std::string line, std::vector<double>& to) {
   for (size_t i = 1; i < line.size(); ++i)
     if ((line[i] == 'D' || line[i] == 'd') &&
@@ -55,7 +55,7 @@ bool numbers_of(std::string line, std::vector<double>& to) {
   }
 }
 
-// Words of a line, and how many of them begin as numbers do.
+// Number of words of a line, and of those that begin like numbers.
 struct Words {
   size_t all = 0, numbers = 0;
 };
@@ -97,7 +97,7 @@ NumberTable read_number_table(const std::string& path, const std::vector<size_t>
       table.rows.push_back(std::move(row));
       continue;
     }
-    // Before the first row: most words of a row with an error are numbers, few of a title.
+    // Before the first row, a line whose words are mostly numbers is a faulty row; else it is a title.
     const Words found = words_of(words);
     if (table.rows.empty() && !(fits(found.all) && 2 * found.numbers > found.all)) continue;
     throw std::runtime_error(fmt::format("{}:{}: a row of this file has {} numbers, but this one has {}{}",

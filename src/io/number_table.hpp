@@ -1,4 +1,4 @@
-// Rows of numbers from a text file that may be packed by gzip, with the ending .gz.
+// Rows of numbers from a text file, optionally compressed by gzip with the extension .gz.
 #pragma once
 
 #include <string>
@@ -7,18 +7,18 @@
 namespace hawser::io {
 
 struct NumberRow {
-  int line = 0;  // of the file, from 1
+  int line = 0;  // line number, from 1
   std::vector<double> values;
 };
 
 struct NumberTable {
-  std::string path;  // of the file that was read; empty: there is none
+  std::string path;  // of the file read; empty: none found
   std::vector<NumberRow> rows;
 };
 
-// `path` or `path`.gz. Lines before the first row are titles; a row begins with a number and has as many
-// words as one of `columns`. std::runtime_error, a whole sentence, where the file cannot be read, or a later
-// line has something else than numbers or another count of them than one of `columns`.
+// Reads `path` or `path`.gz. Lines before the first row are titles; a row begins with a number and has as
+// many words as one of `columns`. Throws std::runtime_error with a whole sentence if the file is unreadable
+// or a later line has a word that is no number or a count that is not in `columns`.
 NumberTable read_number_table(const std::string& path, const std::vector<size_t>& columns);
 
 }  // namespace hawser::io

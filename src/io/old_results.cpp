@@ -1,5 +1,5 @@
-// How an earlier results file is recognised by its attribute and its XDMF file by its first characters, and
-// how both are renamed before new ones replace them.
+// Recognition of an earlier results file by its attribute and of an XDMF file by its first characters, and
+// renaming of both.
 #include "hawser/io/old_results.hpp"
 
 #include <exception>
@@ -19,7 +19,7 @@ std::string xdmf_beside(const std::string& path) {
 
 bool is_results(const std::string& path) {
   std::error_code e;
-  if (!fs::is_regular_file(path, e)) return false;  // opening a pipe would wait
+  if (!fs::is_regular_file(path, e)) return false;  // opening a pipe would block
   try {
     const h5::Id file = h5::open_read(path);
     return H5Aexists(file, "hawser_results") > 0;

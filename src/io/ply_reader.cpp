@@ -1,5 +1,5 @@
-// The parser of PLY files: the header with its elements and properties, then vertices and faces from text or
-// from binary numbers of either byte order, all checked for range.
+// Parser of PLY files: header with elements and properties, then vertices and faces in text or binary form of
+// either byte order, with range checks.
 #include "ply_reader.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace hawser::io {
 namespace {
 
 struct Number {
-  int bytes = 0;  // 0: no such type
+  int bytes = 0;  // 0: unknown type
   char kind = 'f';
 };
 Number number_type(const std::string& name) {
@@ -34,10 +34,10 @@ Number number_type(const std::string& name) {
 }
 
 struct Property {
-  Number length;  // of a list; bytes 0: a scalar
+  Number length;  // length type of a list; bytes 0: a scalar
   Number item;
-  bool vertices = false;  // a list of vertices
-  int axis = -1;          // of a vertex: x, y, z
+  bool vertices = false;  // the list of a face's vertices
+  int axis = -1;          // x, y, z of a vertex
 };
 struct Element {
   std::string name;
@@ -47,7 +47,7 @@ struct Element {
 
 enum class Format { ascii, little, big };
 
-// The numbers of the body, one after the other.
+// Sequential numbers of the body.
 class Body {
  public:
   Body(std::istream& in, Format format) : in_(in), format_(format) {}

@@ -1,6 +1,5 @@
-// Whether the columns of a table of responses are in the units that they should have: periods in s,
-// directions and phases in deg, rotations in deg/m. What long waves do to any vessel tells: it follows their
-// height and their slope.
+// Check of the units of a response table: periods in s, directions and phases in deg, rotations in deg/m. In
+// long waves every vessel follows the elevation and slope of the waves.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 namespace hawser::io {
 namespace {
 
-constexpr double kTurn = 6.3;  // a whole turn in rad, rounded
+constexpr double kTurn = 6.3;  // a full turn in rad, rounded
 
 bool whole(double x) { return x == std::round(x); }
 

@@ -1,5 +1,5 @@
-// The class ResultsFile: creating or resuming a results file, making room in it, and writing series, outputs,
-// clashes and checkpoints so that each counts only when it is complete.
+// The class ResultsFile: creation and continuation of a results file, growth of its capacity, and writing of
+// series, outputs, clashes and checkpoints, each valid only when complete.
 #include "hawser/io/results.hpp"
 
 #include <algorithm>
@@ -27,12 +27,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// What is not yet flushed to the disk, against power cuts, is at most this old.
+// Largest age of unflushed data, at risk in a power failure.
 constexpr std::chrono::seconds kFlushEvery{10};
-// Writing the XDMF text anew, and outputs, take at most these shares of the time.
+// Largest fractions of the run time for rewriting the XDMF text and for writing outputs.
 constexpr double kXdmfShare = 0.02, kOutputShare = 0.05;
-// More than that, of a rank, does not wait to be written: it stays in the processor's cache, and the time of
-// a writing is that of its numbers, not of its calls.
+// Larger waiting outputs of a rank are written at once: up to this size they stay in the processor's cache,
+// and the cost is that of the numbers, not of the calls.
 constexpr size_t kMostWaiting = 250'000;  // numbers
 
 }  // namespace
@@ -41,7 +41,7 @@ struct ResultsFile::Impl {
   SharedFile file;
   ResultContents contents;
   std::vector<int> owned;
-  std::ptrdiff_t line_nodes;  // of these, those of lines
+  std::ptrdiff_t line_nodes;  // number of line nodes among them
   std::vector<RowRun> runs;
   std::vector<int> ends;                    // owned; number 2 l is end A of line l, 2 l + 1 its end B
   std::vector<RowRun> end_runs, line_runs;  // line_runs: of lines whose first node is owned
@@ -59,20 +59,20 @@ struct ResultsFile::Impl {
 
   WaitingOutputs waiting;
 
-  std::vector<double> step_times;          // of the rows of the series that wait for the next output
-  std::vector<std::vector<double>> steps;  // by series, this rank's
+  std::vector<double> step_times;          // of the series rows that wait for the next output
+  std::vector<std::vector<double>> steps;  // by series, of this rank
   std::vector<char> mine;
-  std::vector<size_t> columns;  // by series, numbers of a step
+  std::vector<size_t> columns;  // by series, numbers per step
 
   Impl(MPI_Comm comm, const std::string& path, ResultContents contents, std::vector<int> owned);
   ~Impl() {
     if (xdmf_behind && root()) file.attempt([&] { xdmf->save(xdmf_path); });
   }
   bool root() const { return file.rank() == 0; }
-  // At every output, for ParaView alone; what does not move is drawn once.
+  // True for volumes that are written at every output, for ParaView alone; fixed ones are written once.
   bool drawn(const VolumeMesh& v) const { return v.moves() && contents.xdmf; }
 
-  // Rank 0 makes the file anew, everybody opens it.
+  // Rank 0 creates the file, all ranks open it.
   void build(const ResultRoom& wanted, const std::string& from, const ResultLast* last = nullptr) {
     file.close();
     bool input = false;
@@ -123,7 +123,7 @@ struct ResultsFile::Impl {
       build(wanted, file.path());
   }
 
-  // The rows become results: every rank's bytes are with the system before the counter is.
+  // Validates the rows: every rank's data are with the system before the counter is.
   void commit(const ResultCount& next) {
     file.agree();
     if (root()) file.write_alone("written", result_count_type(), &next);
@@ -137,7 +137,7 @@ struct ResultsFile::Impl {
     last_flush = Clock::now();
   }
 
-  // Rows of the series in memory up to that time [s] to the file, not yet counted. Returns how many.
+  // Writes the series rows in memory up to that time [s], not yet validated. Returns their number.
   long long write_steps(double until = HUGE_VAL) {
     const double last = until + 1e-9 * std::max(std::abs(until), 1.0);
     const auto n = std::upper_bound(step_times.begin(), step_times.end(), last) - step_times.begin();
@@ -165,13 +165,13 @@ struct ResultsFile::Impl {
         steps[s].erase(steps[s].begin(), steps[s].begin() + n * static_cast<long long>(columns[s]));
   }
 
-  // Rows of the clash tables, the same on all ranks.
+  // Numbers of rows of the clash tables, the same on all ranks.
   ClashRoom rows_of(size_t ended, size_t open) const {
     long long n[2] = {static_cast<long long>(ended), static_cast<long long>(open)};
     MPI_Bcast(n, 2, MPI_LONG_LONG, 0, file.comm());
     return {n[0], n[1]};
   }
-  // Of the outputs from `row` on; what is open only after the last one.
+  // Clashes of the outputs from `row` on; ongoing ones only of the last output.
   void write_clashes(long long row, const std::vector<ClashTables>& tables, const ClashRoom& rows) {
     const h5::Id type = clash_type();
     std::vector<ClashRow> all;
@@ -209,18 +209,17 @@ struct ResultsFile::Impl {
     }
   }
 
-  // Outputs that wait, and the series so far, to the file.
+  // Writes the waiting outputs and the series so far.
   void write_waiting() {
     while (!waiting.times.empty()) {
-      // The table of open clashes exists twice, for outputs of even and of odd number. What is written goes
-      // to the one that the last output in the file does not use, so that a kill leaves that output whole:
-      // outputs are written in odd numbers.
+      // The two tables of ongoing clashes alternate with the parity of the output. An odd number of outputs
+      // is written at a time, so the table of the last output in the file stays intact in a kill.
       const size_t all = waiting.times.size();
       const WaitingOutputs w = waiting.take(contents.clashes && all % 2 == 0 ? all - 1 : all);
       write(w, w.fields, w.ends);
     }
   }
-  // nodes, at_ends: of all these outputs, as in WaitingOutputs.
+  // nodes, at_ends: values of all these outputs, as in WaitingOutputs.
   void write(const WaitingOutputs& w, std::span<const std::vector<double>> nodes,
              std::span<const std::vector<double>> at_ends) {
     const long long n = static_cast<long long>(w.times.size()), row = count.outputs;
@@ -315,7 +314,7 @@ ResultsFile ResultsFile::resume(MPI_Comm comm, const std::string& path, ResultCo
   ResultProgress progress;
   const int rank = rank_of(comm);
   std::string error;
-  // Times are compared with room for rounding: a step ends on the output time to the last few bits.
+  // Tolerance for rounding: a step ends at the output time up to the last bits.
   const double last = time + 1e-9 * std::max(std::abs(time), 1.0);
   long long outputs = 0, steps = 0;
   if (rank == 0) {
@@ -397,7 +396,7 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   for (const auto& f : fields) numbers += f.size();
   numbers += 10 * contacts.size();
   const bool now = on_any_rank(m.file.comm(), (m.root() && m.output_time.due()) || numbers > kMostWaiting);
-  const bool alone = now && w.times.empty();  // it is written from where it is
+  const bool alone = now && w.times.empty();  // written directly, without a copy
   w.times.push_back(time);
   w.clashes.push_back(clashes);
   w.contacts.push_back(contacts);
@@ -405,7 +404,7 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
   if (!alone) {
     w.fields.resize(fields.size());
     w.ends.resize(ends.size());
-    // Nodes of bodies come after those of lines, and are not in the rows.
+    // Body nodes come after the line nodes and have no rows.
     for (size_t i = 0; i < fields.size(); ++i) {
       const auto last = fields[i].begin() + m.line_nodes * c.fields[i].components;
       w.fields[i].insert(w.fields[i].end(), fields[i].begin(), last);
@@ -425,12 +424,12 @@ void ResultsFile::write_output(double time, const std::vector<std::vector<double
 
 void ResultsFile::write_checkpoint(Checkpoint checkpoint) {
   auto& m = *impl_;
-  m.write_waiting();  // a run that goes on from it keeps what came before
+  m.write_waiting();  // a continued run keeps all earlier outputs
   const int nodes = m.contents.nodes_total() + m.contents.free_bodies;
   const CheckpointRoom need = checkpoint_room(m.file.comm(), checkpoint, nodes, m.owned);
   const auto text = static_cast<long long>(need.index.size());
   m.ensure_room(0, 0, need.size, text);
-  // The slot that does not hold the newest one; its header, written last, makes it the newest.
+  // Uses the slot without the newest checkpoint; its header, written last, makes it the newest.
   const long long sequence = m.sequence + 1;
   const std::string slot = sequence % 2 ? "checkpoint/1/" : "checkpoint/0/";
   std::vector<RowRun> index;
@@ -452,7 +451,7 @@ void ResultsFile::write_checkpoint(Checkpoint checkpoint) {
 
 void ResultsFile::write_statistics(size_t field, const std::vector<double>& values) {
   auto& m = *impl_;
-  // Nodes of bodies come after those of lines, and have no rows.
+  // Body nodes come after the line nodes and have no rows.
   m.file.write_runs(statistics_place(m.contents.statistics.at(field)), H5T_NATIVE_DOUBLE, -1, m.runs,
                     values.data());
   m.file.agree();

@@ -1,5 +1,4 @@
-// Which datasets a results file has, how it is made anew with more room and the rows of the earlier file, and
-// how it takes that one's place.
+// Datasets of a results file, copying into a file with more capacity, and atomic replacement of the old file.
 #include "hawser/io/results_build.hpp"
 
 #include <fcntl.h>
@@ -95,7 +94,7 @@ void write_description(hid_t file, const ResultContents& c) {
   std::vector<int> ranks = c.ranks;
   ranks.resize(line_of.size());
   write_ints(file, "nodes/rank", ranks);
-  // One cell of kind 2 (polyline) a line: kind, count, nodes. What XDMF calls a mixed topology.
+  // One cell of type 2 (polyline) per line: type, count, nodes (XDMF mixed topology).
   std::vector<int> mixed;
   for (const auto& line : c.lines) {
     mixed.insert(mixed.end(), {2, line.nodes});
@@ -131,7 +130,7 @@ hsize_t rows_in(const RowSet& s, long long outputs, long long steps, long long c
   return static_cast<hsize_t>(s.by == RowsBy::step ? steps : s.by == RowsBy::contact ? contacts : outputs);
 }
 
-// What tools beside the program show of a field, and how they call it.
+// Labels of fields for external tools.
 void describe_fields(hid_t file, const std::vector<Field>& fields) {
   for (const Field& f : fields) {
     const h5::Id set = h5::open_dataset(file, field_place(f));
@@ -238,7 +237,7 @@ void write_summary(hid_t file, const std::vector<SummaryRow>& rows) {
   write_all(file, "summary", type, {rows.size()}, bytes.data(), type);
 }
 
-// The first n rows, in pieces that stay in the processor's cache.
+// Copies the first n rows, in pieces that fit the processor's cache.
 void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
   h5::Shape count = h5::shape_of(to), start(count.size(), 0);
   hsize_t row = H5Tget_size(type);
@@ -262,7 +261,7 @@ void copy_rows(hid_t from, hid_t to, hid_t type, hsize_t n) {
   }
 }
 
-// `newest_checkpoint`: only that one, where the run is at its end and it is complete.
+// `newest_checkpoint`: copy only the newest one, at the end of the run if it is complete.
 void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, const ResultRoom& room,
                   const ResultCount& kept, long long clashes, long long contacts, bool newest_checkpoint) {
   const h5::Id from = h5::open_read(path);
@@ -300,7 +299,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   if (c.clashes) copy_clash_tables(from, to, clashes);
   if (room.slot_doubles == 0) return;
   const auto header_of = [&from](const std::string& slot) {
-    std::array<std::uint64_t, 4> h{};  // the first one counts checkpoints; 0: the slot is empty
+    std::array<std::uint64_t, 4> h{};  // the first number is the sequence; 0: the slot is empty
     if (h5::exists(from, slot))
       h5::check(H5Dread(h5::open_dataset(from, slot + "/header"), H5T_NATIVE_UINT64, H5S_ALL, H5S_ALL,
                         H5P_DEFAULT, h.data()),
@@ -324,7 +323,7 @@ void copy_earlier(const std::string& path, hid_t to, const ResultContents& c, co
   }
 }
 
-// On disk before it takes the name, and the name on disk as well.
+// Flushes the file before renaming it, and the folder after.
 void put_in_place(const std::string& made, const std::string& path) {
   const auto sync = [](const std::string& what) {
     const int fd = open(what.c_str(), O_RDONLY);
@@ -370,7 +369,7 @@ std::vector<std::string> volume_places(const ResultContents& c) {
 }
 
 std::vector<std::string> series_places(const ResultContents& c) {
-  std::vector<std::string> names{"time"};  // taken
+  std::vector<std::string> names{"time"};  // names in use
   for (const auto& s : c.series) names.push_back(s.name);
   names = safe_names(names);
   names.erase(names.begin());
@@ -449,7 +448,7 @@ void build_results(const std::string& path, const ResultContents& contents, cons
                    const std::string& from, const ResultCount& kept, long long clashes, long long contacts,
                    const ResultLast* last) {
   const std::string made = path + ".new";
-  std::remove(made.c_str());  // it may be a link, and lead to something else
+  std::remove(made.c_str());  // a link would write elsewhere
   try {
     const h5::Id file = h5::create(made);
     {

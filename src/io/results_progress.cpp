@@ -1,4 +1,4 @@
-// How far a results file got: its counter, the times of the rows that count, and what is damaged.
+// State of a results file: counter, times of valid rows, and damage.
 #include "hawser/io/results_progress.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ InputError damaged(const std::string& path, const std::string& what) {
   return InputError("{} is damaged and cannot be continued: {}; go on in another file with -o", path, what);
 }
 
-// The rows that count of a column of times.
+// Valid rows of a dataset of times.
 std::vector<double> counted(const std::string& path, hid_t file, const std::string& name, long long rows) {
   std::vector<double> times = h5::read_array(file, name).values;
   if (rows < 0 || rows > static_cast<long long>(times.size()))

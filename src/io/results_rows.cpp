@@ -1,5 +1,5 @@
-// The class SharedFile: parallel writing of rows to open datasets by all ranks or by one, flushing to the
-// disk, and how the ranks agree on the first error.
+// The class SharedFile: parallel writing of rows to open datasets by all ranks or one, flushing, and
+// agreement of the ranks on the first error.
 #include "hawser/io/results_rows.hpp"
 
 #include <algorithm>
@@ -24,9 +24,8 @@ std::vector<RowRun> runs_of(const std::vector<int>& ascending) {
 
 SharedFile::SharedFile(MPI_Comm comm, std::string path) : comm_(comm), path_(std::move(path)) {
   MPI_Comm_rank(comm_, &rank_);
-  // Open MPI's own way to files makes names of less than 256 characters from the path, and aborts when it
-  // does not fit. Its other way, ROMIO, has no such limit, but is slower. Which it takes it decides at the
-  // first file.
+  // Open MPI's OMPIO makes names of less than 256 characters from the path and aborts on overflow. ROMIO has
+  // no such limit, but is slower. The choice is fixed at the first file.
   if (path_.size() > 200) setenv("OMPI_MCA_io", "^ompio", 0);
 }
 
@@ -40,7 +39,7 @@ void SharedFile::open(const std::vector<std::string>& datasets) {
       h5::check(H5Pset_fapl_mpio(access, comm_, MPI_INFO_NULL), "HDF5 with MPI");
       h5::check(H5Pset_dxpl_mpio(transfer_, H5FD_MPIO_INDEPENDENT), "HDF5 with MPI");
     } else {
-      // What is written is with the system at once, as it is with MPI: a kill must not take it away.
+      // Without a sieve buffer data are with the system at once, as with MPI, and survive a kill.
       h5::check(H5Pset_sieve_buf_size(access, 0), "HDF5 property list");
     }
     file_ = h5::own(H5Fopen(path_.c_str(), H5F_ACC_RDWR, access), H5Fclose, "cannot open " + path_);
@@ -76,7 +75,7 @@ void SharedFile::agree() {
 }
 
 namespace {
-// A run without bodies, or without lines, has rows of nothing, which have no place in the file to write to.
+// Rows without bodies or lines are empty and have no place in the file.
 bool empty(const h5::Shape& shape) {
   return std::find(shape.begin(), shape.end(), hsize_t{0}) != shape.end();
 }

@@ -1,5 +1,4 @@
-// Rows of all datasets times their number, both checkpoint slots with their spare room, the meshes, and what
-// HDF5 keeps of each dataset.
+// Size of all datasets by rows, both checkpoint slots with their reserve, meshes, and HDF5 metadata.
 #include "hawser/io/results_size.hpp"
 
 #include <hdf5.h>
@@ -9,9 +8,9 @@
 namespace hawser::io {
 namespace {
 
-constexpr double kOfDataset = 830;  // bytes of its header, name and attributes, measured
-constexpr double kSpare = 1.5;      // of a checkpoint slot, over the first checkpoint (ResultsFile)
-constexpr double kNode = 20;        // bytes: arc length, line, number, and its place in the line's cell
+constexpr double kOfDataset = 830;  // bytes of header, name and attributes, measured
+constexpr double kSpare = 1.5;      // reserve of a checkpoint slot over the first checkpoint (ResultsFile)
+constexpr double kNode = 20;        // bytes: arc length, line, number, and entry in the line's cell
 
 }  // namespace
 

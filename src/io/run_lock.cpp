@@ -1,5 +1,4 @@
-// The class RunLock: how the lock file beside the results is created, locked for this process and removed,
-// and the message when another run holds it.
+// The class RunLock: creation, locking and removal of the lock file, and the message if another run holds it.
 #include "hawser/io/run_lock.hpp"
 
 #include <fcntl.h>
@@ -18,7 +17,7 @@
 namespace hawser::io {
 namespace {
 
-// Another process removes the file when it is done; what was opened before is then no longer what others see.
+// Another process may have removed the file at its end; an open descriptor then refers to a deleted file.
 bool still_there(int file, const std::string& path) {
   struct stat mine {
   }, there{};
@@ -47,12 +46,12 @@ RunLock::RunLock(const std::string& results) : path_(results + ".lock") {
   }
   char host[256] = "";
   gethostname(host, sizeof host - 1);
-  // For people only: a full disk, which takes no text, does not matter.
+  // The text is informative only; a full disk does not matter.
   if (ftruncate(file_, 0) == 0) dprintf(file_, "process %d on %s\n", static_cast<int>(getpid()), host);
 }
 
 RunLock::~RunLock() {
-  unlink(path_.c_str());  // before others can have it
+  unlink(path_.c_str());  // before others can lock it
   close(file_);
 }
 

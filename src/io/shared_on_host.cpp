@@ -1,5 +1,5 @@
-// How the mesh surface that one rank of a host has made gets into memory shared with the other ranks, and how
-// an error on any rank is thrown on all.
+// Transfer of a mesh surface made by one rank of a host to memory shared with the others, and errors thrown
+// on all ranks.
 #include "hawser/io/shared_on_host.hpp"
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-// The parser of STL files: how the text form is distinguished from the binary form, words and numbers of the
-// one, records of the other, and a sentence for whatever is malformed.
+// Parser of STL files: detection of the text and binary forms, words and numbers of the text, records of the
+// binary form, and messages for malformed files.
 #include "stl_reader.hpp"
 
 #include <fmt/format.h>
@@ -17,22 +17,22 @@
 namespace hawser::io {
 namespace {
 
-constexpr std::uintmax_t kHeader = 84, kFacet = 50;  // bytes of a binary file
+constexpr std::uintmax_t kHeader = 84, kFacet = 50;  // bytes, in a binary file
 
 bool blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
-// The words of a text, one after the other, with their lines.
+// Sequential words of a text with their line numbers.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) {}
-  // Empty at the end.
+  // Empty at the end of the text.
   std::string_view next() {
     while (at_ < text_.size() && blank(text_[at_])) line_ += text_[at_++] == '\n';
     const std::size_t from = at_;
     while (at_ < text_.size() && !blank(text_[at_])) ++at_;
     return text_.substr(from, at_ - from);
   }
-  // What is left of the line, without blanks about it.
+  // The rest of the line without surrounding blanks.
   std::string_view rest_of_line() {
     const std::size_t from = at_;
     while (at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '\r') ++at_;
@@ -49,7 +49,7 @@ class Words {
   int line_ = 1;
 };
 
-// Whatever the size of its letters.
+// Compares without letter case.
 bool is(std::string_view word, std::string_view small) {
   return std::equal(word.begin(), word.end(), small.begin(), small.end(),
                     [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b; });
@@ -73,12 +73,12 @@ bool read_number(std::string_view word, double& x) {
   return r.ec == std::errc() && r.ptr == word.data() + word.size();
 }
 
-// After the word 'facet'.
+// Parses a facet after the word 'facet'.
 std::string read_facet(Words& words, double scale, TriangleMesh& mesh) {
   std::string_view word;
   const auto need = [&](std::string_view small) { return is(word = words.next(), small); };
   if (!need("normal")) return expected(words, "'normal'", word);
-  // Some write the normal of a facet without area as 'nan'; nothing is read of it.
+  // Some programs write 'nan' as the normal of a degenerate facet; normals are not used.
   for (int i = 0; i < 3; ++i)
     if (word = words.next(); word.empty()) return expected(words, "a number of a normal", word);
   if (!need("outer")) return expected(words, "'outer loop'", word);
@@ -158,7 +158,7 @@ std::string read_binary(const std::string& file, double scale, TriangleMesh& mes
   return "";
 }
 
-// The first word says 'solid', and what follows is text: the header of a binary file may say so too.
+// A file that begins with 'solid' and continues as text; headers of binary files may begin with 'solid', too.
 bool is_text(std::string_view file) {
   file.remove_prefix(mark_length(file));
   if (!is(Words(file).next(), "solid")) return false;

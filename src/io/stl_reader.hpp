@@ -1,5 +1,5 @@
-// STL files, text and binary. Our own: Assimp takes a text that does not begin with a small "solid" at once
-// for none, and says of a file cut short what nobody can make sense of.
+// Reader of STL files, text and binary. Assimp rejects text that does not begin with a lower-case "solid" and
+// has no clear message for truncated files.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace hawser::io {
 
-// Facets (corners times scale; the normals are not read) to `mesh`, each solid a part. Returns what is wrong
-// with the file, a sentence, or nothing. `bytes`: size of the file.
+// Appends facets (corners times scale; normals are not used) to `mesh`, one part per solid. Returns a
+// sentence on an error in the file, or empty. `bytes`: size of the file.
 std::string read_stl(const std::string& path, std::uintmax_t bytes, double scale, TriangleMesh& mesh);
 
 }  // namespace hawser::io

@@ -1,4 +1,4 @@
-// Outputs that are accepted but not in the file yet. Inside io only.
+// Accepted outputs that are not yet in the file. Internal to io.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace hawser::io {
 
-// Each output after the other.
+// One output after the other.
 struct WaitingOutputs {
   std::vector<double> times;
   std::vector<std::vector<double>> fields, ends;  // by field: outputs x nodes x components
@@ -26,7 +26,7 @@ struct WaitingOutputs {
     for (const auto& c : contacts) n += 10 * c.size();
     return n;
   }
-  // The first n outputs, which go.
+  // Removes and returns the first n outputs.
   WaitingOutputs take(size_t n) {
     const size_t of = times.size();
     if (n == of) return std::exchange(*this, {});

@@ -1,4 +1,4 @@
-// WAMIT's files into SI units: which rows there must be, scales by length, density and gravity.
+// Reader of WAMIT's files: required rows, and scaling by length, density and gravity to SI units.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ constexpr int kMostBodies = 20;
   throw std::runtime_error(fmt::format("{}:{}: {}", table.path, row.line, text));
 }
 
-// A mode of motion, from 1 in the file, as an index from 0.
+// A mode number of the file, from 1, as an index from 0.
 int mode_of(const NumberTable& table, const NumberRow& row, size_t column, int modes) {
   const double mode = row.values[column];
   if (mode != std::floor(mode) || mode < 1 || mode > modes)
@@ -47,8 +47,8 @@ NumberTable required(const std::string& stem, const char* ending, const std::vec
   return table;
 }
 
-// Rows that are missing are zero by symmetry at all frequencies, so that one that is missing at some of them
-// is an error where it counts. given: by frequency, infinite as well.
+// Entries without rows at any frequency are zero by symmetry; a significant entry that lacks rows at some
+// frequencies is an error. given: by frequency, including infinity.
 void check_rows(const HydrodynamicData& data, const std::map<double, Eigen::MatrixXi>& given) {
   constexpr double kCounts = 1e-3;
   Eigen::MatrixXd most = Eigen::MatrixXd::Zero(6 * data.bodies, 6 * data.bodies);
@@ -79,7 +79,7 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
   struct Frequency {
     Eigen::MatrixXd added, damping;
-    Eigen::MatrixXi given;  // whether there is a row
+    Eigen::MatrixXi given;  // 1 if the entry has a row
   };
   const Eigen::MatrixXi no_rows = Eigen::MatrixXi::Zero(n, n);
   Eigen::MatrixXi at_infinity = no_rows;
@@ -122,7 +122,7 @@ void read_radiation(const std::string& stem, const HydrodynamicForm& form, std::
   check_rows(data, given);
 }
 
-// A file with rows of zero lists all entries of each body, so that one that is missing was lost.
+// A file that lists zero entries lists all entries of each body; a missing one was lost.
 void check_all_listed(const std::string& path, const Eigen::MatrixXi& given) {
   for (Eigen::Index i = 0; i < given.rows(); ++i)
     for (Eigen::Index j = i / 6 * 6; j < i / 6 * 6 + 6; ++j)
@@ -150,15 +150,15 @@ void read_hydrostatics(const std::string& stem, const HydrodynamicForm& form, st
   if (has_zeros) check_all_listed(table.path, given);
 }
 
-// Columns from `first` on: modulus, phase [deg], real and imaginary part of one number, to a few digits; the
-// phase of a number next to zero means nothing. Modulus and phase that are both zero are not given.
+// Checks columns from `first` on: modulus, phase [deg], real and imaginary part of one number agree to a few
+// digits; phases of numbers near zero are ignored. Modulus and phase that are both zero are not given.
 void check_parts(const NumberTable& table, const NumberRow& row, size_t first, double largest) {
   constexpr double kRounded = 0.01, kSmall = 0.01;
   const double modulus = row.values[first], phase = row.values[first + 1];
   const Complex parts(row.values[first + 2], row.values[first + 3]);
   const double scale = std::max(modulus, std::abs(parts));
   if (scale <= kSmall * largest || (modulus == 0 && phase == 0)) return;
-  // A negative real number may be written with its modulus and the phase 0.
+  // A negative real number may have its modulus and the phase 0.
   if (std::abs(parts - std::polar(modulus, phase * kRadPerDegree)) <= 2 * kRounded * scale) return;
   if (parts.imag() == 0 && std::abs(std::abs(parts.real()) - std::abs(modulus)) <= kRounded * scale) return;
   refuse(table, row,
@@ -168,7 +168,7 @@ void check_parts(const NumberTable& table, const NumberRow& row, size_t first, d
              modulus, phase, parts.real(), parts.imag(), std::abs(parts), std::arg(parts) / kRadPerDegree));
 }
 
-// By mode, the largest modulus in a column of a table with modes in another.
+// Largest modulus per mode in a column of a table.
 std::vector<double> largest_by_mode(const NumberTable& table, size_t mode, size_t column) {
   std::vector<double> most(6 * kMostBodies + 1, 0);
   for (const NumberRow& row : table.rows)
@@ -196,8 +196,8 @@ void read_excitation(const std::string& stem, const HydrodynamicForm& form, std:
   data.excitation = rows.tables(table.path);
 }
 
-// Mean forces in a regular wave: rho g A² L^k re, k = 1 of forces, 2 of moments; of two directions only equal
-// ones count. Modes below 0 are moments about other axes.
+// Mean forces in a regular wave: rho g A² L^k re, k = 1 for forces, 2 for moments; only equal pairs of
+// directions are used. Negative modes are moments about other axes.
 bool read_drift(const std::string& stem, const char* ending, const HydrodynamicForm& form,
                 std::vector<std::string>& read, HydrodynamicData& data, std::vector<std::string>& notes) {
   const NumberTable table = table_of(stem, ending, {8}, read);
@@ -222,7 +222,7 @@ bool read_drift(const std::string& stem, const char* ending, const HydrodynamicF
   return true;
 }
 
-// Periods of .12d are rounded: those that differ by less than this share are one.
+// Periods of .12d are rounded; smaller relative differences are equal.
 constexpr double kSamePeriod = 1e-4;
 
 // F_ij = rho g L^k (re + i im); half of the matrix is given, F_ji = conj F_ij. One direction.

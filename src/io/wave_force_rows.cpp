@@ -53,8 +53,8 @@ std::vector<WaveForceTable> WaveForceRows::tables(const std::string& path) {
   return out;
 }
 
-// Rows that are missing are zero, by symmetry or in waves that are too short to push the body, so that one
-// that is missing is an error where that of the next longer waves counts.
+// Missing rows are zero by symmetry or in waves too short to load the body; a missing row is an error if that
+// of the next longer waves is significant.
 void WaveForceRows::complete_modes(const std::string& path) {
   constexpr double kCounts = 0.01;
   const auto modes = static_cast<size_t>(6 * bodies_);
@@ -63,7 +63,7 @@ void WaveForceRows::complete_modes(const std::string& path) {
     for (size_t mode = 0; mode < modes; ++mode)
       if (const double size = std::abs(value[mode]); size > largest[rotates(static_cast<int>(mode))])
         largest[rotates(static_cast<int>(mode))] = size;
-  std::map<long, const std::vector<Complex>*> longer;  // by direction; frequencies grow
+  std::map<long, const std::vector<Complex>*> longer;  // by direction; frequencies increase
   for (auto& [at, value] : values_) {
     const std::vector<Complex>* before = std::exchange(longer[at.second], &value);
     for (size_t mode = 0; mode < modes; ++mode) {
@@ -80,7 +80,7 @@ void WaveForceRows::complete_modes(const std::string& path) {
   }
 }
 
-// X(-beta) is X(beta) with sway, roll and yaw reversed.
+// X(-beta) equals X(beta) with sway, roll and yaw reversed.
 void WaveForceRows::add_other_side(const std::string& path) {
   const auto on = [this](bool port) {
     return std::any_of(directions_.begin(), directions_.end(), [port](const auto& d) {

@@ -1,5 +1,5 @@
-// How the cause of a failed write is found: no space left on the disk, or else the operating system's words
-// within those of the HDF5 library.
+// Cause of a failed write: no space left on the disk, or the operating system's message within that of the
+// HDF5 library.
 #include "hawser/io/write_error.hpp"
 
 #include <sys/statvfs.h>
@@ -9,7 +9,7 @@ namespace {
 
 constexpr unsigned long long kLeast = 1 << 20;  // bytes; a disk with less is full
 
-// Of what HDF5 says the words of the system: "... errno = 28, error message = 'No space left on device',
+// Extracts the system's message from an HDF5 text "... errno = 28, error message = 'No space left on device',
 // ...".
 std::string words_of_system(const std::string& why) {
   const std::string mark = "error message = '";

@@ -1,6 +1,5 @@
-// The class XdmfWriter: the XML grids of lines and volumes at each output, which refer to rows of the HDF5
-// file, and the names that both files share. Which mesh is drawn of a volume: volume_meshes in
-// run/volumes.cpp.
+// The class XdmfWriter: XML grids of lines and volumes at each output, which refer to rows of the HDF5 file,
+// and the names that both files share. run/volumes.cpp (volume_meshes) selects the mesh of each volume.
 #include "hawser/io/xdmf.hpp"
 
 #include <algorithm>
@@ -21,7 +20,7 @@ namespace hawser::io {
 
 namespace {
 
-// More lines than this become one grid, so that the text of an output stays short.
+// Above this number of lines one grid holds all, to keep the text of an output short.
 constexpr size_t kSeparateLines = 16;
 
 std::string joined(const std::vector<long long>& numbers) {
@@ -37,11 +36,11 @@ struct Slab {
   std::string dataset;  // in the HDF5 file
   std::string type;     // NumberType and Precision
   std::vector<long long> start, count, shape;
-  bool by_output = false;  // has one row an output; the rest is then within the row
+  bool by_output = false;  // one row per output; start and count apply within the row
 };
 
-// Stand for what differs from output to output: the number of its row, that of the next one, and its time. No
-// name has them: xml_text() replaces control characters.
+// Placeholders for the parts that differ between outputs: row number, next row number, and time. Names cannot
+// contain them: xml_text() replaces control characters.
 constexpr char kRow = 1, kNext = 2, kTime = 3;
 
 const std::string kDouble = "NumberType=\"Float\" Precision=\"8\"";
@@ -49,10 +48,9 @@ const std::string kFloat = "NumberType=\"Float\" Precision=\"4\"";
 const std::string kInt = "NumberType=\"Int\" Precision=\"4\"";
 const std::string kChar = "NumberType=\"Char\" Precision=\"1\"";
 
-// A whole dataset, or a box cut out of it in the way XDMF 3 writes such boxes itself:
-// file:/dataset|start:stride:count:shape. (ParaView 5.11 reads no ItemType="HyperSlab" for node fields.)
-// It gets no rows beyond the one that it shall read, so the text stays true when the HDF5 file is
-// made anew with more room.
+// A whole dataset, or a box in the notation of XDMF 3, file:/dataset|start:stride:count:shape (ParaView 5.11
+// does not read ItemType="HyperSlab" for node fields). It refers to no other rows, so the text stays valid
+// when the HDF5 file is rebuilt with more capacity.
 std::string item(const std::string& h5, const Slab& s) {
   std::string text = h5 + ":/" + s.dataset;
   if (s.by_output || s.count != s.shape) {

@@ -1,4 +1,4 @@
-// Decoding of UTF-8 and the characters that XML 1.0 allows, for the user's names in the XDMF file.
+// UTF-8 decoding and the characters allowed in XML 1.0, for names in the XDMF file.
 #include "hawser/io/xml_text.hpp"
 
 #include <cstddef>
@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 
-// How many bytes the character at the beginning has; 0: it is no UTF-8 (RFC 3629), or not allowed in XML 1.0
-// (section 2.2).
+// Length in bytes of the first character; 0: no valid UTF-8 (RFC 3629), or not allowed in XML 1.0 (section
+// 2.2).
 size_t character(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);
   if (first < 0x80) return first >= 0x20 || first == '\t' || first == '\n' || first == '\r';

@@ -1,4 +1,5 @@
-// Events of the YAML parser into a tree. Not YAML::LoadAll: some broken files make it loop for ever.
+// Tree from the events of the YAML parser. YAML::LoadAll is not used: some invalid files make it loop for
+// ever.
 #include "hawser/io/yaml_document.hpp"
 
 #include <fmt/format.h>
@@ -47,7 +48,7 @@ class TreeBuilder final : public YAML::EventHandler {
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto known = anchors_.find(anchor);
-    if (known == anchors_.end())  // the parser knows the name, so it is still being built
+    if (known == anchors_.end())  // the anchored value is still being built
       model::fail(file_, line_of(mark), path(), "is an alias of something that holds it");
     count_nodes(known->second.nodes, line_of(mark));
     leaf(known->second.value, mark, 0, 0);
@@ -69,7 +70,7 @@ class TreeBuilder final : public YAML::EventHandler {
     Value value;
     YAML::anchor_t anchor = 0;
     long nodes_before = 0;
-    std::string key;  // of the map's entry under way
+    std::string key;  // of the current map entry
     int key_line = 0;
     bool has_key = false;
     std::map<std::string, int> key_lines;
@@ -116,7 +117,7 @@ class TreeBuilder final : public YAML::EventHandler {
     f.value.keys.shrink_to_fit();
     if (f.anchor) {
       const long nodes = nodes_ - f.nodes_before;
-      kept_ += nodes;  // each anchor that holds others keeps a copy of all
+      kept_ += nodes;  // each anchor that contains others keeps a copy of them
       count_nodes(0, f.value.line);
       anchors_[f.anchor] = {f.value, nodes};
     }
@@ -167,7 +168,7 @@ class TreeBuilder final : public YAML::EventHandler {
   long nodes_ = 0, kept_ = 0;
 };
 
-// Refuses a document at its first event.
+// Rejects a document at its first event.
 class NoDocument final : public YAML::EventHandler {
  public:
   explicit NoDocument(const std::string& file) : file_(file) {}
@@ -191,8 +192,8 @@ class NoDocument final : public YAML::EventHandler {
   const std::string& file_;
 };
 
-// The parser reads to the end of a bracket before it says that one began, and keeps all that it reads. In
-// quotes and comments brackets count too: nobody leaves so many open there.
+// The parser reads up to the closing bracket before it reports the opening one, and keeps all it reads.
+// Brackets in quotes and comments count as well; valid files do not leave so many open there.
 void refuse_deep_brackets(const std::string& text, const std::string& file) {
   std::size_t open = 0;
   int line = 1;
@@ -204,7 +205,7 @@ void refuse_deep_brackets(const std::string& text, const std::string& file) {
   }
 }
 
-// What the parser says, in words of its users.
+// Translates messages of the parser into the user's terms.
 std::string in_words(const std::string& message) {
   static constexpr std::pair<std::string_view, std::string_view> kWords[] = {
       {"illegal map value",

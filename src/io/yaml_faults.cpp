@@ -1,5 +1,5 @@
-// How the lines of a file that is no valid YAML are split into indentation, text and comment, and searched
-// for the likely mistake near the place where the parser stopped.
+// Search for the likely fault near the place where the YAML parser stopped, in lines split into indentation,
+// text and comment.
 #include "yaml_faults.hpp"
 
 #include <fmt/format.h>
@@ -14,10 +14,10 @@
 namespace hawser::io {
 namespace {
 
-// A line without its comment and the blanks at its end.
+// A line without comment and trailing blanks.
 struct Line {
   std::string text;
-  std::size_t indent = 0;  // of blanks and tabs
+  std::size_t indent = 0;  // blanks and tabs
   bool flow = false;       // begins within brackets or a quote
   bool empty() const { return indent == text.size(); }
   bool tab() const { return text.substr(0, indent).find('\t') != std::string::npos; }
@@ -25,7 +25,7 @@ struct Line {
 
 int number(std::size_t line) { return static_cast<int>(line) + 1; }
 
-// Whether the line begins with a key, which no value of several lines does.
+// True if the line begins with a key; a line within a multi-line value does not.
 bool begins_with_key(const std::string& raw) {
   const std::size_t at = raw.find_first_not_of(' ');
   if (at == std::string::npos) return false;
@@ -34,8 +34,8 @@ bool begins_with_key(const std::string& raw) {
          (end + 1 == raw.size() || raw[end + 1] == ' ' || raw[end + 1] == '\r');
 }
 
-// Splits a text into lines and finds the first bracket or quote that does not fit. They count where a value
-// begins and within brackets; the lines of a text after | or > are left empty.
+// Splits a text into lines and finds the first unmatched bracket or quote, counted where a value begins and
+// within brackets; lines of a text after | or > are left empty.
 class Lines {
  public:
   explicit Lines(const std::string& text) {
@@ -48,7 +48,7 @@ class Lines {
   }
   const std::vector<Line>& all() const { return lines_; }
   const std::optional<YamlFault>& unfit() const { return unfit_; }
-  // The line of a quote that is left open, from 0, and its kind.
+  // The line of an unclosed quote, from 0, and its kind.
   const std::optional<std::pair<std::size_t, char>>& open_quote() const { return open_quote_; }
 
  private:
@@ -77,7 +77,7 @@ class Lines {
       return;
     }
     literal_ = false;
-    // What opened further up is open for good where a line as far out as its own begins with a key.
+    // A bracket stays open for good if a line at its indentation or further out begins with a key.
     if (inside() && begins_with_key(raw) && indent <= lines_[open_.front().line].indent) left_open();
     Line out;
     out.flow = inside();
@@ -91,10 +91,10 @@ class Lines {
     lines_.push_back(std::move(out));
   }
 
-  // Where the comment of a line begins, or its end.
+  // Position of the comment of a line, or its length.
   std::size_t scan(const std::string& raw) {
     bool value = true;    // one may begin here: at the start, after "- " and ": ", in brackets after a comma
-    bool closed = false;  // the last bracket that was open
+    bool closed = false;  // the outermost bracket was closed
     for (std::size_t i = 0; i < raw.size(); ++i) {
       const char c = raw[i], next = i + 1 < raw.size() ? raw[i + 1] : ' ';
       if (quoted()) {
@@ -147,9 +147,9 @@ class Lines {
   std::size_t literal_indent_ = 0;
 };
 
-// What is said of the first key of a line without a blank after its colon; empty: there is none.
+// Hint for the first key of a line without a blank after its colon; empty: none.
 std::string unseparated(const std::string& line) {
-  bool start = true;  // at the start of a line, after a '-', or in brackets before a key
+  bool start = true;  // at the start of a line, after '-', or in brackets before a key
   for (std::size_t i = 0; i < line.size(); ++i) {
     const char c = line[i];
     if (start && c != ' ' && c != '-')
@@ -160,7 +160,7 @@ std::string unseparated(const std::string& line) {
   return "";
 }
 
-// What a line begins with that YAML takes for text; null: nothing like that.
+// Hint for the start of a line that YAML takes for text; null: none.
 const char* unexpected_begin(const Line& line) {
   if (line.empty() || line.flow) return nullptr;
   const std::string_view begin = std::string_view(line.text).substr(line.indent);
@@ -173,7 +173,7 @@ const char* unexpected_begin(const Line& line) {
 
 bool letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
-// The end of the word at a place: letters, digits and '_', a letter first.
+// End of the word at a position: letters, digits and '_', a letter first.
 std::size_t end_of_word(std::string_view text, std::size_t at) {
   if (at >= text.size() || !letter(text[at])) return at;
   while (at < text.size() && (letter(text[at]) || (text[at] >= '0' && text[at] <= '9'))) ++at;
@@ -184,7 +184,7 @@ std::string no_colon(std::string_view key) {
   return fmt::format("a colon and a blank are missing after {}", model::quote(key));
 }
 
-// Of a line in which a bracket follows a key without a colon between them; empty: there is none.
+// Hint for a line with a bracket after a key without a colon; empty: none.
 std::string bracket_without_colon(const Line& line) {
   const std::string_view text = line.text;
   std::size_t at = std::min(text.find_first_not_of(" -"), text.size());
@@ -207,7 +207,7 @@ std::string bracket_without_colon(const Line& line) {
   return "";
 }
 
-// Of a line that is a key and perhaps its value, with no colon at all; empty: it is something else.
+// Hint for a line with a key and perhaps a value but no colon; empty: none.
 std::string line_without_colon(const Line& line) {
   if (line.empty() || line.flow || line.text.find(':') != std::string::npos) return "";
   const std::size_t end = end_of_word(line.text, line.indent);
@@ -220,7 +220,7 @@ std::string line_without_colon(const Line& line) {
 std::optional<YamlFault> wrong_indent(const std::vector<Line>& lines, std::size_t at) {
   struct Level {
     std::size_t indent, line;
-    bool open;  // its value may follow further in
+    bool open;  // its value may follow at deeper indentation
   };
   std::vector<Level> levels;
   for (std::size_t i = 0; i <= at; ++i) {

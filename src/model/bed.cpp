@@ -1,5 +1,5 @@
-// Height and normal of a plane or measured seabed, and the rules by which a start shape counts as laid on it
-// or a line as held by friction; for start shapes, checks and statics.
+// Height and normal of a plane or measured seabed, and the rules for lines that are laid on it or held by
+// friction; used by start shapes, checks and statics.
 #include "hawser/model/bed.hpp"
 
 #include <algorithm>
@@ -60,8 +60,8 @@ double resting_height(const Case& c, const LineType& type) {
 }
 
 BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element) {
-  // The angle a by which the line turns down to its end presses it onto the bed by T a, of which friction
-  // takes up to mu T a: half a per cent of the tension T.
+  // A line that descends to its end at angle a presses on the bed with T a; friction balances a tension
+  // difference up to mu T a, 0.5 % of the tension T at this angle.
   constexpr double kSteepest = 0.005;
   BedAtEnd out;
   const Seabed& bed = c.environment.seabed;
@@ -74,10 +74,10 @@ BedAtEnd bed_at_end(const Case& c, const Line& line, bool b, double element) {
   const double height = height_above_bed(bed, end_position(c, end));
   if (!std::isfinite(height)) return out;
   const double rest = resting_height(c, type), radius = 0.5 * type.contact_diameter;
-  // An end at the height at which the line begins to touch would have it sink beside the end; of one above
-  // that the line hangs.
+  // With an end at the height of first contact the line would sink beside the end; above that height the line
+  // hangs from its end.
   out.depth = height <= radius ? rest - height : std::min(0.0, rest - 2 * radius + height);
-  // Beyond a joint the bed of the next line begins where it is.
+  // The bed of the next line begins at a joint, unchanged.
   out.length = std::max(std::min(std::abs(out.depth) / kSteepest, length), element);
   return out;
 }
@@ -87,7 +87,7 @@ bool static_bed_friction(const Case& c) {
   return bed.present && bed.as_laid && (bed.friction.axial > 0 || bed.friction.lateral > 0);
 }
 
-// Between points a line spans the hollows of a bed that is not even.
+// A line spans hollows of an uneven bed between its points.
 double laying_reach(const Case& c, const Line& line) {
   return std::max(contact_diameter_of(c, line), 1e-3 * length_of(line));
 }

@@ -16,7 +16,7 @@ double BendStiffener::EI(double s) const {
 }
 
 double stiffened_EI(const std::vector<BendStiffener>& stiffeners, double from, double to, double EI) {
-  constexpr int kPieces = 32;  // midpoint rule: elements are few beside a run's steps
+  constexpr int kPieces = 32;  // midpoint rule; computed once per element
   double flexibility = 0;
   bool any = false;
   for (int k = 0; k < kPieces; ++k) {

@@ -1,5 +1,5 @@
-// From the motion and drift that a case gives a body to the time functions of kernels/motion.hpp, and the
-// times at which a motion table jumps in velocity.
+// Conversion of the motion and drift of a body to the time functions of kernels/motion.hpp, and the times at
+// which the velocity of a motion table jumps.
 #include "hawser/model/body_motion.hpp"
 
 #include <algorithm>
@@ -53,8 +53,9 @@ RigidMotion rigid_motion(const Body& body) {
 
 namespace {
 
-// The curve through the rows at t = 0 to rounding: what a row adds to a spline falls off by a half or more
-// from row to row (its equations are tridiagonal, with twice as much on the diagonal as beside it).
+// Rows near t = 0, enough for the exact start of the curve to rounding: the influence of a row on a spline
+// decays by at least a half from row to row (tridiagonal equations with a diagonal twice the off-diagonal
+// sum).
 TableMotion near_start(const TableMotion& t) {
   constexpr std::ptrdiff_t kRows = 64;
   const auto size = static_cast<std::ptrdiff_t>(t.time.size());

@@ -1,5 +1,5 @@
-// The rules for contact of bodies: which volume of a pair leads with its points, edges or faces, and which
-// stiffness and share of the force each pair gets.
+// Rules for contact between bodies: the leading volume of each pair, its stiffness and its share of the
+// force.
 #include "hawser/model/body_pairs.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ bool is_bar(const Volume& v) {
          (std::holds_alternative<CapsuleShape>(*v.shape) || std::holds_alternative<TorusShape>(*v.shape));
 }
 
-// Who leads: the lower. A plane has nothing that stands out, nor has what has no stiffness of its own.
+// Rank of a volume; the lower one leads. Planes and volumes without a stiffness of their own never lead.
 constexpr int kNever = 9;
 int rank(const Volume& v) {
   if (v.basis == StiffnessBasis::automatic) return kNever;
@@ -30,7 +30,7 @@ bool hides(const Volume& v) {
   return v.basis == StiffnessBasis::per_point ? !ball : v.basis == StiffnessBasis::per_length && !bar;
 }
 
-// Of the volume `a` that leads and the one that it meets.
+// Friction of a pair; `a` leads.
 Friction friction_between(const Volume& a, const Volume& b) {
   Friction f = a.friction;
   const Friction& g = b.friction;

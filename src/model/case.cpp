@@ -1,5 +1,5 @@
-// What the case can say beyond its plain data: thermal strain of a line, inertia
-// tensor of a body, who takes part in contact, and finding line types, joints, bodies and lines by name.
+// Derived quantities of a case: thermal strain, inertia tensors, participation in contact, and look-up of
+// line types, joints, bodies and lines by name.
 #include "hawser/model/case.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Checks of time steps, tables and outputs, of joints, bodies and shapes; those of a line by itself are in
-// check_line.cpp, those of contact in check_contact.cpp.
+// Checks of time steps, tables, outputs, joints, bodies and shapes. Lines: check_line.cpp; contact:
+// check_contact.cpp.
 #include "hawser/model/check.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +15,8 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kMostElements = 1e6;  // of a case; each takes 5 to 10 KB in a run
-constexpr double kMostSteps = 1e9;     // of a run: a day or more; likewise outputs
+constexpr double kMostElements = 1e6;  // per case; each needs 5 to 10 KB in a run
+constexpr double kMostSteps = 1e9;     // per run, a day or more; also the limit of outputs
 
 void check_whole(const Case& c, const Issues& issue) {
   double elements = 0;
@@ -46,7 +46,7 @@ void check_whole(const Case& c, const Issues& issue) {
     many(d.max_step, "dynamics.max_step", "steps");
     many(c.output.every, "output.every", "outputs");
   }
-  // A spline knows nothing beyond its rows, and going on with its last slope would be a guess.
+  // A spline is undefined beyond its rows, and extrapolation would be a guess.
   const auto covers = [&](const TableMotion& t, const std::string& key) {
     if (t.time.empty()) return;
     if (t.time.front() > 0) issue(key, "the first row is at {:g} s; the run starts at 0 s", t.time.front());
@@ -58,7 +58,7 @@ void check_whole(const Case& c, const Issues& issue) {
     if (const auto* t = std::get_if<TableMotion>(&b.motion)) covers(*t, key + ".table");
     if (b.drift) covers(b.drift->table, key + ".drift.table");
   }
-  std::set<std::string> names{"energy", "solver", "time"};  // of the program's own
+  std::set<std::string> names{"energy", "solver", "time"};  // names used by the program
   for (const Line& line : c.lines) names.insert(line.name + " touchdown");
   for (const Link& l : c.links) names.insert(l.name + " link");
   for (std::size_t i = 0; i < c.output.histories.size(); ++i) {
@@ -153,7 +153,7 @@ void check_mass_matrix(const MassMatrix& m, const std::string& key, const Issues
       issue(key, "row {} has {:g} on the diagonal: mass and moments of inertia are above 0", i + 1, M(i, i));
       return;
     }
-  // Lengths of the body by its own numbers, so that kg and kg m² are compared.
+  // Scaling by the body's own diagonal makes kg and kg m² comparable.
   const Vec6 size = M.diagonal().cwiseSqrt();
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < i; ++j)
@@ -180,7 +180,7 @@ void check_floating(const Case& c, const Issues& issue) {
       continue;
     }
     const Vec3 moments = eigenpairs(b.mass->tensor()).values;
-    // Radii of gyration of ships are estimates: of platforms the sum is a warning only
+    // Radii of gyration of ships are estimates; for platforms a violation is only a warning
     // (advice/input_platforms.cpp).
     const bool beyond = !b.mass->hydrodynamics && moments[2] > (1 + 1e-9) * (moments[0] + moments[1]);
     if (!(moments[0] > 0) || beyond)
@@ -205,7 +205,7 @@ void check_floating(const Case& c, const Issues& issue) {
             c.volumes[p.a].name, c.volumes[p.b].name);
 }
 
-// What the numbers of a shape cannot say one by one.
+// Checks that involve several numbers of a shape.
 void check_shape(const Volume& v, const Issues& issue) {
   const std::string key = "volumes." + v.name + ".shape.";
   if (const auto* s = std::get_if<CylinderShape>(&*v.shape); s && s->from == s->to)

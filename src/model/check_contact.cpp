@@ -1,4 +1,4 @@
-// Settings of contact that each are possible and together, or beside the lines, are senseless.
+// Checks of contact settings against each other and against the lines.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace hawser::model {
 namespace {
 
-// m, of the lines that take part and that which(line) holds for; 0: of none.
+// Smallest contact diameter [m] of the participating lines that satisfy which(line); 0: no such line.
 template <class Which>
 double thinnest(const Case& c, const Which& which) {
   double least = 0;
@@ -45,7 +45,8 @@ void check_kinetic(const Volume& v, const Issues& issue) {
   if (!(f.axial_kinetic > f.axial)) below("lateral", f.lateral_kinetic, f.lateral);
 }
 
-// Where no line takes part in contact, friction of a volume would have no effect that no pair of bodies has.
+// If no line takes part in contact, friction of a volume has an effect only if the other body has friction,
+// too.
 void check_friction_of_bodies(const Case& c, const Issues& issue) {
   if (std::any_of(c.lines.begin(), c.lines.end(), [&](const Line& l) { return c.contact.takes_part(l); }))
     return;
@@ -61,8 +62,8 @@ void check_friction_of_bodies(const Case& c, const Issues& issue) {
   }
 }
 
-// Lines of one length between the same places, each started as a catenary, would start in one another, and
-// nothing says on which side of each other they are.
+// Lines of equal length between the same places, each started as a catenary, would coincide, and their
+// relative position is undefined.
 void check_apart(const Case& c, const Issues& issue) {
   struct Span {
     const Line* line;
@@ -98,7 +99,7 @@ void check_apart(const Case& c, const Issues& issue) {
     }
 }
 
-// No line over itself, and no two over each other.
+// No line is above itself, and no two lines are above each other.
 void check_order(const BetweenLines& b, const Issues& issue) {
   for (std::size_t i = 0; i < b.over.size(); ++i) {
     const auto& [upper, lower] = b.over[i];

@@ -1,4 +1,4 @@
-// Checks of events together: what follows what, and what is left then.
+// Checks of events against each other: their order and the state that they leave.
 #include "check_event_order.hpp"
 
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ class EventOrder : private EventChecks {
  private:
   const Line& line(const std::string& name) const { return c_.line(name); }
 
-  // What waits for another, and that for the next, must begin somewhere.
+  // A chain of events that wait for each other must have a first event.
   void check_chain() {
     const Event* e = &event();
     std::vector<std::string> names;
@@ -54,7 +54,7 @@ class EventOrder : private EventChecks {
     }
   }
 
-  // An end goes from held to free and back, one event after the other.
+  // Attachments and releases of an end must alternate.
   void check_ends() {
     std::map<std::pair<std::string, bool>, std::vector<std::size_t>> ends;
     for (std::size_t k = 0; k < c_.events.size(); ++k)
@@ -104,7 +104,7 @@ class EventOrder : private EventChecks {
     }
   }
 
-  // The second would undo the first.
+  // Simultaneous events of a feeder would override each other.
   void check_feeds() {
     for (std::size_t k = 0; k < i_; ++k) {
       const Event &e = event(), &o = c_.events[k];
@@ -148,7 +148,7 @@ class EventOrder : private EventChecks {
                        [&](const Volume& v) { return switches(event().action, v); }))
         issue("contact.volume", "there is no volume, support or group of supports '{}'{}",
               event().action.volume, did_you_mean(event().action.volume, names));
-    std::set<std::pair<std::size_t, std::size_t>> reported;  // once for all rollers of a group
+    std::set<std::pair<std::size_t, std::size_t>> reported;  // reported once for all rollers of a group
     for (const Volume& v : c_.volumes) {
       std::vector<std::size_t> events;
       for (std::size_t k = 0; k < c_.events.size(); ++k)

@@ -1,12 +1,12 @@
-// The part of check_events() that looks at events together.
+// Checks of events against each other, a part of check_events().
 #pragma once
 
 #include "hawser/model/check.hpp"
 
 namespace hawser::model {
 
-// Chains of events begin somewhere, ends go from held to free and back, volumes on and off, one end stays at
-// each joint, and each stage of statics has something to do.
+// Checks that chains of events have a start, that release and attachment of ends and switching of volumes
+// alternate, that one end stays at each joint, and that each stage of statics has an event.
 void check_event_order(const Case& c, const Issues& issue);
 
 }  // namespace hawser::model

@@ -1,4 +1,4 @@
-// Checks of events: whether each can happen, and does something; their order is in check_event_order.cpp.
+// Checks of single events: whether each is possible and has an effect. Their order: check_event_order.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -115,8 +115,8 @@ class EventCheck : private EventChecks {
               b ? 'B' : 'A');
   }
 
-  // What a cut leaves on either side up to an end, a section's end or another cut is an element at least, and
-  // one that is shorter than the line is thick is no line.
+  // Each part between cuts, ends and section boundaries is at least one element long and no shorter than the
+  // line's diameter.
   void check_parts(const Action& a, double length) {
     const double same = kArcTolerance * length;
     const double shortest = std::max(type_at(a.whole, a.cut).outer_diameter, same);
@@ -148,7 +148,7 @@ class EventCheck : private EventChecks {
     }
   }
 
-  // All stages together: what is inside may run out, and so may what is outside.
+  // Over all stages the length inside the feeder and the length outside must stay positive.
   void check_paid_out(const Action& a, const End& end) {
     if (event().cause.kind != Cause::Kind::stage)
       return issue("feed.paid_out", "is of a 'stage' of statics; in time a feeder has a 'speed'");

@@ -1,4 +1,4 @@
-// Checks of what feeds a line at one of its ends.
+// Checks of feeders at line ends.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 namespace hawser::model {
 namespace {
 
-// When the rows of speed have paid the whole stock out, s; beyond the end of the run: they have not.
+// Time at which the speed rows have paid out the whole stock, s; larger than `end` if they do not.
 double runs_out(const Feed& f, double end) {
-  std::vector<double> times;  // between which the speed is a straight line
+  std::vector<double> times;  // breakpoints; the speed is linear between them
   for (const auto& [t, v] : f.speed)
     if (t > 0 && t < end) times.push_back(t);
   times.push_back(end);
   double from = 0;
   for (const double to : times) {
-    // The most within is at an end or where the speed passes zero.
+    // The largest length within an interval is at its ends or at a zero of the speed.
     const Fed a = fed_by(f, from), b = fed_by(f, to);
     const double slope = (b.speed - a.speed) / (to - from);
     const double top = a.speed > 0 && b.speed < 0 ? from - a.speed / slope : to;
@@ -35,7 +35,7 @@ double runs_out(const Feed& f, double end) {
   return HUGE_VAL;
 }
 
-// Why such a line cannot be fed at such an end; empty: it can.
+// Reason why a line cannot be fed at an end; empty: it can.
 std::string why_not_fed(const Case& c, const Line& line, const End& end) {
   if (end.kind == EndKind::joint) return "a joint cannot feed a line; the end must be at an anchor or a body";
   if (end.kind == EndKind::body && (c.floats(c.body_index(end.body)) || c.rides(c.body_index(end.body))))
@@ -67,13 +67,13 @@ std::string why_not_fed(const Case& c, const Line& line, const End& end) {
   return "";
 }
 
-// At least so many elements are inside the feeder at the start, and outside.
+// Checks the minimum number of elements inside the feeder and outside at the start.
 void check_elements(const Line& line, bool at_b, const Issues& issue) {
   const Feed& f = *line.end(at_b).feed;
   const std::optional<Feed>& beyond = line.end(!at_b).feed;
   const double other = beyond ? beyond->stock : 0;
   double at = 0;
-  int inside = 0, outside = 0;  // elements
+  int inside = 0, outside = 0;  // number of elements
   for (const Section& s : line.sections)
     for (int i = 0; i < s.elements; ++i) {
       const double middle = at + (i + 0.5) / s.elements * s.length,
@@ -107,7 +107,7 @@ void check_speed_table(const Feed& f, const Issues& issue) {
   }
 }
 
-// What else a line has that a feeder cannot take in.
+// Checks other items of the line that cannot enter a feeder.
 void check_surroundings(const Case& c, const Line& line, const End& end, const Issues& issue) {
   const Vec3 place = end_position(c, end);
   if (c.environment.seabed.present &&
@@ -133,7 +133,7 @@ void check_stock(const Case& c, const Feed& f, const Issues& issue) {
           f.stock, t, end);
 }
 
-// Places at which events cut the line, which a feeder cannot take in.
+// Cuts of the line by events must not enter the feeder.
 void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const Issues& issue) {
   const double end = c.dynamics.duration;
   if (f.speed.empty() || !c.dynamics.enabled || !(end > 0)) return;
@@ -143,7 +143,7 @@ void check_cuts(const Case& c, const Line& line, const Feed& f, bool at_b, const
     const Action& a = c.events[k].action;
     if (a.cut < 0 || a.whole != line.name) continue;
     inwards.stock = (at_b ? length_of(line) - a.cut : a.cut) - f.stock;
-    if (!(inwards.stock > 0)) continue;  // reported already
+    if (!(inwards.stock > 0)) continue;  // reported elsewhere
     if (const double t = runs_out(inwards, end); t < end)
       issue(fmt::format("events[{}].cut.at", k),
             "arc length {:.6g} m of line '{}' is hauled in at its end {} by t = {:.4g} s, and a feeder "

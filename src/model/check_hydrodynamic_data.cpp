@@ -1,5 +1,5 @@
-// What the coefficients of a platform tell of each other, of its size and of long waves: other conventions,
-// other units.
+// Checks of a platform's coefficients against each other, its size and long-wave limits; they detect other
+// conventions and units.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -16,13 +16,13 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-// In long waves the water carries a body as it moves itself: heave follows the crest and surge comes a
-// quarter of a period before it, and the heave force is that of the hydrostatic stiffness. Waves of this wave
-// number times the side of a cube of its volume are long.
+// In long waves a body moves with the water: heave is in phase with the crest, surge leads it by a quarter of
+// a period, and the heave force equals hydrostatic stiffness times elevation. Upper limit of wave number
+// times cube root of volume for long waves:
 constexpr double kLongWaves = 0.1;
 constexpr double kPhase = 30 * kDegree;
 
-// The water pushes along its way a quarter of a period before the crest.
+// In the wave direction the force of long waves leads the crest by a quarter of a period.
 void check_push(const BodyHydrodynamics& h, const char* mode, double omega, Complex push, Complex heave,
                 const Issues& issue) {
   const double phase = std::arg(push);
@@ -61,12 +61,11 @@ void check_long_waves(const Case& c, const Body& b, const Issues& issue) {
             : "are both of one body, and of the density and gravity that the file states?");
 }
 
-// Rows of a body in the matrices of its files.
+// First row of a body in the matrices of its files.
 Eigen::Index first_row(const BodyHydrodynamics& h) { return 6 * (static_cast<Eigen::Index>(h.body) - 1); }
 
-// In waves that are long, but not very long, the heave force is that of the stiffness and, a quarter of a
-// period before the crest, that of the damping by the water's own velocity: Im X3 = omega B33, about the body
-// itself.
+// In moderately long waves the heave force is that of the stiffness plus, a quarter of a period ahead of the
+// crest, that of damping by the velocity of the water: Im X3 = omega B33 about the body itself.
 void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
   constexpr double kLong = 0.6, kCounts = 0.015, kOpposite = -0.4;
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
@@ -91,10 +90,10 @@ void check_heave_phase(const Case& c, const Body& b, const Issues& issue) {
           data.excitation_file);
 }
 
-// Haskind's relation: the waves that a body makes are those that push it,
+// Haskind's relation between radiation damping and wave excitation,
 //   B_ii = k/(8 pi rho g c_g) int |X_i(beta)|² dbeta
-// (Newman 1977, Marine Hydrodynamics, 6.173). The middle of the ratios over the frequencies at which the
-// damping counts; other units of one of the two make it far from 1.
+// (Newman 1977, Marine Hydrodynamics, 6.173). Takes the median of the ratios over the frequencies with
+// significant damping; wrong units of either make it differ greatly from 1.
 void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issue) {
   constexpr double kGap = M_PI / 3, kCounts = 0.1, kFar = 2;
   const HydrodynamicData& data = *h.data;
@@ -136,7 +135,7 @@ void check_haskind(const Case& c, const BodyHydrodynamics& h, const Issues& issu
           data.excitation_file, worst, name, data.radiation_file);
 }
 
-// Beyond the last row of the file the damping is zero, which it is not where the file was cut.
+// The damping is taken as zero beyond the last frequency; a truncated file has significant damping there.
 void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
   constexpr double kLarge = 0.2, kFurther = 1.25;
   const HydrodynamicData& data = *h.data;
@@ -158,8 +157,8 @@ void check_end_of_damping(const BodyHydrodynamics& h, const Issues& issue) {
         2 * M_PI / beyond);
 }
 
-// Added mass over that of the displaced water, and the waterplane over its size: bounds that hulls do not
-// come near, and that values over the density or of another length scale do.
+// Bounds of added mass over displaced mass and of waterplane area over size that no hull approaches; values
+// divided by density or with another length scale exceed them.
 void check_size(const Case& c, const Body& b, const Issues& issue) {
   const BodyHydrodynamics& h = *b.mass->hydrodynamics;
   const HydrodynamicData& data = *h.data;
@@ -168,8 +167,7 @@ void check_size(const Case& c, const Body& b, const Issues& issue) {
   double added = 0;
   for (const Eigen::MatrixXd& A : data.added_mass)
     added = std::max(added, A.diagonal().segment<3>(first_row(h)).maxCoeff() / (density * volume));
-  // A body that lines hold down displaces more than its mass, and one that turns on a hinge may have no rows
-  // of translation.
+  // A body held down by lines displaces more than its mass, and a hinged body may have no translational rows.
   constexpr double kLeast = 0.02, kMost = 50;
   if ((added > 0 && added < kLeast) || (h.volume > 0 && added > kMost))
     issue(

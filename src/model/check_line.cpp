@@ -1,4 +1,4 @@
-// Checks of a line by itself: ends, span, start shape, soil, temperature, loads.
+// Checks of single lines: ends, span, start shape, soil, temperature, loads.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 namespace hawser::model {
 namespace {
 
-// To reach between held ends, of what has the modulus [Pa] of metal; more is a misprint, not a taut line.
+// Largest strain between held ends with a modulus [Pa] of metal; more is a typing error, not a taut line.
 constexpr double kLargestStrain = 0.10, kMetal = 20e9;
-constexpr double kLargestExpansion = 0.05;  // by heat; ropes and rubber stay below
-constexpr double kMostWeight = 100;  // of a line in air, in EA: soft rubber under water has 1 at the most
+constexpr double kLargestExpansion = 0.05;  // thermal; ropes and rubber stay below
+constexpr double kMostWeight = 100;         // of a line in air over EA; soft rubber under water: at most 1
 
 class LineCheck {
  public:
@@ -38,7 +38,7 @@ class LineCheck {
  private:
   bool attached(const End& e) const { return e.kind != EndKind::free; }
 
-  // m, of what is not inside a feeder at the start.
+  // Length outside the feeders at the start, m.
   double outside() const {
     double sum = length_;
     for (const End* e : {&line_.end_a, &line_.end_b})
@@ -139,7 +139,7 @@ class LineCheck {
       issue(fmt::format("start.points[{}]", i), "is {:.4g} m away from the line's end, which is held", gap);
   }
 
-  // The strain that its sections can take, the mean along the line: fibres and rubber far more than metal.
+  // Allowed strain, averaged along the line; fibres and rubber allow far more than metal.
   double largest_strain() const {
     double sum = 0;
     for (const Section& s : line_.sections) {
@@ -152,10 +152,10 @@ class LineCheck {
     return sum / length_;
   }
 
-  // A taut line may be a little shorter than its span; it stretches.
+  // A taut line may be slightly shorter than its span; it stretches.
   void check_span() {
     if (!attached(line_.end_a) || !attached(line_.end_b)) return;
-    if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // it moves
+    if (line_.end_a.kind == EndKind::joint || line_.end_b.kind == EndKind::joint) return;  // joints move
     const double span = (end_position(c_, line_.end_b) - end_position(c_, line_.end_a)).norm();
     const double natural = outside() + expansion_of(c_, line_), strain = (span - natural) / natural,
                  most = largest_strain();
@@ -216,7 +216,7 @@ class LineCheck {
       issue("target", "end {} is free: it has no tension and no angle to be met", t.at_a ? "A" : "B");
   }
 
-  // K, the largest either way over the arc [from, to], m.
+  // Largest temperature change [K] in magnitude over the arc lengths [from, to], m.
   double most_change(double from, double to) const {
     double most = 0;
     for (const double s : {from, to}) most = std::max(most, std::abs(mean_temperature_change(line_, s, s)));
@@ -261,7 +261,7 @@ class LineCheck {
   }
 
   void check_loads() {
-    // Keys count the loads in file order, which `order` keeps.
+    // Keys number the loads in file order, which `order` keeps.
     for (const DistributedLoad& q : line_.loads) {
       const std::string key = fmt::format("loads[{}]", q.order);
       check_arc(q.from, key + ".from");

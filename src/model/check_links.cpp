@@ -1,4 +1,4 @@
-// Checks of links: what they are between, and whether they do anything.
+// Checks of links: their ends, and whether they have an effect.
 #include <fmt/format.h>
 
 #include <optional>
@@ -9,7 +9,7 @@
 namespace hawser::model {
 namespace {
 
-// Whether its motion is prescribed: a point of space or of a body that does not move by the state.
+// True if the end has prescribed motion: a point of space or of a body without unknowns.
 bool prescribed(const Case& c, const LinkEnd& e) {
   const int body = c.body_index(e.body);
   return e.line.empty() && !c.floats(body) && !c.rides(body);
@@ -23,7 +23,7 @@ void check_end(const Case& c, const LinkEnd& e, const std::string& key, const Is
           e.line, length);
 }
 
-// Where it is drawn; nothing of ends on lines and on what rides on them.
+// Initial position of the end; none for ends on lines and on bodies that ride on lines.
 std::optional<Vec3> drawn(const Case& c, const LinkEnd& e) {
   const int body = c.body_index(e.body);
   if (!e.line.empty() || c.rides(body)) return std::nullopt;

@@ -1,4 +1,4 @@
-// What coefficients of platforms cannot be: other conventions, other units, bodies that are missing.
+// Checks of platforms for other conventions or units and missing bodies.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@
 namespace hawser::model {
 namespace {
 
-// The stiffness has a potential, and the damping takes energy.
+// The stiffness matrix is symmetric and the damping matrix dissipates energy.
 void check_matrices(const BodyHydrodynamics& h, const Issues& issue) {
   constexpr double kRounded = 1e-6;
   const Mat6& K = h.stiffness;
@@ -58,7 +58,7 @@ void check_hull(const Case& c, const Body& b, const Issues& issue) {
   for (const std::string& name : m.hull->volumes) {
     const auto has_name = [&name](const Volume& v) { return v.name == name; };
     const auto volume = std::find_if(c.volumes.begin(), c.volumes.end(), has_name);
-    if (volume == c.volumes.end()) continue;  // said already
+    if (volume == c.volumes.end()) continue;  // reported elsewhere
     if (volume->body != b.name)
       issue("volumes", "volume '{}' moves with {}, not with this body: set 'body: {}' there", name,
             volume->body.empty() ? "nothing" : "body '" + volume->body + "'", b.name);

@@ -1,5 +1,5 @@
-// Whether lines can lie on their supports as the case has them: boxes one after the other, the tensioner
-// before the first and on the side on which it holds.
+// Checks that lines can lie on their supports: boxes in sequence, the tensioner before the first and on its
+// supporting side.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kSteep = 0.25;  // up to the first roller: the tangent of a turn that is no misprint
+constexpr double kSteep = 0.25;  // up to the first roller: tangent of the largest plausible turn
 
 RigidPose pose_of_end(const Case& c, const End& e) {
   const int body = c.body_index(e.body);
@@ -46,7 +46,7 @@ void check_start(const Case& c, const Line& line, const SupportBox& first, const
   const RigidPose pose = pose_of(c, first);
   const Vec3 to = pose.to_space(first.at) - end_position(c, *end), along = pose.rotation * first.along;
   const std::string which = fmt::format("lines.{}.end_{}", line.name, end == &line.end_a ? "a" : "b");
-  if (end->direction) {  // of the line from end A to end B
+  if (end->direction) {  // direction of the line from end A to end B
     const Vec3 given =
         end->kind == EndKind::body ? pose_of_end(c, *end).rotation * *end->direction : *end->direction;
     if (given.dot(along) * (end == &line.end_a ? 1 : -1) < 0)

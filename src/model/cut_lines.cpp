@@ -1,4 +1,4 @@
-// How a line is divided where events cut it, and what else of the case is about the line.
+// Division of lines that events cut, and of everything else in the case that refers to them.
 #include "hawser/model/cut_lines.hpp"
 
 #include <fmt/format.h>
@@ -12,9 +12,9 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kSame = 1e-9;  // of the line's length
+constexpr double kSame = 1e-9;  // fraction of the line's length
 
-// The part of a section from `from` to `to` [m, from its beginning], with the elements that are nearest:
+// Part of a section between `from` and `to` [m, from its beginning], with the nearest number of elements;
 // their lengths stay a geometric series.
 Section part_of(const Section& s, double from, double to) {
   const double q = s.elements > 1 ? std::pow(s.grading, 1.0 / (s.elements - 1)) : 1;
@@ -31,7 +31,7 @@ Section part_of(const Section& s, double from, double to) {
   return out;
 }
 
-// [from, to] of the line as one of its own.
+// The range [from, to] of a line as a line of its own.
 Line part_of(const Line& line, double from, double to, double length) {
   Line out = line;
   out.from = from;
@@ -49,7 +49,7 @@ Line part_of(const Line& line, double from, double to, double length) {
   std::erase_if(out.point_loads, elsewhere);
   for (PointMass& m : out.masses) m.at -= from;
   for (PointLoad& p : out.point_loads) p.at -= from;
-  for (BendStiffener& b : out.bend_stiffeners) b.at -= from;  // of both parts where it goes on
+  for (BendStiffener& b : out.bend_stiffeners) b.at -= from;  // one across a cut belongs to both parts
   for (auto& row : out.temperature_change) row.first -= from;
   const auto cut = [&](double& a, double& b) {
     a = std::max(a, from) - from;
@@ -109,7 +109,7 @@ class Cuts {
             "lines.{}: what is beyond its cut at {:g} m is '{}' in results, with arc lengths from there",
             line.name, arcs_[k], names_[k]));
     }
-    // With the nodes of its parts.
+    // The whole line gets the nodes of its parts.
     whole->sections.clear();
     for (std::size_t k = to.size() - names_.size(); k < to.size(); ++k)
       whole->sections.insert(whole->sections.end(), to[k].sections.begin(), to[k].sections.end());
@@ -126,7 +126,7 @@ class Cuts {
     c_.joints.push_back(std::move(joint));
   }
 
-  // To the part that has this arc length; at a cut the one before it.
+  // Assigns an arc length to the part that contains it; a cut belongs to the part before it.
   void place(std::string& line, double& arc) const {
     std::size_t k = 0;
     while (k + 1 < names_.size() && arc > arcs_[k + 1] + kSame * arcs_.back()) ++k;
@@ -175,7 +175,7 @@ class Cuts {
           }
       }
     }
-    BetweenLines& between = c_.contact.between_lines;  // no contact with itself: nor of its parts
+    BetweenLines& between = c_.contact.between_lines;  // no self-contact: none between the parts
     for (std::size_t k = 1; k < names_.size() && !between.self; ++k)
       for (std::size_t i = 0; i < k; ++i) between.exclude.emplace_back(names_[i], names_[k]);
   }
@@ -190,8 +190,8 @@ class Cuts {
   const Line* line_of(const std::string& name) const { return &c_.line(name); }
 
   Case c_;
-  std::vector<double> arcs_;        // m: where the parts of a line begin, and its length
-  std::vector<std::string> names_;  // of its parts
+  std::vector<double> arcs_;        // m: start of each part, and the length of the line
+  std::vector<std::string> names_;  // of the parts
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Words for what happens: who it is about, what is done, what it waits for.
+// Phrases for events: subject, action and cause.
 #include "hawser/model/event.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// The common part of checks of events: the event under check, and where its issues are reported.
+// Common base of the checks of events: the event under check and its list of issues.
 #pragma once
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ class EventChecks {
  protected:
   EventChecks(const Case& c, const Issues& issue) : c_(c), all_(issue) {}
 
-  // key: below that of the event i_.
+  // key: relative to event i_.
   template <class... Args>
   void issue(const std::string& key, fmt::format_string<Args...> text, Args&&... args) const {
     all_.below(fmt::format("events[{}]", i_))(key, text, std::forward<Args>(args)...);
@@ -23,7 +23,7 @@ class EventChecks {
 
   const Case& c_;
   const Issues& all_;
-  std::size_t i_ = 0;  // of the event under check
+  std::size_t i_ = 0;  // the event under check
 };
 
 }  // namespace hawser::model

@@ -1,5 +1,4 @@
-// How names and keys of placed things lead back to their files, how notes of many places become one, and what
-// is printed of a farm.
+// Origin of names and keys of placed objects, notes joined over places, and the summary of a farm.
 #include "hawser/model/farm.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +41,7 @@ const Value* entry(const Value* tree, std::string_view kind, const std::string& 
   return all ? all->find(name) : nullptr;
 }
 
-// Of a line type: the part whose file has it, null: the case itself.
+// The part whose file defines a line type; null: the case itself.
 const FarmPart* part_of_type(const Case& c, const std::string& name) {
   if (!c.farm || entry(c.tree.get(), "line_types", name)) return nullptr;
   for (const FarmPart& part : c.farm->parts)
@@ -79,10 +78,10 @@ bool is_place(const Case& c, const std::string& body) { return c.farm && c.farm-
 
 namespace {
 
-// The place whose things a text names first; empty: it names none. A name of a place ends at a '/' and begins
-// where a word does.
+// The place whose objects a text names first; empty: none. The name of a place ends at a '/' and begins at
+// the start of a word.
 std::string place_in(const Farm& farm, const std::string& text) {
-  constexpr std::size_t kLongest = 100;  // of names
+  constexpr std::size_t kLongest = 100;  // longest name
   const auto in_word = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '/' || (c & 0x80);
   };
@@ -109,10 +108,10 @@ std::string without(std::string text, const std::string& place) {
 std::vector<NoteOfPlaces> join_places(const Case& c, const std::vector<std::string>& texts) {
   struct Same {
     std::size_t first = 0;
-    std::vector<std::string> others;  // places, all different
+    std::vector<std::string> others;  // other places, without duplicates
   };
   std::vector<Same> groups;
-  std::map<std::string, std::size_t> known;  // by the text without its place and the part of that
+  std::map<std::string, std::size_t> known;  // key: the text without its place, and the part of that place
   for (std::size_t i = 0; i < texts.size(); ++i) {
     const std::string place = c.farm ? place_in(*c.farm, texts[i]) : "";
     if (place.empty()) {
@@ -178,7 +177,7 @@ void count(const Case& c, const Things& things, std::vector<Count>& parts, Count
 
 std::string farm_text(const Case& c) {
   if (!c.farm) return "";
-  constexpr std::size_t kListed = 12;  // places that are printed one by one
+  constexpr std::size_t kListed = 12;  // largest number of places that are listed individually
   std::vector<Count> each(c.farm->parts.size());
   Count own;
   count(c, c.lines, each, own, [](Count& n, const Line& l) { n.add(l); });

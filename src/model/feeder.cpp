@@ -1,4 +1,4 @@
-// Length that a feeder pays out by its rows of speed: the integral of straight pieces.
+// Length paid out by a feeder with speed rows: the integral of a piecewise linear function.
 #include "hawser/model/feeder.hpp"
 
 #include <algorithm>
@@ -8,7 +8,7 @@ namespace hawser::model {
 Fed fed_by(const Feed& feed, double t) {
   Fed out;
   if (feed.speed.empty()) return out;
-  double from = 0;  // of the piece
+  double from = 0;  // start of the piece
   const auto piece = [&](double to, double before, double after, double start, double end) {
     const double slope = end > start ? (after - before) / (end - start) : 0;
     const auto at = [&](double s) { return before + slope * (s - start); };

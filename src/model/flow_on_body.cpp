@@ -1,4 +1,4 @@
-// What `hawser check` says of forces, wind and current on a body.
+// Summary of forces, wind and current on a body for `hawser check`.
 #include "hawser/model/flow_on_body.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace hawser::model {
 namespace {
 
-// The largest forces in a flow of this speed over all directions.
+// Largest forces in a flow of this speed over all directions.
 std::string line(const char* what, const FlowOnBody& f, double density, double speed, const std::string& of) {
   Vec3 most = Vec3::Zero();
   for (int k = 0; k < 360; ++k) {

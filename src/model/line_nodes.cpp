@@ -1,4 +1,4 @@
-// Lengths of the elements of lines, and the nodes that are moved to what is fixed to a line.
+// Lengths of the elements of lines, with nodes moved to the objects fixed to a line.
 #include "hawser/model/line_nodes.hpp"
 
 #include <algorithm>
@@ -9,10 +9,10 @@
 namespace hawser::model {
 namespace {
 
-constexpr double kSamePlace = 1e-9;  // of an element
-constexpr double kApart = 0.1;       // of an element: nodes that are moved come no nearer to each other
+constexpr double kSamePlace = 1e-9;  // fraction of an element
+constexpr double kApart = 0.1;       // smallest distance between moved nodes, as a fraction of an element
 
-// A geometric progression.
+// Element lengths in geometric progression.
 std::vector<double> plain_lengths(const Section& s) {
   std::vector<double> l(static_cast<std::size_t>(s.elements), s.length / s.elements);
   if (s.elements < 2 || s.grading == 1) return l;
@@ -23,11 +23,11 @@ std::vector<double> plain_lengths(const Section& s) {
   return l;
 }
 
-// By the number of a node among the section's: where it is to be, m from the section's beginning.
+// New positions [m, from the section's beginning] by node number in the section.
 using Moved = std::map<std::size_t, double>;
 
-// `at` [m]: where the section's nodes are without it. Each place has the node that is nearest to it, or the
-// one beside the section's end; of two that want the same node it is the nearer one's.
+// `at` [m]: unmoved node positions of the section. Each place moves the nearest interior node; if two places
+// need the same node, the nearer place gets it.
 Moved moved_nodes(const std::vector<double>& at, double from, const std::vector<double>& places) {
   struct NodeRequest {
     double place = 0, apart = 0, off = 0;

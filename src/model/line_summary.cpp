@@ -1,5 +1,5 @@
-// The lines of the summary that `hawser check` prints: size, sections, ends, start and loads. Lines that
-// differ only by their names and the places of their ends are reported together.
+// Description of lines for `hawser check`: size, sections, ends, start and loads. Lines that differ only in
+// name and end positions are grouped.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 namespace hawser::model {
 namespace {
 
-// (x, y, z) of one place or, of several, the range of each coordinate.
+// (x, y, z) of a single place; for several, the range of each coordinate.
 class Places {
  public:
   void add(const Vec3& x) {
@@ -35,7 +35,7 @@ class Places {
   Vec3 low_ = Vec3::Constant(HUGE_VAL), high_ = Vec3::Constant(-HUGE_VAL);
 };
 
-// at: the place, in words.
+// at: position of the end in words.
 std::string end_text(const End& e, const std::string& at) {
   if (e.kind == EndKind::free) return "free";
   if (e.kind == EndKind::joint) return "joined at " + e.body;
@@ -92,7 +92,7 @@ std::string target_text(const LengthTarget& t) {
                      t.most);
 }
 
-// Of lines of one description: `name` before it, and where their ends are.
+// Description of lines with equal properties, preceded by `name`, and their end positions.
 std::string line_text(const Case& c, const Line& l, const std::string& name, const std::string& at_a,
                       const std::string& at_b) {
   const LineSize z = size_of(c, l);
@@ -127,7 +127,7 @@ LineSize size_of(const Case& c, const Line& line) {
     const Section& s = line.sections[i];
     const LineType& t = c.line_type(s.type);
     const bool beam = t.kind == LineKind::beam;
-    // The node between two sections has rotations if one of them is a beam.
+    // The node between two sections has rotations if either is a beam.
     if (i == 0) z.unknowns += beam ? 6 : 3;
     if (i > 0 && beam && !beam_before) z.unknowns += 3;
     z.unknowns += (beam ? 6LL : 3LL) * s.elements;

@@ -1,5 +1,5 @@
-// The time scales of a case (waves, prescribed motions, ramps, natural periods of lines and floating bodies,
-// drag) and the longest automatic step that follows from them.
+// Time scales of a case (waves, prescribed motions, ramps, natural periods of lines and floating bodies,
+// drag) and the resulting limit of automatic steps.
 #include "hawser/model/longest_step.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr double kLeastOwn = 0.1, kLeastDrag = 0.5;
 // (docs/theory/time-integration.md#error-of-the-period). What is driven has the period of what drives it.
 constexpr int kInFree = 60;
 
-// The shortest of what is added.
+// Keeps the shortest step and its reason.
 class Shortest {
  public:
   // time: s. What is not finite and above 0 does not count.
@@ -42,9 +42,8 @@ class Shortest {
   LongestStep best_;
 };
 
-// Speed of the water that drag meets, twice the root of the sum of (a omega)² at the surface: the significant
-// amplitude of irregular waves, twice the amplitude of regular ones; and T01 = sum of a² over that of a² f,
-// of linear components.
+// Water velocity for drag, 2 sqrt(sum of (a omega)²) at the surface (the significant amplitude of irregular
+// waves, twice the amplitude of regular ones), and T01 = sum of a² over sum of a² f.
 struct Sea {
   double speed = 0, period = 0;
 };
@@ -67,7 +66,7 @@ void add_harmonic(const HarmonicMotion& m, const std::string& who, Shortest& to)
   if (moves(m)) to.of(m.period, kInPeriod, "the period of " + who);
 }
 
-// Farthest of what is attached to a body from its origin, m: what its rotation moves.
+// Largest distance of attached lines and links from the body's origin, m: lever arm of its rotation.
 double lever(const Case& c, const Body& b) {
   double out = 0;
   for (const auto& [line, end] : line_ends_at(c, b)) out = std::max(out, end.at.norm());
@@ -77,13 +76,13 @@ double lever(const Case& c, const Body& b) {
   return out;
 }
 
-// The mean period of a curve by the second and fourth moments of its spectrum, 2 pi sqrt(m2/m4): that of the
-// peaks of its displacement (Rice 1944), for a sine its period. A steady velocity does not count.
+// Mean period of a curve from the second and fourth spectral moments, 2 pi sqrt(m2/m4): the mean period of
+// its peaks (Rice 1944); for a sine its period. A steady velocity has no effect.
 double mean_period(const RowCurve::Activity& a) {
   return a.second > 0 ? 2 * M_PI * std::sqrt(a.rate / a.second) : 0;
 }
 
-// Speed, m/s: as of the sine with the same root mean square.
+// Adds the period of a motion table and returns a speed [m/s], that of a sine with the same root mean square.
 double add_table(const TableMotion& m, const std::string& who, double lever, Shortest& to) {
   if (m.of_waves || m.time.size() < 2) return 0;
   const TableLaw law = table_law(m);
@@ -100,7 +99,7 @@ double add_table(const TableMotion& m, const std::string& who, double lever, Sho
   return std::sqrt(2 * moved.rate / (m.time.back() - m.time.front()));
 }
 
-// Speed of a body's points by its own motion, m/s.
+// Adds the motion of a body and returns the largest speed of its points, m/s.
 double add_body(const Case& c, const Body& b, Shortest& to) {
   const std::string who = "body " + b.name;
   double speed = 0;
@@ -120,7 +119,7 @@ double add_body(const Case& c, const Body& b, Shortest& to) {
   return speed;
 }
 
-// A number by time, straight between its rows.
+// Adds a time factor, linear between its rows.
 void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
   std::vector<double> time;
   std::vector<Vec3> value;
@@ -132,7 +131,7 @@ void add_factor(const TimeFactor& factor, const std::string& of, Shortest& to) {
         "the mean period of the time_factor of " + of);
 }
 
-// Forces on a body by time.
+// Adds the time-dependent forces on a body.
 void add_loads(const Body& b, Shortest& to) {
   if (!b.mass) return;
   for (const BodyLoad& load : b.mass->loads) {
@@ -150,7 +149,7 @@ void add_loads(const Body& b, Shortest& to) {
   }
 }
 
-// N/m, by which lines that are taut at the start hold a body along themselves, the other end held.
+// Axial stiffness [N/m] on a body of lines that are taut at the start, with the other end held.
 double taut_stiffness(const Case& c, const Body& b) {
   constexpr double kTaut = 1e-3;  // of its length, by which the chord of a taut line may be shorter
   double sum = 0;
@@ -209,7 +208,7 @@ void add_free_bodies(const Case& c, bool driven, Shortest& afloat, Shortest& own
         oscillates(own, c.bodies[body].mass->mass, l.law.most_stiffness(), e->body + " on link " + l.name);
 }
 
-// Turns that bodies begin with, of those that move by their own equations.
+// Adds the initial rotation of bodies that move by their own equations.
 void add_spin(const Case& c, Shortest& to) {
   for (const Body& b : c.bodies)
     if (b.mass)
@@ -226,7 +225,7 @@ void add_drag_of_body(const Body& b, const Environment& e, double speed, Shortes
              "the time in which drag carries body " + b.name + " along");
 }
 
-// Its slowest period, the time of a wave along it where something jolts it, and drag.
+// Adds a line: its slowest period, the axial wave travel time if it starts with a jump, and drag.
 void add_line(const Case& c, const Line& line, double speed, bool jolted, Shortest& own, Shortest& drags) {
   double length = 0, mass = 0, along = 0;
   for (const Section& s : line.sections) {
@@ -246,7 +245,7 @@ void add_line(const Case& c, const Line& line, double speed, bool jolted, Shorte
   if (jolted) own.of(2 * along, kInOwn, "the time of a wave along line " + line.name + " and back");
 }
 
-// Changes of its speed, where it goes by a table.
+// Adds the ramps between the speed rows of a feeder.
 void add_feed(const End& end, const std::string& line, Shortest& to) {
   if (!end.feed) return;
   const auto& rows = end.feed->speed;
@@ -310,7 +309,7 @@ LongestStep longest_step(const Case& c) {
   for (const Body& b : c.bodies) speed = std::max(speed, add_body(c, b, to));
   for (const Body& b : c.bodies) add_loads(b, to);
   for (const Body& b : c.bodies) add_drag_of_body(b, c.environment, speed, drags);
-  // Where nothing drives them, neither outputs nor the duration say how long their steps may be.
+  // Without excitation, outputs and duration do not limit the steps of free bodies from below.
   Shortest afloat;
   const bool driven_by_motion = to.best().length > 0;
   add_free_bodies(c, driven_by_motion, driven_by_motion ? own : afloat, own);

@@ -1,5 +1,5 @@
-// Edit distance between words, and the phrases of error messages made from it: suggested spellings, quoted
-// text, lists of words.
+// Edit distance between words, and phrases of error messages: suggested spellings, quoted text, lists of
+// words.
 #include "hawser/model/nearest.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ double edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
-  constexpr std::size_t kLongest = 64;  // longer words are no typing mistake, and the table is quadratic
+  constexpr std::size_t kLongest = 64;  // longer words are no typing mistakes, and the cost is quadratic
   if (word.size() > kLongest) return {};
   std::string best;
   double best_distance = 0;
@@ -57,7 +57,7 @@ std::string missing_blank(std::string_view text) {
          (letter(text[colon]) || (colon > 0 && text[colon] >= '0' && text[colon] <= '9')))
     ++colon;
   if (colon == 0 || colon + 1 >= text.size() || text[colon] != ':') return "";
-  // Of paths and addresses the colon is a part.
+  // In paths and addresses the colon is part of the value.
   if (std::string_view(" \t,]}:/\\").find(text[colon + 1]) != std::string_view::npos) return "";
   const std::string_view key = text.substr(0, colon), value = text.substr(colon + 1);
   const std::string_view word = value.substr(0, value.find_first_of(" \t,]}"));

@@ -1,4 +1,4 @@
-// How notes are split into volume and text, and equal texts joined under one list of volumes.
+// Splitting of notes into volume and text, and joining of equal texts.
 #include "hawser/model/notes.hpp"
 
 #include <fmt/format.h>
@@ -12,10 +12,10 @@
 namespace hawser::model {
 namespace {
 
-constexpr std::size_t kNamed = 4;  // that are all named
+constexpr std::size_t kNamed = 4;  // longest list with all names
 
 struct Split {
-  std::string_view name, text;  // name empty: about something else
+  std::string_view name, text;  // name empty: the note has another subject
 };
 Split split(std::string_view note) {
   for (const std::string_view kind : {"volume ", "volumes."}) {
@@ -34,8 +34,8 @@ std::string names_text(const std::vector<std::string>& names) {
 }
 
 std::vector<std::string> grouped_notes(const std::vector<std::string>& notes) {
-  std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // a note, the names it is about
-  std::map<std::string_view, std::size_t> known;                         // group of a text
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;  // a note, the names it applies to
+  std::map<std::string_view, std::size_t> known;                         // group by text
   for (const std::string& note : notes) {
     const Split s = split(note);
     if (!s.name.empty())

@@ -1,6 +1,6 @@
-// How each thing of a platform file is moved by x = p + R y, R a turn by the heading about z, and renamed.
-// Rotation vectors about axes of space turn as vectors do: R exp(psi) R^T = exp(R psi), so that a motion
-// x = x0 + d + D u, Q = D exp(psi) Q0 with R x0 + p, R d, R u, R psi and R Q0 is the same motion, turned.
+// Placement of the objects of a platform file by x = p + R y, with R a rotation by the heading about z, and
+// their new names. Rotation vectors in space axes transform as vectors, R exp(psi) R^T = exp(R psi);
+// therefore the motion x = x0 + d + D u, Q = D exp(psi) Q0 transforms by R x0 + p, R d, R u, R psi and R Q0.
 #include "hawser/model/place_platform.hpp"
 
 #include <cmath>
@@ -65,7 +65,7 @@ class Placing {
   void rename(std::string& own) const {
     if (!own.empty()) own = name(own);
   }
-  // The body that carries what is on the body `own`, or fixed in space.
+  // Name of the body that carries objects on body `own` or, if that is empty, fixed in space.
   std::string carrier(const std::string& own) {
     if (!own.empty()) return name(own);
     fixed_ = true;
@@ -74,7 +74,7 @@ class Placing {
 
   Vec3 way(const Vec3& d) const { return turned_ ? Vec3(turn_ * d) : d; }
   Vec3 point(const Vec3& x) const { return way(x) + Vec3(place_.x, place_.y, 0); }
-  // A point that is no further above the bed of the file than `reach` [m].
+  // Position of a point; one up to `reach` [m] above the bed of the file keeps its height above the bed.
   Vec3 on_bed(const Vec3& x, double reach) const {
     Vec3 out = point(x);
     const Seabed& bed = to_.environment.seabed;
@@ -83,7 +83,7 @@ class Placing {
     return out;
   }
 
-  // amplitude sin(w t + phase), by component: the imaginary part of turned complex amplitudes.
+  // amplitude sin(w t + phase), by component, as the imaginary part of rotated complex amplitudes.
   void turn(Vec3& amplitude, Vec3& phase) const {
     if (!turned_) return;
     const Eigen::Vector2cd a(std::polar(amplitude.x(), phase.x()), std::polar(amplitude.y(), phase.y()));
@@ -106,7 +106,7 @@ class Placing {
   }
   void turn(std::monostate&) const {}
 
-  // Springs or dampers along x, y and z.
+  // Rotates springs or dampers along x, y and z.
   void turn_springs(Vec3& k, const std::string& body, const char* key) const {
     if (!turned_ || k.x() == k.y()) return;
     const double quarters = place_.heading / (M_PI / 2);
@@ -190,7 +190,7 @@ class Placing {
   Case& to_;
   const Quat turn_;
   const bool turned_;
-  bool fixed_ = false;  // there is something that the file fixes in space
+  bool fixed_ = false;  // the file fixes something in space
 };
 
 }  // namespace

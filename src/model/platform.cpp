@@ -1,4 +1,4 @@
-// Hydrostatics of a platform, which bodies of a case radiate on each other, and the memory of their waves.
+// Hydrostatics of a platform, groups of bodies that interact by radiation, and their radiation memory.
 #include "hawser/model/platform.hpp"
 
 #include <algorithm>
@@ -12,9 +12,10 @@ namespace hawser::model {
 
 namespace {
 
-// Arms of buoyancy below this share of the side of a cube of the displaced volume are those of a mesh.
+// Lever arms of buoyancy below this fraction of the cube root of the displaced volume are errors of the panel
+// mesh.
 constexpr double kMeshNoise = 1e-3;
-// Entries of the damping matrix below this share of those on the diagonal are none.
+// Entries of the damping matrix below this fraction of the diagonal entries count as zero.
 constexpr double kNoEntry = 1e-6;
 
 }  // namespace
@@ -62,7 +63,7 @@ Vec3 restoring(const BodyMass& m, const PlatformHydrostatics& still, double grav
 
 std::vector<std::vector<int>> radiating_groups(const Case& c) {
   std::vector<std::vector<int>> groups;
-  // By files and how many bodies with the same number there went before.
+  // Key: the files, and the number of earlier bodies with the same number in them.
   std::map<std::pair<const HydrodynamicData*, int>, size_t> group_of;
   std::map<std::pair<const HydrodynamicData*, int>, int> count;
   for (size_t b = 0; b < c.bodies.size(); ++b) {

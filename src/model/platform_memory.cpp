@@ -1,4 +1,4 @@
-// Whether added mass and damping of the files belong together.
+// Consistency of added mass and damping of the files, and names of their freedoms.
 #include "hawser/model/platform_memory.hpp"
 
 #include <algorithm>

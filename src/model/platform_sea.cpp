@@ -1,4 +1,4 @@
-// Whether tables of wave forces cover the directions and periods of a sea.
+// Coverage of a sea's directions and periods by tables of wave forces, and wave-drift damping in that sea.
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +10,8 @@ namespace hawser::model {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-// Straight lines between directions that are further apart hide a side of the body; one direction stands for
-// those that are as near as this.
+// Linear interpolation between directions further apart than kWideGap hides a side of the body; a single
+// direction covers those within kNear.
 constexpr double kWideGap = 60 * kDegree, kNear = 15 * kDegree;
 
 bool covered(const std::vector<double>& directions, double direction) {

@@ -1,4 +1,4 @@
-// What `hawser check` says of a platform: its weight and buoyancy, stability, added mass and periods.
+// Summary of a platform for `hawser check`: weight and buoyancy, stability, added mass and periods.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The loop of dynamic positioning: its mass, its periods, and whether it is stable.
+// Control loop of dynamic positioning: mass, periods and stability.
 #include "hawser/model/positioning.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 // Largest real part of the roots sigma = s/c, c = 2 pi/filter period, of
 //   m s² + (D s + P + I/s) c² (3 s + c)/(s + c)³ = 0
-// times s (s + c)³: with d = D/(m c), p = P/(m c²), i = I/(m c³)
+// times s (s + c)³; with d = D/(m c), p = P/(m c²), i = I/(m c³):
 //   sigma⁶ + 3 sigma⁵ + 3 sigma⁴ + (1 + 3 d) sigma³ + (d + 3 p) sigma² + (p + 3 i) sigma + i
 double largest_growth(double d, double p, double i) {
   const double polynomial[6] = {i, p + 3 * i, d + 3 * p, 1 + 3 * d, 3, 3};

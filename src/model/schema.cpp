@@ -1,4 +1,4 @@
-// The keys of a case file. Order here is the order in the user guide.
+// Top-level keys of a case file, in the order of the user guide.
 #include "hawser/model/schema.hpp"
 
 #include <stdexcept>

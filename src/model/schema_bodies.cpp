@@ -1,4 +1,4 @@
-// The keys of bodies: where they are, how they move, what they weigh.
+// Keys of bodies: position, motion and mass.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {
@@ -9,7 +9,7 @@ ConstantMotion& steady(Body& b) {
   return std::get<ConstantMotion>(b.motion);
 }
 
-// A motion of that kind.
+// Field that selects a kind of motion.
 template <class M>
 Field moves() {
   return by<Body>([](Body& b, const Value& v) { take(v, b.motion.emplace<M>()); });
@@ -45,7 +45,7 @@ Key table(const Field& field, std::string about) {
              std::move(about), either({"file", "rows"}));
 }
 
-// With `motion`, whatever that is.
+// Drift in addition to `motion`.
 Key drift() {
   return map({"drift", &Body::drift},
              {vec3({"offset", &Drift::offset}, length, "away from `position`", or_else(kZero)),
@@ -124,7 +124,7 @@ Key body_in_water() {
       at_most_one({"Ca", "added_mass"}));
 }
 
-// A 6x6 matrix by rows.
+// A 6x6 matrix, row by row.
 template <class Of>
 Key six_by_six(const char* name, Mat6 Of::*matrix, std::string about, auto... parts) {
   const auto fill = [matrix](Of& of, const Value& v) {
@@ -251,7 +251,7 @@ Key body_members() {
       "([theory](../theory/bodies-in-water.md#members))");
 }
 
-// A table of coefficients of the flow, and what makes forces of them.
+// A table of flow coefficients, and the reference areas and lengths of its forces.
 Key flow_on_body(const char* name, std::optional<FlowOnBody> BodyMass::*field, std::vector<Key> more,
                  const std::string& about) {
   std::vector<Key> keys = {

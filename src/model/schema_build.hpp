@@ -1,6 +1,6 @@
-// What the keys of a case file are put together from, and the fields that they fill:
+// Functions that build the keys of a case file and bind them to the fields they fill:
 //   number({"mass", &PointMass::mass}, mass, "point mass", above(0), required)
-// is the name, the field, the unit and the help of a key, its range and that it is needed.
+// gives the name and field of a key, its unit, its help, its range and that it is required.
 #pragma once
 
 #include <concepts>
@@ -15,8 +15,8 @@
 
 namespace hawser::model {
 
-// What a value makes of a field, by the type of that: a struct by its own keys, a vector item by item, with
-// the `name` of a map of names.
+// Stores a value in a field according to its type: a struct by its own keys, a vector item by item, and the
+// `name` of entries of a map of names.
 template <class M>
 void put(M& x, const Value& v) {
   if constexpr (std::is_arithmetic_v<M> || std::is_enum_v<M>) {
@@ -47,25 +47,25 @@ void put(M& x, const Value& v) {
 
 namespace schema_build {
 
-// How a field is filled.
+// Function that fills a field.
 struct Field {
   Put put;
   template <class T, class M>
   Field(M T::*f) : put([f](const Target& to, const Value& v) { model::put(to.as<T>().*f, v); }) {}
   explicit Field(Put p) : put(std::move(p)) {}
 };
-// A field of a struct within it.
+// A field of a nested struct.
 template <class T, class U, class M>
 Field within(U T::*s, M U::*f) {
   return Field(Put([s, f](const Target& to, const Value& v) { put(to.as<T>().*s.*f, v); }));
 }
-// A key for such a struct, among those of the struct around it.
+// A key of a nested struct, among the keys of the enclosing struct.
 template <class T, class U>
 Key within(U T::*s, Key key) {
   for (Put& f : key.fields) f = [s, f](const Target& to, const Value& v) { f(to.as<T>().*s, v); };
   return key;
 }
-// A field that is set to this where the key is there.
+// A field that is set to x if the key is present.
 template <class T, class M>
 Field set(M T::*f, std::type_identity_t<M> x) {
   return Field(Put([f, x](const Target& to, const Value&) { to.as<T>().*f = x; }));
@@ -74,18 +74,18 @@ template <class T, class U, class M>
 Field set(U T::*s, M U::*f, std::type_identity_t<M> x) {
   return Field(Put([s, f, x](const Target& to, const Value&) { to.as<T>().*s.*f = x; }));
 }
-// A direction of three numbers that are not all zero, as a unit vector.
+// A nonzero direction of three numbers, as a unit vector.
 Vec3 direction(const Value& v);
 template <class T, class M>
 Field unit(M T::*f) {
   return Field(Put([f](const Target& to, const Value& v) { to.as<T>().*f = direction(v); }));
 }
-// Of a key with `set` or another field beside it: its own keys fill the struct that it stands in.
+// For a key with `set` or another field beside it: its own keys fill the enclosing struct.
 template <class T>
 Field itself() {
   return Field(Put([](const Target& to, const Value& v) { take(v, to.as<T>()); }));
 }
-// What a function (T&, const Value&) does; of its std::invalid_argument the refusal of the key is made.
+// Calls f(T&, const Value&); a std::invalid_argument from it becomes the refusal of the key.
 template <class T, class Function>
 Field by(Function f) {
   return Field(Put([f](const Target& to, const Value& v) { f(to.as<T>(), v); }));
@@ -101,7 +101,7 @@ struct Head {
   Head(const char* n, F... f) : name(n), fields{Field(f).put...} {}
 };
 
-// A word and what it stands for.
+// A word and its value.
 struct Word {
   std::string text;
   double means = 0;
@@ -113,8 +113,7 @@ struct Word {
 using Type = Key::Type;
 using enum Dimension;
 
-// What may stand behind a key's name, in any order: its help, its unit, the keys that it is put together
-// from, and any of the functions below.
+// Arguments after a key's name, in any order: help, unit, nested keys, and any of the functions below.
 inline void apply(Key& k, std::string about) { k.about = std::move(about); }
 inline void apply(Key& k, Dimension unit) { k.unit = unit; }
 inline void apply(Key& k, std::vector<Key> keys) { k.keys = std::move(keys); }
@@ -135,7 +134,7 @@ inline auto in_range(double least, double most) {
     k.bounds.at_most = most;
   };
 }
-// How many entries a list has; most = 0: no limit.
+// Allowed number of entries of a list; most = 0: no limit.
 inline auto items(std::size_t least, std::size_t most = 0) {
   return [=](Key& k) {
     k.min_items = least;
@@ -143,16 +142,16 @@ inline auto items(std::size_t least, std::size_t most = 0) {
   };
 }
 inline constexpr auto required = [](Key& k) { k.required = true; };
-// The state in a checkpoint depends on it.
+// The state in a checkpoint depends on the key.
 inline constexpr auto fixed_in_restart = [](Key& k) { k.fixed_in_restart = true; };
-// Its default, as written, or in words.
+// Default of a key, literally or in words.
 inline auto or_else(std::string literal) {
   return [literal](Key& k) { k.fallback = literal; };
 }
 inline auto or_else_note(std::string words) {
   return [words](Key& k) { k.fallback_note = words; };
 }
-// Of these groups of the keys of a map one is used, or at most one.
+// At most one, or exactly one, of these groups of keys of a map is used.
 inline auto at_most_one(std::vector<Group> groups) {
   return [groups](Key& k) { k.groups = groups; };
 }
@@ -208,18 +207,18 @@ Key one_of(Head head, std::vector<Key> alternatives, auto... parts) {
   return make(Type::one_of, head, std::move(alternatives), parts...);
 }
 
-// Rows of numbers, of two columns.
+// List of rows with two numbers each.
 Key rows(Head head, auto... parts) {
   return list(std::move(head), list("", number("", none), items(2, 2)), parts...);
 }
 
-// An arc length of a line.
+// Arc length on a line.
 Key arc(Head head, auto... parts) {
   return one_of(std::move(head),
                 {number("", length, at_least(0)), word("", {{"end_a", 0}, {"end_b", kEndB}})}, parts...);
 }
 
-// Rows of force over penetration into the `force_table` of a volume or the seabed.
+// Stores rows of force over penetration as the `force_table` of a volume or the seabed.
 template <class T>
 void force_table(T& o, const Value& v) {
   o.force_table = std::make_shared<const ContactForceTable>(v.rows());
@@ -228,23 +227,23 @@ void force_table(T& o, const Value& v) {
 
 inline constexpr const char* kZero = "[0, 0, 0]";
 
-Key farm();  // platforms by files of their own
+Key farm();  // platforms from files of their own
 Key bodies();
-Key volumes();   // with their shapes, contact laws and friction
-Key supports();  // of laid pipes: roller boxes
+Key volumes();   // with shapes, contact laws and friction
+Key supports();  // roller boxes of laid pipes
 Key joints();
 Key lines();
-std::vector<Key> feed_law();  // by which a feeder goes: of ends and of events
+std::vector<Key> feed_law();  // control law of a feeder: for ends and events
 Key links();
 Key contact();
 Key statics();
 Key dynamics();
 Key stages();
 Key events();
-Key relative_damping();              // of volumes and of rollers of supports
-Key friction(const Field& field);    // coefficients and springs of it, of volumes and the seabed
-Key force_rows(const Field& field);  // `table` of force against penetration, of volumes and the seabed
-Key environment();                   // the sea and its bed
+Key relative_damping();              // of volumes and of rollers
+Key friction(const Field& field);    // coefficients and springs, of volumes and the seabed
+Key force_rows(const Field& field);  // `table` of force over penetration, of volumes and the seabed
+Key environment();                   // sea and seabed
 std::vector<Key> in_water();         // of line types
 Key line_types();
 Key output();

@@ -1,4 +1,4 @@
-// A Value against the schema: form, numbers, units, bounds, names, references; defaults filled in.
+// Check of a Value against the schema: form, numbers, units, bounds, names, references, defaults.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ std::string refusal(const std::string& file, int line, const std::string& key, c
   if (line == kBySet) where += " with --set";
   if (!key.empty()) where += ": " + key;
   std::string s = where + ": " + text;
-  for (char& c : s)  // one sentence, one line, whatever the file held
+  for (char& c : s)  // keeps the message on one line, whatever the file contains
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
   return s;
 }
@@ -65,7 +65,7 @@ std::string bounds_text(const Key& k) {
   return enumerate(parts, "and");
 }
 
-// A literal default of the schema as a Value: scalar, [a, b, ...] or {}.
+// Parses a literal default of the schema: scalar, [a, b, ...] or {}.
 Value literal(const std::string& s, int line) {
   Value v;
   v.given = false;
@@ -89,9 +89,6 @@ Value literal(const std::string& s, int line) {
   }
   return v;
 }
-
-// Of numbers but 0, SI: so that neither their products nor their ratios are beyond what a double holds. No
-// quantity of a model is near either.
 
 class Checker {
  public:
@@ -240,7 +237,7 @@ class Checker {
                       : fmt::format(" (known: {})", fmt::join(some, ", ")));
   }
 
-  // Entries of a top-level map of the document, and those beside them.
+  // Names of the entries of a top-level map of the document, and the additional names.
   std::vector<std::string> names_of(const std::string& map) const {
     std::vector<std::string> names;
     if (const Value* target = root_.find(map); target && target->kind == Kind::map) names = target->keys;
@@ -346,7 +343,7 @@ class Checker {
     return "give " + std::string(k.group_required ? "one of " : "only one of ") + enumerate(c);
   }
 
-  // Alternatives differ in form, so the form of what was found chooses the one to check against.
+  // Alternatives differ in form; the form of the value selects the one to check against.
   void check_one_of(Value& v, const Key& k, const std::string& path) {
     const Key* choice = nullptr;
     const auto pick = [&](std::initializer_list<Type> types) {
@@ -377,7 +374,7 @@ class Checker {
   const std::string& file_;
   Value& root_;
   const MoreNames& more_;
-  std::map<std::string, std::unordered_set<std::string>> known_;  // names by the map that references are to
+  std::map<std::string, std::unordered_set<std::string>> known_;  // names by top-level map
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The keys of contact of lines with volumes and with each other.
+// Keys of contact of lines with volumes and with each other.
 #include <algorithm>
 
 #include "schema_build.hpp"
@@ -6,8 +6,8 @@
 namespace hawser::model::schema_build {
 namespace {
 
-// How lines touch lines; `own`: keys of the pair it is about, which takes what it does not say from the
-// settings for all.
+// Keys of contact between lines; `own`: keys that select a pair, whose defaults are the settings for all
+// lines.
 std::vector<Key> line_pair_keys(std::vector<Key> own, bool of_a_pair = false) {
   const auto fallback = [&](Key k, const char* literal, const char* note) {
     if (of_a_pair) return with(std::move(k), or_else_note("as for all lines"));
@@ -76,7 +76,7 @@ Key between_lines() {
       "contact of the lines with each other and with themselves; `false`: none", or_else("true"));
 }
 
-// Each name once.
+// A list of names without duplicates.
 Field chosen(std::vector<std::string> Contact::*names, bool Contact::*all) {
   return by<Contact>([=](Contact& c, const Value& v) {
     c.*all = false;

@@ -1,4 +1,4 @@
-// The keys of the sea, its bed and of what lines are in it.
+// Keys of the sea, the seabed and the hydrodynamic properties of lines.
 #include <cmath>
 
 #include "schema_build.hpp"
@@ -6,10 +6,10 @@
 namespace hawser::model::schema_build {
 namespace {
 
-// A current that is given by one speed.
+// Uniform current with one speed.
 void uniform(Current& c, const Value& v) { c.profile = {{0, v.number, 0}}; }
 
-// Of the only wave there is.
+// Field of a single wave.
 Field only(double Waves::Row::*field) {
   return by<Waves>([field](Waves& w, const Value& v) {
     w.rows.resize(1);
@@ -22,7 +22,7 @@ void friction_in_statics(Seabed& b, const Value& v) {
   b.as_laid = !v.is("none");
 }
 
-// Rows of t and factor of a flow.
+// Rows of time and factor of a flow.
 Key time_factor(const std::string& of) {
   return map(
       "time_factor",
@@ -70,7 +70,7 @@ Key water() {
              "the sea; without it lines hang in air");
 }
 
-// What makes components of any spectrum.
+// Keys common to all spectra.
 std::vector<Key> component_keys() {
   return {number({"direction_deg", &Waves::direction}, angle, "where they go to, anticlockwise from +x",
                  or_else("0")),

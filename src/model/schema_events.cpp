@@ -1,4 +1,4 @@
-// The keys of what happens: actions, what events wait for, stages of statics.
+// Keys of events: actions, causes, stages of statics.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {
@@ -15,7 +15,7 @@ Key action_end(const char* about) {
 
 Key enabled(const char* about) { return boolean({"enabled", &Action::enabled}, about, required); }
 
-// An action's name, and what it is.
+// Name of an action and its kind.
 Head does(const char* name, Does kind) {
   return {name, &Event::action, set(&Event::action, &Action::kind, kind)};
 }
@@ -31,7 +31,7 @@ Key feed() {
              "starts or stops a feeder, gives it another law, or lets statics pay out");
 }
 
-// One of them.
+// Keys of all actions; an event has one of them.
 std::vector<Key> actions() {
   return {
       map(does("release", Does::release),

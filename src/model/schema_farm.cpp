@@ -1,5 +1,4 @@
-// The keys of farms: platforms by files of their own, and where they are. Read in
-// src/io/case_reader_farm.cpp.
+// Keys of farms: platforms from files of their own and their positions. Read by src/io/case_reader_farm.cpp.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {

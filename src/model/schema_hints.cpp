@@ -1,5 +1,5 @@
-// What was probably meant where a case file is not as the schema has it: numbers written as elsewhere, lists
-// without commas or dashes, and keys that are misspelt, on another level, or no keys at all.
+// Hints for messages about faults in a case file: foreign number formats, lists without commas or dashes, and
+// misspelt or misplaced keys.
 #include "schema_hints.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace hawser::model {
 using Type = Key::Type;
 using Kind = Value::Kind;
 
-// What stands after a number and is more likely to be a part of it than a unit.
+// Hint for text after a number that is more likely a part of the number than a unit.
 std::string misspelt_number(const std::string& unit) {
   const auto digit = [&](std::size_t i) { return i < unit.size() && unit[i] >= '0' && unit[i] <= '9'; };
   const bool letter = !unit.empty() && std::string_view("eEdD").find(unit[0]) != std::string_view::npos;
@@ -25,7 +25,7 @@ std::string misspelt_number(const std::string& unit) {
   return "";
 }
 
-// No list where there should be one.
+// Hint for a value that is not a list.
 std::string hint_of_no_list(const Value& v) {
   if (v.kind == Kind::map) return "; entries of a list begin with '- ', or stand in brackets: [a, b]";
   if (v.kind != Kind::scalar || (!v.text.starts_with('(') && v.text.find(',') == std::string::npos))
@@ -33,14 +33,14 @@ std::string hint_of_no_list(const Value& v) {
   return v.line == kBySet ? "; a list stands in brackets, for the shell in quotes: --set 'KEY=[1, 2, 3]'"
                           : "; a list stands in brackets: [1, 2, 3]";
 }
-// One entry where there should be several.
+// Hint for a list of one entry that needs several.
 std::string hint_of_no_commas(const Value& v) {
   const bool one = v.items.size() == 1 && v.items[0].kind == Kind::scalar &&
                    v.items[0].text.find_first_of(" ;") != std::string::npos;
   return one ? fmt::format("; there are commas between entries, not as in {}", quote(v.items[0].text)) : "";
 }
 
-// Of a key with something behind it; empty: it does not begin with one of the allowed.
+// Hint for a key followed by text without a colon; empty: the text begins with no allowed key.
 std::string hint_of_no_colon(const std::string& text, const std::vector<std::string>& allowed) {
   const std::size_t blank = text.find(' ');
   const std::string word = text.substr(0, blank);
@@ -49,7 +49,7 @@ std::string hint_of_no_colon(const std::string& text, const std::vector<std::str
   return fmt::format("; a colon is missing after '{}': '{}: ...'", word, word);
 }
 
-// No map where there should be one.
+// Hint for a value that is not a map.
 std::string hint_of_no_keys(const Value& v, const Key& k) {
   if (v.kind == Kind::null) return "; its keys are those below it that are indented further";
   std::vector<std::string> allowed;
@@ -59,7 +59,7 @@ std::string hint_of_no_keys(const Value& v, const Key& k) {
   return blank.empty() ? "" : "; " + blank;
 }
 
-// What was probably meant by the i-th key, which the map does not know.
+// Probable meaning of the i-th key, which the schema does not have.
 std::string likely_key(const Value& v, std::size_t i, const Key& k, const std::vector<std::string>& allowed) {
   if (v.keys[i].find("\u00a0") != std::string::npos)
     return "; it holds a no-break space, as texts from elsewhere do: write a blank in its place";
@@ -69,14 +69,14 @@ std::string likely_key(const Value& v, std::size_t i, const Key& k, const std::v
     return fmt::format("; between a key and its value are a colon and a blank: '{}: ...'", before);
   }
   if (const std::string hint = hint_of_no_colon(v.keys[i], allowed); !hint.empty()) return hint;
-  // The rest of a number or a list in braces.
+  // Remainder of a number or of a list in parentheses.
   if (i > 0 && v.items[i].kind == Kind::null && v.items[i - 1].kind == Kind::scalar &&
       v.keys[i].find_first_not_of("0123456789.-+ )") == std::string::npos) {
     if (v.items[i - 1].text.starts_with('(')) return "; a list stands in brackets: [1, 2, 3]";
     return fmt::format("; the decimal sign is a point, and there is nothing between thousands: not {},{}",
                        v.items[i - 1].text, v.keys[i]);
   }
-  // The keys of a map that was left empty because they are not further in than its own.
+  // Keys of an empty map that are not indented below it.
   for (std::size_t j = i; j-- > 0;)
     for (const Key& above : k.keys)
       if (above.name == v.keys[j] && v.items[j].kind == Kind::null)

@@ -1,4 +1,4 @@
-// JSON Schema (draft 2020-12) of a case file, for editors that complete and check YAML by it.
+// JSON Schema (draft 2020-12) of a case file, for completion and checks in editors.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -11,7 +11,7 @@ namespace {
 
 using Type = Key::Type;
 
-// Lines of a JSON object or array, two blanks deeper at each level.
+// Writes lines of a JSON object or array, indented by two blanks per level.
 class Writer {
  public:
   void open(char bracket) {
@@ -29,7 +29,7 @@ class Writer {
     text_ += first_ ? std::string(1, bracket) : fmt::format("\n{}{}", indent(), bracket);
     first_ = false;
   }
-  // `json` is written as it is.
+  // `json` is written verbatim.
   void item(const std::string& json) { put(json); }
   void member(std::string_view name, const std::string& json) { put(json_string(name) + ": " + json); }
   std::string take() { return std::move(text_) + "\n"; }
@@ -60,7 +60,7 @@ std::string definition(Dimension d) {
   return name;
 }
 
-std::string literal(const std::string& s) {  // a default as JSON
+std::string literal(const std::string& s) {  // default as JSON
   if (s == "true" || s == "false" || s == "{}" || s == "[]") return s;
   char* end = nullptr;
   std::strtod(s.c_str(), &end);
@@ -90,7 +90,7 @@ void object(const Key& k, Writer& w) {
 }
 
 void number_members(const Key& k, Writer& w) {
-  // A bare number has bounds; a number with unit is only checked in form.
+  // A bare number has bounds; a number with unit is checked only in form.
   std::string n = "{\"type\": \"number\"";
   if (k.unit != Dimension::angle) {
     if (k.bounds.above) n += fmt::format(", \"exclusiveMinimum\": {:g}", *k.bounds.above);
@@ -108,7 +108,7 @@ void list_limits(const Key& k, Writer& w) {
   if (k.max_items > 0) w.member("maxItems", fmt::format("{}", k.max_items));
 }
 
-// At most one group of keys, complete.
+// At most one complete group of keys.
 void group_members(const Key& k, Writer& w) {
   if (k.groups.empty()) return;
   const auto any_of = [](const std::vector<std::string>& keys) {
@@ -220,13 +220,13 @@ void members(const Key& k, Writer& w) {
   }
 }
 
-// A number as text, with or without a unit of its kind.
+// Regular expression of a number as text, with or without a unit of the dimension.
 std::string quantity_pattern(Dimension d) {
   std::string units;
   for (const Unit& u : units_of(d)) {
     std::string text;
     for (const char c : u.name) {
-      if (c == '^') continue;  // m2, m^2 and m² below
+      if (c == '^') continue;  // m2, m^2 and m² are handled below
       if (c == '2' || c == '3')
         text += fmt::format("(\\\\^?{}|{})", c, c == '2' ? "²" : "³");
       else if (c == 'm' && !text.empty() &&

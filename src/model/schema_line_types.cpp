@@ -1,5 +1,4 @@
-// The keys of line types: of a section given by its properties, of a pipe by its walls, of a hose or an
-// umbilical by its weights.
+// Keys of line types: sections by properties, pipes by walls, hoses and umbilicals by weights.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {

@@ -1,4 +1,4 @@
-// The keys of lines: sections, ends and joints, what they carry, what their length has to meet.
+// Keys of lines: sections, ends, joints, attached items and length targets.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {

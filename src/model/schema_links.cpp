@@ -1,4 +1,4 @@
-// The keys of links: springs and dampers between two points.
+// Keys of links: springs and dampers between two points.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {

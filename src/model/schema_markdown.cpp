@@ -1,4 +1,4 @@
-// The key tables of the user guide, from the schema.
+// Key tables of the user guide, generated from the schema.
 #include <fmt/format.h>
 
 #include "hawser/model/nearest.hpp"

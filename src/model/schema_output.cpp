@@ -1,4 +1,4 @@
-// The keys of what a run leaves behind.
+// Keys of the output of a run.
 #include <algorithm>
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-// The keys of what is computed: statics, and motion in time.
+// Keys of the analyses: statics and dynamics.
 #include "schema_build.hpp"
 
 namespace hawser::model::schema_build {

@@ -1,4 +1,4 @@
-// The keys of supports: roller boxes of ramps and stingers that a pipe is laid over.
+// Keys of supports: roller boxes of ramps and stingers.
 #include <cmath>
 
 #include "schema_build.hpp"

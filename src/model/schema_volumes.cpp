@@ -1,4 +1,4 @@
-// The keys of volumes: shapes, contact laws, friction.
+// Keys of volumes: shapes, contact laws, friction.
 #include <cmath>
 
 #include "schema_build.hpp"
@@ -77,7 +77,7 @@ Key force_rows(const Field& field) {
 
 namespace {
 
-// A volume of this shape.
+// Field that selects a shape.
 template <class Shape>
 Field exactly() {
   return by<Volume>([](Volume& o, const Value& v) { take(v, std::get<Shape>(o.shape.emplace(Shape{}))); });
@@ -90,7 +90,7 @@ void active_box(Volume& o, const Value& v) {
 }
 
 Key shape() {
-  constexpr double kFarthest = 1e8;  // m, as of the vertices of meshes
+  constexpr double kFarthest = 1e8;  // m, also the limit for mesh vertices
   const auto radius = [](const Field& field, std::string about) {
     return number({"radius", field}, length, std::move(about), above(0), at_most(kFarthest), required);
   };

@@ -1,5 +1,5 @@
-// The phrases of the summary that `hawser check` prints: motions, volumes with stiffness and friction, the
-// sea, and the time steps. Lines are in line_summary.cpp.
+// Summary of a case for `hawser check`: motions, volumes with stiffness and friction, sea, and time steps.
+// Lines are in line_summary.cpp.
 #include "hawser/model/summary.hpp"
 
 #include <fmt/format.h>

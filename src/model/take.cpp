@@ -1,5 +1,5 @@
-// Copies checked values of the case file into the structs of model/case.hpp. Which key fills which field is
-// said in schema_*.cpp.
+// Copies checked values of the case file into the structs of model/case.hpp; schema_*.cpp binds keys to
+// fields.
 #include <stdexcept>
 #include <utility>
 
@@ -28,7 +28,7 @@ void fill(const Key& key, const Value& v, const Target& target) {
 
 }  // namespace
 
-// In the schema's order, whatever that of the file.
+// Keys are taken in the order of the schema, independent of the file.
 void take(const Value& v, const Target& target, bool given) {
   if (v.schema->type != Key::Type::map) return fill(*v.schema, v, target);
   for (const Key& key : v.schema->keys) {

@@ -1,4 +1,4 @@
-// The table of line types that `hawser check` prints: mass, weights and what a type bears.
+// Table of line types for `hawser check`: mass, weights and strength.
 #include <fmt/format.h>
 
 #include <cmath>

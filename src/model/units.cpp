@@ -1,5 +1,4 @@
-// The table of units of every dimension with their factors to SI, the spellings of a unit that are
-// understood, and the parser of a number with its unit.
+// Table of units with factors to SI, accepted spellings of units, and the parser of a number with its unit.
 #include "hawser/model/units.hpp"
 
 #include <array>
@@ -89,7 +88,7 @@ static_assert(kDimensions.back() == Dimension::thermal_expansion, "a row for eac
 
 const Entry& entry(Dimension d) { return kTable[static_cast<std::size_t>(d)]; }
 
-// "kN m²", "kN.m2", "kN*m^2" -> "kNm^2".
+// Canonical spelling: "kN m²", "kN.m2", "kN*m^2" -> "kNm^2".
 std::string canonical(std::string_view unit) {
   std::string s;
   for (std::size_t i = 0; i < unit.size(); ++i) {
@@ -148,7 +147,7 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
     q.status = Quantity::Status::not_finite;
     return q;
   }
-  // from_chars takes no '+', and reads words such as "infinity" that are no number here.
+  // from_chars accepts no '+', and accepts words such as "infinity" that are not allowed here.
   std::string_view digits = text;
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   const std::string_view unsigned_digits = digits.substr(digits.starts_with('-') ? 1 : 0);
@@ -169,7 +168,7 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
   }
   std::string_view unit = digits.substr(static_cast<std::size_t>(end - digits.data()));
   while (!unit.empty() && unit.front() == ' ') unit.remove_prefix(1);
-  // "1/7", as exponents are known by.
+  // Fractions such as "1/7", usual for exponents.
   if (d == Dimension::none && unit.starts_with('/')) {
     double divisor = 0;
     const auto [rest, bad] = std::from_chars(unit.data() + 1, unit.data() + unit.size(), divisor);
@@ -185,7 +184,7 @@ Quantity parse_quantity(std::string_view text, Dimension d) {
   const std::span<const Unit> units = units_of(d);
   const Unit* u = unit.empty() ? &units.front() : nullptr;
   if (!u) {
-    // "1,5" and "1.2.3" are misspelt numbers, not numbers in a strange unit.
+    // "1,5" and "1.2.3" are misspelt numbers, not numbers with an unknown unit.
     const char c = unit.front();
     if (c == ',' || c == '.' || c == '_' || c == ':' || c == '-' || c == '+') {
       q.status = Quantity::Status::not_a_number;

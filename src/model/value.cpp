@@ -1,5 +1,4 @@
-// How a value of the case file's tree is found by its key, and the line of the file that a dotted key stands
-// in, for error messages.
+// Look-up of values in the tree of a case file by key, and file lines of dotted keys for error messages.
 #include "hawser/model/value.hpp"
 
 #include <charconv>

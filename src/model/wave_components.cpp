@@ -1,5 +1,5 @@
-// From the wave settings of a case (rows, spectrum, tabulated spectrum or Stokes' wave) to the wave field
-// that hydrodynamics and vessel motions evaluate.
+// Wave field of a case from its rows, spectrum, tabulated spectrum or Stokes wave, for hydrodynamics and
+// vessel motions.
 #include "hawser/model/wave_components.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// How the energy balance of a run is updated at each step, the limits for energy that the time integration
-// has created or lost.
+// Update of the energy balance at each step, and the limits for energy that the time integration has created
+// or lost.
 #include "hawser/record/audit.hpp"
 
 #include <algorithm>
@@ -7,18 +7,18 @@
 
 namespace hawser::record {
 namespace {
-// Shares of Audit::size(). Energy that is made feeds on itself; what is lost damps, and a run that is damped
-// a little is equivalent to one in thicker water.
+// Fractions of Audit::size(). Created energy amplifies itself; lost energy damps, and slight damping is
+// equivalent to slightly thicker water.
 constexpr double kMadeReported = 0.01, kMadeWrong = 0.05, kLostReported = 0.05, kLostWrong = 0.20,
                  kUnresolvedReported = 0.02;
-// Share of the largest energy of motion and strain so far: energy that steps made and nothing has dissipated
-// is still in the lines.
+// Fraction of the largest kinetic and strain energy so far: created energy that has not been dissipated is
+// still in the lines.
 constexpr double kRemainsWrong = 0.2;
 
-// Rounding and Newton's tolerance: of the strain energy that is there; and what is nothing to any line, J.
+// Rounding and Newton's tolerance as a fraction of the strain energy; negligible energy for any line, J.
 constexpr double kRounding = 1e-6, kNothing = 1e-6;
 
-// Steps from t = 0 on in which an impact at the start makes energy.
+// Number of steps from t = 0 in which an impact at the start creates energy.
 constexpr double kImpactSteps = 6;
 
 }  // namespace
@@ -45,7 +45,7 @@ bool Audit::update(const Energy& start, const Energy& e, double time, double h, 
   least_by_water = std::min(least_by_water, e.by_water - start.by_water);
   const double taken_before = taken;
   taken = std::max(taken, change.friction + change.damping + change.unresolved - least_by_water);
-  // What is dissipated takes its share of what was made with it.
+  // Dissipation removes created energy in proportion.
   if (there > 0) remains *= std::exp(-(taken - taken_before) / there);
   remains = std::max(0.0, remains + error - before);
   most_remains = std::max(most_remains, remains);
@@ -70,8 +70,8 @@ double Audit::size() const { return at_start + worked + set_free + kRounding * m
 
 double Audit::percent() const { return 100 * error / size(); }
 
-// What is made in a long run is not made good by the work of all its waves: what may still be in the lines is
-// judged against the most that was there at a time.
+// The work of all waves in a long run does not excuse created energy: what may still be in the lines is
+// compared with the largest energy present at a time.
 bool Audit::wrong() const {
   if (!std::isfinite(error)) return true;
   return made.value > kMadeWrong * size() ||

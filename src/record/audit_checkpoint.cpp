@@ -1,4 +1,4 @@
-// The names under which the energies and the audit's numbers are in a checkpoint.
+// Names of energies and audit numbers in a checkpoint.
 #include "hawser/record/audit_checkpoint.hpp"
 
 #include <array>
@@ -16,7 +16,7 @@ constexpr std::pair<const char*, double Energy::*> kEnergies[] = {
     {"friction", &Energy::friction},     {"damping", &Energy::damping},  {"work", &Energy::work},
     {"unresolved", &Energy::unresolved}, {"by_water", &Energy::by_water}};
 
-// Each number of an audit with its name.
+// Visits each number of an audit with its name.
 template <class AnAudit, class Each>
 void numbers(AnAudit& a, Each&& each) {
   each("audit.brought_in", a.brought_in);

@@ -1,5 +1,5 @@
-// The class ClashLog: how the touches of successive steps are merged into clashes, followed with impulse and
-// peak force, ended, ranked by force and kept in a checkpoint.
+// The class ClashLog: merging of contacts into clashes, their impulse and peak force, end, ranking by force,
+// and storage in a checkpoint.
 #include "hawser/record/clash_log.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace hawser::record {
 namespace {
 
-constexpr size_t kKept = 1000;  // of the largest, for the table at the end
+constexpr size_t kKept = 1000;  // largest ones for the final table
 
 auto pair_of(const auto& t) { return std::tuple(t.line, t.other_line, t.volume, t.other_volume); }
 
@@ -18,13 +18,13 @@ double merge_length(const std::vector<double>& by_line, int line) {
   return line >= 0 && l < by_line.size() ? by_line[l] : 0;
 }
 
-// Largest first; of equals the earlier one.
+// Order by decreasing force; equal forces by increasing start time.
 bool larger(const io::ClashRow& a, const io::ClashRow& b) {
   return std::tuple(-a.peak_force, a.start, pair_of(a), a.from) <
          std::tuple(-b.peak_force, b.start, pair_of(b), b.from);
 }
 
-// Of a row or a touch, to where another of the same pair is.
+// Extends a row or contact to the range of another of the same pair.
 void widen(auto& to, const auto& by) {
   to.from = std::min(to.from, by.from);
   to.to = std::max(to.to, by.to);
@@ -39,7 +39,7 @@ void add(ActiveContact& sum, const ActiveContact& t) {
   sum.depth = std::max(sum.depth, t.depth);
 }
 
-// Of two clashes that have met, the share of the second goes to the first.
+// Adds the second of two clashes that have merged to the first.
 void add(io::ClashRow& sum, const io::ClashRow& r) {
   sum.start = std::min(sum.start, r.start);
   sum.end = std::max(sum.end, r.end);
@@ -75,7 +75,7 @@ ActiveContacts put_together(ActiveContacts touches, const std::vector<double>& b
 }
 
 void ClashLog::step(double time, std::span<const ActiveContact> touches) {
-  // What did not touch at the last step may have been apart for too long by now to go on.
+  // Clashes not in contact at the last step may have been separated for too long.
   std::erase_if(open_, [&](const Open& o) {
     const bool over = o.row.end < time_ && time - o.row.end > settings_.merge_gap;
     if (over) end(o.row);
@@ -85,7 +85,7 @@ void ClashLog::step(double time, std::span<const ActiveContact> touches) {
   time_ = time;
 }
 
-// Open clashes are looked at by pair, as touches are sorted: a step costs what touches and not its square.
+// Open clashes are sorted by pair like the contacts: the cost of a step is linear in its contacts.
 std::vector<ClashLog::Now> ClashLog::assign(double time, std::span<const ActiveContact> touches) {
   const size_t before = open_.size();
   std::vector<Now> now(before);
@@ -156,7 +156,7 @@ void ClashLog::follow(double time, std::vector<Now> now) {
   for (size_t i = 0; i < open_.size(); ++i) {
     if (now[i].joined) continue;
     Open& o = open_[i];
-    const ActiveContact& t = now[i].sum;  // without a touch: no force
+    const ActiveContact& t = now[i].sum;  // without contact: zero force
     if (time > time_) o.row.impulse += 0.5 * (time - time_) * (o.force + t.force);
     o.force = t.force;
     if (!now[i].places.empty()) {
@@ -219,7 +219,7 @@ void put(std::vector<double>& v, const io::ClashRow& r) {
                      r.peak_from, r.peak_to, r.impulse, r.peak_energy, r.penetration});
 }
 
-// Reads what put() and its like wrote, in order.
+// Reads numbers in the order in which put() and related functions wrote them.
 class Take {
  public:
   explicit Take(const std::vector<double>& v) : v_(v) {}
@@ -289,7 +289,7 @@ void ClashLog::restore(const std::vector<double>& values) {
     }
   }
   reported_ = {ended_count_ - static_cast<long long>(ended_.size()), open()};
-  if (take.done()) return;  // an older file
+  if (take.done()) return;  // older file
   reported_ = {static_cast<long long>(take.number()), {}};
   for (size_t n = take.count(); n > 0; --n) reported_.open.push_back(take.row());
 }

@@ -1,5 +1,5 @@
-// The class ClashReport: gathering the touches of the three contact terms from all ranks onto rank 0, its
-// records in a checkpoint, and the table printed at the end of a run.
+// The class ClashReport: gathering of the contacts of three contact terms on rank 0, its checkpoint records,
+// and the final table.
 #include "hawser/record/clash_report.hpp"
 
 #include <fmt/format.h>
@@ -16,10 +16,10 @@
 namespace hawser::record {
 namespace {
 
-constexpr int kMostSteps = 256;  // kept by each rank
+constexpr int kMostSteps = 256;  // stored by each rank
 constexpr double kMergeDiameters = 4;
 constexpr size_t kTouch = 11;
-// Beside those of the terms in a checkpoint.
+// Key in the records of a checkpoint, beside those of the terms.
 const std::string kRecords = "clash report";
 
 ClashSettings settings_of(const model::Case& c) {
@@ -98,7 +98,7 @@ io::ClashTables ClashReport::take() {
   return log_.take();
 }
 
-// A record belongs to a node of the rank that gives it; rank 0 need not own any, so all ranks have the log.
+// A record needs a node of the rank that writes it; rank 0 may own none, so all ranks receive the log.
 void ClashReport::save(io::Checkpoint& to) {
   collect();
   std::vector<double> values = gather_all(comm_, rank_ == 0 ? log_.save() : std::vector<double>{});

@@ -1,5 +1,5 @@
-// The class Clearances: smallest distance of two lines by trees of bounding boxes, and of a line from a
-// surface, nearest elements first; then the smallest of all ranks.
+// The class Clearances: smallest distance of two lines by bounding-box trees, and of a line from a surface
+// with nearest elements first; then the minimum over all ranks.
 #include "hawser/record/clearances.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ double Clearances::arc(int element, double xi) const {
   return arc_at(*mesh_.mesh, mesh_.mesh->elements[element], xi);
 }
 
-// What this rank counts of a line.
+// Elements of a line counted by this rank.
 std::vector<Clearances::Shaped> Clearances::own(int line, const Kinematics& at) const {
   std::vector<Shaped> out;
   for (const LocalElement& local : mesh_.elements) {
@@ -69,7 +69,7 @@ Clearances::Tree::Tree(std::vector<Shaped> of) : elements(std::move(of)) {
   boxes = BoxTree(each, {}, 1);
 }
 
-// Of all ranks: a step of a line costs far more than to send where it is.
+// Gathers a line on all ranks: a step of a line costs far more than sending its position.
 Clearances::Tree Clearances::of_all_ranks(const Tree& own) const {
   if (ranks_of(comm_) == 1) return own;
   std::vector<Shaped> elements = gather_all(comm_, own.elements);
@@ -111,7 +111,7 @@ Clearances::Best Clearances::to_line(const Tree& a, const Tree& b) const {
     std::array<Pair, 2> next = p[i].count >= q[j].count
                                    ? std::array<Pair, 2>{make(i + 1, j), make(second(p, i), j)}
                                    : std::array<Pair, 2>{make(i, j + 1), make(i, second(q, j))};
-    if (next[0].least < next[1].least) std::swap(next[0], next[1]);  // the nearer one is looked at first
+    if (next[0].least < next[1].least) std::swap(next[0], next[1]);  // the nearer pair is processed first
     for (const Pair& n : next)
       if (n.least < best.clearance) stack.push_back(n);
   }
@@ -126,7 +126,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
   const Box box = surface.bounds();
   const Quat back = pose.rotation.conjugate();
   std::vector<BezierAxis> axes;
-  std::vector<std::pair<double, size_t>> order;  // least clearance, element
+  std::vector<std::pair<double, size_t>> order;  // lower bound of the clearance, element
   for (size_t i = 0; i < elements.size(); ++i) {
     BezierAxis& axis = axes.emplace_back(elements[i].axis);
     double moved = 0;
@@ -153,7 +153,7 @@ Clearances::Best Clearances::to_volume(const std::vector<Shaped>& elements, cons
     const double length = mesh_.mesh->elements[e.element].length;
     const double within = best.clearance + e.radius;
     const auto near = nearest_to(field, axes[i], within, contact_levels(length, e.radius));
-    // A piece more is not excluded between the places looked at.
+    // The search excludes everything up to one piece less.
     const double piece = axes[i].slope_bound() / (1 << contact_levels(length, e.radius));
     const double nothing_below = near ? near->distance : within;
     cache[i] = {axes[i], nothing_below - piece, std::isfinite(nothing_below)};

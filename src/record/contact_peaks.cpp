@@ -1,5 +1,5 @@
-// The class ContactPeaks: the section moment at every place of an element that touches, from the balance of
-// the part of it before that place.
+// The class ContactPeaks: section moment at each contact point of an element, from the balance of the part
+// before that point.
 #include "hawser/record/contact_peaks.hpp"
 
 #include <algorithm>
@@ -37,8 +37,7 @@ ContactPeaks::Peak ContactPeaks::peak(const Kinematics& at, const LocalElement& 
   const auto part = [&f](int i) { return Vec3(f.segment<3>(3 * i)); };
   const Quat &q1 = at.q[e.first], &q2 = at.q[e.second];
   const Vec3 x1 = shape.point(0);
-  // Of what comes after the first node on what is before it, and what else than contact acts along the
-  // element.
+  // Section force and moment at the first node, and the non-contact loads along the element.
   Vec3 force = -part(0), moment = -(q1 * part(1)), rest = part(0) + part(2);
   for (const auto& load : loads) {
     const AxisShape::Weights H = shape.functions(load.xi);

@@ -1,5 +1,4 @@
-// The class EdgeErrors: what the forces of volumes that press on cables have along them, summed along each
-// line.
+// The class EdgeErrors: tangential components of contact forces on cables, summed along each line.
 #include "hawser/record/edge_errors.hpp"
 
 #include <algorithm>
@@ -16,12 +15,12 @@ namespace hawser::record {
 namespace {
 
 constexpr double kAllowed = 0.005;  // of the tension
-constexpr double kInside = 0.3;     // counts of errors within what is pressed
-constexpr double kLeft = 0.0025;    // what elements of the recommended length leave
-constexpr double kAgain = 5;        // times the reported error is reported again
-constexpr double kOfRadius = 0.2;   // elements over a sharp edge: their length by the contact radius
-constexpr double kEvenly = 0.5;  // of a turn: where both neighbours turn by so much, the line follows a bend
-constexpr double kWide = 0.8;  // rad, that a beam turns within its elements where sqrt(EI/T) is their length
+constexpr double kInside = 0.3;     // fraction of errors within the contact that counts
+constexpr double kLeft = 0.0025;    // error of elements of the recommended length
+constexpr double kAgain = 5;        // repeat the report at this multiple of the reported error
+constexpr double kOfRadius = 0.2;   // length of elements over a sharp edge, in contact radii
+constexpr double kEvenly = 0.5;     // of a turn: with both neighbours above it the line follows a smooth bend
+constexpr double kWide = 0.8;       // rad, turn of a beam within elements of length sqrt(EI/T)
 constexpr double kStraight = 1e-4;  // rad
 
 constexpr int kTag = 75;
@@ -82,10 +81,10 @@ EdgeErrors::EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mes
   }
 }
 
-// Without friction the forces of a surface are perpendicular to a line that slides on it. Of the straight
-// elements of a cable they are perpendicular to each, and so have a part along the line where it turns at a
-// node: with t in the middle of both directions, (T_after - T_before) cos(angle/2) + F.t = 0. A surface that
-// bears a line end on has such a part as well: no more is counted than a turn can make.
+// Without friction contact forces are normal to a sliding line. On the straight elements of a cable they are
+// normal to each element and therefore have a tangential component at a node where the line turns: with t the
+// mean of both directions, (T_after - T_before) cos(angle/2) + F.t = 0. A surface that supports a line end-on
+// has such a component as well; it is limited to what a turn can cause.
 std::vector<PressedTurn> EdgeErrors::turns(const Kinematics& at, const Values& v) const {
   std::vector<PressedTurn> out;
   for (size_t n = 0; n < neighbours_.size(); ++n) {
@@ -146,8 +145,8 @@ void EdgeErrors::update(const Kinematics& at, const Values& values) {
   }
 }
 
-// The tensions on both sides of a volume differ by the sum of what the nodes between them take. Within the
-// stretch in contact the errors alternate from element to element, and only a share of them counts.
+// The tensions on both sides of a volume differ by the sum over the nodes between them. Within the contact
+// errors alternate between elements, and only a fraction counts.
 void EdgeErrors::report(int line, const PressedStretch& whole, double time) {
   tension_[line] = std::max(tension_[line], whole.tension);
   over_[line] = {whole.passage, time};
@@ -206,7 +205,7 @@ void EdgeErrors::step(const Snapshot& s) {
     }
 }
 
-// Puts together what the ranks have so far.
+// Combines the ranks.
 void EdgeErrors::gather() {
   largest_of_ranks(comm_, worst_, [](const Worst& w) { return w.at.error; });
   all_reduce(comm_, MPI_MAX, tension_);

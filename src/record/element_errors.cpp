@@ -1,4 +1,4 @@
-// The class ElementErrors: three estimates of what long elements cost a line, by the formulas of
+// The class ElementErrors: three estimates of errors from long elements, by the formulas of
 // docs/theory/element-length.md.
 #include "hawser/record/element_errors.hpp"
 
@@ -16,14 +16,14 @@
 namespace hawser::record {
 namespace {
 
-constexpr double kWarned = 0.02;            // of the largest tension or moment, of sag and bends
-constexpr double kRecommendedError = 0.01;  // the share that elements of the recommended length leave
+constexpr double kWarned = 0.02;            // of the largest tension or moment, for sag and bends
+constexpr double kRecommendedError = 0.01;  // error of elements of the recommended length
 
 // By which share of what it shows a cubic of length x decay is wrong at its end, where a moment falls off
 // like exp(-s/decay); and of which length that is kRecommendedError.
 double wrong_inside(double x) { return x * x / (12 + 4.2 * x); }
 constexpr double kRecommendedInside = 0.37;
-// The same where the forces on the node say what the moment is: at ends and under what is attached.
+// The same where nodal forces give the moment: at ends and attachments.
 double wrong_at_end(double x) { return x * x * x * x / (1440 + 144 * x * x); }
 constexpr double kRecommendedAtEnd = 2.1;
 
@@ -65,7 +65,7 @@ ElementErrors::At ElementErrors::node(size_t n, const Kinematics& at, const Valu
           values.carried[n]};
 }
 
-// Fills in what other ranks have of the nodes of cut_, in the order of both.
+// Receives the data of other ranks for the nodes of cut_, in the order of both.
 void ElementErrors::exchange(const Kinematics& at, const Values& values,
                              std::vector<At>& of_cut_lines) const {
   const MessageType<At> type;
@@ -161,14 +161,13 @@ void ElementErrors::update(const Kinematics& at, const Values& values) {
   }
 }
 
-// A straight element is longer than the bent line between its ends by theta²/24 of its length, theta the
-// angle by which that turns. The line has so much more slack; what slack does to tension follows from the
-// shape.
+// The curve within a straight element is longer by theta²/24 of its length, with theta the turn across the
+// element. The line has this additional slack; its effect on the tension follows from the shape.
 void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, int first, int last,
                                double time, Worst& worst) const {
   const auto chord = [&](int i) { return Vec3((nodes[i + 1].x - nodes[i].x).normalized()); };
   const auto element = [&](int i) -> const Element& { return mesh_.mesh->elements[line.first_element + i]; };
-  // The turn at a node that nothing but the line's own loads make; -1: others do.
+  // Turn at a node that only the line's own loads cause; -1: other loads act.
   const auto turn = [&](int n) {
     const bool plain =
         n > first && n < last && !nodes[n].carried && !mesh_.mesh->nodes[line.first_node + n].two_sided;
@@ -177,7 +176,7 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
   double longer = 0, compliance = 0, most = 0, tension = HUGE_VAL;
   Worst here;
   for (int i = first; i < last;) {
-    int end = i;  // of what hangs from here on
+    int end = i;  // end of the hanging part
     Vec3 way = Vec3::Zero();
     const auto hangs = [&](int e) { return !nodes[e].carried || !nodes[e + 1].carried; };
     for (; end < last && hangs(end); ++end) way += element(end).length * chord(end);
@@ -187,7 +186,7 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
       const Element& e = element(k);
       const double pull = 0.5 * (nodes[k].tension + nodes[k + 1].tension);
       compliance += e.length * std::max(pull, 0.0) / type(e).EA;
-      if (end == i) continue;  // it lies
+      if (end == i) continue;  // on the bed
       tension = std::min(tension, std::max(pull, 0.0));
       compliance += e.length * (chord(k) - way / length).squaredNorm();
       const double a = turn(k), b = turn(k + 1), theta = std::min(a < 0 ? b : a, b < 0 ? a : b);
@@ -205,14 +204,14 @@ void ElementErrors::update_sag(const LineSpan& line, std::span<const At> nodes, 
   if (here.error > worst.error) worst = here;
 }
 
-// From where a cable leaves the bed its tension at rest grows by its weight in water times the height. An
-// element of which one end lies and the other hangs gives its weight to both by halves, wherever between them
-// the line leaves the bed, and two elements on the tension has the whole error.
+// Above the liftoff point the static tension of a cable grows by its submerged weight times the height. An
+// element with one end on the bed assigns half its weight to each end, wherever the line leaves the bed
+// between them; two elements further on the tension has the whole error.
 void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes, int first, int last,
                                  double time, Worst& worst) const {
   if (!case_.lines[&line - mesh_.mesh->lines.data()].loads.empty()) return;
   for (int n = first; n <= last; ++n) {
-    if (!nodes[n].carried || nodes[n].pressed > 0) continue;  // a volume's friction takes tension
+    if (!nodes[n].carried || nodes[n].pressed > 0) continue;  // friction of a volume changes the tension
     for (const int side : {-1, 1}) {
       if (n + 2 * side < first || n + 2 * side > last) continue;
       if (nodes[n + side].carried || nodes[n + 2 * side].carried) continue;
@@ -222,8 +221,8 @@ void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes
       if (mesh_.mesh->nodes[line.first_node + n + side].two_sided) continue;
       const double weight =
           case_.environment.gravity * advice::mass_in_water(case_, type(next), nodes[n].x.z());
-      // The tension at a node is the mean of its elements'. From the node above, whose elements both hang,
-      // follow those of the elements below it and so that of the one that lies.
+      // Nodal tension is the mean of the adjacent elements. The tension of the hanging elements follows from
+      // the upper node, and from it that of the elements below and of the one on the bed.
       const At &lies = nodes[n], &low = nodes[n + side], &high = nodes[n + 2 * side];
       const double hanging = high.tension - 0.5 * weight * (high.x.z() - low.x.z());
       const double leaving = 2 * low.tension - hanging, lying = std::max(2 * lies.tension - leaving, 0.0);
@@ -238,8 +237,8 @@ void ElementErrors::update_lifts(const LineSpan& line, std::span<const At> nodes
   }
 }
 
-// On a support, at a clamp or where something is attached the moment of a beam under tension has a peak, from
-// which it falls off like exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend it has none.
+// At a support, clamp or attachment the moment of a beam under tension has a peak that decays like
+// exp(-s/decay), decay = sqrt(EI/T), to both sides. In a smooth bend there is no peak.
 void ElementErrors::update_bends(const LineSpan& line, std::span<const At> nodes, int first, int last,
                                  double time, Worst& worst) const {
   for (int n = first; n <= last; ++n) {
@@ -247,7 +246,7 @@ void ElementErrors::update_bends(const LineSpan& line, std::span<const At> nodes
     if (here.moment <= worst.error || !(here.tension > 0)) continue;
     const Node& node = mesh_.mesh->nodes[line.first_node + n];
     const bool at_end = n == first || n == last || node.two_sided;
-    Worst least{.error = HUGE_VAL};  // of both sides
+    Worst least{.error = HUGE_VAL};  // over both sides
     for (const int side : {-1, 1}) {
       const int i = side < 0 ? n - 1 : n;
       if (i < first || i >= last) continue;
@@ -277,7 +276,7 @@ std::vector<std::string> ElementErrors::warnings(int line, double largest_tensio
     sag.recommended = sag.length * std::sqrt(kRecommendedError * largest_tension / sag.error);
     out.push_back(advice::sags_between_nodes(name, sag, largest_tension));
   }
-  // Half an element's weight is the most that may be wrong.
+  // The error is at most half an element's weight.
   if (lift.error > kWarned * largest_tension) {
     lift.recommended = 2 * kRecommendedError * largest_tension / lift.weight;
     out.push_back(advice::leaves_bed_within(name, lift, largest_tension));

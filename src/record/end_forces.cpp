@@ -1,5 +1,5 @@
-// The class EndForces: at which nodes the forces on either side are wanted, and the force and moment of a
-// section from the nodal forces of the element beside it.
+// The class EndForces: selection of nodes, and section force and moment from the nodal forces of the adjacent
+// element.
 #include "hawser/record/end_forces.hpp"
 
 #include <algorithm>
@@ -60,10 +60,10 @@ void EndForces::evaluate(const Kinematics& at, std::span<const Vec3> carried) {
   if (feeders_) evaluate_feed_points(at, carried);
 }
 
-// The ends of what is inside feeders have what is at the feed point. One rank knows it; the maximum over the
-// ranks of all feeders' numbers is one exchange.
+// Ends inside feeders have the force at the feed point. One rank computes it; one maximum over the ranks
+// exchanges the numbers of all feeders.
 void EndForces::evaluate_feed_points(const Kinematics& at, std::span<const Vec3> carried) {
-  constexpr size_t kNumbers = 10;  // force, moment, direction, what the feeder feels
+  constexpr size_t kNumbers = 10;  // force, moment, direction, feeder force
   const auto& elements = system_.mesh().elements;
   const std::vector<Feeder>& feeders = feeders_->list();
   std::vector<double> all(kNumbers * feeders.size(), -HUGE_VAL);
@@ -108,7 +108,7 @@ SectionForce EndForces::section(const Kinematics& at, int element, bool second,
     s.direction = at.q[n] * Vec3::UnitX();
     return s;
   }
-  // A cable that hangs freely and is taut points where it pulls; its chord is that of the element's middle.
+  // A taut, freely hanging cable is parallel to its tension; its chord has the direction at mid-element.
   const Vec3 chord = (at.x[j] - at.x[i]).normalized();
   const double middle = 0.5 * (part(2) - part(0)).norm();
   const bool hangs = carried[i].isZero(0) && carried[j].isZero(0);

@@ -1,4 +1,4 @@
-// The class Folds: which elements have folded, and for how long that counts.
+// The class Folds: detection of folded elements and the duration of their effect.
 #include "hawser/record/folds.hpp"
 
 #include <array>
@@ -9,9 +9,9 @@
 namespace hawser::record {
 namespace {
 
-// Chord of a quarter of a circle over its arc: what is bent more than that within an element is folded.
+// Chord over arc of a quarter circle: an element bent more sharply is folded.
 const double kFolded = 2 * std::sqrt(2.0) / M_PI;
-constexpr double kSame = 1 - 1e-9;  // of a tension that is written twice
+constexpr double kSame = 1 - 1e-9;  // tolerance of equal tensions
 
 }  // namespace
 

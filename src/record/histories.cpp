@@ -1,4 +1,4 @@
-// The class Histories: which nodes a point lies between, and the rows of points and bodies.
+// The class Histories: nodes around each point, and rows of points and bodies.
 #include "hawser/record/histories.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ const std::vector<io::ResultField> kBody = {{"position", "m", 3},   {"rotation_v
 
 const std::vector<io::ResultField> kVolume = {{"force", "N", 3}, {"moment", "N m", 3}};
 
-// Two points are one when they are nearer to each other than this share of the line.
+// Points closer than this fraction of the line's length coincide.
 constexpr double kSamePlace = 1e-9;
 
 }  // namespace
@@ -95,7 +95,7 @@ Histories::Point Histories::point_of(int line, double arc) const {
   const LineSpan& span = mesh.lines[line];
   const auto first = mesh.nodes.begin() + span.first_node, last = first + span.nodes - 1;
   const double same = kSamePlace * span.length;
-  // The last node that is not behind the point.
+  // The last node at or before the point.
   auto node =
       std::upper_bound(first, last + 1, arc + same, [](double s, const Node& n) { return s < n.arc; });
   node -= node != first;
@@ -127,8 +127,7 @@ double Histories::facing(int field, const SectionForce& s, const Quat& q, double
   return fallback;
 }
 
-// What node `side` of a point contributes. Where section forces jump at a node the point lies on one side of
-// it.
+// Contribution of node `side` of a point. Where section forces jump at a node the point is on one side of it.
 std::vector<double> Histories::node_row(const Point& p, size_t side, const Snapshot& s) const {
   const Kinematics& at = s.at;
   const size_t n = p.nodes[side];
@@ -167,7 +166,7 @@ std::vector<double> Histories::node_row(const Point& p, size_t side, const Snaps
   return row;
 }
 
-// Empty on ranks that own none of its nodes.
+// Empty on ranks that own none of the nodes.
 std::vector<double> Histories::line_row(const Point& p, const Snapshot& s) const {
   std::vector<double> row;
   for (size_t k = 0; k < 2; ++k) {
@@ -219,7 +218,7 @@ std::vector<double> Histories::body_row(int body, const Snapshot& s) const {
   return row;
 }
 
-// This rank's part.
+// Part of this rank.
 std::vector<double> Histories::volume_row(const std::string& volume, const Kinematics& at) const {
   std::array<Vec3, 2> sum{Vec3::Zero(), Vec3::Zero()};
   const LineVolumeContact* contact = subject_.term<LineVolumeContact>();

@@ -1,4 +1,4 @@
-// The class LineExtremes: which quantities are in the table, the comparison at every step, and the table.
+// The class LineExtremes: quantities of the table, comparison at every step, and the table.
 #include "hawser/record/line_extremes.hpp"
 
 #include <algorithm>
@@ -13,14 +13,14 @@
 namespace hawser::record {
 namespace {
 
-// Of its size, by which a value must be beyond that of an earlier step: what rests is at its extreme from the
-// start on, whatever rounding makes of it later.
+// Relative amount by which a value must exceed an earlier one: a line at rest has its extreme at the start
+// despite later rounding.
 constexpr double kBeyond = 1e-9;
-// Less is round-off of a line without tension.
+// Strain below which the tension is round-off.
 constexpr double kNoStrain = 1e-9;
-const char* const kRecords = "extremes of lines";  // in a checkpoint
+const char* const kRecords = "extremes of lines";  // key in a checkpoint
 
-// Of a table that people read: in the order that fields ask for.
+// Fields of the printed table, in their requested order.
 std::vector<size_t> shown(const std::vector<io::ResultField>& fields) {
   std::vector<size_t> out;
   for (size_t f = 0; f < fields.size(); ++f)
@@ -133,11 +133,11 @@ std::vector<io::SummaryRow> LineExtremes::table() const {
   return rows;
 }
 
-// Every rank gives what it has of a line to the line's first node that it owns, so that no rank writes or
-// reads more than its own.
+// Every rank stores its data of a line at the first node of the line that it owns, so that each rank writes
+// and reads only its own.
 std::vector<CheckpointRecord> LineExtremes::records(NodeRange nodes) const {
   std::vector<CheckpointRecord> out;
-  int before = -1;  // line
+  int before = -1;  // line of the previous node
   for (int n = 0; n < local_.owned && local_.node(n).body < 0; ++n) {
     const int line = local_.node(n).line;
     if (std::exchange(before, line) == line || !nodes.has(local_.global[n])) continue;
@@ -155,7 +155,7 @@ void LineExtremes::save(io::Checkpoint& to) {
   kept.make = [this](NodeRange nodes) { return records(nodes); };
 }
 
-// Several ranks may have kept something of a line that is one rank's here.
+// Data stored by several ranks may now belong to one rank.
 void LineExtremes::restore(const io::Checkpoint& from) {
   const auto at = from.records.find(kRecords);
   if (at == from.records.end()) return;

@@ -1,5 +1,4 @@
-// The class NodeFields: which fields there are, which of them steps need, and what ends of lines change of
-// them.
+// The class NodeFields: list of fields, those needed at every step, and corrections at line ends.
 #include "hawser/record/node_fields.hpp"
 
 #include <algorithm>
@@ -13,7 +12,7 @@
 namespace hawser::record {
 namespace {
 
-// Of one side of a node, where they may differ (correct_ends).
+// Tension on one side of a node, where the sides may differ (correct_ends).
 FieldSource tension_of_side(const char* name, const std::string& tension) {
   return {{.name = name,
            .unit = "N",
@@ -26,7 +25,7 @@ FieldSource tension_of_side(const char* name, const std::string& tension) {
           tension};
 }
 
-// Of ends: the last is that of beams only.
+// Fields of ends; the last only with beams.
 const io::ResultField kEnds[] = {{"force", "N", 3}, {"direction", "", 3}, {"moment", "N m", 3}};
 
 }  // namespace
@@ -64,7 +63,7 @@ NodeFields::NodeFields(const Subject& subject)
 void NodeFields::begin(const std::set<std::string>& every_step) {
   const size_t owned = subject_.local().owned;
   for (const Field& f : fields_) values_.emplace_back(owned * static_cast<size_t>(f.components));
-  // Forces at ends need the tension and what carries a line.
+  // End forces need the tension and the contact forces on a line.
   for (const FieldSource& s : registry_.sources())
     every_step_.push_back(s.carries || s.name == "effective_tension" || every_step.count(s.name) > 0);
   const int corrected[] = {tension_, declination_, wall_, shear_, torsion_, moment_, moment_2_, moment_3_};
@@ -96,9 +95,9 @@ void NodeFields::fill_field(size_t f, const Kinematics& at) {
   registry_.sources()[f].fill(at, values_[f + 2]);
 }
 
-// An element's tension is that of its middle, its moments exclude the load along it. At the ends of a line,
-// and where tension may jump, the values are those of the forces there (docs/theory/end-forces.md). The
-// wall's tension goes with the effective one: the pressures are those of the node already.
+// Element tension is that at mid-element, and element moments exclude the load along the element. At line
+// ends, and where tension may jump, the values are those of the forces there (docs/theory/end-forces.md).
+// Wall tension changes with effective tension; the pressures are already those of the node.
 void NodeFields::correct_ends(const Kinematics& at) {
   const LocalMesh& local = subject_.local();
   std::vector<Vec3> carried(static_cast<size_t>(local.nodes()), Vec3::Zero());
@@ -106,7 +105,7 @@ void NodeFields::correct_ends(const Kinematics& at) {
     for (size_t n = 0; n < static_cast<size_t>(local.owned); ++n)
       carried[n] += Eigen::Map<const Vec3>(values_[f].data() + 3 * n).cwiseAbs();
   if (!carriers_.empty()) subject_.system.spread(carried);
-  // A run in time that begins without statics has no step yet, but what acts is that of motion: waves.
+  // A dynamic run without statics has no step yet, but forces of motion, such as waves, act.
   Kinematics now = at;
   if (!subject_.model.statics.enabled && subject_.model.dynamics.enabled && now.step == 0)
     now.step = subject_.dynamics().control().proposal();

@@ -1,4 +1,4 @@
-// The class NodeStatistics: the update of statistics at a step, their table, and their place in a checkpoint.
+// The class NodeStatistics: update of statistics at a step, their table, and their checkpoint.
 #include "hawser/record/node_statistics.hpp"
 
 #include <cmath>
@@ -9,9 +9,9 @@
 namespace hawser::record {
 namespace {
 
-// In a checkpoint.
+// Keys in a checkpoint.
 const std::string kPrefix = "statistics.", kBegun = "statistics.begun", kLatest = "statistics.latest";
-// Of Sums, which hold no NaN there; then 1: there are some, 3: at the latest step too; 0: none.
+// Numbers of Sums, stored without NaN; the last is 1: data exist, 3: also at the latest step, 0: none.
 constexpr int kSaved = 9;
 
 }  // namespace
@@ -48,8 +48,8 @@ void NodeStatistics::add(double time, const std::vector<std::vector<double>>& va
         s.most_time = time;
       }
       if (!(h > 0) || std::isnan(last)) continue;
-      // With the interval h a linear piece of mean m and variance (v - last)²/12 joins those before (Chan,
-      // Golub and LeVeque 1983, equation 2.1, with the lengths of intervals as weights).
+      // A linear piece of length h with mean m and variance (v - last)²/12 is merged with the earlier ones
+      // (Chan, Golub and LeVeque 1983, equation 2.1, weighted by length).
       s.covered += h;
       const double share = h / s.covered, off = 0.5 * (last + v) - s.mean, change = v - last;
       s.squares += (1 - share) * h * off * off + h / 12 * change * change;

@@ -1,4 +1,4 @@
-// Multiples of the intervals of a case, and the next of several times.
+// Multiples of the intervals of a case, and the earliest of several times.
 #include "hawser/record/output_times.hpp"
 
 #include <algorithm>

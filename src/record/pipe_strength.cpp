@@ -1,4 +1,4 @@
-// The class PipeStrength: which types meet at a node, loads and pressures there, and the larger of both
+// The class PipeStrength: line types at each node, loads and pressures there, and the larger value of both
 // sides.
 #include "hawser/record/pipe_strength.hpp"
 
@@ -29,7 +29,7 @@ Field of_code(const char* name, const char* label, const char* code) {
           .exceeded = fmt::format("loaded with more than {} allows", code)};
 }
 
-// In a checkpoint.
+// Keys in a checkpoint.
 const std::string kRest = "pipe codes: functional loads", kPulled = "pipe codes: design tension";
 
 }  // namespace
@@ -103,7 +103,7 @@ double PipeStrength::condition(const Side& side, const PipePlaces& places) const
   return in(places.supports) ? of.supports : in(places.seabed) ? of.seabed : of.span;
 }
 
-// Where the condition of a pipe depends on what carries it.
+// Places where the condition of a pipe depends on its support.
 PipePlaces PipeStrength::places(const Snapshot& s) const {
   PipePlaces out;
   if (!by_place_) return out;
@@ -112,10 +112,10 @@ PipePlaces PipeStrength::places(const Snapshot& s) const {
   out.seabed.assign(mesh_.lines.size(), {HUGE_VAL, -HUGE_VAL});
   for (const Touchdown& t : touchdowns_.find(s.at)) {
     std::array<double, 2>& lies = out.seabed[t.line];
-    if (!t.from_a && t.laid > 0) lies = {-HUGE_VAL, HUGE_VAL};  // from end to end
+    if (!t.from_a && t.laid > 0) lies = {-HUGE_VAL, HUGE_VAL};  // lies completely
     if (!t.from_a) continue;
     const double from = t.from_a->arc, to = t.from_b->arc, behind = mesh_.lines[t.line].length - to;
-    // A line that lies up to one of its ends has one touchdown point.
+    // A line that lies up to one of its ends has a single touchdown point.
     if (to > from)
       lies = {from, to};
     else if (std::abs(t.laid - behind) < std::abs(t.laid - from))

@@ -1,10 +1,10 @@
-// Summaries of stretches that volumes press on: of one turn, and of two stretches as one.
+// Summaries of stretches in contact with volumes: of one turn, and of two joined stretches.
 #include "hawser/record/pressed_stretch.hpp"
 
 namespace hawser::record {
 namespace {
 
-// Sums of b begin where a ends.
+// Sums of b continue from those of a.
 SumRange joined(const SumRange& a, const SumRange& b, double sum_of_a) {
   return {std::min(a.low, sum_of_a + b.low), std::max(a.high, sum_of_a + b.high)};
 }

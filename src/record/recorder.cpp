@@ -1,5 +1,4 @@
-// The class Recorder: the order in which fields, energies and recordings see a state, and what goes into the
-// results file.
+// The class Recorder: order of updates of fields, energies and recordings, and writing of the results file.
 #include "hawser/record/recorder.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +17,7 @@
 namespace hawser::record {
 namespace {
 
-// Rows made at once.
+// Limit of the initial capacity, rows.
 constexpr double kMostRoom = 1e6;
 
 }  // namespace
@@ -71,7 +70,7 @@ io::ResultContents Recorder::declared(std::vector<io::VolumeMesh> volumes, io::R
   for (const auto& b : c.bodies) contents.bodies.push_back(b.name);
   contents.clashes = clashes_ != nullptr;
   contents.free_bodies = static_cast<int>(mesh.nodes.size()) - mesh.line_nodes();
-  // Room for more steps than there are costs nothing; a file that must be made anew costs what is in it.
+  // Unused capacity is free; rebuilding a file costs a copy.
   const io::ExpectedRows rows = expected_rows(c);
   contents.expected_outputs = static_cast<int>(std::min(rows.outputs + 2, kMostRoom));
   contents.expected_steps = static_cast<int>(std::min(1.1 * rows.steps + 100, kMostRoom));
@@ -89,7 +88,7 @@ void Recorder::fill(const Snapshot& s, bool all) {
   for (const auto& r : recordings_) r->fill(s, fields_.values());
 }
 
-// Stages have no time: that of the last is 0, and a second less for each before it.
+// Stages have no time: the last has 0, each one before it a second less.
 void Recorder::stage(size_t place, const Kinematics& at) {
   const Snapshot s = snapshot(at);
   fill(s, true);
@@ -126,7 +125,7 @@ void Recorder::step(const StepInfo& info, const Kinematics& at, double support_w
   file_->append_series(info.time, std::move(rows).gathered(subject_.comm()));
 }
 
-// J, work in a step that one feeder does on its line and another takes out of its own, or of the same.
+// Work [J] in a step that one feeder does on its line while another removes it, on the same line or another.
 double Recorder::passed_through(double h) const {
   double gross = 0, net = 0;
   if (const auto* feeders = subject_.term<Feeders>())
@@ -138,7 +137,7 @@ double Recorder::passed_through(double h) const {
   return gross - std::abs(net);
 }
 
-// Where the step that made most energy so far changed the motion most, and what acted there.
+// Finds the place where the step with most created energy changed the motion most, and the force there.
 void Recorder::find_worst(const Snapshot& s) {
   using With = Audit::Step::ContactWith;
   const std::pair<const char*, With> kinds[] = {{"contact_normal_force", With::volume},

@@ -1,4 +1,4 @@
-// The class Rows: rows of which several ranks have a part, summed on rank 0.
+// The class Rows: rows that several ranks share, summed on rank 0.
 #include "hawser/record/recording.hpp"
 
 #include <algorithm>

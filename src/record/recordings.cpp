@@ -1,5 +1,5 @@
-// The list of all recordings: a new one is a class and a line here. Series stand in the results file in this
-// order, and runs that are continued go by it; findings of the whole run are reported in it.
+// List of all recordings. Their order determines that of the series in the results file, which continued runs
+// rely on, and of findings about the whole run.
 #include <utility>
 
 #include "hawser/record/clash_report.hpp"

@@ -1,4 +1,4 @@
-// From the case and its mesh to what a results file has of them.
+// Conversion of the case and its mesh to contents of the results file.
 #include "hawser/record/result_parts.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The class Snaps: the largest tension of each line with its change in the steps beside it.
+// The class Snaps: largest tension of each line and its changes in adjacent steps.
 #include "hawser/record/snaps.hpp"
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 namespace hawser::record {
 namespace {
 
-const double kResolved = M_PI / 6;       // rad of the wave in a step, or while it passes an element
-constexpr double kSuddenRise = 1.0 / 3;  // of a tension: what comes up at once, if it is one
-constexpr double kHeld = 0.02;           // of a tension: what falls by less goes on rising
-constexpr double kSame = 1 - 1e-9;       // of a tension that is written twice
+const double kResolved = M_PI / 6;       // rad, phase of the wave per step or per passage of an element
+constexpr double kSuddenRise = 1.0 / 3;  // of the tension: sudden rise if larger
+constexpr double kHeld = 0.02;           // of the tension: a smaller drop does not end a rise
+constexpr double kSame = 1 - 1e-9;       // tolerance of equal tensions
 
 bool counts(const model::Case& c, const model::Line& line) {
   const auto in_frame = [&](const model::End& e) {

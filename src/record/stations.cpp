@@ -1,5 +1,4 @@
-// The class Stations: which part of a line is at places that stay with its feeder, by what its feeder has
-// paid out.
+// The class Stations: material at the stations of a feeder, from the length paid out.
 #include "hawser/record/stations.hpp"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ Stations::Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
 const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vector<double>>& values) {
   if (!feeders_) return values_;
   int line = -1;
-  for (const Feeder& f : feeders_->list())  // end A comes before end B
+  for (const Feeder& f : feeders_->list())  // end A before end B
     if (std::exchange(line, f.line) != f.line) fill(f, values);
   return values_;
 }
@@ -32,7 +31,7 @@ const std::vector<std::vector<double>>& Stations::at(const std::vector<std::vect
 void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& values) {
   const LineSpan& span = mesh_.mesh->lines[f.line];
   const size_t nodes = span.nodes;
-  // Of the line's nodes, in its order, on every rank.
+  // Values of all nodes of the line in order, on every rank.
   std::vector<double> along(fields_.size() * nodes, 0);
   for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n)
     if (const int i = mesh_.global[n] - span.first_node; i >= 0 && i < span.nodes)
@@ -41,9 +40,9 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
   all_reduce(comm_, MPI_SUM, along);
 
   const auto arc = [&](int i) { return mesh_.mesh->nodes[span.first_node + i].arc; };
-  int first = 0, last = span.nodes - 1;       // free nodes, or an end that is not fed
+  int first = 0, last = span.nodes - 1;       // free nodes, or an end without feeder
   double from = 0, to = span.length;          // m, arc lengths at the feeders
-  for (const Feeder& o : feeders_->list()) {  // both, if there are two
+  for (const Feeder& o : feeders_->list()) {  // both, if the line is fed at both ends
     if (o.line != f.line) continue;
     const int free = o.at_b ? span.nodes - 2 - o.feed_point : o.feed_point + 1;
     (o.at_b ? last : first) = free;
@@ -52,11 +51,11 @@ void Stations::fill(const Feeder& f, const std::vector<std::vector<double>>& val
   for (size_t n = 0; n < static_cast<size_t>(mesh_.owned); ++n) {
     const int i = mesh_.global[n] - span.first_node;
     if (i < 0 || i >= span.nodes) continue;
-    const double s = f.at_b ? to - (span.length - arc(i)) : from + arc(i);  // material there
-    int j = first;                                                          // the node after it
+    const double s = f.at_b ? to - (span.length - arc(i)) : from + arc(i);  // material at the station
+    int j = first;                                                          // next node
     while (j < last && arc(j) < s) ++j;
     const double length = j > first ? arc(j) - arc(j - 1) : 0;
-    const double share = length > 0 ? std::clamp((arc(j) - s) / length, 0.0, 1.0) : 0;  // of the one before
+    const double share = length > 0 ? std::clamp((arc(j) - s) / length, 0.0, 1.0) : 0;  // of the node before
     for (size_t k = 0; k < fields_.size(); ++k) {
       const double* v = along.data() + k * nodes + j;
       const bool there = s >= from - 1e-9 * span.length && s <= to + 1e-9 * span.length;

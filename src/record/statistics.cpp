@@ -1,4 +1,4 @@
-// The class Statistics: statistics of nodes stand in the file before those at stations.
+// The class Statistics: statistics of nodes precede those at stations in the file.
 #include "hawser/record/statistics.hpp"
 
 #include "hawser/terms/feeders.hpp"

@@ -1,4 +1,4 @@
-// The columns of the short histories, and their rows. Rank 0 writes the values that every rank has.
+// Columns and rows of the short histories. Rank 0 writes values that every rank has.
 #include "hawser/record/step_histories.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// Poses of bodies, of one where it is known and of all on every rank.
+// Poses of single bodies on their ranks, and of all bodies on every rank.
 #include "hawser/record/subject.hpp"
 
 #include "hawser/base/gather.hpp"

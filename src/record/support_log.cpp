@@ -1,4 +1,4 @@
-// The class SupportLog: the rows of boxes, and which of them a line is off or never lies on.
+// The class SupportLog: rows of boxes, and findings on their lines.
 #include "hawser/record/support_log.hpp"
 
 #include <algorithm>
@@ -44,13 +44,13 @@ void SupportLog::rows(const Snapshot&, Rows& to) {
   const model::Case& c = subject_.model;
   const bool first = rank_of(subject_.comm()) == 0;
   for (size_t k = 0; k < c.supports.size(); ++k) {
-    std::vector<double> row(3, 0.0);  // the sum of the rollers
+    std::vector<double> row(3, 0.0);  // sum over the rollers
     for (size_t i = 0; i < c.supports[k].rollers.size(); ++i) {
       const Vec3& of_roller = forces_[rollers_.first(k) + i];
       for (int n = 0; n < 3; ++n) row[n] += of_roller[n];
       row.insert(row.end(), of_roller.begin(), of_roller.end());
     }
-    const SupportCrossing& x = crossings_[k];  // the same on all ranks
+    const SupportCrossing& x = crossings_[k];  // equal on all ranks
     for (const double value : {x.height, x.offset, x.arc})
       row.push_back(!first ? 0 : x.known ? value : std::nan(""));
     to.add_part(std::move(row));
@@ -74,8 +74,8 @@ std::vector<Finding> SupportLog::findings(const std::vector<io::SummaryRow>&, co
       any = any || carried_[j] != 0;
       further = further || (j > k && carried_[j] != 0);
     }
-    // What lies clear of the last ones is laid as it is meant to be; by less than a diameter over one
-    // between, the next have been set a little high.
+    // Being clear of the last boxes is the intended laying state; a clearance below one diameter over an
+    // inner box means that the next are slightly high.
     if (further && carried_[k] == 0 && lowest_[k] > diameter)
       out.push_back({advice::never_carries(b, lowest_[k])});
     if (first && !any) out.push_back({advice::none_carries(b.line)});

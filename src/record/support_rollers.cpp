@@ -1,5 +1,5 @@
-// The crossing of line and box by bisection along the element that goes through the plane of the box, and
-// forces of rollers summed over the ranks.
+// Intersection of a line with the plane of a box by bisection along an element, and roller forces summed over
+// the ranks.
 #include "hawser/record/support_rollers.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kHalvings = 40;
 
-// Where an element, from 0 to 1 along it, goes through the plane through `at` across `along`.
+// Parameter, 0 to 1, at which an element crosses the plane through `at` normal to `along`.
 double on_plane(const AxisShape& shape, const Vec3& at, const Vec3& along) {
   double low = 0, high = 1;
   const bool increasing = (shape.point(1) - at).dot(along) > 0;

@@ -1,4 +1,4 @@
-// The class TensionPeaks: folds come first, since the peak with which one straightens is an impact as well.
+// The class TensionPeaks: folds are reported first, because their straightening is also an impact.
 #include "hawser/record/tension_peaks.hpp"
 
 #include "hawser/record/line_extremes.hpp"

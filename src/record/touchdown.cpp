@@ -1,6 +1,6 @@
-// The class Touchdowns: every rank looks for the first change of contact from either end of its lines; the
-// place is found from the few nodes beside it (touchdown_place.hpp). Of lines that the partition cuts the
-// ranks add up what they have.
+// The class Touchdowns: each rank finds the first change of contact from either end of its lines, and the
+// place from the nearby nodes (touchdown_place.hpp). Ranks combine their data of lines that the partition
+// cuts.
 #include "hawser/record/touchdown.hpp"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace hawser::record {
 namespace {
-constexpr double kHeld = 1e-3;  // of the radius: an end held on the bed is there up to round-off
+constexpr double kHeld = 1e-3;  // of the radius: an end held on the bed lies there up to round-off
 }
 
 Touchdowns::Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& local)
@@ -60,7 +60,7 @@ Touchdowns::Above Touchdowns::above(size_t n, const Kinematics& at) const {
   return out;
 }
 
-// Sums up, or takes the least of, what ranks have of lines that are cut, of which each has so many numbers.
+// Sums or minimises the numbers of cut lines over the ranks; `numbers`: per line.
 template <class T>
 void Touchdowns::join(MPI_Op op, std::vector<T>& of, size_t numbers) const {
   if (cut_ == 0) return;
@@ -117,7 +117,7 @@ std::vector<Touchdowns::Surrounding> Touchdowns::surroundings(const Changes& cha
   return out;
 }
 
-// Its point, and what the straight line between two gaps counts too little of what lies, m.
+// Touchdown point, and the length on the bed [m] that linear interpolation of the gaps misses.
 std::pair<TouchdownPoint, double> Touchdowns::point(int element, const Surrounding& around) const {
   const Mesh& mesh = *local_.mesh;
   const Element& e = mesh.elements[element];

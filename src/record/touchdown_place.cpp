@@ -1,5 +1,5 @@
-// Where the axis of a line leaves the bed between two nodes, from their gaps and those of the nodes beside
-// them (theory/seabed.md, "Touchdown points").
+// Liftoff point of a line's axis between two nodes, from their gaps and those of neighbours
+// (docs/theory/seabed.md, "Touchdown points").
 #include "hawser/record/touchdown_place.hpp"
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 namespace hawser::record {
 namespace {
 
-constexpr double kSame = 1e-9;  // of a length: two that differ by less are one
+constexpr double kSame = 1e-9;  // relative tolerance of lengths
 constexpr int kMostTries = 60;
 
-// The zero of the cubic of two gaps with these slopes, m beyond the node that lies, by bisection: it changes
-// its sign once at least.
+// Zero of the cubic of two gaps with these slopes, m beyond the lying node, by bisection; the sign changes at
+// least once.
 double zero_of_cubic(double lying, double slope, double hanging, double next_slope, double length) {
   double low = 0, high = 1;
   for (int i = 0; i < 60; ++i) {
@@ -24,15 +24,15 @@ double zero_of_cubic(double lying, double slope, double hanging, double next_slo
   return 0.5 * (low + high) * length;
 }
 
-// Rise over run of the chord of two nodes, to the bed.
+// Slope of the chord of two nodes relative to the bed.
 double steepness(const Gap& a, const Gap& b) {
   const double rise = b.value - a.value, length2 = (b.x - a.x).squaredNorm();
   return rise / std::sqrt(std::max(length2 - rise * rise, 1e-12 * length2));
 }
 
-// m, how far ground that yields carries a line beyond s0, seen from a node `behind` s0 that lies `deep` [m]
-// in it: l of deep = bend l² (1 - exp(-(behind + l) / l)), which grows with l. Newton's iteration, which
-// stays between what is known to be too short and too long.
+// Distance [m] beyond s0 up to which a yielding bed carries a line, from a node at distance `behind` before
+// s0 and `deep` [m] below the bed: l of deep = bend l² (1 - exp(-(behind + l) / l)), which increases with l.
+// Newton's iteration within a bracket.
 double carried_beyond(double deep, double behind, double bend) {
   double low = std::max(0.0, -behind), high = HUGE_VAL;
   if (!(deep > 0)) return low;
@@ -52,7 +52,7 @@ double carried_beyond(double deep, double behind, double bend) {
 double distance_to_touchdown(const NodesAtChange& n, bool beam) {
   const double length = n.arc[2] - n.arc[1];
   if (beam) return zero_of_cubic(n.gap[1].value, n.gap[1].slope, n.gap[2].value, n.gap[2].slope, length);
-  // The second chord that hangs is the first that nothing of the bed acts on.
+  // The second hanging chord is the first without bed forces.
   for (const size_t k : {size_t{2}, size_t{1}}) {
     if (k + 2 >= n.exists.size() || !n.exists[k + 2] || n.two_sided[k + 1] || lies(n.gap[k + 2].value))
       continue;
@@ -61,7 +61,7 @@ double distance_to_touchdown(const NodesAtChange& n, bool beam) {
     const double bend = (t2 - t1) / (m2 - m1);
     if (!(bend > 0)) continue;
     const double s0 = m1 - t1 / bend;
-    // The last node that lies but one, unless it is an end, which is held.
+    // The last lying node but one, unless it is a held end.
     const size_t from = n.exists[0] && n.inner[0] && lies(n.gap[0].value) ? 0 : 1;
     const double s = s0 + carried_beyond(-n.gap[from].value, s0 - n.arc[from], bend) - n.arc[1];
     return std::clamp(s, n.exists[0] ? 0.5 * (n.arc[0] - n.arc[1]) : 0.0, length);

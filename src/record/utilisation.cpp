@@ -1,4 +1,4 @@
-// The class Utilisation: what the types on either side of a node bear, and its share that is used.
+// The class Utilisation: limits of the types on either side of a node, and their utilisation.
 #include "hawser/record/utilisation.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The class WaterErrors: the force of the flow on elements against that on their parts, by group of lines.
+// The class WaterErrors: flow force on elements compared with that on their parts, by group of lines.
 #include "hawser/record/water_errors.hpp"
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 namespace hawser::record {
 namespace {
 
-constexpr double kWarned = 0.02;    // of the largest force of the flow
-constexpr double kAccurate = 0.01;  // what elements of the recommended length leave of it; of the weight
-constexpr double kMatters = 1e-4;   // of the largest tension, which that turns by as many rad
-constexpr int kMostParts = 64;      // that are tried
-// Steps from one look in motion to the next. A look asks the waves at three points of every element, a step
-// at one: this is a sixteenth of what waves cost. A prime number does not go with the period of the waves.
+constexpr double kWarned = 0.02;    // of the largest flow force
+constexpr double kAccurate = 0.01;  // error of the recommended element length; fraction of the weight
+constexpr double kMatters = 1e-4;   // of the largest tension, whose direction it changes by as many rad
+constexpr int kMostParts = 64;      // largest subdivision tried
+// Steps between evaluations in motion. An evaluation computes waves at three points of each element, a step
+// at one; this adds a sixteenth of the cost of waves. A prime number avoids resonance with the wave period.
 constexpr int kSteps = 47;
 
 // The first line of those that joints hold together, of each line.
@@ -86,8 +86,8 @@ WaterErrors::Sums WaterErrors::sums(const Kinematics& at, int parts, const std::
   return {part(0), part(1), part(2), std::move(where)};
 }
 
-// The parts into which elements of some groups are to be cut, by trial: errors fall with the square of the
-// length only where the elements follow what the water does, and they may have missed all of it.
+// Necessary subdivision of the elements of some groups, by trial: errors fall with the square of the length
+// only if the elements resolve the flow, and they may have missed it completely.
 std::vector<int> WaterErrors::sufficient_parts(const Kinematics& at, std::vector<bool> groups) const {
   std::vector<int> sufficient(groups.size(), kMostParts);
   for (int parts = 2; parts < kMostParts && std::find(groups.begin(), groups.end(), true) != groups.end();
@@ -145,13 +145,13 @@ std::vector<std::string> WaterErrors::warnings() const {
   std::vector<Where> where;
   for (const Group& g : groups_) where.push_back(g.where);
   largest_of_ranks(comm_, where, [](const Where& w) { return w.error; });
-  std::vector<std::pair<double, std::string>> found;  // largest part of the force first
+  std::vector<std::pair<double, std::string>> found;  // largest fraction of the force first
   for (size_t i = 0; i < groups_.size(); ++i) {
     const Group& g = groups_[i];
     const Where& w = where[i];
     if (g.error <= g.bears() || !(w.error > 0)) continue;
     const auto joined = std::count(group_.begin(), group_.end(), group_[w.line]);
-    // Waves shorter than a line is thick are none of Morison's formula.
+    // Morison's formula does not apply to waves shorter than the line's diameter.
     const double sufficient = std::max(w.length / g.parts, std::min(w.diameter, w.length));
     found.emplace_back(-g.error / g.force, advice::long_in_flow({.line = mesh_.mesh->lines[w.line].name,
                                                                  .length = w.length,
@@ -166,7 +166,7 @@ std::vector<std::string> WaterErrors::warnings() const {
                                                                  .error = g.error,
                                                                  .recommended = sufficient}));
   }
-  constexpr size_t kMost = 3;  // of a farm of lines that are alike
+  constexpr size_t kMost = 3;  // of a farm with equal lines
   std::stable_sort(found.begin(), found.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> out;

@@ -1,5 +1,5 @@
-// The class Actions: tied ends, feeders and volumes after an action. A line that is cut is two from the start
-// (model/cut_lines.cpp), and the cut lets their joint go.
+// The class Actions: tied ends, feeders and volumes after an action. A line to be cut consists of two from
+// the start (model/cut_lines.cpp); the cut releases their joint.
 #include "hawser/run/actions.hpp"
 
 #include <algorithm>
@@ -87,7 +87,7 @@ void Actions::repeat(const Action& a, const Found& found, double time) {
       hold(a, found);
       break;
     case Action::Kind::feed:
-      if (a.paid_out == 0) feed(a, found.speed, time);  // else statics, and checkpoints know the length
+      if (a.paid_out == 0) feed(a, found.speed, time);  // else checkpoints have the length
       break;
     case Action::Kind::friction:
       sim_.enable_static_friction(a.enabled);

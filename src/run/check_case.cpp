@@ -1,5 +1,5 @@
-// What `hawser check` prints: the case as it was understood, the start beside its volumes, the partition, and
-// what a trial run of its beginning shows.
+// Output of `hawser check`: summary of the case, start contact, partition, and results of a trial run of the
+// beginning.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,13 +34,13 @@
 namespace hawser::run {
 namespace {
 
-constexpr double kTrial = 4;  // CPU s, of the trial run
-constexpr double kLeast = 1;  // CPU s of it, that motion has where a search took the rest
+constexpr double kTrial = 4;  // CPU s of the trial run
+constexpr double kLeast = 1;  // CPU s of it for motion after a length search used the rest
 
-struct TrialOver {};  // a search of the trial run has spent what it may
+struct TrialOver {};  // thrown when a search has used its share of the trial run
 
-// Prints how the lines start beside the volumes; false if one starts inside, out of which statics must bring
-// it. InputError if there is no statics. On one rank.
+// Prints the start contact of lines and volumes; false if a line starts inside and statics must move it out.
+// Throws InputError without statics. On one rank.
 bool check_start(const model::Case& c, const Mesh& mesh, const Bodies& bodies,
                  const std::vector<std::shared_ptr<const Surface>>& surfaces) {
   const std::vector<ContactVolume> volumes = volumes_of_lines(c, surfaces);
@@ -70,7 +70,7 @@ void print_volumes(const model::Case& c, const std::vector<LoadedVolume>& volume
   fmt::print("{}", hulls_text(c, volumes));
 }
 
-// Prints the shares of so many ranks; returns their imbalance.
+// Prints the partition for `ranks` ranks; returns its imbalance.
 double print_partition(const model::Case& c, const Mesh& mesh, const Bodies& bodies, int ranks) {
   const std::vector<int> owner = node_owners(MPI_COMM_SELF, c, mesh, bodies, ranks);
   const Balance shares = balance(mesh, owner, ranks);
@@ -80,7 +80,7 @@ double print_partition(const model::Case& c, const Mesh& mesh, const Bodies& bod
   return shares.imbalance;
 }
 
-// Runs the beginning of the case for so many CPU s and prints what it shows.
+// Runs the beginning of the case for `budget` CPU s and prints the results.
 TrialRun print_trial(Simulation& sim, const model::Case& c, double budget) {
   record::WaterErrors water(c, sim.system());
   bool rests = !c.statics.enabled;

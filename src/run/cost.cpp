@@ -1,5 +1,4 @@
-// The trial run with which `hawser check` ends, and how the CPU time and memory of a whole run follow from
-// it.
+// Trial run of `hawser check`, and extrapolation of CPU time and memory of a whole run.
 #include "hawser/run/cost.hpp"
 
 #include <sys/resource.h>
@@ -22,11 +21,11 @@
 namespace hawser::run {
 namespace {
 
-// Where statics is not over in the trial: iterations of statics, and in dynamics of a step, of the cases in
-// cases/; steps over the longest ones.
+// Typical numbers for statics that does not end in the trial, from the cases in cases/: iterations of
+// statics, and per step of dynamics; steps are the longest ones.
 constexpr double kStatics = 60, kDynamics = 4;
 
-struct Spent {};  // statics has spent what it may
+struct Spent {};  // thrown when statics has used its share
 
 }  // namespace
 
@@ -47,7 +46,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     trial.longest = step.fixed > 0 ? step.fixed / record::kAutomaticSteps : step.longest;
   }
   try {
-    double first = 0;  // CPU s, at the end of the first iteration, which also sets up what all others use
+    double first = 0;  // CPU s at the end of the first iteration, which includes the setup
     Events events(sim.system().comm(), sim);
     if (c.statics.enabled) {
       const auto report = [&](const StaticsReport& now) {
@@ -62,7 +61,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     }
     if (look) look(sim.state().view(0));
     if (c.dynamics.enabled) {
-      std::vector<std::pair<double, double>> way;  // CPU s, simulated s
+      std::vector<std::pair<double, double>> way;  // CPU s, simulated time [s]
       const record::OutputTimes times(c);
       Dynamics& d = sim.dynamics();
       FeederNodes feeder_nodes(sim);
@@ -84,7 +83,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
       const auto half = std::find_if(way.begin(), way.end(),
                                      [&](const auto& w) { return w.first >= 0.5 * way.back().first; });
       const auto from = half == way.end() - 1 ? std::pair(0.0, 0.0) : *half;
-      // Rows of a restless beginning, and steps as long as those of the second half.
+      // Steps of the initial transient, and further ones as long as those of the second half.
       const double behind = std::max(static_cast<double>(way.end() - half), 1.0);
       trial.steps = static_cast<double>(way.size()) +
                     (trial.duration - trial.reached) * behind / std::max(trial.reached - from.second, 1e-300);
@@ -92,7 +91,7 @@ TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
     }
   } catch (const Spent&) {
   } catch (const InputError&) {
-    throw;  // what is wrong with the case
+    throw;  // an error of the case
   } catch (const std::exception& e) {
     trial.failure = e.what();
   }
@@ -131,7 +130,7 @@ double peak_memory() {
 }
 
 std::string memory_sentence(const MemoryUse& use, double most_of_work) {
-  constexpr double kRun = 1.3;  // what a run takes beside the files over what its beginning takes
+  constexpr double kRun = 1.3;  // memory of a run relative to its beginning, excluding the files
   const double whole = kRun * (use.measured - use.read);
   const double own = kRun * (use.measured - use.shared) * most_of_work;
   const bool several = most_of_work < 1;

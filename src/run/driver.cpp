@@ -1,5 +1,5 @@
-// The order of a whole run: reading, static equilibrium, time integration with outputs and checkpoints, stop
-// by a signal, final messages and exit code.
+// Sequence of a run: reading, static equilibrium, time integration with outputs and checkpoints, stop by a
+// signal, final messages and exit code.
 #include "hawser/run/driver.hpp"
 
 #include <fmt/format.h>
@@ -35,22 +35,22 @@
 namespace hawser::run {
 namespace {
 
-constexpr double kCheckpoints = 0.02;  // of the time, unless the case says when
+constexpr double kCheckpoints = 0.02;  // fraction of the time, unless given by the case
 
-// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun passes on to all ranks: the run ends at the next output,
-// with everything on disk. Who cannot wait sends the signal again.
+// Set by SIGINT, SIGTERM and SIGUSR1, which mpirun forwards to all ranks: the run ends at the next output
+// with everything on disk. A second signal ends it immediately.
 volatile std::sig_atomic_t stop_requested = 0;
 void request_stop(int signal) {
   stop_requested = 1;
   std::signal(signal, SIG_DFL);
 }
 
-// A stage of -log_view for as long as it lives; inside it, events are named by term.
+// A stage of -log_view for its lifetime; inside, events are named by term.
 class Stage {
  public:
   explicit Stage(const char* name) {
     PetscLogStage stage = -1;
-    check(PetscLogStageGetId(name, &stage));  // a second run of the same process knows it
+    check(PetscLogStageGetId(name, &stage));  // already registered by an earlier run of this process
     if (stage < 0) check(PetscLogStageRegister(name, &stage));
     check(PetscLogStagePush(stage));
   }
@@ -76,15 +76,15 @@ void print_remarks(record::Recorder& recorder, Progress& progress) {
   progress.print_warnings(recorder.remarks());
 }
 
-// An error of the solver ends a run with what was computed up to there.
+// A solver error ends the run with the results computed so far.
 void finish_failed(record::Recorder& recorder, const Progress& progress, const SolveError& e) {
   std::vector<std::string> messages = progress.messages();
   messages.push_back(fmt::format("warning: {}", e.what()));
   recorder.finish(std::move(messages));
 }
 
-// The time steps of a run up to `end` [s], with outputs, checkpoints and events. True: stopped by a signal
-// before its end, on all ranks. Throws SolveError with everything on disk. Collective.
+// Time steps of a run up to `end` [s], with outputs, checkpoints and events. True: stopped early by a signal,
+// on all ranks. Throws SolveError with everything on disk. Collective.
 bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& events,
                FeederNodes& feeder_nodes, Progress& progress) {
   const Stage stage("dynamics");
@@ -112,8 +112,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
     const bool last = info.time >= end - slack;
     const bool output = info.time >= output_at - slack || last;
     const bool save = info.time >= checkpoint_at - slack || last;
-    // Whether somebody asked to stop, and whether a checkpoint is due by the clock, is agreed on where
-    // everybody meets anyhow.
+    // Stop requests and checkpoints due by the clock are agreed on where all ranks communicate anyway.
     int requests[2] = {0, 0};
     if (output || save) {
       requests[0] = stop_requested;
@@ -125,7 +124,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
       recorder.output(d.kinematics());
       output_at = record::next_multiple(info.time, every);
     }
-    // What was shown is the state before it, what is saved the one after.
+    // Outputs have the state before the events, checkpoints the state after them.
     for (const std::string& e : events.apply_due()) progress.print(e);
     feeder_nodes.transfer_node();
     if (save || stop) {
@@ -146,7 +145,7 @@ bool integrate(Simulation& sim, double end, record::Recorder& recorder, Events& 
   return stopped;
 }
 
-// What the terminal shows at the end of a run; `table`: of extremes.
+// Prints the final results; `table`: of extremes.
 void print_results(const model::Case& c, const record::Recorder& recorder, const std::string& table) {
   fmt::print("\n{}", table);
   if (const std::string clashes = recorder.clash_table(); !clashes.empty()) fmt::print("\n{}", clashes);
@@ -167,13 +166,13 @@ void print_results(const model::Case& c, const record::Recorder& recorder, const
   for (const std::string& w : recorder.warnings()) fmt::print("\nwarning: {}\n", w);
 }
 
-// The newest checkpoint of a restart, and notes on what differs from the run that wrote it.
+// Newest checkpoint of a restart, and notes on differences from the run that wrote it.
 struct RestartFrom {
   io::Checkpoint checkpoint;
   std::vector<std::string> notes;
 };
 
-// Notes before the start, and warnings that a restart need not repeat.
+// Prints notes before the start, and warnings, which a restart does not repeat.
 void print_notes(Simulation& sim, const std::vector<LoadedVolume>& volumes, const OutputPlace& place,
                  const std::optional<RestartFrom>& restart, Progress& progress) {
   const model::Case& c = sim.model();
@@ -196,8 +195,8 @@ void go_on(const io::Checkpoint& checkpoint, const std::string& path, Simulation
   for (const std::string& e : events.apply_due()) progress.print(e);
 }
 
-// From the static equilibrium, or the start shape where there is no statics, into motion, with a checkpoint
-// so that a run killed at once can go on, too.
+// Starts dynamics from the static equilibrium, or from the start shape without statics; writes a checkpoint
+// so that a run killed early can be continued.
 void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, Progress& progress) {
   for (const std::string& e : events.begin()) progress.print(e);
   sim.dynamics().start(sim.state());
@@ -211,7 +210,7 @@ void start_motion(Simulation& sim, Events& events, record::Recorder& recorder, P
   recorder.checkpoint(make_checkpoint(sim, recorder, events));
 }
 
-// The end of what the terminal shows. stopped: by a signal.
+// Prints the end of the run. stopped: by a signal.
 void print_end(Simulation& sim, const record::Recorder& recorder, const std::string& table, bool stopped,
                double end) {
   const model::Case& c = sim.model();
@@ -253,7 +252,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   print_notes(sim, volumes, place, restart, progress);
 
   Events events(comm, sim);
-  // Made when the first thing is to be written: a case that cannot come to rest leaves no file.
+  // Created at the first output, so that a case without equilibrium leaves no file.
   std::optional<record::Recorder> made;
   const auto recorder_of = [&]() -> record::Recorder& {
     if (made) return *made;
@@ -282,7 +281,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   FeederNodes feeder_nodes(sim);
   if (restart) {
     go_on(restart->checkpoint, options.restart, sim, events, feeder_nodes, progress);
-    // A new file begins with the state the run goes on from.
+    // A new file begins with the state from which the run continues.
     if (!place.appends()) recorder.output(sim.dynamics().kinematics());
   } else if (c.dynamics.enabled) {
     start_motion(sim, events, recorder, progress);
@@ -301,7 +300,7 @@ int run(MPI_Comm comm, const RunOptions& options) {
   if (speak) print_end(sim, recorder, table, stopped, end);
   if (stopped) return kExitStopped;
   if (!c.dynamics.enabled || !recorder.audit().wrong()) return 0;
-  // An exit code other than 0 never comes without its reason.
+  // A nonzero exit code always has a printed reason.
   if (rank == 0 && !speak) fmt::print(stderr, "hawser: {}\n", recorder.audit_warning());
   return kExitEnergy;
 }

@@ -1,4 +1,4 @@
-// The class Events: which event happens at a state. What it does there is in actions.cpp.
+// The class Events: selection of due events. Their effects are in actions.cpp.
 #include "hawser/run/events.hpp"
 
 #include <fmt/format.h>
@@ -21,7 +21,7 @@ namespace {
 using model::Action;
 using model::Cause;
 
-// How far a step may go beyond a condition: of a tension, and m of a length.
+// Tolerance beyond a condition: relative for a tension, m for a length.
 constexpr double kNear = 1e-3;
 
 double tolerance(const Cause& c) {
@@ -88,7 +88,7 @@ double Events::local_value(const Happening& h, const Kinematics& at) const {
     case Cause::Kind::time:
     case Cause::Kind::after:
     case Cause::Kind::stage:
-      break;  // wait for no value
+      break;  // no monitored value
   }
   return -HUGE_VAL;
 }
@@ -190,7 +190,7 @@ void Events::happen(const std::vector<size_t>& now, const Kinematics& at, const 
     for (const size_t i : now) happen(i, at, stage, messages);
     go_on();
   } catch (...) {
-    // The checkpoint of what stops here is of the state before.
+    // A checkpoint after this failure has the state before the events.
     for (const size_t i : now) events_[i].happened = -1;
     throw;
   }
@@ -209,7 +209,7 @@ std::vector<std::string> Events::at_rest(const std::string& stage) {
   }
 }
 
-// A line, or what carried one.
+// True if the stage releases a line, or what carried one.
 bool Events::releases_end(const std::string& stage) const {
   return std::any_of(events_.begin(), events_.end(), [&](const Happening& h) {
     const Action& a = h.what.action;
@@ -233,7 +233,7 @@ void Events::come_to_rest(const std::function<void(bool)>& solve,
   }
 }
 
-// An element after the other, all feeders of the stage together, each from the rest that it has come to.
+// Pays out element by element, all feeders of the stage together, each from the equilibrium before.
 void Events::pay_out(const std::string& stage, const std::function<void(bool)>& solve) {
   std::map<Feeder*, double> left;  // m
   for (const Happening& h : events_) {
@@ -282,7 +282,7 @@ std::vector<std::string> Events::apply_due() {
     const Kinematics at = d.kinematics();
     const std::vector<size_t> now = due_at(at.time, values(at), "");
     if (now.empty()) break;
-    // An impact takes energy, contact that ends lets go of what it held.
+    // An impact dissipates energy, and contact that ends releases stored energy.
     const bool changes = std::any_of(now.begin(), now.end(), [this](size_t i) {
       return events_[i].what.action.kind != Action::Kind::release;
     });

@@ -1,4 +1,4 @@
-// The part of the class Events that is kept in checkpoints: when each event happened, and what it found.
+// Checkpoints of the class Events: time and result of each event.
 #include <algorithm>
 #include <set>
 #include <tuple>
@@ -16,7 +16,7 @@ using model::Cause;
 const std::string kHappened = "event.";  // before the name
 const std::string kOrder = " order";     // after it
 
-// Where a checkpoint keeps what an action found.
+// Keys of an action's result in a checkpoint.
 std::vector<std::pair<const char*, double*>> entries(Actions::Found& f) {
   return {{" x", &f.place[0]},     {" y", &f.place[1]},     {" z", &f.place[2]},     {" q0", &f.rotation[0]},
           {" q1", &f.rotation[1]}, {" q2", &f.rotation[2]}, {" q3", &f.rotation[3]}, {" speed", &f.speed}};

@@ -1,6 +1,5 @@
-// The class FeederNodes: when the element at a feeder's feed point is divided or joined with the next one,
-// and how the node between them moves then
-// (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
+// The class FeederNodes: division of the element at a feed point or its merging with the next one, and the
+// motion of the node between them (docs/theory/feeders.md#nodes-that-leave-and-nodes-that-are-caught).
 #include "hawser/run/feeder_nodes.hpp"
 
 #include <fmt/format.h>
@@ -17,14 +16,14 @@
 namespace hawser::run {
 namespace {
 
-// Of the length of the element behind it in the stock, how long the feed point's element is when a node has
-// just left; of its own length, how short it gets before a node is caught. Apart, so that a feeder that goes
-// to and fro does not let a node out and catch it in turn.
+// kLeft: length of the feed point's element just after a node has left, relative to the element behind it.
+// kCaught: its relative length at which a node is caught. The gap prevents an alternating feeder from
+// releasing and catching a node repeatedly.
 constexpr double kLeft = 0.5, kCaught = 0.4;
 
 std::string key(const Feeder& f, const char* what) { return fmt::format("feeder.{}.{}", f.name, what); }
 
-// On every rank what the ranks that know it have.
+// Value on all ranks from the ranks that know it.
 double of_all(MPI_Comm comm, bool known, double value) {
   double out = known ? value : -HUGE_VAL;
   return all_reduce(comm, MPI_MAX, out);
@@ -77,12 +76,12 @@ void FeederNodes::transfer_node(Feeder& f, int feed_point, double length,
       [&] { return sim_.feeders()->with_held(sim_.system().tied_nodes().list()); });
 }
 
-// The node that was held leaves with the material that is there: where the free part has its own unstretched
-// length and the strain of the whole, of a beam on the cubic between its ends, and from there to where it is
-// in balance; velocity and acceleration are between those of the ends.
+// The held node leaves with its material: at the place where the free part has its own unstretched length and
+// the strain of the whole element (of a beam on the cubic between its ends), and from there to its
+// equilibrium position; velocity and acceleration are interpolated between the ends.
 Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const {
   const Feeders& all = *sim_.feeders();
-  const double share = all.element_length(f, f.feed_point) / f.length;  // from the free end
+  const double share = all.element_length(f, f.feed_point) / f.length;  // measured from the free end
   const size_t i = f.at_b ? e.second : e.first, j = f.at_b ? e.first : e.second;
   const FeedPoint feed_point = all.feed_point(f, k);
   const Feeders::Flow flow = all.flow(feed_point, k, e, f.at_b);
@@ -94,7 +93,7 @@ Dynamics::Moved FeederNodes::leaving(const Feeder& f, const Kinematics& k, const
   m.v = k.v[j] + share * (flow.velocity - k.v[j]);
   m.a = k.a[j] + share * (a - k.a[j]);
   if (f.beam) {
-    // Of the material: the frames turn along the line as it is bent, and what leaves goes along that.
+    // Of the material: frames rotate along the bent line, and the outgoing material moves along it.
     const Vec3 turn = log_so3(k.q[j].conjugate() * k.q[i]),
                flows = -(feed_point.speed / feed_point.length) * turn;
     const double towards = (f.at_b ? 1 : -1) * flow.chord.norm();
@@ -120,8 +119,8 @@ void FeederNodes::release_node(Feeder& f) {
   if (!f.beam) return transfer_node(f, f.feed_point - 1, f.length - whole, moved);
   const double before = feeder_force(f);
   transfer_node(f, f.feed_point - 1, f.length - whole, moved);
-  // Two elements follow a bent line more closely than one, and its length along them is another, by some 1e-7
-  // of it: what is unstretched takes that, and the force on the feeder goes on.
+  // Two elements represent a bent line better than one, and their length differs by about 1e-7; the
+  // unstretched length takes the difference, so that the force on the feeder is continuous.
   const double more = (before - feeder_force(f)) * (f.length + whole) / f.bar.EA;
   if (moved) {
     const Kinematics k = sim_.dynamics().kinematics();
@@ -132,7 +131,7 @@ void FeederNodes::release_node(Feeder& f) {
   transfer_node(f, f.feed_point, f.length - more, moved);
 }
 
-// N, on all ranks.
+// Force on the feeder, N, on all ranks.
 double FeederNodes::feeder_force(const Feeder& f) {
   record::EndForces ends(sim_.system(), sim_.feeders());
   ends.evaluate(sim_.dynamics().kinematics(),
@@ -140,8 +139,8 @@ double FeederNodes::feeder_force(const Feeder& f) {
   return ends.at_feeders()[&f - sim_.feeders()->list().data()];
 }
 
-// The first free node goes into the feeder. What was bent there is straight now: the unstretched length is
-// that with which the mean strain of the two elements stays.
+// The first free node enters the feeder. The bend there becomes straight; the unstretched length keeps the
+// mean strain of the two elements.
 std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinematics& k,
                                                    double& length) const {
   const Feeders& all = *sim_.feeders();
@@ -155,7 +154,7 @@ std::optional<Dynamics::Moved> FeederNodes::caught(const Feeder& f, const Kinema
   const bool known = at[0] >= 0 && at[1] >= 0 && at[2] >= 0;
   if (known) {
     const size_t i = at[0], j = at[1], n = static_cast<size_t>(at[2]);
-    // What bending adds to the strain of an element's chord.
+    // Contribution of bending to the strain of an element's chord.
     const auto bow = [&](size_t a, size_t b) {
       if (f.at_b) std::swap(a, b);
       return f.beam ? beam_bow({}, {k.x[a], k.x[b], k.q[a], k.q[b]}) : 0.0;
@@ -182,7 +181,7 @@ void FeederNodes::refuse_all_out(const Feeder& f, double time) const {
 
 void FeederNodes::refuse_all_in(const Feeder& f, double time) const {
   const Feeders& all = *sim_.feeders();
-  int others = 0;  // elements that another feeder of the line has
+  int others = 0;  // elements inside another feeder of the line
   for (const Feeder& o : sim_.feeders()->list())
     if (o.line == f.line && o.at_b != f.at_b) others = o.feed_point;
   if (f.feed_point + 2 + others >= all.elements(f))
@@ -242,7 +241,7 @@ void FeederNodes::save(io::Checkpoint& to) const {
     to.scalars[key(f, "length_rate")] = f.length_rate;
     to.scalars[key(f, "resting")] = f.resting;
     to.scalars[key(f, "outside at the start")] = f.outside_at_start;
-    // Exactly where it was: a table of another run may pay out otherwise from here on, but not before.
+    // Exact offset: a changed table may pay out differently from here on, but not before.
     to.scalars[key(f, "offset")] = f.offset;
   }
 }
@@ -269,7 +268,7 @@ void FeederNodes::restore(const io::Checkpoint& from, const std::string& path) {
     f.resting = take("resting") > 0;
     f.time = from.time;
     f.outside_at_start = take("outside at the start");
-    // A table that was changed goes on from the length there is.
+    // A changed speed table continues from the current length.
     f.offset = take("offset");
     if (!f.feed.speed.empty() && std::abs(f.offset + model::fed_by(f.feed, f.time).length - f.length) > 1e-9)
       f.offset = f.length - model::fed_by(f.feed, f.time).length;

@@ -1,4 +1,4 @@
-// The class HeldBodies: bodies that stand where they are put, what is tied to them in balance.
+// The class HeldBodies: bodies held in given poses with attached lines in equilibrium.
 #include "hawser/run/held_bodies.hpp"
 
 #include <algorithm>
@@ -13,10 +13,10 @@
 namespace hawser::run {
 namespace {
 
-// Of the shortest line, by which its end is moved at once.
+// Largest displacement of an end per increment, relative to the shortest line.
 constexpr double kStep = 0.005;
 
-// With these bodies of the case.
+// Ties of the nodes of these bodies of the case.
 std::vector<TiedNode> with_bodies(const Simulation& sim, std::vector<TiedNode> all,
                                   const std::vector<int>& bodies) {
   for (const int b : bodies) {
@@ -32,7 +32,7 @@ std::vector<TiedNode> with_bodies(const Simulation& sim, std::vector<TiedNode> a
   return all;
 }
 
-// What is tied, without bodies with mass. Its nodes are those of the present ghosts.
+// Ties without those of bodies with mass, on the current ghost nodes.
 std::vector<TiedNode> without_bodies(Simulation& sim) {
   std::vector<TiedNode> out;
   for (const TiedNode& tied : sim.system().tied_nodes().list())
@@ -89,7 +89,8 @@ HeldBodies::HeldBodies(Simulation& sim)
 
 void HeldBodies::solve() { sim_.solve_statics(); }
 
-// Steps in which no end of a line on the body moves by more than a share of the shortest of these lines.
+// Number of increments such that no line end on the body moves by more than kStep of the shortest of these
+// lines.
 int HeldBodies::steps_to(int body, const RigidPose& there) const {
   const model::Case& c = sim_.model();
   const RigidPose& from = pose(body);
@@ -101,7 +102,7 @@ int HeldBodies::steps_to(int body, const RigidPose& there) const {
   return std::max(1, static_cast<int>(std::ceil(way / (kStep * shortest))));
 }
 
-// Nodes of lines go along with the ends that move, by their share of the length.
+// Moves line nodes with their ends, in proportion to arc length.
 void HeldBodies::move(int body, const RigidPose& there) {
   const model::Case& c = sim_.model();
   const LocalMesh& local = sim_.local();
@@ -153,7 +154,7 @@ BodyStiffness HeldBodies::stiffness(int body) {
                         with_bodies(sim_, free, with_mass(sim_.model())));
 }
 
-// Of elements in their middle, and at the ends, which carry the weight of half an element more.
+// Tensions at the middle of elements, and at the ends, which carry half an element's weight more.
 std::vector<double> HeldBodies::tensions() const {
   const Kinematics at = sim_.state().view(0);
   std::vector<LineTension> of(sim_.mesh().lines.size());

@@ -1,4 +1,4 @@
-// Checks of hulls by their volumes, and their hydrostatics for `hawser check`.
+// Checks of hulls by their volumes, and hydrostatics for `hawser check`.
 #include "hawser/run/hull_check.hpp"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace hawser::run {
 namespace {
 
-// Of the volume: the largest difference between its three fluxes that small gaps of a mesh make.
+// Largest relative difference between the volume integrals along three axes that small gaps of a mesh cause.
 constexpr double kGaps = 1e-3;
 
 RigidBodyState start_of(const model::Body& b) {
@@ -43,8 +43,8 @@ void for_each_hull(Case& c, const std::vector<LoadedVolume>& volumes, const Visi
       visit(body, hull_surface(c, static_cast<int>(b), facets, HUGE_VAL));
 }
 
-// m, by which the body rises to where its buoyancy carries its weight alone, at the same rotation. Buoyancy
-// falls as it rises: by bisection between dry and wholly wet.
+// Rise [m] of the body to the position where buoyancy balances its weight, at constant rotation: bisection
+// between dry and submerged, since buoyancy decreases with height.
 double rise_to_float(const HullSurface& hull, const RigidBodyState& at, double weight, double weight_density,
                      double level) {
   const double height = top_of(hull, at) - level;

@@ -1,5 +1,4 @@
-// The class LengthSearch: what a line has at rest of what is asked for, and where the search for its length
-// begins and ends.
+// The class LengthSearch: value of the target quantity at rest, and start and end of the search.
 #include "hawser/run/length_search.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +19,7 @@ using model::LengthTarget;
 using Kind = LengthTarget::Kind;
 
 constexpr double kTolerance = 1e-7;  // of the tension, of the length, rad
-// Of the length: as near as both sides of a search come. What statics leaves undetermined there.
+// Final width of a search relative to the length, and the error accepted there, which statics cannot resolve.
 constexpr double kNarrow = 1e-10, kCoarse = 1e-5;
 constexpr double kFirstStep = 0.02, kNextStep = 1e-3;  // of the length
 
@@ -77,8 +76,8 @@ LengthSearch::LengthSearch(const model::Case& c, size_t line, bool at_b, int fee
 }
 
 void LengthSearch::begin(double from, double step) {
-  // A longer line is expected to have less tension, to hang more steeply and to lie more; a longer stock
-  // leaves less of it outside.
+  // A longer line is expected to have lower tension, to hang more steeply and to lie more; a longer stock
+  // leaves less outside.
   const bool falls = feeder_ < 0 && (t_.kind == Kind::tension || (t_.kind == Kind::declination && !t_.at_a) ||
                                      (t_.kind == Kind::touchdown && t_.at_a));
   length_ = from;
@@ -96,7 +95,7 @@ double LengthSearch::reached(const AtRest& now) const {
   const record::Touchdown& down = now.down[line_];
   if (t_.kind == Kind::laid_length) return down.laid;
   const auto& point = t_.at_a ? down.from_a : down.from_b;
-  // A line that hangs altogether touches down where its other end is, one that lies altogether at this end.
+  // A fully hanging line touches down at its other end, a fully lying line at this end.
   if (!point) return (down.laid > 0) == t_.at_a ? 0 : rest_ + length_;
   return point->arc;
 }
@@ -134,7 +133,7 @@ std::string LengthSearch::found(const model::Case& c, int trials) const {
                  : advice::length_found(searched(c), trials);
 }
 
-// Of the trials, which are lengths with what their values lack.
+// Trials as pairs of length and deviation from the target.
 advice::LengthsTried LengthSearch::tried() const {
   advice::LengthsTried out;
   out.why = why_;

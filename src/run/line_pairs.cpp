@@ -1,5 +1,5 @@
-// From the case to the force term LinePairs: which pairs of lines are excluded, which ends meet at one point,
-// radius and automatic stiffness of each element.
+// Setup of the force term LinePairs: excluded pairs, ends that share a place, radius and automatic stiffness
+// of each element.
 #include "hawser/run/line_pairs.hpp"
 
 #include <algorithm>
@@ -15,17 +15,17 @@
 namespace hawser::run {
 namespace {
 
-// What goes on from an end of a line that is held or joined.
+// Start of a stretch at a held or joined end of a line.
 struct Place {
   Vec3 at;  // m, in space
   Stretch stretch;
-  double radius;  // m, of contact
+  double radius;  // m, contact radius
 };
 
-// The line that a line is a part of.
+// The line of which this one is a part, or itself.
 const model::Line& whole_of(const model::Line& line) { return line.whole ? *line.whole : line; }
 
-// An end is held where the case has it, not by a cut to come.
+// True if an end is held by the case, not only by a future cut.
 bool is_place(const model::Line& line, bool at_b) {
   const model::End &own = line.end(at_b), &of_whole = whole_of(line).end(at_b);
   return own.kind != model::EndKind::free && own.kind == of_whole.kind && own.body == of_whole.body;
@@ -48,12 +48,12 @@ std::vector<Place> places_of_lines(const model::Case& c, const Mesh& mesh) {
   return places;
 }
 
-// Pairs of stretches that begin nearer to each other than they are thick.
+// Pairs of stretches that begin closer to each other than their thickness.
 std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
   std::vector<Place> places = places_of_lines(c, mesh);
   double widest = 0;
   for (const Place& p : places) widest = std::max(widest, 2 * p.radius);
-  // Along x, so that each is compared with those beside it only.
+  // Sorted along x, so that only neighbours are compared.
   const auto where = [](const Place& p) { return std::tuple(p.at.x(), p.stretch.node, p.stretch.way); };
   std::sort(places.begin(), places.end(),
             [&](const Place& p, const Place& q) { return where(p) < where(q); });
@@ -64,14 +64,14 @@ std::vector<SharedPlace> shared_places(const model::Case& c, const Mesh& mesh) {
       if (p.stretch.node != q.stretch.node && (p.at - q.at).norm() < p.radius + q.radius)
         out.push_back({p.stretch, q.stretch});
     }
-  // Until it is cut a line goes on from each of its parts to the next.
+  // Until it is cut a line continues from each part to the next.
   for (size_t l = 1; l < c.lines.size(); ++l)
     if (c.contact.takes_part(c.lines[l]) && c.lines[l].whole && c.lines[l].whole == c.lines[l - 1].whole)
       out.push_back({{mesh.lines[l].first_node - 1, -1}, {mesh.lines[l].first_node, 1}});
   return out;
 }
 
-// Of each line the first part of the line that is cut into it.
+// For each line, the first part of the cut line it belongs to.
 std::vector<int> first_parts(const model::Case& c) {
   std::vector<int> out;
   for (size_t l = 0; l < c.lines.size(); ++l)

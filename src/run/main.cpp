@@ -35,10 +35,10 @@ struct Petsc {
     PetscPopSignalHandler();
     MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
   }
-  // No rank ends before the others are here: mpirun kills the rest when one ends with an error, and rank 0
-  // has something to say.
+  // Ranks wait for each other before they end: mpirun kills the rest when one ends with an error, and rank 0
+  // may have messages left.
   ~Petsc() {
-    // PETSc has a stage that is not used here; -log_view would show it, as "Unknown".
+    // Removes an unused stage that -log_view would show as "Unknown".
     PetscStageLog log = nullptr;
     if (PetscLogGetStageLog(&log) == 0)
       for (int s = 0; s < log->numStages; ++s)
@@ -47,8 +47,8 @@ struct Petsc {
   }
 };
 
-// Of the options given to PETSc, in the order they were given, those that nothing has asked for. One is asked
-// for after the end of the run.
+// PETSc options that nothing has used, in their given order; some options are used only after the end of the
+// run.
 std::vector<std::string> unused(const std::vector<char*>& given) {
   PetscInt n = 0;
   char **names = nullptr, **values = nullptr;
@@ -78,7 +78,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
     code = hawser::kExitWrite;
     text = e.what();
   } catch (const std::exception& e) {
-    // Not the user's doing, and perhaps only this rank's: the others must not wait for it.
+    // An internal error, perhaps only on this rank; the others must not wait for it.
     std::fputs(fmt::format("hawser: internal error on rank {}: {}\n", petsc.rank, e.what()).c_str(), stderr);
     const int size = hawser::ranks_of(PETSC_COMM_WORLD);
     if (size > 1) MPI_Abort(PETSC_COMM_WORLD, 1);
@@ -86,7 +86,7 @@ int guarded(const Petsc& petsc, const std::function<int()>& work) {
   }
   if (petsc.rank == 0) std::fputs(fmt::format("hawser: {}\n", text).c_str(), stderr);
   if (code == hawser::kExitWrite) {
-    // All ranks are here. When MPI ends HDF5 would write once more what a full disk has refused, and crash.
+    // All ranks are here. At the end of MPI, HDF5 would retry the writes that a full disk refused, and crash.
     std::fflush(nullptr);
     MPI_Barrier(PETSC_COMM_WORLD);
     std::_Exit(code);
@@ -119,7 +119,7 @@ Words split(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A file larger than the shell allows (ulimit -f) is then an error of writing, as a full disk is.
+  // A file above the shell's limit (ulimit -f) becomes a write error, like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   if (argc > 1 && hawser::run::is_post_command(argv[1])) return hawser::run::post(argv + 1);
   Words words = split(argc, argv);
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
     return hawser::run::usage_error(line.cli(), e, {words.own.begin() + 1, words.own.end() - 1});
   });
 
-  // A question that the command line answers needs no MPI, but of several ranks one answers.
+  // Requests answered by the parser need no MPI, but only one of several ranks answers.
   std::optional<Petsc> petsc;
   const auto begin = [&] { petsc.emplace(static_cast<int>(words.petsc.size()) - 1, words.petsc.data()); };
   if (hawser::launched()) begin();

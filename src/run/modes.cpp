@@ -1,4 +1,4 @@
-// The table of natural modes, and the results file in which each mode is an output.
+// Table of natural modes, and the results file with one output per mode.
 #include "hawser/run/modes.hpp"
 
 #include <fmt/format.h>
@@ -28,16 +28,16 @@
 namespace hawser::run {
 namespace {
 
-// As a mode is drawn: the largest displacement of `position`, of the longest line, where no body turns
-// farther than this.
-constexpr double kDrawn = 0.05, kTurned = 0.3;  // 1, rad
-// Share of a body's kinetic energy from which a freedom is named.
+// Amplitude of drawn modes: largest displacement relative to the longest line, and upper limit of the
+// rotation of bodies.
+constexpr double kDrawn = 0.05, kTurned = 0.3;  // relative; rad
+// Smallest fraction of a body's kinetic energy of a freedom that is named.
 constexpr double kNamed = 0.2;
 
-// Where a mode has its largest translation or rotation, the same on all ranks.
+// Place of the largest translation or rotation of a mode, the same on all ranks.
 struct Extent {
   double size = 0;
-  int node = -1;  // of the mesh; -1: nowhere
+  int node = -1;  // of the mesh; -1: none
   Vec3 along = Vec3::Zero();
 };
 
@@ -50,10 +50,10 @@ Extent largest(MPI_Comm comm, const LocalMesh& local, const std::vector<Vec3>& v
   return p;
 }
 
-// The floating body that moves farthest, at its origin or where a line is tied to it, as a share of `size`;
-// the same on all ranks.
+// The floating body with the largest motion, at its origin or a line attachment, relative to `size`; the same
+// on all ranks.
 struct Carried {
-  int body = -1;  // of the case; -1: none moves by half of it
+  int body = -1;  // in the case; -1: none moves by half of it
   double share = 0.5;
 };
 
@@ -82,10 +82,9 @@ Carried carried(MPI_Comm comm, const Simulation& sim, const std::vector<Vec3>& v
   return out;
 }
 
-// The freedoms that a floating body moves by in a mode, such as "pitch, surge", the largest first: those with
-// a fifth or more of the kinetic energy m v_c²/2 + sum I_k w_k²/2 of its mass, in the axes of the body, the
-// same on all ranks.
-// turns: the origin stays, and rotations alone are named.
+// Freedoms of a floating body in a mode, such as "pitch, surge", the largest first: those with at least a
+// fifth of the kinetic energy m v_c²/2 + sum I_k w_k²/2, in body axes, the same on all ranks. turns: the
+// origin is at rest, and only rotations are named.
 std::string freedoms(MPI_Comm comm, Simulation& sim, const NaturalMode& mode, int body, bool turns) {
   const model::BodyMass& m = *sim.model().bodies[body].mass;
   std::vector<double> energy(6, 0.0);
@@ -117,7 +116,7 @@ void without_added_mass(model::Case& c) {
       for (model::BodyMember& m : b.mass->members) m.added = m.axial_added = 0;
 }
 
-// Whether the modes have damping ratios: they come with the added mass of each frequency.
+// True if the modes have damping ratios, which come with frequency-dependent added mass.
 bool has_platforms(const model::Case& c) {
   return std::any_of(c.bodies.begin(), c.bodies.end(),
                      [](const model::Body& b) { return b.mass && b.mass->hydrodynamics; });
@@ -167,7 +166,7 @@ std::vector<double> flat(const std::vector<Vec3>& values, int nodes) {
   return out;
 }
 
-// What the translations [1] and rotations [rad] of a mode are multiplied by as it is drawn, m.
+// Factor of the translations [1] and rotations [rad] of a drawn mode, m.
 double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode) {
   double size = sim.model().lines.empty() ? 1 : 0, turn = 0;  // m, rad
   for (const auto& line : sim.model().lines) size = std::max(size, kDrawn * model::length_of(line));
@@ -177,7 +176,7 @@ double drawn_size(MPI_Comm comm, const Simulation& sim, const NaturalMode& mode)
   return size * turn > kTurned ? kTurned / turn : size;
 }
 
-// The state `at` moved by `size` of a mode.
+// The state `at` displaced by `size` times a mode.
 State moved(const State& at, const NaturalMode& mode, double size) {
   State out = at;
   for (size_t n = 0; n < out.x.size(); ++n) {

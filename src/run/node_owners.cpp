@@ -1,5 +1,5 @@
-// What the partition of the mesh needs to know of the case: which nodes are coupled, by links, by the sea or
-// by contact in the start shape, and which lines may touch themselves and so stay on one rank.
+// Input of the partition from the case: nodes coupled by links, radiation or contact in the start shape, and
+// lines with self-contact, which stay on one rank.
 #include "hawser/run/node_owners.hpp"
 
 #include <algorithm>
@@ -13,8 +13,7 @@ namespace hawser::run {
 
 namespace {
 
-// Whole lines in the order of the file, shared out by the number of their nodes; bodies are of the first
-// rank.
+// Uncut lines in file order, distributed by number of nodes; bodies belong to the first rank.
 std::vector<int> stretches_of_lines(const Mesh& mesh, int ranks) {
   std::vector<int> owner(mesh.nodes.size(), 0);
   const long long nodes = mesh.line_nodes();
@@ -24,7 +23,7 @@ std::vector<int> stretches_of_lines(const Mesh& mesh, int ranks) {
   return owner;
 }
 
-// Pairs of elements of two lines that may touch in the start shape, sorted. Collective.
+// Sorted pairs of elements of two lines that may touch in the start shape. Collective.
 std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case& c, const Mesh& mesh,
                                                const Bodies& bodies) {
   std::vector<double> radius;
@@ -44,7 +43,7 @@ std::vector<std::pair<int, int>> near_elements(MPI_Comm comm, const model::Case&
     if (mesh.elements[a].line != mesh.elements[b].line) mine.emplace_back(a, b);
   std::vector<std::pair<int, int>> out = gather_all(comm, mine);
   std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());  // of two ranks: both have found it
+  out.erase(std::unique(out.begin(), out.end()), out.end());  // pairs found by two ranks
   return out;
 }
 

@@ -1,5 +1,4 @@
-// The class OutputPlace: symbolic links, folder and name of the results file, and what of earlier files there
-// is kept, refused or continued.
+// The class OutputPlace: links, folder and name of the results file, and handling of earlier files there.
 #include "hawser/run/output_place.hpp"
 
 #include <unistd.h>
@@ -18,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where a chain of links leads; a circle of them is left as it is.
+// Target of a chain of links; circular links are returned unchanged.
 std::string followed(fs::path path) {
   std::error_code e;
   for (int i = 0; i < 40 && fs::is_symlink(path, e); ++i)
@@ -56,7 +55,7 @@ OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::stri
     check();
     std::vector<std::string> read = inputs;
     if (!appends_ && !restart.empty()) read.push_back(restart);
-    // Every file that the run makes, renames or removes.
+    // Every file that the run creates, renames or removes.
     const std::string xdmf = io::xdmf_beside(path_);
     check_not_read("the results", path_,
                    {path_, path_ + ".new", path_ + ".lock", io::backup_name(path_), xdmf, xdmf + ".new",
@@ -69,7 +68,7 @@ OutputPlace::OutputPlace(MPI_Comm comm, const std::string& path, const std::stri
   });
 }
 
-// Names and folders.
+// Checks names and folders.
 void OutputPlace::check() const {
   if (fs::is_symlink(path_)) throw InputError(advice::link_to_itself(path_));
   const fs::path file(path_), folder = fs::absolute(file).parent_path();
@@ -85,7 +84,7 @@ void OutputPlace::check() const {
     throw InputError(advice::name_too_long(path_, longest.size(), limit));
 }
 
-// Files that are there already, and that the run will replace.
+// Checks existing files that the run will replace.
 void OutputPlace::check_old() {
   const auto there = [](const std::string& name) { return fs::exists(fs::symlink_status(name)); };
   const auto check_one = [&](const std::string& name, bool is_results) {

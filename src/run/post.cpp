@@ -1,5 +1,5 @@
-// Where the Python package is, as seen from the program (installed, moved or in the folder of a build), and
-// how the process becomes Python.
+// Location of the Python package relative to the program (installed, moved or in a build folder), and
+// replacement of the process by Python.
 #include "hawser/run/post.hpp"
 
 #include <fmt/format.h>
@@ -18,10 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The data from the folder of the program: in the folder of a build, and installed.
+// Data folders relative to the program: in a build folder, and installed.
 constexpr const char* kData[] = {"share/hawser", HAWSER_DATA};
 
-// The folder of the package hawser_post; where there is none, a sentence says where it was looked for.
+// Folder of the package hawser_post; if missing, prints where it was searched for.
 fs::path package_folder(const fs::path& program) {
   std::string searched;
   for (const char* data : kData) {
@@ -42,18 +42,18 @@ bool is_post_command(std::string_view word) {
 }
 
 int post(char** arguments) {
-  // Of several processes one is enough.
+  // Only one of several processes is needed.
   if (const char* rank = std::getenv("OMPI_COMM_WORLD_RANK"); rank && std::string_view(rank) != "0") return 0;
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown), folder = package_folder(program);
   if (folder.empty()) return 1;
   setenv("HAWSER", program.c_str(), 1);
-  // Ctrl-C waits until Python can answer it with a sentence.
+  // Ctrl-C is blocked until Python can handle it.
   sigset_t interrupt;
   sigemptyset(&interrupt);
   sigaddset(&interrupt, SIGINT);
   sigprocmask(SIG_BLOCK, &interrupt, nullptr);
-  // The package comes first, not the folder of the user, in which there may be modules of the same names.
+  // The package precedes the user's folder, which may contain modules of the same names.
   std::string python = "python3", no_bytecode = "-B", command = "-c", from = folder.string(), start = R"(
 import os, sys
 sys.path[0] = sys.argv.pop(1)
@@ -72,7 +72,7 @@ except KeyboardInterrupt:
   std::vector<char*> words{python.data(), no_bytecode.data(), command.data(), start.data(), from.data()};
   for (; *arguments; ++arguments) words.push_back(*arguments);
   words.push_back(nullptr);
-  // The distribution's own has the modules; another may come first in PATH.
+  // The distribution's Python has the modules; another may come first in PATH.
   execv("/usr/bin/python3", words.data());
   execvp("python3", words.data());
   std::fputs("hawser: there is no python3, which this command needs\n", stderr);

@@ -1,5 +1,5 @@
-// The class Progress: text and timing of the messages about statics and time steps, the estimate of the time
-// left, and how a terminal is distinguished from a log file.
+// The class Progress: text and timing of messages about statics and time steps, estimate of the remaining
+// time, and detection of a terminal.
 #include "hawser/run/progress.hpp"
 
 #include <fmt/format.h>
@@ -17,11 +17,11 @@
 namespace hawser::run {
 namespace {
 
-constexpr double kRewriteEvery = 0.2, kLineEvery = 60;  // s, on a terminal; elsewhere at the latest
-constexpr double kLong = 2;                             // s, without a word elsewhere
+constexpr double kRewriteEvery = 0.2, kLineEvery = 60;  // s: on a terminal; otherwise at most
+constexpr double kLong = 2;                             // s without output if not on a terminal
 
-// Columns of the terminal that stdout is; 0: it is none. mpirun gives its processes a pseudo-terminal even
-// when its own output goes to a file, but then one without a size.
+// Columns of the terminal of stdout; 0: no terminal. mpirun gives its processes a pseudo-terminal even if its
+// own output goes to a file, but without a size.
 int terminal_columns() {
   if (!isatty(STDOUT_FILENO)) return 0;
   winsize size{};
@@ -43,7 +43,7 @@ std::string clock_text(double seconds) {
 Progress::Progress(bool print_lines) : prints_(print_lines), columns_(terminal_columns()) {}
 
 void Progress::rewrite(std::string text) {
-  // A line that wraps cannot be rewritten.
+  // A wrapped line cannot be rewritten.
   text.resize(std::min(text.size(), static_cast<size_t>(columns_ - 1)));
   std::fputs(fmt::format("\r\033[K{}", text).c_str(), stdout);
   std::fflush(stdout);
@@ -96,7 +96,7 @@ void Progress::step(double time, double step, int iterations) {
   const double silent = seconds(now - last_);
   if (columns_ > 0 ? silent < kRewriteEvery && !last : silent < kLineEvery && !due) return;
   last_ = now;
-  // The rate so far is the best guess of the rate to come.
+  // Extrapolates the rate so far.
   const double left = seconds(now - began_) * (duration_ - time) / std::max(time - start_, 1e-300);
   std::string text = fmt::format("t = {:.3f} of {:.6g} s ({:3.0f} %), step {:.3g} s, {} iterations, {} left",
                                  time, duration_, 100 * share, step, iterations, clock_text(left));

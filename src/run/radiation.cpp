@@ -1,4 +1,4 @@
-// Retardation functions, damping and added mass of platforms as a CSV file.
+// Retardation functions, damping and added mass of platforms in a CSV file.
 #include "hawser/run/radiation.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::string_view kHead = "quantity,t [s] or omega [rad/s]";
 
-// Steps of K(t) in a period of the highest frequency.
+// Points of K(t) per period of the highest frequency.
 constexpr double kPointsPerPeriod = 6;
 
 std::string table(const model::Case& c, const std::vector<int>& bodies) {

@@ -1,5 +1,5 @@
-// Which vectors, step control numbers and histories of force terms make up a checkpoint, how one that is read
-// is checked, and how they return into the time integration.
+// Vectors, step control numbers and histories of force terms of a checkpoint, their checks after reading, and
+// their restoration.
 #include "hawser/run/restart.hpp"
 
 #include <fmt/format.h>
@@ -37,20 +37,20 @@ const char *const kReaction = "reaction", *const kMeanQ = "mean_force_algorithmi
 const char* const kDirectors = "director_acceleration";
 const char* const kAlgorithmicDirectors = "algorithmic_director_acceleration";
 
-// Of contact, and the name of a volume: N/m per m, what an automatic stiffness was raised to.
+// Key, followed by the name of a volume: raised automatic contact stiffness, N/m per m.
 const std::string kStiffness = "contact.stiffness.";
 const std::string kResolvedUntil = "step.resolved until";
 const std::string kBending = "case.plastic bending of ";
 const std::string kKey = "key.";        // and a dotted key: its value, by number_of()
 const char* const kKeys = "case.keys";  // how many of them there are
 
-// Of a state, const or not.
+// Vectors of a state, const or not.
 auto& vectors(auto& s, size_t i) {
   decltype(&s.s.x) all[] = {&s.s.x, &s.s.v, &s.s.a, &s.s.w, &s.s.alpha, &s.ax, &s.aw};
   return *all[i];
 }
 
-// Of each node what `number(n, k)` is, for k below `components`; it is asked when the field is written.
+// Field with components number(n, k), k < `components`, of each node, evaluated when written.
 template <class Number>
 io::CheckpointField field_of(size_t owned, int components, Number number) {
   const auto width = static_cast<size_t>(components);
@@ -62,14 +62,15 @@ io::CheckpointField field_of(size_t owned, int components, Number number) {
           }};
 }
 
-// A number that stands for a text: of 53 bits of FNV-1a (Fowler, Noll and Vo).
+// Hash of a text: 53 bits of FNV-1a (Fowler, Noll and Vo).
 double number_of(const std::string& text) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
   return static_cast<double>(hash >> 11);
 }
 
-// What the state and the contact history mean beyond numbers: which nodes rotate, which volume is which.
+// Identity of the state and contact history: rotating nodes, order of volumes and other properties of the
+// case.
 std::map<std::string, double> signature(const Simulation& simulation) {
   std::map<std::string, double> out;
   double& beams = out["case.rotating nodes"];
@@ -96,7 +97,7 @@ std::map<std::string, double> signature(const Simulation& simulation) {
   return out;
 }
 
-// In which of these numbers the case of a checkpoint is another one; empty: in none.
+// The first of these numbers in which the case of a checkpoint differs; empty: none.
 std::string difference(const std::map<std::string, double>& there,
                        const std::map<std::string, double>& here) {
   std::set<std::string> names;
@@ -117,8 +118,7 @@ std::string difference(const std::map<std::string, double>& there,
   return "";
 }
 
-// What is wrong with the time, the numbers that steps go by, or this rank's part of the state; empty:
-// nothing.
+// Fault in the time, the step control numbers or this rank's part of the state; empty: none.
 std::string damage(const io::Checkpoint& c) {
   const auto wrong = advice::damaged_checkpoint;
   if (!(c.time >= 0 && c.time < HUGE_VAL)) return wrong("the time", c.time);
@@ -130,7 +130,7 @@ std::string damage(const io::Checkpoint& c) {
   return "";
 }
 
-// The state, reactions and mean forces of the owned nodes.
+// Stores state, reactions and mean forces of the owned nodes.
 void save_nodes(const LocalMesh& m, const AlphaState& s, const std::vector<double>& reactions,
                 const MeanForces& mean, io::Checkpoint& c) {
   const size_t owned = m.owned;
@@ -303,11 +303,11 @@ void restore(const io::Checkpoint& c, Simulation& simulation) {
   for (int v = 0; contact && v < contact->volumes(); ++v)
     if (const auto it = c.scalars.find(kStiffness + contact->volume_name(v)); it != c.scalars.end())
       contact->raise_to(v, it->second);
-  simulation.raised_stiffness("");  // the run that raised it has reported that
+  simulation.raised_stiffness("");  // reported by the run that raised it
 
   const int rank = rank_of(system.comm());
   Dynamics::Carried carried;
-  // The case may ask for shorter steps than it did then.
+  // The case may request shorter steps than before.
   const StepSettings step = simulation.dynamics_settings().step;
   carried.step_proposal = std::min(c.scalars.at("step.proposal"), step.fixed > 0 ? step.fixed : step.longest);
   carried.step_wait = static_cast<int>(c.scalars.at("step.wait"));

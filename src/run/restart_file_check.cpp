@@ -1,4 +1,4 @@
-// Whether the lines of a results file are those of the case, node by node, before a restart from it.
+// Comparison of the lines of a results file with those of the case, node by node, before a restart.
 #include "hawser/run/restart_file_check.hpp"
 
 #include <unistd.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Compares the lines whose first node is one of `owned` (ascending), which this rank reads alone.
+// Compares the lines whose first node is one of `owned` (ascending); each rank reads only these.
 void compare_lines(const std::string& path, const Mesh& mesh, std::span<const int> owned) {
   const auto other = [&](const std::string& what) { return InputError(advice::other_case(what)); };
   const io::h5::Id file = io::h5::open_parts(path);

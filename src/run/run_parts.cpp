@@ -1,5 +1,4 @@
-// What `hawser run` and `hawser modes` have in common: statics with its notes, poses of bodies, what results
-// keep of a run.
+// Common parts of `hawser run` and `hawser modes`: statics with notes, poses of bodies, description of a run.
 #include "hawser/run/run_parts.hpp"
 
 #include <fmt/chrono.h>
@@ -61,18 +60,18 @@ model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<Loa
                     },
                     [&](const std::string& trial) { progress.busy(trial, 0); });
   } catch (const SolveError&) {
-    progress.print_notes(model::grouped_notes(c.notes));  // may tell why
+    progress.print_notes(model::grouped_notes(c.notes));  // may explain the failure
     throw;
   }
   progress.print_notes(met.found);
-  met.model.output.file = c.output.file;  // which the command line may have said
+  met.model.output.file = c.output.file;  // may be set by the command line
   return std::move(met.model);
 }
 
 namespace {
 
 StaticsReport solve_one(Simulation& sim, Progress& progress, bool falls) {
-  constexpr int kManySteps = 500;  // steps of dynamic relaxation; lines that come to rest take fewer
+  constexpr int kManySteps = 500;  // of dynamic relaxation; more is unusual
   const model::Case& c = sim.model();
   const size_t before = sim.notes().size();
   bool reported = !sim.line_pairs();

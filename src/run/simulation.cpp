@@ -1,5 +1,5 @@
-// The class Simulation: mesh, partition and force terms made from the case in their order, the stages of
-// statics without and with friction, and the settings of the time integration.
+// The class Simulation: creation of mesh, partition and force terms, statics without and with friction, and
+// settings of the time integration.
 #include "hawser/run/simulation.hpp"
 
 #include <fmt/format.h>
@@ -47,12 +47,12 @@
 namespace hawser::run {
 namespace {
 
-// The first mobilisation length [m] of bed friction in statics, about a line's radius. Statics continues from
-// this soft friction to stiffer ones, because Newton's method fails where it begins with the stiff law:
-// beyond the mobilisation length friction has no stiffness.
+// First mobilisation length of bed friction in statics, about a line's radius [m]. Statics continues from
+// this soft friction to stiffer ones: Newton's method fails if it starts with the stiff law, which has no
+// stiffness beyond the mobilisation length.
 constexpr double kFirstSlip = 0.1;
 
-// Radius and mass of the elements, and which of their nodes are held, for contact along them.
+// Radius and mass of the elements, and held nodes, for contact along elements.
 std::vector<LineContactElement> contact_elements(const model::Case& c, const LocalMesh& mesh,
                                                  const std::vector<int>& held) {
   std::vector<bool> is_held(static_cast<size_t>(mesh.nodes()), false);
@@ -70,7 +70,7 @@ std::vector<LineContactElement> contact_elements(const model::Case& c, const Loc
   return out;
 }
 
-// Local nodes whose place is prescribed for as long as the run lasts.
+// Local nodes with prescribed position during the whole run.
 std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const Feeders* feeders,
                             const std::vector<TiedNode>& tied) {
   std::set<int> released;  // nodes of the mesh
@@ -89,8 +89,8 @@ std::vector<int> held_nodes(const model::Case& c, const LocalMesh& local, const 
   return held;
 }
 
-// The line that needs most decides an automatic stiffness. The note says why, and when the steps are too long
-// to follow a bounce on it.
+// Automatic stiffness of a volume, from the line with the largest demand. The note gives the reason, and
+// whether the steps are too long to resolve a bounce.
 void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& volume,
                       std::vector<std::string>& notes) {
   model::Volume& v = volume.settings;
@@ -121,7 +121,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
   }
   v.basis = model::StiffnessBasis::per_length;
   v.normal_stiffness = best.per_length;
-  // A long ramp is for damping: steps of an impact do not resolve its work. Statics needs a short one at
+  // Damping needs a long ramp, since steps of an impact do not resolve its work; statics needs a short one at
   // edges.
   if (!v.smoothing && !(v.relative_damping > 0)) v.smoothing = 2e-5 * radius;
   volume.automatic = true;
@@ -134,7 +134,7 @@ void choose_stiffness(const model::Case& c, const Mesh& mesh, ContactVolume& vol
 
 }  // namespace
 
-// Makes a force term that the system then owns.
+// Creates a force term owned by the system.
 template <class Term, class... From>
 Term* Simulation::add(From&&... from) {
   auto term = std::make_unique<Term>(std::forward<From>(from)...);
@@ -174,7 +174,7 @@ Simulation::Simulation(MPI_Comm comm, model::Case c, std::vector<std::shared_ptr
   system_->tie(std::move(start.tied), [b = bodies_](int body, double t) { return b->pose(body, t); });
 }
 
-// The mesh over the ranks.
+// Distributes the mesh over the ranks.
 void Simulation::distribute(MPI_Comm comm) {
   const int rank = rank_of(comm), size = ranks_of(comm);
   const std::vector<int> owner = node_owners(comm, case_, *mesh_, *bodies_, size);
@@ -185,7 +185,7 @@ void Simulation::distribute(MPI_Comm comm) {
   bodies_->in_state(case_, local());
 }
 
-// What acts on lines alone: their stiffness and mass, loads and masses at nodes, springs at ends, the water.
+// Adds the terms of lines alone: stiffness and mass, loads and masses at nodes, end springs, water.
 void Simulation::add_line_terms() {
   add<StructureTerm>(local(), case_);
   add<LineMassTerm>(local(), case_);
@@ -208,8 +208,8 @@ void Simulation::add_seabed(const Kinematics& start, const std::vector<int>& hel
     add<BuriedTerm>(system_->comm(), local(), case_, start, held);
 }
 
-// Contact of lines with volumes, and the warnings of how they start beside them. InputError where lines start
-// below the supports that they are to lie on.
+// Adds contact of lines with volumes, and warnings of their start contact. Throws InputError if lines start
+// below their supports.
 void Simulation::add_contact(const Kinematics& start, const std::vector<int>& held,
                              const std::vector<std::shared_ptr<const Surface>>& surfaces) {
   const MPI_Comm comm = system_->comm();
@@ -234,7 +234,7 @@ void Simulation::add_contact(const Kinematics& start, const std::vector<int>& he
   for (int v = 0; v < contact->volumes(); ++v) last_stiffness_.push_back(contact->stiffness(v));
 }
 
-// Bodies with mass, the water they are in, and contact of bodies with each other.
+// Adds bodies with mass, the water around them, and contact between bodies.
 void Simulation::add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces,
                             std::vector<BodySkeleton> skeletons, const VolumeFacets& facets) {
   const auto any = [this](const auto& has) {
@@ -272,11 +272,11 @@ record::Subject Simulation::subject(std::vector<std::shared_ptr<const Surface>> 
   return {case_, *system_, *bodies_, std::move(surfaces), [this]() -> Dynamics& { return dynamics(); }};
 }
 
-// By the case: a rank without nodes has no friction of its own, and statics is collective.
+// By the case, because a rank without nodes has no friction of its own and statics is collective.
 bool Simulation::lays_lines() const { return seabed() && static_friction_.value_or(true) && any_laid_; }
 
-// From the equilibrium with soft friction under the weight of what lay at the start to that with the law of
-// motion, by way of stiffer friction; where the slightest slip mobilises it, under the contact forces found.
+// Continues from the equilibrium with soft friction, under the weight of lines that lay at the start, through
+// stiffer friction to the law of dynamics; with `full` mobilisation under the contact forces found.
 void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report) {
   settings.near = true;
   SeabedTerm& bed = *seabed();
@@ -284,7 +284,7 @@ void Simulation::follow_contact(StaticsSettings settings, StaticsReport& report)
     const StaticsReport more = hawser::solve_statics(*system_, settings, state_);
     report.iterations += more.iterations;
     report.escapes += more.escapes;
-    report.norms = more.norms;  // the inertia of friction's unsymmetric tangent says nothing
+    report.norms = more.norms;  // the inertia of friction's unsymmetric tangent has no meaning
   };
   for (const double slip : {kFirstSlip / 30, 0.0}) {
     bed.mobilise_by(slip);
@@ -301,13 +301,13 @@ StaticsReport Simulation::solve_statics(std::function<void(const StaticsReport&)
   LineVolumeContact* contact = this->contact();
   LinePairs* line_pairs = this->line_pairs();
   SeabedTerm* seabed = this->seabed();
-  // That of the bed begins where lines were laid.
+  // Bed friction begins in the laid position.
   for (HasFriction* t : with_friction) t->enable_friction(static_friction() && t != seabed);
   if (lays_lines()) {
     seabed->lay(laid_, state_.view(0), case_.environment.seabed.full);
     seabed->mobilise_by(kFirstSlip);
   }
-  const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may start with some
+  const std::vector<Vec3> v = state_.v, w = state_.w;  // floating bodies may have initial velocities
   for (RestrainedInStatics* t : restrained) t->hold(true, static_friction());
   StaticsSettings settings;
   settings.tolerance = case_.statics.tolerance;
@@ -382,7 +382,7 @@ std::vector<std::string> Simulation::raised_stiffness(const std::string& when) {
   return out;
 }
 
-// By line and in one sum over the ranks.
+// By line, with one sum over the ranks.
 std::vector<std::string> Simulation::on_bed() const {
   std::vector<std::string> out;
   if (!seabed()) return out;
@@ -394,7 +394,7 @@ std::vector<std::string> Simulation::on_bed() const {
   // Between touchdown points, as in the results.
   const std::vector<record::Touchdown> down =
       record::Touchdowns(system_->comm(), case_, local()).of_all_lines(state_.view(0));
-  // Lines that differ only by their places are reported together.
+  // Lines that differ only in position are reported together.
   std::map<std::pair<bool, std::string>, std::pair<std::vector<std::string>, std::vector<advice::OnBed>>>
       like;
   std::vector<decltype(like)::const_iterator> in_order;
@@ -469,7 +469,7 @@ DynamicsSettings Simulation::dynamics_settings() const {
   s.step.shortest = d.min_step > 0 ? d.min_step : 1e-7 * std::max(1.0, d.step > 0 ? 10 * d.step : 1.0);
   s.step.error_tolerance = d.error_tolerance;
   if (d.error_tolerance > 0) return s;
-  // A hundredth of its diameter a step is far below what a picture or a tension of a line shows.
+  // One percent of the diameter per step is far below the accuracy of a line's shape or tension in results.
   for (const auto& t : case_.line_types)
     s.step.error_tolerance = std::max(s.step.error_tolerance, 0.01 * t.outer_diameter);
   for (const LineSpan& span : mesh().lines) {

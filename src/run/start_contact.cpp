@@ -1,5 +1,4 @@
-// Which stretches of lines lie inside a volume at the start, and which of them are excluded from contact near
-// held ends.
+// Stretches of lines inside a volume at the start, and their exclusion from contact near held ends.
 #include "hawser/run/start_contact.hpp"
 
 #include <algorithm>
@@ -14,10 +13,10 @@ namespace hawser::run {
 namespace {
 
 constexpr size_t kMostReported = 5;  // sentences of one kind
-// Of the depth it started at: what is less deep lies on the surface, pressed into it by its own contact.
+// Fraction of the initial depth; less deep stretches are on the surface, pressed in by their own contact.
 constexpr double kLeft = 0.1;
 
-// Half the contact diameter of the elements of this rank; 0: takes no part.
+// Contact radius of the elements of this rank; 0: no contact.
 std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
   std::vector<double> out;
   for (const LocalElement& e : mesh.elements) {
@@ -28,8 +27,8 @@ std::vector<double> radii(const model::Case& c, const LocalMesh& mesh) {
   return out;
 }
 
-// From where the axis comes out to where it is a contact diameter away, so that the line is clear by half of
-// it; of what goes along the surface rather than away from it only so much.
+// Length from the exit of the axis to a distance of one contact diameter, so that the line is clear by half
+// of it; limited if the line runs along the surface.
 double clearance(const model::Case& c, const model::Line& line, bool b, double rise) {
   constexpr double kAlong = 0.1;
   const model::Section& s = b ? line.sections.back() : line.sections.front();
@@ -49,7 +48,7 @@ advice::InsideVolume found(const Inside& s, const Mesh& mesh) {
   return {s.from, s.to, s.at, s.depth, s.place, mesh.lines[s.line].length};
 }
 
-// No more of a kind than anyone reads; more: the sentence on the others, from their number.
+// Shortens a list of sentences; more: function for the sentence about the rest, from their number.
 void shorten(std::vector<std::string>& sentences, std::string (*more)(size_t)) {
   if (sentences.size() <= kMostReported) return;
   const size_t others = sentences.size() - kMostReported;
@@ -57,7 +56,7 @@ void shorten(std::vector<std::string>& sentences, std::string (*more)(size_t)) {
   sentences.push_back(more(others));
 }
 
-// What remains of a stretch outside of what is excluded.
+// Removes the excluded parts of stretches inside.
 void remove_excluded(std::vector<Inside>& inside, const std::vector<ExcludedEnds>& excluded_ends,
                      const Mesh& mesh) {
   std::vector<Inside> out;
@@ -76,7 +75,7 @@ void remove_excluded(std::vector<Inside>& inside, const std::vector<ExcludedEnds
   inside = std::move(out);
 }
 
-// What the case excludes, and by default what lies inside next to a held end.
+// Stretches excluded by the case, and by default those inside next to a held end.
 void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vector<ContactVolume>& volumes,
                         StartContact& start) {
   std::map<std::pair<int, int>, ExcludedEnds> of;
@@ -95,7 +94,7 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
           (b ? out.end_b : out.end_a) = *e.no_contact_within;
         }
     }
-  for (size_t v = 0; v < volumes.size(); ++v)  // what rides on a line does not touch it
+  for (size_t v = 0; v < volumes.size(); ++v)  // a body on a line does not touch it
     if (c.rides(volumes[v].body)) {
       const int line = c.line_index(c.bodies[volumes[v].body].on->line);
       entry(line, static_cast<int>(v)).end_a = mesh.lines[line].length;
@@ -105,7 +104,7 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
       continue;
     const model::Line& line = c.lines[s.line];
     const double length = mesh.lines[s.line].length, near = 1e-9 * length;
-    if (s.from <= near && s.to >= length - near) continue;  // never comes out
+    if (s.from <= near && s.to >= length - near) continue;  // stays inside completely
     for (const bool b : {false, true}) {
       const model::End& e = line.end(b);
       if (!model::is_held(e) || e.no_contact_within || (b ? s.to < length - near : s.from > near)) continue;
@@ -119,7 +118,7 @@ void find_excluded_ends(const model::Case& c, const Mesh& mesh, const std::vecto
   for (const auto& [key, l] : of) start.excluded_ends.push_back(l);
 }
 
-// Ends of a line that starts by itself, m in space.
+// Ends of a line with automatic start shape, m in space.
 struct Chord {
   bool known = false;
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
@@ -162,7 +161,7 @@ void find_lines_on_wrong_side(MPI_Comm comm, const model::Case& c, const LocalMe
   const ExpectedPlace expected_place = [&](const Node& node, size_t v, const Vec3& x) -> std::optional<Vec3> {
     const size_t l = node.line;
     const model::Line& line = c.lines[l];
-    if (!chords[l].known || volumes[v].settings.roller) return {};  // of supports other sentences tell
+    if (!chords[l].known || volumes[v].settings.roller) return {};  // supports have messages of their own
     double top = -HUGE_VAL;
     if (own(line.end_a, v)) top = chords[l].a.z();
     if (own(line.end_b, v)) top = std::max(top, chords[l].b.z());
@@ -221,8 +220,8 @@ StartContact start_contact(MPI_Comm comm, const model::Case& c, const LocalMesh&
   std::vector<ContactVolume> on = volumes;
   for (ContactVolume& v : on) v.off = false;
   out.inside = all_inside(comm, c, mesh, at, bodies, feeders, on);
-  // Ends have their lengths without contact with a volume that is off as well; of what else is inside it one
-  // looks again when it is switched on.
+  // Ends are excluded from contact with inactive volumes as well; other stretches inside are checked again
+  // when the volume is switched on.
   find_excluded_ends(c, *mesh.mesh, volumes, out);
   std::erase_if(out.inside, [&](const Inside& s) { return volumes[s.volume].off; });
   const std::vector<Inside> all = out.inside;

@@ -1,5 +1,4 @@
-// The tables of `hawser stiffness`: the matrix at rest, forces and tensions over offsets, and the file of all
-// of it.
+// Tables of `hawser stiffness`: matrix at rest, forces and tensions over offsets, and their file.
 #include "hawser/run/stiffness.hpp"
 
 #include <fmt/format.h>
@@ -33,12 +32,12 @@ namespace {
 
 struct Row {
   Offset offset{};
-  Vec6 force = Vec6::Zero();  // of the lines on the body: N, N m, about the point, axes of space
+  Vec6 force = Vec6::Zero();  // of the lines on the body: N, N m, about the point, space axes
   Mat6 K = Mat6::Zero();
   std::vector<double> tensions;  // N, by line
 };
 
-// Those that lines are tied to.
+// Names of the bodies with attached lines.
 std::vector<std::string> carriers(const model::Case& c) {
   std::vector<std::string> out;
   const std::vector<std::vector<model::EndAtBody>> ends = model::line_ends_by_body(c);
@@ -107,7 +106,7 @@ std::string matrix_text(const Mat6& K) {
   for (int i = 0; i < 6; ++i) {
     s += fmt::format("{:>4}", names[i]);
     for (int j = 0; j < 6; ++j) {
-      // What is rounding beside the diagonal is printed as 0.
+      // Rounding errors relative to the diagonal are printed as 0.
       const double rounding = 1e-9 * std::sqrt(most[i / 3] * most[j / 3]);
       s += fmt::format(" {:>12.5g}", std::abs(K(i, j)) < rounding ? 0.0 : K(i, j));
     }
@@ -116,7 +115,7 @@ std::string matrix_text(const Mat6& K) {
   return s;
 }
 
-// kN; what is rounding beside the tension is 0.
+// In kN; rounding errors relative to the tension are 0.
 double in_kN(double x, double tension) { return std::abs(x) < 1e-9 * tension ? 0 : x / 1000; }
 
 std::string table(const model::Case& c, const std::vector<Row>& rows) {
@@ -132,7 +131,7 @@ std::string table(const model::Case& c, const std::vector<Row>& rows) {
   return s;
 }
 
-// A body without mass stands where its motion has it at t = 0: it becomes one that can be held elsewhere.
+// Gives mass to a body without it, at its pose at t = 0, so that it can be held elsewhere.
 model::Case with_mass(model::Case c, int body) {
   model::Body& b = c.bodies[static_cast<size_t>(body)];
   if (b.mass) return c;
@@ -176,7 +175,7 @@ int stiffness(MPI_Comm comm, const StiffnessOptions& o) {
     RigidPose there = rest;
     there.position += Vec3(offset.data());
     there.rotation = (exp_so3(Vec3(offset.data() + 3)) * rest.rotation).normalized();
-    // An offset is that of the point, about which the body turns.
+    // Offsets are those of the reference point, about which the body rotates.
     there.position += rest.rotation * o.at - there.rotation * o.at;
     if (!rows.empty()) held.put(body, there);
     const BodyStiffness s = held.stiffness(body);

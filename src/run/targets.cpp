@@ -1,4 +1,4 @@
-// Trials of the search for lengths with which all lines have at rest what the case asks for.
+// Trials of the search for lengths that meet the targets of all lines at rest.
 #include "hawser/run/targets.hpp"
 
 #include <fmt/format.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kMostTrials = 500;
 
-// Whether statics has to find how much is inside this feeder at the start.
+// True if statics has to find the initial stock of this feeder.
 bool keeps_tension(const model::Case& c, const model::End& end) {
   return c.statics.enabled && end.feed && end.feed->tension > 0;
 }
@@ -55,7 +55,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
                         const std::function<void(const StaticsReport&)>& progress,
                         const std::function<void(const std::string&)>& tried) {
   std::vector<LengthSearch> all = all_searches(c);
-  // All at once, as if lines did not pull at each other. Where they do: one after the other, round and round.
+  // First all lengths together, as if lines did not interact; if they do, cyclically one by one.
   bool together = true;
   size_t turn = 0;
   for (int trial = 1; trial <= kMostTrials; ++trial) {
@@ -84,7 +84,7 @@ MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<L
     } catch (const InputError& e) {
       why = e.what();
     } catch (const SolveError& e) {
-      if (trial == 1) throw;  // of the case as it is given
+      if (trial == 1) throw;  // error of the case as given
       why = e.what();
     }
     bool stuck = false;

@@ -1,5 +1,5 @@
-// How the errors of the command line parser are turned into sentences: words that are no command, unknown
-// options, options of PETSc without their "--", missing and superfluous values.
+// Conversion of parser errors into sentences: unknown commands and options, PETSc options without their "--",
+// missing and superfluous values.
 #include "hawser/run/usage.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ bool one_of(const std::string& word, std::initializer_list<const char*> words) {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// The first word of a command line that begins like an option and is none of the command's.
+// The first word of a command line that looks like an option but is none of the command's.
 std::string unknown_option(const CLI::App& command, const std::vector<std::string>& words) {
   const std::vector<std::string> options = options_of(command);
   const auto known = [&](const std::string& word) {
@@ -57,14 +57,14 @@ std::string unknown_option(const CLI::App& command, const std::vector<std::strin
   };
   for (const std::string& word : words) {
     if (word.size() < 2 || word[0] != '-' || (word[1] >= '0' && word[1] <= '9')) continue;
-    // A short option may have its value right behind it.
+    // A short option may be directly followed by its value.
     if (known(word.substr(0, word.find('='))) || (word[1] != '-' && known(word.substr(0, 2)))) continue;
     return word;
   }
   return "";
 }
 
-// The number of ranks is mpirun's: "-n 2", "-n2", "--ranks=2" as `given`, with the words that follow.
+// mpirun sets the number of ranks: "-n 2", "-n2", "--ranks=2" as `given`, with the words that follow.
 std::string ranks_by_mpirun(const std::string& command, const std::string& given,
                             const std::vector<std::string>& words) {
   const std::size_t digit = std::min(given.find_first_of("0123456789"), given.size());
@@ -86,7 +86,7 @@ std::string no_option(const CLI::App& command, const std::string& given,
   const std::string word = given.substr(0, given.find('='));
   std::string s = fmt::format("there is no option {}", model::quote(word));
   const std::vector<std::string> options = options_of(command);
-  // One dash where there are two.
+  // A single dash in place of two.
   if (std::find(options.begin(), options.end(), "-" + word) != options.end())
     return s + fmt::format("; did you mean '-{}'?", word);
   const std::string meant = model::did_you_mean(word, options);
@@ -100,7 +100,7 @@ std::string no_option(const CLI::App& command, const std::string& given,
 
 std::string usage_error(const CLI::App& cli, const CLI::Error& error, const std::vector<std::string>& words) {
   const std::vector<CLI::App*> chosen = cli.get_subcommands();
-  // The names of errors are those of options for some kinds.
+  // Error names are option names for some kinds.
   const int kind = error.get_exit_code();
   if (chosen.empty()) {
     const std::string word = words.empty() ? "" : words.front();

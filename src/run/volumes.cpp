@@ -1,5 +1,5 @@
-// How each volume of a case gets its surface: an exact shape, or a mesh that one rank of a host reads and
-// checks for all; and what contact of bodies and the pictures need of it.
+// Surfaces of volumes: exact shapes, or meshes that one rank of a host reads and checks for all; and their
+// data for body contact and pictures.
 #include "hawser/run/volumes.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 namespace hawser::run {
 namespace {
 
-// A surface and a view of its triangles.
+// Sets a surface and a view of its triangles.
 void set_surface(LoadedVolume& l, const model::Volume& v, std::shared_ptr<const MeshSurface> surface) {
   struct Kept {
     std::shared_ptr<const MeshSurface> surface;
@@ -40,7 +40,7 @@ bool same_file(const model::Volume& a, const model::Volume& b) {
   return !a.shape && !b.shape && a.mesh == b.mesh && a.scale == b.scale && a.closed == b.closed;
 }
 
-// Whether two volumes use one mesh in one way: then they share what is made of it.
+// True if two volumes use one mesh in the same way and can share its data.
 bool same_use(const model::Volume& a, const model::Volume& b) {
   const auto same_box = [](const std::optional<model::Box>& x, const std::optional<model::Box>& y) {
     return x.has_value() == y.has_value() && (!x || (x->lower == y->lower && x->upper == y->upper));
@@ -49,15 +49,15 @@ bool same_use(const model::Volume& a, const model::Volume& b) {
          a.basis == b.basis && a.active_part == b.active_part && same_box(a.active_box, b.active_box) &&
          a.body.empty() == b.body.empty();
 }
-// The first volume that uses the mesh of volume i as that does.
+// First volume with the same use of the mesh as volume i.
 size_t first_use(const model::Case& c, size_t i) {
   size_t k = 0;
   while (k < i && !same_use(c.volumes[k], c.volumes[i])) ++k;
   return k;
 }
 
-// The vertices of a moving mesh are written at every output, since XDMF cannot describe a motion. This many
-// are enough for a picture; they take 120 kB an output.
+// Moving meshes are written at every output because XDMF cannot express motion. This many vertices suffice
+// for a picture and take 120 kB per output.
 constexpr int kDrawnVertices = 10000;
 bool drawn_coarser(const model::Case& c, size_t volume, size_t vertices) {
   return c.output.xdmf && c.body_index(c.volumes[volume].body) >= 0 && vertices > kDrawnVertices;
@@ -69,7 +69,7 @@ class Meshes {
   Meshes(const model::Case& c, const io::ReadProgress& read_progress)
       : c_(c), read_progress_(read_progress), blunt_(c.volumes.size()) {}
 
-  // Fills in `l` but for its surface.
+  // Fills in `l` except its surface, which it returns.
   std::shared_ptr<const MeshSurface> make(size_t i, LoadedVolume& l) {
     const model::Volume& v = c_.volumes[i];
     io::LoadedMesh loaded = read(i);
@@ -99,16 +99,16 @@ class Meshes {
       l.notes.push_back(advice::slow_inside_test(surface->mesh().triangles.size()));
     return surface;
   }
-  // Instead of make(), of a volume that shares the mesh of volume k.
+  // Replaces make() for a volume that shares the mesh of volume k.
   void share(size_t i, size_t k) { blunt_[i] = blunt_[k]; }
-  // After the last.
+  // To be called after the last volume.
   void check_leaders() const { io::check_leaders(c_, blunt_); }
 
  private:
   void announce(const std::string& what, const model::Volume& v) const {
     if (read_progress_.busy) read_progress_.busy(what, io::reading_time(v.mesh));
   }
-  // A file that a later volume has as well is kept.
+  // A file that a later volume uses as well is kept.
   io::LoadedMesh read(size_t i) {
     const model::Volume& v = c_.volumes[i];
     const auto kept = std::find_if(kept_.begin(), kept_.end(),
@@ -135,7 +135,7 @@ class Meshes {
   std::vector<std::pair<size_t, io::LoadedMesh>> kept_;  // by the volume it was read for
 };
 
-// What the leading rank has, on all ranks of the host.
+// Broadcasts a text from the leading rank of the host.
 void broadcast(MPI_Comm comm, std::string& text) {
   auto n = static_cast<std::uint64_t>(text.size());
   MPI_Bcast(&n, 1, MPI_UINT64_T, 0, comm);
@@ -153,8 +153,8 @@ void broadcast(MPI_Comm comm, LoadedVolume& l) {
   l.active.assign(active.begin(), active.end());
 }
 
-// What lines may reach, in the frame of a body at t = 0 before it moves: so much of a plane is drawn.
-// A line reaches its length from one held end, half its length from the middle between two.
+// Range of lines in the frame of a body at t = 0, for the drawn part of a plane: the length of a line around
+// one held end, half of it around the middle of two.
 Box reach(const model::Case& c, const std::string& body_name) {
   const int b = c.body_index(body_name);
   const model::Body space, &body = b < 0 ? space : c.bodies[b];

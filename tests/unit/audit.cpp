@@ -1,4 +1,4 @@
-// The energy audit of a run says what the steps have made, and when.
+// Energy audit of a run: created and lost energy, and when.
 #include "hawser/record/audit.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ Energy moving(double kinetic, double work = 0) {
   return e;
 }
 
-// Every step brings in as much as the last took out: what was worked grows, where the sum stays.
+// Every step brings in as much as the last took out: the absolute work grows while the sum stays constant.
 TEST(Audit, IsSilentOfWhatIsBroughtIn) {
   record::Audit a;
   a.update(moving(0), moving(0), 0, 0);
@@ -33,7 +33,7 @@ TEST(Audit, ReportsWhatAStepMadeWhereAndWhatHelps) {
   EXPECT_TRUE(a.update(moving(100), moving(103), 0.3, 0.1));
   a.worst.with = record::Audit::Step::ContactWith::volume;
   EXPECT_FALSE(a.update(moving(100), moving(102), 0.35, 0.05));
-  EXPECT_NEAR(a.size(), 100, 1e-5);  // without what was made
+  EXPECT_NEAR(a.size(), 100, 1e-5);  // without created energy
   EXPECT_EQ(
       a.warning(true, "line chain, arc length 3 m"),
       "the steps created 3 J of energy by t = 0.3 s, 3 % of the work done; the one of 0.1 s that ended at "
@@ -47,7 +47,7 @@ TEST(Audit, ReportsWhatAStepMadeWhereAndWhatHelps) {
       << w;
 }
 
-// An impact at the start is none the shorter for shorter steps.
+// An impact at the start is not reduced by shorter steps.
 TEST(Audit, ReportsAnImpactAtTheStart) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
@@ -58,12 +58,12 @@ TEST(Audit, ReportsAnImpactAtTheStart) {
       "t = 0.3 s made most of it, 3 J, at line chain, arc length 3 m: bodies.vessel.motion begins with a "
       "velocity, an impact on the lines, which are at rest; a 'ramp' in it starts it smoothly, a shorter "
       "step is no help");
-  a.update(moving(100), moving(110), 0.7, 0.1);  // later it was something else
+  a.update(moving(100), moving(110), 0.7, 0.1);  // later for another reason
   EXPECT_NE(a.warning(true, "here", "bodies.vessel.motion").find("give dynamics.step: 0.025 s"),
             std::string::npos);
 }
 
-// Made first and lost later: at the end the sum is right, and the run wrong all the same.
+// Energy created first and lost later: the final sum is right, but the run is still wrong.
 TEST(Audit, KeepsTheLargestErrorOfTheRun) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
@@ -76,7 +76,7 @@ TEST(Audit, KeepsTheLargestErrorOfTheRun) {
   EXPECT_NE(w.find("The results are not to be used"), std::string::npos) << w;
 }
 
-// Lost first and created later: a gain that feeds on an earlier loss is created energy as well.
+// Energy lost first and created later: a gain after a loss is created energy as well.
 TEST(Audit, AGainAfterALossCounts) {
   record::Audit a;
   a.update(moving(100), moving(100), 0, 0);
@@ -88,8 +88,8 @@ TEST(Audit, AGainAfterALossCounts) {
   EXPECT_TRUE(a.wrong());
 }
 
-// A loss of a thousandth of what every wave brings in, over a thousand waves: no alarm, though it is ten
-// times what is there at any time.
+// A loss of 0.1 % of each wave's work over a thousand waves gives no warning, although it is ten times the
+// energy present at any time.
 TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
   record::Audit a;
   double in = 0;
@@ -105,7 +105,7 @@ TEST(Audit, ASlowLossInALongRunIsNoAlarm) {
   EXPECT_EQ(a.warning(false, "here"), "");
 }
 
-// However much the waves of hours have brought in and taken out: a fifth of what was there at a time.
+// A fifth of the energy present at a time is an error, whatever the absolute work of hours of waves.
 TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
   record::Audit a;
   a.update(moving(0), moving(0), 0, 0);
@@ -123,9 +123,9 @@ TEST(Audit, AFifthOfWhatWasThereIsAnAlarmInALongRun) {
   EXPECT_NE(a.warning(false, "here").find("created 30 J"), std::string::npos);
 }
 
-// An end brings in 50 J a wave more than it takes out, drag takes them, and of what is made, half a per cent
-// of what is worked, nothing stays: no alarm, though it adds up to ten times what is there at any time.
-// Without drag it stays.
+// An end brings in 50 J a wave more than it takes out, drag dissipates it, and of the created energy, half a
+// per cent of the absolute work, nothing remains: no warning, although the sum is ten times the energy
+// present. Without drag it remains.
 TEST(Audit, WhatDissipationTakesAlongIsNoAlarm) {
   for (const double drag : {50.0, 0.0}) {
     record::Audit a;
@@ -145,7 +145,7 @@ TEST(Audit, WhatDissipationTakesAlongIsNoAlarm) {
   }
 }
 
-// Rounding of a line that hangs still is nothing, and neither is what nothing brings in yet.
+// Rounding of a line at rest, before any work, gives no warning.
 TEST(Audit, RestIsNoAlarm) {
   record::Audit a;
   Energy e;

@@ -1,4 +1,4 @@
-// Bent axes on their way through a step: none changes sides unseen, and none is seen that stays away.
+// Bent axes during a step: each change of sides is found, and no false change is reported.
 #include "hawser/kernels/axis_approach.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace hawser::axis_approach_test {
 namespace {
 
-// An axis that bends by up to half a radian at either end.
+// An axis that bends by up to 0.5 rad at either end.
 AxisEnds bent(const Vec3& a, const Vec3& b, std::mt19937& random) {
   std::uniform_real_distribution<double> unit(-1, 1);
   AxisEnds e;
@@ -32,7 +32,7 @@ AxisEnds shifted(AxisEnds e, const Vec3& by) {
   return e;
 }
 
-// The least distance of two axes.
+// Least distance of two axes.
 double distance(const AxisShape& a, const AxisShape& b) {
   double least = HUGE_VAL, at = 0;
   for (int level = 0; level < 4; ++level) {
@@ -49,7 +49,7 @@ double distance(const AxisShape& a, const AxisShape& b) {
   return least;
 }
 
-// Lines that cross at (0, 0), one above the other by `gap`, which goes from one value to another.
+// Lines that cross at (0, 0), one above the other by `gap`, which changes from one value to another.
 TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -59,13 +59,13 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
   for (int i = 0; i < 400; ++i) {
     const AxisEnds b = bent({0, -1, 0}, {0, 1, 0}, random);
     AxisEnds a = bent({-1, 0.3 * unit(random), 0}, {1, 0.3 * unit(random), 0}, random);
-    // Up or down until they just cross: the gap between the curves is then known.
+    // Bisects the height at which they just cross, so that the gap between the curves is known.
     double low = -1, high = 1;
     const AxisShape B(b);
     for (int k = 0; k < 60; ++k) {
       const double z = 0.5 * (low + high);
       const AxisShape A(shifted(a, {0, 0, z}));
-      // The place where they cross as seen from above.
+      // Position of the crossing in plan view.
       double x = 0.5, y = 0.5;
       for (int n = 0; n < 30; ++n) {
         const Vec3 d = A.point(x) - B.point(y), u = A.slope(x), v = B.slope(y);
@@ -105,7 +105,7 @@ TEST(AxisApproach, EveryChangeOfSidesIsFoundHoweverDeep) {
   EXPECT_GT(kept, 400);
 }
 
-// Statics: where axes cross from the start there is no side to keep.
+// Statics: axes that cross from the start have no side to keep.
 TEST(AxisApproach, AxesThatCrossHaveNoSide) {
   std::mt19937 random(4);
   const AxisShape b(bent({0, -1, 0}, {0, 1, 0}, random));

@@ -1,4 +1,4 @@
-// How near axes come to each other and to surfaces, against what is known and against fine sampling.
+// Distances of axes to each other and to surfaces, against known values and fine sampling.
 #include "hawser/kernels/axis_clearance.hpp"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ TEST(AxisClearance, StraightAxesAreSegments) {
   }
 }
 
-// Sampled finely: never nearer than what was found, and it was found where it says.
+// Sampled finely: the result is a lower bound and occurs at the returned place.
 TEST(AxisClearance, BentAxes) {
   std::mt19937 random(3);
   double worst = 0;
@@ -68,11 +68,11 @@ TEST(AxisClearance, BentAxes) {
         least = std::min(least, (a.point(j / 300.0) - b.point(k / 300.0)).squaredNorm());
     worst = std::max(worst, near->distance - std::sqrt(least));
   }
-  // Two places whose distances differ by less than the resolution are one.
+  // Places whose distances differ by less than the resolution are equal.
   EXPECT_LT(worst, 1e-3);
 }
 
-// Quarter circles about one axis, one above the other by 0.3, the cubic of a quarter within 3e-4 of the
+// Quarter circles about one axis, one above the other by 0.3; the cubic of a quarter is within 3e-4 of the
 // radius.
 TEST(AxisClearance, ParallelArcs) {
   const double k = 4.0 / 3 * (std::sqrt(2.0) - 1);
@@ -100,7 +100,7 @@ TEST(AxisClearance, ToAPlaneAndACylinder) {
   EXPECT_NEAR(near->distance, 0.25, 1e-12);
   EXPECT_NEAR(near->xi, 0.5, 1e-6);
   EXPECT_FALSE(nearest_to(field_of(plane), a, 0.2499, 2));
-  for (Vec3& p : a.b) p.z() -= 0.5;  // into it
+  for (Vec3& p : a.b) p.z() -= 0.5;  // penetrating
   EXPECT_NEAR(nearest_to(field_of(plane), a, HUGE_VAL, 2)->distance, -0.25, 1e-12);
 
   const CylinderSurface cylinder(Vec3(1.3, -1, -1), Vec3(1.3, 1, -1), 0.5);

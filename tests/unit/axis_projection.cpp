@@ -1,4 +1,4 @@
-// The place of an element's axis that is nearest to a point.
+// Point of an element's axis nearest to a given point.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -31,7 +31,7 @@ AxisEnds random_ends(unsigned seed) {
   return e;
 }
 
-// A made-up smooth force field on three points of the axis: force = A sin(x) + B v.
+// An artificial smooth force field on three points of the axis: force = A sin(x) + B v.
 Vec12 force(const AxisEnds& e, Mat12* K = nullptr, Mat12* C = nullptr) {
   const Mat3 A = (Mat3() << 3, 1, -2, 0, 2, 1, 4, -1, 5).finished(),
              B = (Mat3() << 1, 2, 0, -1, 3, 1, 0, 1, 2).finished();

@@ -1,4 +1,4 @@
-// Axes that go through bodies between the ends of a step, against fine sampling.
+// Axes that pass through bodies within a step, against fine sampling.
 #include "hawser/kernels/axis_sweep.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
       from.b[k] += 0.2 * vec();
       to.b[k] += way + 0.3 * vec();
     }
-    // For certain by a margin either way: pieces of a radius are looked at as wholes.
+    // Certain with a margin on either side, since pieces of a radius are tested as a whole.
     bool must = false, may = false;
     for (int s = 0; s <= 120; ++s) {
       const double xi = s / 120.0;
@@ -69,7 +69,7 @@ TEST(AxisSweep, FindsWhatSamplingFinds) {
   EXPECT_GT(clear, 100);
 }
 
-// Narrow and thin: far smaller than the axis is long and its way is.
+// Narrow and thin: far smaller than the axis and its displacement.
 TEST(AxisSweep, MissesNothingThatIsSmall) {
   BoxShape bar;
   bar.size = Vec3(0.02, 3, 0.01);
@@ -97,11 +97,11 @@ TEST(AxisSweep, LetsPassWhatSlidesTouchesAndIsPressedIn) {
   EXPECT_FALSE(moved(kRadius, kRadius, 0.3));  // slides
   EXPECT_FALSE(moved(0.6 * kRadius, 0.6 * kRadius, 0.3));
   EXPECT_FALSE(moved(1, 0.1 * kRadius, 0));   // pressed in, on its own side
-  EXPECT_FALSE(moved(1, -0.1 * kRadius, 0));  // deep, but that is not this one's to tell
+  EXPECT_FALSE(moved(1, -0.1 * kRadius, 0));  // deep, but reported by another check
   EXPECT_FALSE(moved(-0.01, 1, 0));           // comes out
 }
 
-// A corner touches with its very place: pressed in a little it may come out on the other side.
+// A corner touches at exactly one place: after a slight penetration it may leave on the other side.
 TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
   BoxShape plate;
   plate.size = Vec3(0.05, 10, 10);
@@ -112,10 +112,10 @@ TEST(AxisSweep, WhatIsPressedInDoesNotComeOutBehind) {
   };
   for (const double x0 : {-0.0249, -0.0254, -0.02}) {
     EXPECT_TRUE(found(x0, 0.04, 0.1, true)) << x0;    // behind
-    EXPECT_TRUE(found(x0, 0.01, 0, true)) << x0;      // within, but nearer to its back
+    EXPECT_TRUE(found(x0, 0.01, 0, true)) << x0;      // inside, but nearer to its back
     EXPECT_FALSE(found(x0, -0.01, 0.1, true)) << x0;  // deeper
     EXPECT_FALSE(found(x0, -0.04, 0.1, true)) << x0;  // out again
-    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // others have reported a line so deep
+    EXPECT_FALSE(found(x0, 0.04, 0.1, false)) << x0;  // other checks have reported this depth
   }
   EXPECT_TRUE(found(-0.04, 0.04, 0.1, true));
 }

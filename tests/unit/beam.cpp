@@ -1,4 +1,4 @@
-// The beam element: tangents against differences, invariance, symmetry.
+// Beam element: tangents against differences, invariance, symmetry.
 #include "hawser/kernels/beam.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ TEST(Beam, TangentIsTheDerivativeOfTheForce) {
     const double h = 3e-5;
     for (int j = 0; j < 12; ++j) {
       const Vec12 d = h * Vec12::Unit(j);
-      // fourth-order differences, so that 1e-6 is judged and not the difference formula
+      // fourth-order differences, so that 1e-6 tests the tangent and not the difference formula
       Kd.col(j) = (8 * (force(t, moved(t.e, d)) - force(t, moved(t.e, -d))) -
                    (force(t, moved(t.e, 2 * d)) - force(t, moved(t.e, -2 * d)))) /
                   (12 * h);
@@ -90,7 +90,7 @@ TEST(Beam, TangentIsTheDerivativeOfTheForce) {
 }
 
 TEST(Beam, UndampedTangentIsAHessian) {
-  // Along material increments the Hessian's skew part is half the moment (fields that do not commute).
+  // Along material increments the skew part of the Hessian is half the moment (fields do not commute).
   const Set t = random_set(5, 0.8, 0, true);
   Mat12 K;
   Vec12 f;

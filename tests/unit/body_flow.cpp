@@ -17,7 +17,7 @@ using test::slope;
 
 constexpr double kDegree = M_PI / 180;
 
-// Every 15 deg from 0 to 180; the other side is its mirror image.
+// Every 15 deg from 0 to 180; the other side is the mirror image.
 FlowCoefficients mirrored(const std::array<Vec3, 13>& side) {
   std::vector<FlowCoefficients::Row> rows;
   for (int k = 0; k < 24; ++k) {
@@ -55,8 +55,8 @@ BodyFlow current() {
   return b;
 }
 
-// A ship of 320 m by tables of 15 deg, exact evaluation: speed and direction of the flow, heading, velocity
-// of the ship, and forces and moment in axes of space [N, N m], which are stated to nine digits.
+// A ship of 320 m with tables every 15 deg, evaluated exactly: flow speed and direction, heading, ship
+// velocity, and forces and moment in space axes [N, N m], given to nine digits.
 TEST(BodyFlow, YawedMovingShipHasTheReferenceForces) {
   struct Figure {
     bool air;
@@ -80,7 +80,7 @@ TEST(BodyFlow, YawedMovingShipHasTheReferenceForces) {
     const Vec6 found = -body_flow(f.air ? wind() : current(), s, flow).f;
     const Vec3 force(found[0], found[1], found[5]);
     for (int k = 0; k < 3; ++k) {
-      // Half of the last of nine digits beside 1e-9 of the largest.
+      // Half of the last of nine digits plus 1e-9 of the largest.
       const double rounded =
           f.force[k] == 0 ? 0 : 0.5 * std::pow(10, std::floor(std::log10(std::abs(f.force[k]))) - 8);
       EXPECT_NEAR(force[k], f.force[k], 1e-9 * f.force.norm() + rounded)
@@ -119,7 +119,7 @@ TEST(BodyFlow, HasItsDerivatives) {
   }
 }
 
-// Everything turned about the vertical: equal forces, turned.
+// Everything rotated about the vertical: equal, rotated forces.
 TEST(BodyFlow, TurnsWithItsSurroundings) {
   BodyFlow b = wind();
   b.arm = Vec3(3, -2, 25);
@@ -137,7 +137,7 @@ TEST(BodyFlow, TurnsWithItsSurroundings) {
   }
 }
 
-// The variance of the components is that of the spectrum between its ends, and half of a long record.
+// The variance of the components is that of the spectrum between its limits, and half in a long record.
 TEST(Gusts, HaveTheEnergyOfTheirSpectrum) {
   constexpr double kSpeed = 25, kHeight = 15, kAtTen = 23;
   for (const GustSpectrum kind : {GustSpectrum::iso, GustSpectrum::api}) {

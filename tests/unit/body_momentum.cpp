@@ -1,5 +1,5 @@
-// Inertia by the change of momenta over a step: derivatives, its limit of short steps, what a free body
-// keeps.
+// Inertia from the change of momenta over a step: derivatives, limit of short steps, conservation for a free
+// body.
 #include "hawser/kernels/body_momentum.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ RigidBodyState start() {
   return s;
 }
 
-// After a time h, as accelerations that stay have it; R' = R w^ with (w0 x alpha) h³/12 of Magnus' series.
+// State after a time h with constant accelerations; R' = R w^ with (w0 x alpha) h³/12 of Magnus' series.
 RigidBodyState after(double h, const Vec6& u = Vec6::Zero(), const Vec6& rate = Vec6::Zero()) {
   RigidBodyState s = start();
   s.x += h * s.v + 0.5 * h * h * s.a + u.head<3>();
@@ -74,8 +74,8 @@ TEST(BodyMomentum, TangentsAreDerivatives) {
     }
 }
 
-// In short steps it is the inertia by accelerations at the end, to the second order of the step: the scheme
-// is the trapezoidal rule, and the rates at the start are known.
+// In short steps it equals the inertia by accelerations at the end to second order: the scheme is the
+// trapezoidal rule, and the rates at the start are known.
 TEST(BodyMomentum, ShortStepsHaveTheInertiaOfTheAccelerations) {
   for (const bool coupled : {false, true}) {
     const RigidBodyData b = body(coupled);
@@ -97,8 +97,8 @@ TEST(BodyMomentum, ShortStepsHaveTheInertiaOfTheAccelerations) {
   }
 }
 
-// Wherever a step ends: forces and moments about a fixed point, as they are carried on, are what the momenta
-// have changed by, at rho = 1 by the trapezoidal rule.
+// At any end of a step the change of momenta about a fixed point equals the transmitted forces and moments,
+// at rho = 1 by the trapezoidal rule.
 TEST(BodyMomentum, WhatIsCarriedIsTheChange) {
   const RigidBodyData b = body(true);
   const Mat6 N = momentum_matrix(b);

@@ -1,4 +1,4 @@
-// What water does to a rigid body: derivatives, potential, the wet share, and what follows from symmetry.
+// Water forces on a rigid body: derivatives, potential, wetted fraction, symmetry.
 #include "hawser/kernels/body_water.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ RigidBodyState state(double z, const Vec6& u = Vec6::Zero(), const Vec6& rate = 
   return s;
 }
 
-// At a height z, of a current that changes with it.
+// A height-dependent current at z.
 Water sea(double z) {
   Water w;
   w.velocity = Vec3(1.1, -0.4, 0.3) + 0.2 * z * Vec3(1, 0.5, 0);
@@ -55,7 +55,7 @@ BodyWaterResidual residual(const BodyInWater& b, const RigidBodyState& s, bool t
   return r;
 }
 
-// Half wet, at the edge of it, wholly wet; of a body, and of a part of a member.
+// Partly wet, nearly dry and nearly wet, fully wet; for a body and for a part of a member.
 TEST(BodyWater, TangentsAreDerivatives) {
   BodyInWater b = module();
   const Vec6 zero = Vec6::Zero();
@@ -94,7 +94,7 @@ TEST(BodyWater, BuoyancyPullsDownItsPotential) {
   }
 }
 
-// What statics takes far from its solution must not be negative.
+// The stiffness that statics uses far from the solution must not be negative.
 TEST(BodyWater, ConvexPartIsNotNegative) {
   for (const double z : {-0.6, 0.9, -1.9, -8.0}) {
     const Mat6 K = residual(module(), state(z), true, true).K;
@@ -103,8 +103,8 @@ TEST(BodyWater, ConvexPartIsNotNegative) {
   }
 }
 
-// Drag of a body that is the same along all its axes does not depend on how it is turned; forces that are
-// wholly on the water's account go with the water.
+// Drag of a body with equal axes is independent of its rotation; forces due to the water alone move with the
+// water.
 TEST(BodyWater, RoundBodyHasNoAxes) {
   BodyInWater b = module();
   b.centre.setZero();
@@ -119,7 +119,7 @@ TEST(BodyWater, RoundBodyHasNoAxes) {
   EXPECT_LT((residual(b, s).f.head<3>() + force).norm(), 1e-12);
 }
 
-// The principle of cross flow: what goes along a member does not add to the drag across it.
+// Cross-flow principle: flow along a member does not add to the drag across it.
 TEST(BodyWater, CrossFlow) {
   BodyInWater b;
   b.drag = Vec3(3, 3, 0.5);

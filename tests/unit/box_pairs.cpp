@@ -1,4 +1,4 @@
-// Overlapping pairs of boxes against every pair tried.
+// Overlapping pairs of boxes against a test of all pairs.
 #include "hawser/geometry/box_pairs.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Pairs every_pair(const std::vector<Box>& boxes) {
   return out;
 }
 
-// Sizes over `decades` powers of ten, in a room that makes each overlap a few others.
+// Sizes over `decades` powers of ten, in a room where each overlaps a few others.
 std::vector<Box> random_boxes(int n, double decades, double room, unsigned seed) {
   std::mt19937_64 rng(seed);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -48,7 +48,7 @@ TEST(BoxPairs, RandomBoxesOfOneSizeAndOfMany) {
   }
 }
 
-// The room is 10^9 boxes wide: finer cells than the keys have bits for.
+// The room is 10^9 boxes wide, finer than the bits of the keys.
 TEST(BoxPairs, FarApart) {
   auto boxes = random_boxes(200, 0, 4, 5);
   const auto far = random_boxes(200, 0, 4, 6);
@@ -56,7 +56,7 @@ TEST(BoxPairs, FarApart) {
   EXPECT_EQ(sorted(overlapping_pairs(boxes)), every_pair(boxes));
 }
 
-// Set-ups far from an even spread.
+// Strongly uneven distributions.
 TEST(BoxPairs, UnevenSetUps) {
   std::mt19937_64 rng(11);
   std::uniform_real_distribution<double> unit(0, 1);
@@ -72,9 +72,9 @@ TEST(BoxPairs, UnevenSetUps) {
   set_ups.push_back(random_boxes(900, 0, 0.7, 21));
   // All at one place, in one cell.
   set_ups.emplace_back(300, Box{Vec3(1, 2, 3), Vec3(1.5, 2.5, 3.5)});
-  // Few in the memory of many.
+  // Few boxes after many, in the same memory.
   set_ups.push_back(random_boxes(9, 0, 1, 22));
-  // A long one among short ones, and one as large as everything.
+  // A long box among short ones, and one as large as the whole set.
   auto among = random_boxes(600, 0, 5, 23);
   among.push_back({Vec3(-1, 2, 2), Vec3(1000, 2.1, 2.1)});
   among.push_back({Vec3::Constant(-2), Vec3::Constant(6)});
@@ -84,7 +84,7 @@ TEST(BoxPairs, UnevenSetUps) {
   for (const Vec3& by : {Vec3(1000, 0, 0), Vec3(0, 1000, -1000), Vec3(-1000, -1000, 1000)})
     for (const Box& b : moved(random_boxes(150, 1, 2, 25), by)) apart.push_back(b);
   set_ups.push_back(apart);
-  // All in a row along each axis, one box beside the next: corners touch.
+  // In a row along each axis with touching corners.
   for (int axis = 0; axis < 3; ++axis) {
     auto& row = set_ups.emplace_back();
     for (int i = 0; i < 200; ++i) {
@@ -93,7 +93,7 @@ TEST(BoxPairs, UnevenSetUps) {
     }
     std::shuffle(row.begin(), row.end(), rng);
   }
-  // Gaps and overlaps that single precision does not tell from touching.
+  // Gaps and overlaps that single precision cannot distinguish from contact.
   auto& close = set_ups.emplace_back();
   for (int i = 0; i < 400; ++i) {
     const Vec3 lo(i + (unit(rng) - 0.5) * 1e-9, 0, 5000);

@@ -1,4 +1,4 @@
-// Cable element and the consistent mass of beams and cables: tangents against differences, exact sums.
+// Cable element and consistent mass of beams and cables: tangents against differences, exact sums.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -59,14 +59,14 @@ TEST(Cable, TangentsAreDerivatives) {
 TEST(Cable, SlackCarriesNothing) {
   const CableSection s{1.0, 300, 0.1};
   CableState e{Vec3::Zero(), Vec3(0.9, 0, 0)};
-  e.v2 = Vec3(50, 0, 0);  // closing the slack fast must not pull yet
+  e.v2 = Vec3(50, 0, 0);  // a fast closing of the slack must not cause tension yet
   EXPECT_EQ(cable_stress(s, e).tension, 0);
   e.x2.x() = 1.01;
-  e.v2.x() = -50;  // damping must not push
+  e.v2.x() = -50;  // damping must not cause compression
   EXPECT_EQ(cable_stress(s, e).tension, 0);
 }
 
-// A slack cable that snaps taut has a rate of strain at once and no strain yet: its tension begins at zero.
+// A slack cable that snaps taut has a strain rate before any strain: its tension begins at zero.
 TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
   const CableSection s{1.0, 300, 0.1};
   CableState e{Vec3::Zero(), Vec3(1.01, 0, 0)};
@@ -80,8 +80,8 @@ TEST(Cable, TheDamperCarriesNoMoreThanTheSpring) {
   EXPECT_EQ(o.c.norm(), 0);
 }
 
-// The damper of a step has as much damping as keeps it within the spring's tension at the rate of the step
-// before.
+// The damping of a step is limited so that it stays below the spring's tension at the strain rate of the
+// previous step.
 TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
   const CableSection s{1.0, 300, 0.1};
   const auto damping = [&](double length, double strain_increment, double previous_h) {
@@ -102,7 +102,7 @@ TEST(CableMean, DampingIsThatOfTheStartOfTheStep) {
   EXPECT_NEAR(cable_mean_force(s, at_rest, {1e-4, 0}, Vec3::Zero(), end).x(), elastic + rigid, 1e-9);
 }
 
-// Steps of a cable whose ends are thrown about, slack and taut, in steps of all lengths.
+// Steps of a cable with random end motion, slack and taut, and random step lengths.
 struct Thrown {
   CableStart from;
   CableStep step;
@@ -121,7 +121,7 @@ std::vector<Thrown> thrown(const CableSection& s, double filter) {
              {},
              {}};
     t.x1 = x1 + 0.1 * r.vec();
-    // Now and then hardly stretched at all.
+    // Sometimes hardly stretched.
     t.x2 =
         t.x1 + (i % 7 == 0 ? 1e-7 : 0.2) * r.vec() + s.length * (1 + 0.15 * r.u(r.g)) * r.vec().normalized();
     if (i % 7 == 0) t.x2 = t.x1 + (x2 - x1) * (1 + 1e-9);
@@ -156,7 +156,7 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
           pulled += S.norm() > 0;
           taut += S.norm() > 0 && energy(chord) > 0 && energy(p.from.chord) > 0;
           EXPECT_NEAR(work, stored + lost.damped + lost.filtered, 1e-10 * (1 + std::abs(stored)));
-          // Where it would push, nothing acts, and what it gains is of what the filter holds.
+          // Where it would be in compression the force is zero, and the energy gained comes from the filter.
           if (S.norm() == 0) {
             EXPECT_LE(stored, 0.5 * filter * 300 * s.length * std::pow(p.from.strain_increment, 2) + 1e-12);
           }
@@ -166,7 +166,7 @@ TEST(CableMean, ItsWorkIsTheChangeOfEnergyAndWhatDampersTake) {
   EXPECT_GT(taut, 500);
 }
 
-// What the filter gives back it has taken before: it makes no energy, in steps of any lengths.
+// The filter returns no more energy than it has stored, for any step lengths.
 TEST(CableMean, TheFilterGivesBackNoMoreThanItHolds) {
   const CableSection s{1.1, 300, 0};
   double sum = 0, least = 0, most = 0;
@@ -191,7 +191,7 @@ TEST(CableMean, TangentIsItsDerivative) {
         EXPECT_EQ(o.c, Mat3::Zero());
         const auto at = [&](const Vec3& d) { return cable_mean_force(s, p.from, p.step, p.x1, p.x2 + d); };
         EXPECT_LT((o.force - at(Vec3::Zero())).norm(), 1e-12 * (1 + o.force.norm()));
-        // Not over a kink: where it begins to pull, or is just slack.
+        // Excludes kinks at the onset of tension.
         const double e = ((p.x2 - p.x1).norm() - s.length) / s.length;
         constexpr double kStep = 1e-6;
         if (std::abs(e) < 3 * kStep) continue;

@@ -1,5 +1,5 @@
-// What is remembered on its way along a line: sums stay, nothing grows, and the work on what enters and
-// leaves.
+// History transported along a line: integrals are conserved, extremes do not grow, and work of material that
+// enters and leaves.
 #include "hawser/kernels/carried_bends.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ double sum(double from, double to, const Values& v) {
   return all;
 }
 
-// Divided and joined: sums over the length stay, and nothing is beyond what was there.
+// Divided and joined: integrals over the length are conserved, and no value exceeds the earlier ones.
 TEST(CarriedBends, DividedAndJoined) {
   const Values whole{1, 3, 2};
   Cells cells;
@@ -44,7 +44,7 @@ TEST(CarriedBends, DividedAndJoined) {
   EXPECT_LE(*std::max_element(both.begin(), both.end()), 3);
 }
 
-// What leaves a feeder, 1 over the first 0.4 m, then 0, then 3: in many steps, and back into it.
+// Material with 1 over the first 0.4 m, then 0, then 3, paid out in many steps and hauled in again.
 TEST(CarriedBends, PaidOutAndHauledIn) {
   Values now{1, 1, 1};
   const Values none{0}, more{3};
@@ -64,8 +64,8 @@ TEST(CarriedBends, PaidOutAndHauledIn) {
   }
   printf("  1 over 0.4 m, then 0 over 0.3 m, then 3 over 0.3 m: %.3f %.3f %.3f\n", now[0], now[1], now[2]);
   EXPECT_GT(now[2], 2);
-  EXPECT_NEAR(now[0], 1, 0.15);  // an edge is smeared over the cells that it went through
-  // What is the same everywhere stays so.
+  EXPECT_NEAR(now[0], 1, 0.15);  // an edge is smeared over the cells it passed
+  // Uniform values stay uniform.
   for (const double to : {0.7, 0.3, 0.9}) {
     const Values same{2, 2, 2};
     Cells cells;
@@ -90,12 +90,12 @@ BeamSection section(const PlasticBending& p, bool yields) {
   return s;
 }
 
-// Bent by so much at either end [rad].
+// Bent by these angles at the ends [rad].
 BeamEnds bent(double length, const Vec3& at1, const Vec3& at2) {
   return {Vec3::Zero(), Vec3(length, 0, 0), Quat(exp_so3(at1)), Quat(exp_so3(at2))};
 }
 
-// Below yield a feeder works against M²/2EI, whatever the shape, at either end.
+// Below yield a feeder works against M²/2EI for any shape, at either end.
 TEST(CarriedBends, WorkOnElasticBends) {
   const PlasticBending p = law();
   const BeamEnds e = bent(0.79, {0, 0.0015, -0.0007}, {0, -0.003, 0.0025});
@@ -109,8 +109,8 @@ TEST(CarriedBends, WorkOnElasticBends) {
           << at_b;
 }
 
-// An arc that has yielded: what enters is bent from straight, on the curve of the first bend; what leaves
-// gives back what can be had of it and takes what is locked in.
+// A yielded arc: material that enters is bent from straight along the first curve; material that leaves
+// returns the recoverable energy and carries the locked-in energy away.
 TEST(CarriedBends, WorkOnAnArcThatYielded) {
   const PlasticBending p = law();
   const BeamSection s = section(p, true);

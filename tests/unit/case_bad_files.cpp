@@ -1,4 +1,4 @@
-// Every file of tests/data/bad holds one mistake; its first line says which sentence must come out.
+// Each file of tests/data/bad has one mistake; its first line gives the expected message.
 #include <gtest/gtest.h>
 
 #include <algorithm>

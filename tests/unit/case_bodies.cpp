@@ -1,4 +1,4 @@
-// Cases of bodies that touch each other: what a mesh must be for that, alone and beside its counterpart.
+// Contact between bodies: requirements on meshes, alone and with their counterpart.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -27,7 +27,7 @@ void write(const char* name, const TriangleMesh& m) {
   for (const auto& t : m.triangles) out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
 }
 
-// What is wrong with two volumes of two floating bodies; empty: nothing.
+// Message about two volumes of two floating bodies; empty: valid.
 std::string wrong(const std::string& a, const std::string& b) {
   write("ball.obj", test::sphere_mesh(4));
   write("box.obj", test::box_mesh({-1, -1, -1}, {1, 1, 1}));
@@ -82,7 +82,7 @@ TEST(CaseBodies, SomethingMustStandOutOfOne) {
   EXPECT_NE(one.find("give a stiffness per_area"), std::string::npos) << one;
 }
 
-// What is wrong with a body in water; empty: nothing.
+// Message about a body in water; empty: valid.
 std::string wrong_in_water(const std::string& in_water,
                            const std::string& environment = "water: {density: 1000}",
                            const std::string& weight = "true") {
@@ -118,8 +118,8 @@ TEST(CaseBodies, BodyInWater) {
   expect_message(wrong_in_water(fine + ", center_of_buoyancy: [1, 1, 1]"), "centre_of_buoyancy");
 }
 
-// Coefficients times areas, added mass by coefficient or by itself, drag at the centre of buoyancy or its
-// own.
+// Drag coefficients times areas, added mass by coefficient or directly, drag at the centre of buoyancy or a
+// given one.
 TEST(CaseBodies, KeysOfABodyInWater) {
   const auto read = [](const std::string& keys) {
     return *io::read_case_text(

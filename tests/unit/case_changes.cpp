@@ -1,4 +1,4 @@
-// Changes of a case by --set: where they are made, and what is said of those that cannot be.
+// Changes of a case by --set: their place, and messages about impossible ones.
 #include "hawser/io/case_changes.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ TEST(CaseChanges, AreMadeInTheDocument) {
   for (const std::string& n : c.notes) EXPECT_FALSE(n.starts_with("--set")) << n;
 }
 
-// A case with other lengths repeats the notes on its changes, and has the warnings of them once.
+// A case with other lengths repeats the notes on its changes, and their warnings once.
 TEST(CaseChanges, AreReportedForACaseWithOtherLengths) {
   const model::Case c = read({"dynamics.step=0.5"});
   const auto warnings = [](const model::Case& of) {

@@ -1,4 +1,4 @@
-// How wide ramps of contact may be: as the lines are thick that they act on, and no others.
+// Largest width of contact ramps, relative to the thickness of the lines they act on.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace hawser::case_contact_test {
 namespace {
 
-// What is wrong with a chain of 0.1 m beside two hoses of 0.6 m, a fender and that contact; empty: nothing.
+// Message about a chain of 0.1 m beside two hoses of 0.6 m, a fender and this contact; empty: valid.
 std::string wrong(const std::string& fender, const std::string& contact) {
   try {
     io::read_case_text(R"(hawser: 1

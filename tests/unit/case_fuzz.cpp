@@ -1,4 +1,4 @@
-// Whatever is done to a case file, reading it gives a case or one sentence; nothing else.
+// Any mutation of a case file gives a case or a one-sentence message.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -56,7 +56,7 @@ TEST(CaseFuzz, MutatedReelIsACaseOrASentence) {
   original << in.rdbuf();
   ASSERT_GT(original.str().size(), 1000U);
 
-  // A small closed mesh in the drum's place keeps 2000 readings quick.
+  // A small closed mesh replaces the drum to speed up 2000 readings.
   const fs::path folder = fs::path(testing::TempDir()) / "hawser_fuzz";
   fs::create_directories(folder);
   std::ofstream(folder / "drum.stl")
@@ -88,7 +88,7 @@ TEST(CaseFuzz, MutatedReelIsACaseOrASentence) {
       FAIL() << "mutation " << i << ": " << e.what() << "\n" << text;
     }
   }
-  // Both happen, or the mutations are no test.
+  // Both must occur for the mutations to be a test.
   EXPECT_GT(accepted, 100);
   EXPECT_GT(refused, 500);
 }

@@ -1,4 +1,4 @@
-// Hulls and members of bodies in a case: what is refused, and the warning of a hull without drag.
+// Hulls and members of bodies in a case: refusals, and the warning about a hull without drag.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -89,8 +89,8 @@ TEST(CaseHulls, WarningWithoutDragAndAddedMass) {
   EXPECT_TRUE(advice::input_notes(read(std::string(kHull) + kMember)).empty());
 }
 
-// A box of 20 x 8 x 6 m whose draught is 2.5 m at 400 t, and a taut line of 40 m that holds its middle down
-// where it starts.
+// A box of 20 x 8 x 6 m with a draught of 2.5 m at 400 t, and a taut line of 40 m that holds its middle down
+// at the start position.
 struct Afloat {
   explicit Afloat(double z, const std::string& centre = "[0, 0, -2]", double line = 0) {
     std::string text = fmt::format(
@@ -124,7 +124,7 @@ void expect_part(const std::string& text, const std::string& part) {
   EXPECT_NE(text.find(part), std::string::npos) << text;
 }
 
-// Lines that hold a body where it starts are no reason for a warning. 0.5 m deeper it displaces 80 m³ more.
+// Lines that hold a body at its start cause no warning. 0.5 m deeper it displaces 80 m³ more.
 TEST(CaseHulls, LinesMayHoldABodyOffItsDraught) {
   EXPECT_EQ(Afloat(1.5).at_start().find("warning"), std::string::npos) << Afloat(1.5).at_start();
   EXPECT_EQ(Afloat(1.5).at_start().find("note"), std::string::npos);

@@ -1,4 +1,4 @@
-// Mesh files broken at random: read, or refused with one sentence; never anything else.
+// Randomly corrupted mesh files are read or refused with one sentence.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -20,7 +20,7 @@ std::string text_of(const std::string& path) {
   return s.str();
 }
 
-// Bytes overwritten, excluded, doubled, or the rest cut off.
+// Overwrites, excludes or duplicates bytes, or truncates.
 std::string broken(std::string text, std::mt19937& gen) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(gen()) % n; };
   for (std::size_t k = 1 + below(6); k > 0 && !text.empty(); --k) {
@@ -59,7 +59,7 @@ TEST(CaseMeshFuzz, BrokenFilesAreReadOrRefused) {
     stl += "endloop\nendfacet\n";
   }
   stl += "endsolid t\n";
-  // The same in binary: 80 bytes, the number, 50 bytes a triangle.
+  // The same in binary: 80 bytes, the number, 50 bytes per triangle.
   std::string binary(80, ' ');
   const auto put = [&](const auto& x) { binary.append(reinterpret_cast<const char*>(&x), sizeof x); };
   put(std::uint32_t{4});
@@ -86,7 +86,7 @@ TEST(CaseMeshFuzz, BrokenFilesAreReadOrRefused) {
       {".stl", binary},
       {".ply", ply},
       {".ply", binary_ply}};
-  for (const auto& [extension, text] : files) {  // whole they are read
+  for (const auto& [extension, text] : files) {  // intact files are read
     const std::string path = testing::TempDir() + "hawser_whole" + extension;
     std::ofstream(path, std::ios::binary) << text;
     EXPECT_GE(io::read_mesh(path).mesh.triangles.size(), 4U) << extension;

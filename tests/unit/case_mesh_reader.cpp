@@ -1,4 +1,4 @@
-// Meshes from files: welded, closed, outward, scaled; notes on what was repaired.
+// Meshes from files: welding, closing, orientation, scale; notes on repairs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -63,7 +63,7 @@ TEST(CaseMeshReader, ObjWithGroups) {
   EXPECT_THROW(io::active_triangles(m.mesh, v), InputError);
 }
 
-// The drum's file lists every corner anew, in single precision.
+// The drum's file repeats every corner, in single precision.
 TEST(CaseMeshReader, DrumIsWeldedAndClosed) {
   const io::LoadedMesh m = io::read_mesh(HAWSER_SOURCE_DIR "/cases/reel/drum.stl");
   EXPECT_TRUE(m.report.valid());
@@ -197,7 +197,8 @@ TEST(CaseMeshReader, StlFilesThatAreRefusedSayWhatWasFound) {
     }
 }
 
-// A deck listed twice, back to back, is a deck; a box without thickness is none, however its sides are cut.
+// A deck listed twice, back to back, is kept once; a box without thickness is refused, whatever its
+// triangulation.
 TEST(CaseMeshReader, DoubledDecksStayAndSheetsAreRefused) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
   const std::string box = vertices +

@@ -1,4 +1,4 @@
-// Tables of motion: what is between their rows, and what is said of it.
+// Motion tables: interpolation and messages.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ const std::string kRows =
 
 TEST(CaseMotion, OvershootOfASplineIsReported) {
   const model::Case c = read(kRows);
-  // The other is that the spline begins with a velocity.
+  // The other note: the spline begins with a velocity.
   ASSERT_EQ(c.notes.size(), 2U);
   EXPECT_NE(c.notes[1].find("starts at t = 0 with 0.339 m/s"), std::string::npos) << c.notes[1];
   const std::string& note = c.notes[0];
@@ -70,7 +70,7 @@ TEST(CaseMotion, MonotoneAndLinearStayBetweenTheRows) {
   const model::Case linear = read(kRows + ", interpolation: linear");
   EXPECT_NEAR(model::rigid_motion(linear.bodies[0]).at(2.5).position.z(), 0.5, 1e-14);
   EXPECT_NE(model::summary(linear).find("straight lines between them"), std::string::npos);
-  // Of a wave of a dozen rows a period no overshoot is reported.
+  // Waves with a dozen rows per period give no overshoot note.
   std::string rows;
   for (int i = 0; i <= 24; ++i)
     rows += fmt::format("{}[{}, 0, 0, {}]", i ? ", " : "", 0.5 * i, std::sin(2 * M_PI * i / 12.));
@@ -88,8 +88,7 @@ TEST(CaseMotion, MonotoneAndLinearStayBetweenTheRows) {
   }
 }
 
-// Steps end where a body's velocity jumps.
-// Rows far from the start change nothing there.
+// Steps end where a body's velocity jumps. Rows far from the start do not affect it.
 TEST(CaseMotion, PoseAtStartIsThatOfTheWholeTable) {
   for (const BetweenRows between : {BetweenRows::spline, BetweenRows::monotone, BetweenRows::linear})
     for (const double from : {-300.0, -7.5, 0.0}) {

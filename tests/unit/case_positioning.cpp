@@ -1,5 +1,5 @@
-// Dynamic positioning and wave-drift damping in a case: what is read, refused and noted, and the stability of
-// the control loop.
+// Dynamic positioning and wave-drift damping in a case: reading, refusals, notes, and stability of the
+// control loop.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -90,7 +90,7 @@ TEST(CasePositioning, Refusals) {
   expect_refused("positioning: {proportional: [1e5, 1e5, 1e7]}", "bodies.ship.positioning: ");
 }
 
-// z = (x, v, y, y', r, s) of the theory page, by the eigenvalues of z' = A z.
+// State z = (x, v, y, y', r, s) of the theory page; growth from the eigenvalues of z' = A z.
 TEST(CasePositioning, GrowthOfTheLoop) {
   const auto growth = [](double P, double D, double I, double period) {
     const double c = 2 * M_PI / period;
@@ -125,8 +125,8 @@ TEST(CasePositioning, GrowthOfTheLoop) {
   EXPECT_LT(unstable, 9);
 }
 
-// Of D alone: s⁴ + 3 s³ + 3 s² + (1 + 3 d) s + d with d = D/(m c), by Routh unstable where
-// (8 - 3 d) (1 + 3 d) < 9 d, which is above d = 1.8.
+// With D alone: s⁴ + 3 s³ + 3 s² + (1 + 3 d) s + d with d = D/(m c), by Routh unstable where (8 - 3 d) (1 + 3
+// d) < 9 d, that is for d > 1.8.
 TEST(CasePositioning, DampingAloneMayBeUnstable) {
   constexpr double c = 2 * M_PI / 60;
   for (const double d : {0.5, 1.5, 2.2, 9.}) {

@@ -1,4 +1,4 @@
-// Vessel motion by responses, from the case to the body's pose.
+// Vessel motion by responses, from the case to the pose of the body.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 namespace hawser::case_rao_test {
 namespace {
 
-// Heave of 1 without lag, pitch of 2 deg/m a quarter early; the ship heads for 30 deg.
+// Heave of 1 without lag, pitch of 2 deg/m leading by a quarter; heading 30 deg.
 TEST(CaseRao, BodyFollowsTheWaves) {
   const std::string text = R"(
 hawser: 1
@@ -38,7 +38,7 @@ dynamics: {duration: 60}
   const Bodies bodies(c.bodies);
   const WaveField w = model::wave_field(c.environment);
   const Vec3 side = Vec3(-std::sin(M_PI / 6), std::cos(M_PI / 6), 0);
-  EXPECT_LT((bodies.pose(0, 0).position - Vec3(40, -20, 3)).norm(), 1e-12);  // the ramp's start
+  EXPECT_LT((bodies.pose(0, 0).position - Vec3(40, -20, 3)).norm(), 1e-12);  // start of the ramp
   for (double t = 5.5; t < 60; t += 1.3) {
     const RigidPose p = bodies.pose(0, t);
     const double h = 1e-3, now = w.at({40, -20, 0}, t).surface;
@@ -51,8 +51,8 @@ dynamics: {duration: 60}
   }
 }
 
-// A ship that has drifted off and round and drifts on meets the waves where it is: its heave is the surface
-// there. Its derivatives are those of its position.
+// A drifted and drifting ship meets the waves at its current position: its heave is the elevation there, and
+// its derivatives are those of its position.
 TEST(CaseRao, DriftsInTheWaves) {
   const std::string text = R"(
 hawser: 1
@@ -86,8 +86,8 @@ dynamics: {duration: 100}
     const Vec3 at(52 + 10 * slow, -27 + 4 * slow, 3);
     const double angle = k.number * (k.x * at.x() + k.y * at.y()) - k.omega * t;
     EXPECT_LT((p.position - at - Vec3(0, 0, k.amplitude * std::cos(angle))).norm(), 1e-5) << t;
-    // The waves come along the drifted heading of 75 deg: it pitches about its own athwart axis, a quarter of
-    // a period before the crest, and does not roll.
+    // The waves propagate along the drifted heading of 75 deg: pitch about the athwart axis leads the crest
+    // by a quarter of a period, without roll.
     const Vec3 turn = log_so3(p.rotation * exp_so3(Vec3(0, 0, 75 * M_PI / 180)).conjugate());
     const Vec3 side(-std::sin(75 * M_PI / 180), std::cos(75 * M_PI / 180), 0);
     const double pitch = 2 * M_PI / 180 * k.amplitude * std::cos(angle - M_PI / 2);
@@ -101,8 +101,8 @@ dynamics: {duration: 100}
   }
 }
 
-// A table of 0 to 180 deg, and a wave that comes from the other side: with the symmetry the ship rolls to the
-// other hand, without there is a word about the gap.
+// A table of 0 to 180 deg, and a wave from the other side: with symmetry the ship rolls to the other side;
+// without it a note reports the gap.
 TEST(CaseRao, WavesFromTheOtherSide) {
   const auto read = [](const std::string& sea, const std::string& rao) {
     std::string rows;
@@ -130,7 +130,7 @@ dynamics: {duration: 20}
     const Bodies bodies(c.bodies);
     return log_so3(bodies.pose(0, t).rotation * exp_so3(Vec3(0, 0, M_PI / 6)).conjugate()).norm();
   };
-  // To 90 and to 270 deg, seen from the bow.
+  // Propagation to 90 and to 270 deg relative to the bow.
   const model::Case port = read(wave(120), ""), starboard = read(wave(300), mirror),
                     blind = read(wave(300), "");
   EXPECT_TRUE(port.notes.empty());
@@ -144,7 +144,7 @@ dynamics: {duration: 20}
                           "responses there lie on straight lines between 180 and 360 deg"),
       std::string::npos)
       << blind.notes[0];
-  // On the table's last direction and between near ones there is nothing to say.
+  // No notes at the table's last direction and between close ones.
   EXPECT_TRUE(read(wave(210), "").notes.empty());
   EXPECT_TRUE(read(wave(150), "").notes.empty());
   const auto sea = read("jonswap: {hs: 3, tp: 9, direction_deg: 300, components: 20}", "").notes;
@@ -152,7 +152,7 @@ dynamics: {duration: 20}
   EXPECT_NE(sea[0].find("20 components of the sea go to 270 deg"), std::string::npos) << sea[0];
 }
 
-// A table used for waves shorter and longer than its periods, and for directions it does not have.
+// A table used for waves shorter and longer than its periods, and for directions it lacks.
 TEST(CaseRao, WavesBeyondTheTable) {
   const auto notes = [](const std::string& sea, const std::vector<double>& periods,
                         const std::vector<int>& directions) {
@@ -198,7 +198,8 @@ dynamics: {duration: 20}
       "to 60 deg away from it: give rows for the directions of the sea");
 }
 
-// The straight line between amplitudes of 1 whose phases differ by 150 degrees is cos 75 degrees from zero.
+// Linear interpolation between amplitudes of 1 with phases 150 degrees apart comes within cos 75 degrees of
+// zero.
 TEST(CaseRao, PhasesThatTurnFromRowToRow) {
   const auto notes = [](const std::string& sea, const std::string& heave_8, const std::string& heave_10) {
     std::vector<std::string> out;

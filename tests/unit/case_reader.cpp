@@ -1,4 +1,4 @@
-// Good case files: what was written is what is read, and what was not is the documented default.
+// Valid case files: written values are read, and missing ones have the documented defaults.
 #include "hawser/io/case_reader.hpp"
 
 #include <gtest/gtest.h>
@@ -33,8 +33,8 @@ Case read_line(const std::string& line) {
 
 bool near(const Vec3& a, const Vec3& b) { return (a - b).norm() < 1e-14; }
 
-// Linear waves that are steeper than waves can be are run, with a word about it; Miche's limit is 0.142 of
-// the length in deep water, 0.142 tanh(kd) else.
+// Linear waves steeper than possible are run with a note; Miche's limit is 0.142 of the length in deep water,
+// 0.142 tanh(kd) otherwise.
 TEST(CaseReader, WavesThatWouldBreak) {
   const auto notes = [](const std::string& sea) {
     std::vector<std::string> all =
@@ -43,7 +43,7 @@ TEST(CaseReader, WavesThatWouldBreak) {
              "lines: {a: {sections: [{type: hose, length: 100, elements: 20}], end_a: {anchor: [0, 0, 0]}, "
              "end_b: {anchor: [90, 0, 0]}}}\n")
             .notes;
-    // The chain is too heavy for its diameter under water, and there are no dynamics.
+    // The submerged chain is too heavy for its diameter, and dynamics is missing.
     std::erase_if(all, [](const std::string& n) {
       return n.find("line_types.chain") != std::string::npos ||
              n.find("waves: they act") != std::string::npos;
@@ -63,7 +63,7 @@ TEST(CaseReader, WavesThatWouldBreak) {
       notes("water: {}, waves: {components: [{height: 1, period: 9}, {height: 2, period: 2}]}");
   ASSERT_EQ(second.size(), 1U);
   EXPECT_NE(second[0].find("components[1]"), std::string::npos);
-  // A sea's steepness gets to 1/15 up to 8 s, to 1/25 from 15 s on: 12 s in between to 0.0514, 11.6 m.
+  // The limit of a sea's steepness is 1/15 up to 8 s and 1/25 from 15 s: at 12 s 0.0514, 11.6 m.
   const auto spectrum = [&](const std::string& kind, double height, double period) {
     return notes("water: {}, waves: {" + kind + ": {hs: " + std::to_string(height) +
                  ", tp: " + std::to_string(period) + "}}");
@@ -151,7 +151,7 @@ TEST(CaseReader, HangingLine) {
   EXPECT_FALSE(c.dynamics.enabled);
 }
 
-// The schema's defaults and those of model::Case are written in two places; here they meet.
+// Defaults of the schema must equal those of model::Case.
 TEST(CaseReader, DefaultsAreThoseOfTheCase) {
   const Case c = read_line(
       "sections: [{type: chain, length: 10, elements: 5}], end_a: {anchor: [0, 0, 0]}, end_b: free");
@@ -253,7 +253,7 @@ output: {file: out/r.h5, every: 2, checkpoint_every: 10, format: [hdf5],
   EXPECT_EQ(l.sections[1].grading, 2);
   EXPECT_TRUE(near(l.end_a.direction.value(), {0.6, 0, 0.8}));
   EXPECT_TRUE(near(l.end_b.direction.value(), {0, 0, 1}));
-  // Turned by 90° about z, and moved by amplitude * sin(phase) = (1, 0, 0) at t = 0.
+  // Rotated by 90° about z, and moved by amplitude * sin(phase) = (1, 0, 0) at t = 0.
   EXPECT_LT((model::end_position(c, l.end_b) - Vec3(2, 7, 3)).norm(), 1e-12);
   EXPECT_EQ(l.points.size(), 3U);
   EXPECT_EQ(l.masses[0].at, 40);
@@ -275,7 +275,7 @@ output: {file: out/r.h5, every: 2, checkpoint_every: 10, format: [hdf5],
   EXPECT_EQ(c.output.histories[1].at, 40);
 }
 
-// The longest element is at most what was asked for, and one element fewer would not do.
+// The longest element is at most the requested length, and one element fewer would exceed it.
 TEST(CaseReader, ElementLength) {
   for (const double h : {0.3, 1.0, 7.0, 50.0})
     for (const double g : {0.2, 1.0, 5.0}) {
@@ -302,7 +302,7 @@ TEST(CaseReader, TautLineMayBeALittleShort) {
     return std::string("sections: [{type: chain, length: ") + length +
            ", elements: 5}], end_a: {anchor: [0, 0, 0]}, end_b: {anchor: [100, 0, 0]}";
   };
-  // No metal has so little EA for its diameter: 50 %.
+  // No metal has so little EA for its diameter: 50 % strain is allowed.
   EXPECT_NO_THROW(read_line(line("99")));
   EXPECT_NO_THROW(read_line(line("67")));
   EXPECT_THROW(read_line(line("66.5")), InputError);
@@ -427,7 +427,7 @@ lines:
   const model::SignTest signs[] = {tetrahedra, solid_angle, winding, pseudonormal, automatic};
   for (size_t i = 0; i < 5; ++i) {
     EXPECT_EQ(plain.volumes[i].sign, signs[i]);
-    EXPECT_EQ(plain.volumes[i].smooth, i > 2);  // the tests look at the facets
+    EXPECT_EQ(plain.volumes[i].smooth, i > 2);  // the tests examine the facets
   }
   EXPECT_TRUE(plain.output.clashes.enabled);
   EXPECT_EQ(plain.output.clashes.merge_gap, 0.1);

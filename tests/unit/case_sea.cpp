@@ -1,4 +1,4 @@
-// Good case files of the sea and its bed: tables of them, from a file or written there.
+// Valid case files of the sea and the bed, with tables from a file or in the case.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -68,7 +68,7 @@ TEST(CaseSea, AnAnchorUnderTheSeabedIsReported) {
                               "over "),
       std::string::npos)
       << notes("-90.15")[0];
-  EXPECT_TRUE(notes("-90.05").empty());  // within half a diameter: where it rests
+  EXPECT_TRUE(notes("-90.05").empty());  // within half a diameter: the rest position
   EXPECT_TRUE(notes("-89.9").empty());
 }
 
@@ -79,7 +79,7 @@ TEST(CaseSea, SuctionOfTheSeabed) {
   expect_part(c, "suction up to 2000 N/m² over 0.05 m");
 }
 
-// The smooth surface of a grid is beyond its heights beside a cliff, and not on a slope.
+// The smooth surface of a grid overshoots its heights beside a cliff, but not on a slope.
 TEST(CaseSea, GridWithAStep) {
   const fs::path folder = fs::path(testing::TempDir()) / "hawser_step";
   fs::create_directories(folder);

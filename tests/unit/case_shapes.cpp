@@ -1,4 +1,4 @@
-// Volumes given as shapes: from the case file to the surface that contact meets and the triangles one sees.
+// Volumes given as shapes: surface for contact and triangles for display.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ TEST(CaseShapes, OfEveryKind) {
   EXPECT_EQ(std::get<SphereShape>(*c.volumes[2].shape).radius, 0.5);
   EXPECT_EQ(std::get<TorusShape>(*c.volumes[5].shape).axis, Vec3::UnitY());
 
-  // At a point above (0.1, 0, 0): what contact gets of each.
+  // Contact distances of each volume at a point above (0.1, 0, 0).
   const auto volumes = run::load_volumes(c);
   const auto surfaces = run::surfaces(volumes);
   const auto distance = [&](size_t i, const Vec3& y) { return surfaces[i]->query(y, 1e9)->distance; };
@@ -83,8 +83,8 @@ TEST(CaseShapes, TrianglesForPictures) {
   EXPECT_EQ(meshes[0].triangles.size(), meshes[0].active.size());
   EXPECT_NEAR(inspect(volumes[0].facets->copy()).volume, std::numbers::pi * 0.25 * 0.25 * 2, 2e-3);
   for (const Vec3& v : meshes[0].vertices) EXPECT_NEAR(volumes[0].surface->query(v, 1)->distance, 0, 1e-15);
-  // The patch of the plane is under all the line can reach: half its length about the middle of its ends. The
-  // barge is turned by 90 degrees and 10 m up, so that middle is at (0, -30, -40) in its frame.
+  // The patch of the plane covers the reach of the line: half its length about the middle of its ends. The
+  // barge is rotated by 90 degrees and 10 m up, so that the middle is at (0, -30, -40) in its frame.
   Box patch;
   for (const Vec3& v : meshes[1].vertices) patch.add(v);
   EXPECT_NEAR(patch.lo.z(), -70, 1e-13);
@@ -94,7 +94,7 @@ TEST(CaseShapes, TrianglesForPictures) {
   EXPECT_LE(patch.lo.y(), -80);
   EXPECT_GE(patch.hi.y(), 20);
   EXPECT_LE(patch.diagonal(), 300);
-  // A mesh is shown as it is.
+  // A mesh is displayed unchanged.
   EXPECT_EQ(meshes[2].triangles.size(), 12U);
 }
 

@@ -1,4 +1,4 @@
-// Supports of laid pipes: where boxes and rollers are, and what is refused with a remedy.
+// Supports of laid pipes: positions of boxes and rollers, and refusals with remedies.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -75,7 +75,7 @@ TEST(CaseSupports, BoxesOfEachType) {
   const auto& first = c.supports[0];
   EXPECT_EQ(first.name, "ramp 1");
   EXPECT_EQ(first.line, "pipe");
-  expect_near(first.at, Vec3(-35, 0, 10.325));  // a diameter of the roller and the pipe's half above the axis
+  expect_near(first.at, Vec3(-35, 0, 10.325));  // a roller diameter and half the pipe's above the axis
   expect_near(c.supports[1].at, Vec3(-40, 0, 10.325));
   const auto cylinder = [&](const std::string& name) {
     for (const model::Volume& v : c.volumes)
@@ -86,7 +86,7 @@ TEST(CaseSupports, BoxesOfEachType) {
     ADD_FAILURE() << name;
     return CylinderShape{};
   };
-  // The way goes to -x, so that left is -y.
+  // The path goes to -x, so that left is -y.
   expect_near(cylinder("ramp 1 below").from, Vec3(-35, -1, 10));
   expect_near(cylinder("ramp 1 below").to, Vec3(-35, 1, 10));
   EXPECT_DOUBLE_EQ(cylinder("ramp 1 below").radius, 0.2);
@@ -100,7 +100,7 @@ TEST(CaseSupports, BoxesOfEachType) {
   expect_near(c.supports[2].at, v + 0.325 / std::cos(M_PI / 6) * up);
   EXPECT_EQ(c.supports[3].rollers, (std::vector<std::string>{"below", "left", "right", "above"}));
   EXPECT_NEAR((cylinder("ramp 4 above").from - cylinder("ramp 4 below").from).norm(), 1.4, 1e-12);
-  // A spring of 2e6 N/m where the pipe is pressed in by 1 % of its radius: 4/3 k d sqrt(2 r d) of a parabola.
+  // A spring of 2e6 N/m at a penetration of 1 % of the pipe's radius: 4/3 k d sqrt(2 r d) for a parabola.
   const double d = 0.00125, k = c.volumes[6].normal_stiffness;
   EXPECT_EQ(c.volumes[6].basis, model::StiffnessBasis::per_length);
   EXPECT_NEAR(4. / 3 * k * d * std::sqrt(2 * 0.325 * d), 2e6 * d, 1e-6);
@@ -117,7 +117,8 @@ TEST(CaseSupports, ByPoints) {
   expect_near(c.supports[0].at, Vec3(-40, 0, 10) + 0.325 * c.supports[0].up);
 }
 
-// Each box of a group on a structure rides on the nearest place of its beams, as drawn in the body's frame.
+// Each box of a group on a structure rides on the nearest point of its beams, as positioned in the body's
+// frame.
 TEST(CaseSupports, OnAStructure) {
   const auto with = [](const std::string& on, const std::string& girder) {
     return io::read_case_text(
@@ -203,7 +204,7 @@ TEST(CaseSupports, WhatIsWrongIsReportedWithItsRemedy) {
                  "there is another history called 'ramp 1'");
 }
 
-// The strain at which the yield stress of pipe steel is defined: what was bent farther is no elastic pipe.
+// Strain that defines the yield stress of pipe steel: beyond it the pipe is not elastic.
 TEST(CaseSupports, WhatWasBentBeyondYieldIsWarnedOf) {
   const model::Case c = read("{at: 5, type: flat" + kRoller + "}");
   advice::Extreme at{"pipe", 0.041, 2, 12};
@@ -233,7 +234,7 @@ TEST(CaseSupports, SharpBendsAndLongElementsGiveWarnings) {
       << notes(20, "[25, 35, 45]");
 }
 
-// Events know rollers by the name of their group, of their box, or their own.
+// Events select rollers by the name of their group, box, or their own.
 TEST(TiedNodes, AreSwitchedByName) {
   const auto off = [](const std::string& name) {
     const model::Case c = read(

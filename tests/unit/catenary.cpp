@@ -25,18 +25,18 @@ void expect_planar(const Planar& c, double tolerance) {
 }
 
 // Irvine's suspended elastic catenary, closed form solved with 30 digits and checked by an ODE to 1e-12. The
-// last is a near-taut line of a published test whose published forces break vertical equilibrium.
+// last is a near-taut line of a published test whose forces violate vertical equilibrium.
 TEST(Catenary, SuspendedLines) {
   expect_planar({100, 60, 130, 5e7, 800, 42367.282133441084, 84534.59422133592}, 1e-11);
   expect_planar({100, 60, 110, 2e5, 300, 19441.541310991368, 29737.876520897935}, 1e-11);
   expect_planar({100, 0, 120, 1e12, 1000, 46954.14215486048, 60000}, 1e-10);
   expect_planar({246.22420940032947, 263.55766330843164, 360.63566262396927, 7e8, 3.08735, 58377.24142265001,
                  63044.41295591721},
-                1e-8);  // stretched by 1e-4 of its length: its data's 16 digits give 12 in the force
+                1e-8);  // strain of 1e-4: 16 digits of data give 12 in the force
 }
 
 // The part above the touchdown point of lines on a flat seabed (MAP++ baseline, MoorPy test_catenary; solved
-// as above): length, span less those on the ground, no vertical force at the touchdown point.
+// as above): length, span minus the part on the ground, zero vertical force at the touchdown point.
 TEST(Catenary, SuspendedPartAboveTouchdown) {
   expect_planar({50 - 12.638384812729416, 100, 125 - 12.63817471418034, 5.45e8, 1327.647744,
                  17449.668166213807, 149176.92386153372},
@@ -80,7 +80,7 @@ TEST(Catenary, SectionsWithLateralLoadsAndPointLoads) {
 
 TEST(Catenary, LooseVerticalTightAndReversed) {
   const std::vector<CatenarySection> hose{{100, {0, 0, -50}, 1e7}};
-  // Both ends at one point: a fold, half the weight on each leg.
+  // Both ends at one point: a fold with half the weight on each leg.
   CatenaryShape s = catenary({0, 0, 0}, {0, 0, 0}, hose);
   EXPECT_NEAR(s.tension_b().z(), 2500, 1e-3);
   EXPECT_NEAR(s.position(50).z(), -50 * (1 + 50 * 50 / (2 * 1e7)), 1e-3);
@@ -100,7 +100,7 @@ TEST(Catenary, LooseVerticalTightAndReversed) {
   // Very slack and very light.
   EXPECT_NO_THROW(catenary({0, 0, 0}, {1e-3, 0, 0}, hose));
   EXPECT_NO_THROW(catenary({0, 0, 0}, {101, 0, 0}, {{100, {0, 0, -1e-9}, 1e9}}));
-  // No load at all: straight when tight, refused when slack.
+  // No load: straight when tight, refused when slack.
   s = catenary({0, 0, 0}, {0, 101, 0}, {{100, {0, 0, 0}, 1e7}});
   EXPECT_NEAR(s.tension_b().y(), 1e5, 1e-4);
   EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{100, {0, 0, 0}, 1e7}}), std::invalid_argument);
@@ -108,7 +108,7 @@ TEST(Catenary, LooseVerticalTightAndReversed) {
   EXPECT_THROW(catenary({0, 0, 0}, {0, 99, 0}, {{100, {0, 0, -1}, 0}}), std::invalid_argument);
 }
 
-// Any proportions: lengths, loads (some upward), stiffness over five decades, spans from nothing to too long.
+// Random proportions: lengths, loads (some upward), stiffness over five decades, spans from zero to too long.
 TEST(Catenary, RandomLines) {
   std::mt19937 generator(1);
   std::uniform_real_distribution<double> uniform(0, 1);
@@ -165,7 +165,7 @@ TEST(Catenary, ChordDerivative) {
       EXPECT_LT((K.col(c) - difference).norm(), 1e-6 * K.norm()) << T.transpose() << " " << c;
     }
   }
-  // The limit of no load is approached smoothly.
+  // The limit of zero load is smooth.
   const Vec3 T(1000, 300, 4000);
   Mat3 K0, K1;
   const Vec3 r0 = catenary_chord(T, Vec3::Zero(), 100, 1e6, &K0);
@@ -174,7 +174,7 @@ TEST(Catenary, ChordDerivative) {
   EXPECT_LT((K0 - K1).norm(), 1e-10 * K0.norm());
 }
 
-// A line that has got longer by e is one of (1 + e) L with the same weight in all, (1 + e) EA a metre of it.
+// A line elongated by e equals one of length (1 + e) L with the same total weight and (1 + e) EA.
 TEST(Catenary, FreeStrainIsALongerLine) {
   const double e = 0.03;
   std::vector<CatenarySection> warm{{100, {20, 0, -50}, 1e6}, {50, {0, 0, -80}, 2e6, {0, 0, -1000}}},

@@ -1,4 +1,4 @@
-// Lines on a level bed against MAP++ and MoorPy, on slopes against a solver of their own.
+// Lines on a level bed against MAP++ and MoorPy, on slopes against an independent solver.
 #include "hawser/kernels/catenary_on_bed.hpp"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(CatenaryOnBed, ReferenceLines) {
     ASSERT_TRUE(s) << l.name;
     const Vec3 T = s->tension_b(), A = s->tension_a();
     const double near =
-        std::string(l.name).starts_with("OC3 ") ? 1e-6 : 1e-8;  // moved: the ends are not known better
+        std::string(l.name).starts_with("OC3 ") ? 1e-6 : 1e-8;  // the ends are not known more accurately
     EXPECT_NEAR(T.head<2>().norm(), l.H, near * l.H) << l.name;
     EXPECT_NEAR(T.z(), l.V, near * l.V) << l.name;
     EXPECT_NEAR(s->grounded(), l.grounded, 1e3 * near) << l.name;
@@ -120,7 +120,7 @@ TEST(CatenaryOnBed, ReferenceLines) {
     for (const auto& p : l.sections) length += p.length;
     EXPECT_LT((s->position(length) - b).norm(), 1e-8 * length) << l.name;
     EXPECT_LT((s->position(0) - anchor).norm(), 1e-8 * length) << l.name;
-    // No kinks, nothing below the bed, and the tension is that of the stretch.
+    // No kinks, nothing below the bed, and the tension matches the strain.
     for (double at = 0; at < length; at += length / 997) {
       const double h = 1e-4;
       if (at + h > length) break;
@@ -132,7 +132,7 @@ TEST(CatenaryOnBed, ReferenceLines) {
   }
 }
 
-// A clump weight that lies, and one that is lifted: equilibrium at the joint and the ends in place.
+// A clump weight on the bed, and a lifted one: equilibrium at the joint and end positions.
 TEST(CatenaryOnBed, ClumpWeight) {
   for (const double weight : {1e5, 3e5, 3e6}) {
     std::vector<CatenarySection> s = {part(800, 250, 5e8), part(800, 250, 5e8)};
@@ -150,8 +150,8 @@ TEST(CatenaryOnBed, ClumpWeight) {
   }
 }
 
-// Beds that rise and fall towards end B, slack and taut, against another solver: loads, both ends in place,
-// and what lies on the plane.
+// Beds that rise and fall towards end B, slack and taut, against an independent solver: loads, end positions,
+// and length on the plane.
 TEST(CatenaryOnBed, SlopingBed) {
   constexpr double kLength = 500;
   for (const double slope : {-0.15, -0.05, 0.05, 0.15})
@@ -185,7 +185,7 @@ TEST(CatenaryOnBed, NothingWhereThereIsNoSuchShape) {
   EXPECT_FALSE(catenary_on_bed(Vec3::Zero(), Vec3(400, 0, 200), {part(-800, 500, 5e8)}, 0));
 }
 
-// Warm sections are longer ones of the same weight in all; friction goes with that weight.
+// Warm sections are longer with the same total weight; friction is proportional to that weight.
 TEST(CatenaryOnBed, FreeStrainIsALongerLine) {
   const double by[] = {1.002, 0.999};
   for (const double x : {770.0, 790.0}) {

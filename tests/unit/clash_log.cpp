@@ -1,4 +1,4 @@
-// Touches of steps put together to clashes.
+// Contacts of steps combined into clashes.
 #include "hawser/record/clash_log.hpp"
 
 #include <gtest/gtest.h>
@@ -85,10 +85,10 @@ TEST(ClashLog, PlacesOfAPairAreClashesOfTheirOwnUntilTheyMeet) {
   step(log, 0, {touch(0, 0, 1, 2, 5), touch(0, 1, 1, 2)});
   step(log, 1, {touch(0, 0, 1, 2, 5), touch(0, 0, 8, 9, 50), touch(0, 1, 1, 2)});
   EXPECT_EQ(log.count(), 3);
-  // The place moves along the line.
+  // The contact moves along the line.
   for (int i = 0; i < 6; ++i) step(log, 1.1 + 0.1 * i, {touch(0, 0, 1 + i, 2 + i, 5), touch(0, 0, 8, 9, 50)});
   const auto open = log.open();
-  ASSERT_EQ(open.size(), 2u);  // that of the other volume has ended
+  ASSERT_EQ(open.size(), 2u);  // the clash of the other volume has ended
   EXPECT_EQ(open[0].from, 1);
   EXPECT_EQ(open[0].to, 7);
   EXPECT_EQ(open[1].from, 8);
@@ -99,7 +99,7 @@ TEST(ClashLog, PlacesOfAPairAreClashesOfTheirOwnUntilTheyMeet) {
   EXPECT_EQ(joined[0].from, 1);
   EXPECT_EQ(joined[0].to, 9);
   EXPECT_EQ(joined[0].peak_force, 60);
-  // Both impulses so far: 5 N over the whole time, 50 N since 1 s (half in its first second), then 60 N.
+  // Sum of both impulses: 5 N over the whole time, 50 N since 1 s (half in its first second), then 60 N.
   const double expected = 5 * 1.6 + 25 + 50 * 0.6 + 0.5 * (2 - 1.6) * (55 + 60);
   EXPECT_NEAR(joined[0].impulse, expected, 1e-12);
 }
@@ -134,7 +134,7 @@ TEST(ClashLog, GoesOnFromItsRecord) {
   EXPECT_THROW(rest.restore({1, 2, -3}), std::invalid_argument);
 }
 
-// Of a file it is known what its last output holds, also when the checkpoint is of a later time.
+// The reported clashes are those of the file's last output, even if the checkpoint is later.
 TEST(ClashLog, KeepsWhatItHasReported) {
   ClashLog log(settings());
   step(log, 0, {touch(0, 0, 1, 2, 3), touch(1, 0, 1, 2, 3)});

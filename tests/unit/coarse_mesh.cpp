@@ -40,7 +40,7 @@ TEST(CoarseMesh, HasAsManyVerticesAsAskedForAndTheShape) {
     volume += x.dot(y.cross(z)) / 6;
   }
   EXPECT_NEAR(area, 36 * M_PI, 0.05 * 36 * M_PI);
-  EXPECT_NEAR(volume, 36 * M_PI, 0.03 * 36 * M_PI);  // triangles have kept their sense
+  EXPECT_NEAR(volume, 36 * M_PI, 0.03 * 36 * M_PI);  // orientation is preserved
   for (const Vec3& x : m.vertices) EXPECT_NEAR(x.norm(), 3, 0.05);
   for (size_t t = 0; t < m.from.size(); ++t) {
     const auto& [a, b, c] = s.triangles.at(m.from[t]);
@@ -49,7 +49,7 @@ TEST(CoarseMesh, HasAsManyVerticesAsAskedForAndTheShape) {
   }
 }
 
-// Where faces meet, the vertex is where their planes do.
+// Where faces meet, the vertex is on all their planes.
 TEST(CoarseMesh, KeepsSharpEdges) {
   constexpr int n = 40;
   std::vector<Vec3> vertices;

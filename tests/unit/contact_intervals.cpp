@@ -1,4 +1,4 @@
-// Intervals of contact along an axis against gaps whose roots are known.
+// Intervals of contact along an axis against gaps with known roots.
 #include "hawser/kernels/contact_intervals.hpp"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(ContactIntervals, FindsARollerAnywhere) {
       continue;
     }
     ASSERT_EQ(found.size(), 1u) << L << " " << c << " " << R << " " << height;
-    // A root is equivalent to the gap: eps over its slope.
+    // Accuracy of a root: eps of the gap over its slope.
     EXPECT_NEAR(found[0].from, from, 1e-13 + 1e-15 * R / half);
     EXPECT_NEAR(found[0].to, to, 1e-13 + 1e-15 * R / half);
     EXPECT_EQ(found[0].from_moves, from > 0);
@@ -77,16 +77,15 @@ double depth(const Gap& g, double L, const std::vector<ContactInterval>& interva
   return sum;
 }
 
-// Two round humps a hand apart, drawn past below an axis: how much of it touches changes no faster within a
-// step than they move, wherever the humps and the inactive interval between them are on the pieces of the
-// element, and whether the inactive interval opens or closes. From step to step it may change by what the
-// rule makes of the inactive interval.
+// Two round humps pass below an axis: the contact length changes no faster within a step than they move,
+// wherever the humps and the inactive interval between them are, and whether that interval opens or closes.
+// Between steps it may change by the quadrature error of the inactive interval.
 TEST(ContactIntervals, HumpsComeAndGoSmoothly) {
   const double L = 1.3, R = 7, r = 0.25, move = 1e-4;
   double within = 0, between_steps = 0, most = 0;
   int filled_ever = 0, parted = 0;
   for (const double between : {0.1, 0.148, 0.35, 0.5, 0.8})
-    for (const double assembler : {0.0, 3e-8, -3e-8}) {  // a step, of the humps up or down
+    for (const double assembler : {0.0, 3e-8, -3e-8}) {  // step of the humps, up or down
       double last = -1, height = R + r - 4e-4;
       const auto humps = [&](double c) {
         Gap a = circle(L, c, height, R + r), b = circle(L, c + between, height + 1e-4, R + r), g;
@@ -147,8 +146,8 @@ TEST(ContactIntervals, LyingAndArching) {
   EXPECT_NEAR(length, 1 - 2 * half, 1e-12);
 }
 
-// A shallow inactive interval that begins close to the end of a piece and ends in a kink, as over two facets
-// of a hull: it is found whether that end lies in it or just before it.
+// A shallow inactive interval that begins near the end of a piece and ends in a kink, as over two facets of a
+// hull, is found whether that end lies in it or just before it.
 TEST(ContactIntervals, AHollowWithAKinkIsFoundFromTheFirst) {
   const double move = 1e-4;
   for (const double rise : {2e-3, 6e-3, 0.03})
@@ -183,7 +182,7 @@ TEST(ContactIntervals, TwoRollersUnderOneElement) {
   g.value = [&](double x) { return std::min(one(x, 0.0), one(x, 2.0)); };
   g.slope = [&](double x) { return slope(x, one(x, 0.0) < one(x, 2.0) ? 0.0 : 2.0); };
   const auto found = contact_intervals(g, {4}, contact_levels(4, 0.16));
-  ASSERT_EQ(found.size(), 2u);  // both ends of the first half touch, its middle does not
+  ASSERT_EQ(found.size(), 2u);  // both ends of the first half are in contact, its middle is not
   EXPECT_NEAR(found[0].to, std::sqrt(0.41 * 0.41 - 0.16) / 4, 1e-13);
   EXPECT_NEAR(found[1].from + found[1].to, 1, 1e-13);
 }

@@ -40,7 +40,7 @@ TEST(ContactLaw, DerivativesAndPotential) {
     }
 }
 
-// F = k s + c s³, through the knots of the ramp as well.
+// F = k s + c s³, continuous through the knots of the ramp.
 TEST(ContactLaw, GrowsWithTheDepth) {
   NormalLaw law{2e5, 0.01, 0};
   law.cubic = 3e9;
@@ -71,7 +71,7 @@ TEST(ContactLaw, NeverPulls) {
     }
 }
 
-// Through (0, 0) flat, then the rows, then straight on; compared with its own differences and integral.
+// Flat at (0, 0), through the rows, then straight; compared with its own differences and integral.
 TEST(ContactLaw, Table) {
   const std::vector<ContactForceTable::Row> rows{{0.01, 500}, {0.02, 500}, {0.03, 4000}, {0.05, 5000}};
   const ContactForceTable table(rows);
@@ -80,7 +80,7 @@ TEST(ContactLaw, Table) {
   for (double p = 0; p < 0.08; p += h) {
     const ContactForceTable::Value v = table.at(p), w = table.at(p + h);
     ASSERT_GE(w.force, v.force - 1e-9);
-    // Half a step past a row the second derivative is the next piece's.
+    // Half a step beyond a row the second derivative is that of the next piece.
     ASSERT_NEAR((w.force - v.force) / h, 0.5 * (v.slope + w.slope), 20 + 1e-3 * v.slope);
     ASSERT_LE(v.slope, table.largest_slope() * (1 + 1e-12));
     integral += 0.5 * h * (v.force + w.force);
@@ -129,7 +129,7 @@ struct Bounce {
   double duration = 0, restitution = 0, force = 0;
 };
 
-// A free mass meets the surface: RK4, small steps, end by interpolation where the force vanishes.
+// Impact of a free mass on the surface: RK4 with small steps, end by interpolation where the force vanishes.
 Bounce bounce(const NormalLaw& law, double mass, double speed) {
   const double h = 1e-6;
   double g = law.smoothing > 0 ? law.smoothing : -1e-18, v = -speed;
@@ -145,7 +145,7 @@ Bounce bounce(const NormalLaw& law, double mass, double speed) {
     v += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
     const double force = normal_force(law, g, v).force;
     b.force = std::max(b.force, force);
-    // Extrapolated over the last step: the law itself is cut off at zero.
+    // Extrapolated over the last step because the law is cut off at zero.
     const double raw = -law.stiffness * g - law.damping * v;
     if (v > 0 && (law.smoothing > 0 ? g >= law.smoothing : raw <= 0)) {
       const double part = law.smoothing > 0 ? 1 : before / (before - raw);

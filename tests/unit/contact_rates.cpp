@@ -1,4 +1,4 @@
-// The derivative of contact forces along a line against differences, and slips between two places.
+// Derivative of contact forces along a line against differences, and slips between two places.
 #include "hawser/kernels/contact_rates.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace hawser::contact_rates_test {
 namespace {
 
-// A curved line over a ball of radius 2, with all that contact can depend on changing along it.
+// A curved line over a sphere of radius 2, with all arguments of contact varying along it.
 struct Place {
   ContactStart start;
   ContactTrial trial;
@@ -98,7 +98,7 @@ TEST(ContactAlong, DerivativeOfTheForce) {
       const Vec3 found = contact_force_along(law, p.start, p.trial, by);
       EXPECT_LT((found - expected).norm(), 1e-7 * expected.norm()) << s.name << " at " << xi;
       EXPECT_GT(expected.norm(), 1) << s.name;
-      // A ball that turns: its surface slips as well.
+      // A rotating sphere: its surface slips as well.
       const Vec3 turn(0.002, -0.001, 0.003);
       const auto ball = [&](double x) {
         Place q = at(s, x);

@@ -1,4 +1,4 @@
-// Friction whose sticking is damped.
+// Friction with damped sticking.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 namespace hawser::damped_friction_test {
 namespace {
 
-// Spring and damper in series with the slider: on a path that turns, sticks and slides under a force N that
-// changes no more than mu N acts, the energy that goes in is that of the spring and what damper and slider
-// take, and both take some; without damping it is the law of the spring.
+// Spring and damper in series with the slider: on a path that reverses, sticks and slides under a varying
+// force N, the energy put in equals that of the spring plus the dissipation of damper and slider, both
+// positive; without damping it is the law of the spring.
 TEST(DampedFriction, EnergyOfSticking) {
   FrictionLaw law;
   law.axial = law.lateral = 0.4;

@@ -1,4 +1,4 @@
-// What straight elements over an edge take of the tension of a line, by hand.
+// Tension errors of straight elements over an edge, by hand.
 #include "hawser/record/edge_errors.hpp"
 
 #include <fmt/format.h>
@@ -18,9 +18,9 @@ namespace {
 
 constexpr double kDegree = M_PI / 180;
 
-// An element of 2 m with the tension of 1 kN is pressed on across itself, and both elements beside it hang
-// down by so many degrees: their tensions are 1 kN over the cosine, by the balance of either node along the
-// one in the middle. Nothing presses across it but what holds the others up.
+// A volume presses across an element of 2 m with a tension of 1 kN, and both adjacent elements slope down by
+// these angles: their tensions are 1 kN over the cosine, by the balance of either node along the middle
+// element. The transverse force only supports the other elements.
 std::string warning(double before, double after, double friction = 0,
                     const std::string& type = "bending: false") {
   const model::Case c = io::read_case_text(fmt::format(R"(
@@ -49,7 +49,7 @@ lines:
   return errors.warning(0, std::max(T1, T2));
 }
 
-// 1000/cos 20 deg - 1000 = 64.2 N. A beam of sqrt(EI/T) = L turn/0.8 is asked for, 1064 N (2 m 20 deg/0.8)².
+// 1000/cos 20 deg - 1000 = 64.2 N. Recommends a beam of sqrt(EI/T) = L turn/0.8, 1064 N (2 m 20 deg/0.8)².
 TEST(EdgeErrors, TensionOnBothSides) {
   const std::string text = warning(20, 0);
   EXPECT_NE(
@@ -60,7 +60,7 @@ TEST(EdgeErrors, TensionOnBothSides) {
       std::string::npos)
       << text;
   EXPECT_NE(text.find("or elements of 0.005 m there"), std::string::npos) << text;  // a fifth of the radius
-  EXPECT_EQ(warning(20, 0, 300), text);                                             // friction is asked for
+  EXPECT_EQ(warning(20, 0, 300), text);                                             // physical friction
   EXPECT_EQ(warning(20, 0, 0, "EI: 1, GJ: 1"), "");
 }
 
@@ -72,15 +72,14 @@ TEST(EdgeErrors, NoneOfMoreThanHalfAPercentIsKept) {
   EXPECT_NE(warning(20, 19), "");  // 6.6 N
 }
 
-// Tensions on both sides are equal, and in the element between them 3.0 % or 34 % less, of which a third
-// counts.
+// Equal tensions on both sides, and 3.0 % or 34 % less in the element between them, of which a third counts.
 TEST(EdgeErrors, WithinTheElement) {
   EXPECT_EQ(warning(10, 10), "");
   EXPECT_NE(warning(49, 49).find("take 1.6e+02 N"), std::string::npos) << warning(49, 49);
 }
 
-// Of random turns on one line, and with a gap in the middle: however it is cut, the whole comes to the same,
-// and to the sums as they are defined.
+// Random turns along one line with a gap in the middle: for any cut the joined summary equals the sums by
+// definition.
 TEST(PressedStretch, JoinsHoweverTheLineIsCut) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> any(-1, 1);

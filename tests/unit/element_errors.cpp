@@ -1,4 +1,4 @@
-// Warnings about elements that are too long: for the sag between nodes, for moments that fall off.
+// Warnings about long elements: sag between nodes, and decaying moments.
 #include "hawser/record/element_errors.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace hawser::record::element_errors_test {
 namespace {
 
-// The warnings of a line whose elements of 10 m turn by the same angle, from one to the next.
+// Warnings for a line whose elements of 10 m turn by equal angles.
 std::vector<std::string> warnings_of_arc(int elements, double degrees, double tension, double largest,
                                          const std::string& more = "") {
   const model::Case c = io::read_case_text(fmt::format(R"(
@@ -43,8 +43,8 @@ lines:
   return errors.warnings(0, largest, HUGE_VAL);
 }
 
-// Equal turns theta of N elements: theta²/24 over theta² (N² - 1)/12, the variance of their directions, is
-// 1/2(N² - 1). 3.3 % of 4, 0.79 % of 8; 1 % is left of 4 with elements shorter by sqrt(0.01/0.0333).
+// N elements with equal turns theta: theta²/24 over theta² (N² - 1)/12, the variance of their directions, is
+// 1/2(N² - 1). 3.3 % for 4, 0.79 % for 8; 1 % remains for 4 with elements shorter by sqrt(0.01/0.0333).
 TEST(ElementErrors, SagOfCablesBetweenNodes) {
   const std::vector<std::string> warnings = warnings_of_arc(4, 2, 1000, 1000);
   ASSERT_EQ(warnings.size(), 1U);
@@ -57,9 +57,9 @@ TEST(ElementErrors, SagOfCablesBetweenNodes) {
       "it elements of 5.5 m there"))
       << warnings.front();
   EXPECT_TRUE(warnings_of_arc(8, 2, 1000, 1000).empty());
-  EXPECT_TRUE(warnings_of_arc(4, 2, 1000, 1700).empty());  // 2.0 % of what the line bears at another time
+  EXPECT_TRUE(warnings_of_arc(4, 2, 1000, 1700).empty());  // 2.0 % of the line's tension at another time
   EXPECT_EQ(warnings_of_arc(4, 2, 1000, 1600).size(), 1U);
-  // The kink at a mass is none of the line's sag.
+  // The kink at a mass is not part of the line's sag.
   EXPECT_TRUE(warnings_of_arc(2, 2, 1000, 1000, "\n    masses: [{at: 10, mass: 100}]").empty());
   EXPECT_EQ(warnings_of_arc(2, 2, 1000, 1000).size(), 1U);
 }
@@ -91,8 +91,8 @@ lines:
   return *std::min_element(tension.begin(), tension.end());
 }
 
-// A cable that sags by a tenth of its span: the error that is reported of four elements is what they have too
-// little against 64.
+// A cable with a sag of a tenth of its span: the error reported for four elements is their difference from
+// 64.
 TEST(ElementErrors, SagIsWhatShorterElementsShow) {
   std::string warnings, fine;
   const double coarse = least_tension(4, warnings), exact = least_tension(64, fine);
@@ -103,10 +103,9 @@ TEST(ElementErrors, SagIsWhatShorterElementsShow) {
   EXPECT_NEAR(percent, 100 * (exact - coarse) / exact, 0.3 * percent) << warnings;
 }
 
-// A slack chain that hangs straight down to where it lies: at its upper end hangs its weight in water over
-// the height of its axis above what lies, 5842.1 N/m times 199.83 m, by hand. Elements of 10 m give the half
-// of the one that leaves the bed to either of its ends; the reported errors are theirs. Elements of
-// 2 m give no warning.
+// A slack chain that hangs vertically to the bed: the upper tension is its submerged weight times the height
+// of its axis above the bed, 5842.1 N/m times 199.83 m, by hand. Elements of 10 m assign half of the lifting
+// element to each end, which causes the reported errors. Elements of 2 m give no warning.
 TEST(ElementErrors, ASlackChainThatLeavesTheBedSteeply) {
   const auto top = [](int elements, std::vector<std::string>& warnings) {
     const model::Case c = io::read_case_text(fmt::format(R"(
@@ -149,8 +148,8 @@ lines:
   EXPECT_TRUE(warnings.empty()) << warnings[0];
 }
 
-// Moments of nodes 1 m apart of a beam under tension with decay 1 m, exp(-|s|) about its middle: the cubic's
-// own curvature misses 1/16.2 of what it shows. At a mass the forces say what it is.
+// Nodal moments at 1 m intervals of a beam under tension with decay length 1 m, exp(-|s|) about its middle:
+// the curvature of the cubic misses 1/16.2 of its value. At a mass the forces determine it.
 TEST(ElementErrors, PeaksOfBendingMoment) {
   const auto warnings = [](double decay, double smooth, const std::string& more = "") {
     const model::Case c = io::read_case_text(fmt::format(R"(

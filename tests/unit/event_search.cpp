@@ -1,4 +1,4 @@
-// Where in a step an event is: tries that it takes, and which of several is the first.
+// Location of events within a step: number of trials, and order of several events.
 #include "hawser/solve/event_search.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ struct Found {
   int tries = 0;  // after the first
 };
 
-// A step from t = 0 that would end at `longest`, as Dynamics tries it.
+// A step from t = 0 to at most `longest`, as tried by Dynamics.
 Found find(const std::function<std::vector<double>(double)>& g, double longest) {
   EventSearch search;
   Found f;
@@ -50,8 +50,8 @@ TEST(EventSearch, AStraightRiseIsFoundInOneTry) {
   EXPECT_NEAR(f.value, 0.5, 1e-9);
 }
 
-// Rises of a thousand tolerances and more, early and late in the step, bent both ways, with slopes that grow
-// or fall tenfold at the event itself.
+// Rises of a thousand tolerances or more, early and late in the step, of either curvature, with slopes that
+// change tenfold at the event.
 TEST(EventSearch, BentRisesTakeFewTries) {
   for (const double root : {0.02, 0.3, 0.77, 0.999}) {
     const std::vector<std::function<double(double)>> rises{
@@ -70,7 +70,7 @@ TEST(EventSearch, BentRisesTakeFewTries) {
   }
 }
 
-// Where a function jumps no step ends within the tolerance; one ends right behind.
+// At a jump no step ends within the tolerance; one ends just after it.
 TEST(EventSearch, AJumpIsFoundToTheShortestStep) {
   const Found f = find([](double t) { return std::vector<double>{t < 0.3 ? -500.0 : 200.0}; }, 1);
   EXPECT_GE(f.h, 0.3);
@@ -89,7 +89,7 @@ TEST(EventSearch, TheFirstOfSeveralIsFound) {
   EXPECT_LE(f.value, 1);
 }
 
-// What has risen when the step begins is no event of this step.
+// A condition met at the start of the step is no event of this step.
 TEST(EventSearch, WhatIsThereFromTheStartDoesNotRise) {
   EXPECT_EQ(find([](double t) { return std::vector<double>{5 + t, -10 * t}; }, 1).h, 1);
 }

@@ -1,4 +1,4 @@
-// What the reader makes of events, and how lines are divided where events cut them.
+// Reading of events, and division of lines that events cut.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -69,14 +69,14 @@ TEST(Events, ALineIsDividedWhereItIsCut) {
   EXPECT_DOUBLE_EQ(c.lines[2].loads[0].to, 20);
   EXPECT_DOUBLE_EQ(c.lines[2].point_loads.at(0).at, 15);
   EXPECT_DOUBLE_EQ(model::mean_temperature_change(c.lines[1], 0, 50), 10 + 20 * 0.45);
-  // Elements of the graded section are as they were, as nearly as the cut lets them.
+  // Elements of the graded section keep their lengths as far as the cut allows.
   const model::Section &a = c.lines[0].sections[0], &b = c.lines[1].sections[0];
   EXPECT_EQ(a.elements + b.elements, 8);
   EXPECT_NEAR(std::pow(a.grading, 1.0 / (a.elements - 1)), std::pow(4, 1.0 / 7), 1e-12);
   EXPECT_NEAR(std::pow(b.grading, 1.0 / (b.elements - 1)), std::pow(4, 1.0 / 7), 1e-12);
 
   ASSERT_EQ(c.joints.size(), 2u);
-  EXPECT_FALSE(c.joints[0].rigid);  // the rope is cut
+  EXPECT_FALSE(c.joints[0].rigid);  // a rope is cut
   EXPECT_TRUE(c.joints[1].rigid);
   EXPECT_EQ(c.events[0].action.line, "hose part 2");
   EXPECT_FALSE(c.events[0].action.at_b);

@@ -1,5 +1,5 @@
-// Farms: where the things of a platform file are at a turned place, what there is once, what is refused with
-// which file and line, and that notes of many places are one.
+// Farms: placed and rotated objects, shared objects, refusals with file and line, and joined notes of many
+// places.
 #include "hawser/model/farm.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ std::string folder() {
 }
 void write(const std::string& name, const std::string& text) { std::ofstream(folder() + "/" + name) << text; }
 
-// A platform with one of everything that a place turns.
+// A platform with one of every object that a place rotates.
 const std::string kPlatform = R"(hawser: 1
 environment:
   water: {density: 1025, depth: 50}
@@ -164,7 +164,7 @@ TEST_F(FarmFiles, PlacesAreTheFileMovedAndTurned) {
     EXPECT_LT((spring.end_b.at - moved({40, 3, -2})).norm(), 1e-11);
     EXPECT_EQ(spring.end_a.body, std::string(place) + "buoy");
     EXPECT_EQ(spring.end_a.at, Vec3::Zero());
-    // What the file fixes in space is on a body that stands at the place.
+    // Objects fixed in space by the file are on a stationary body at the place.
     const auto pile = std::find_if(farm.volumes.begin(), farm.volumes.end(), [&](const model::Volume& v) {
       return v.name == std::string(place) + "pile";
     });
@@ -187,7 +187,7 @@ TEST_F(FarmFiles, CopiesShareMeshes) {
 }
 
 TEST_F(FarmFiles, AnchorsAndPointsFollowTheBed) {
-  // 2 m up for 100 m to the east, and 10 m deeper than the platform's own at x = 0.
+  // 2 m up per 100 m to the east, and 10 m deeper than the platform's own bed at x = 0.
   const std::string text =
       "hawser: 1\nfarm: {of: platform.yaml, at: [[500, -300], [700, 100, 90]]}\n"
       "environment:\n  water: {density: 1025, depth: 60}\n"
@@ -240,7 +240,7 @@ TEST_F(FarmFiles, PlacesByRowsListAndFile) {
   }
 }
 
-// What the farm's own file has may be tied to what is placed, and use its line types.
+// Objects of the farm's own file may be attached to placed ones and use their line types.
 TEST_F(FarmFiles, OwnLinesReferToPlaces) {
   const model::Case farm = read(
       "hawser: 1\nfarm: {of: platform.yaml, at: [[0, 0], [200, 0]]}\n"
@@ -279,7 +279,7 @@ TEST_F(FarmFiles, SetChangesThePlatform) {
   EXPECT_NE(why_not(text, {"farm[1].of.title=x"}).find("there are 1 platforms"), std::string::npos);
 }
 
-// Lengths that targets find are of one place alone.
+// Lengths found by targets belong to a single place.
 TEST_F(FarmFiles, LengthsOfOnePlace) {
   const model::Case farm = read("hawser: 1\nfarm: {of: platform.yaml, at: [[0, 0], [200, 0]]}\n" + kSea);
   const model::Case other = io::with_lengths(farm, {{"lines.T2/riser.sections[0]", 93}});
@@ -313,13 +313,13 @@ TEST_F(FarmFiles, Refusals) {
       why_not("hawser: 1\nfarm: [{of: platform.yaml, at: [[0, 0]]}, {of: platform.yaml, at: [[200, 0]]}]\n" +
               kSea),
       {"farm.yaml:2: farm[1].at[0]: there is another place called 'T1'"});
-  // References to what is not there.
+  // References to missing objects.
   expect(
       why_not(
           farm("at: [[0, 0]]") +
           "links: {a: {end_a: {body: T2/float, at: [0, 0, 0]}, end_b: {anchor: [0, 0, 0]}, stiffness: 1}}\n"),
       {"farm.yaml:", "links.a.end_a.body: no body is called 'T2/float'; did you mean 'T1/float'"});
-  // In the platform's file.
+  // Faults in the platform's file.
   write("platform.yaml", kPlatform + "stages: {}\n");
   expect(why_not(farm("at: [[0, 0]]")), {"/platform.yaml:", "stages"});
   std::string text = kPlatform;
@@ -327,12 +327,12 @@ TEST_F(FarmFiles, Refusals) {
   write("platform.yaml", text);
   expect(why_not(farm("at: [[0, 0]]")),
          {"/platform.yaml:31: lines.leg 2.sections[0].length: '-4' is out of range"});
-  // What only shows in the whole names file, line and place.
+  // Faults that appear only in the combined case name file, line and place.
   text = kPlatform;
   text.replace(text.find("end_b: {joint: bridle}"), 22, "end_b: free");
   write("platform.yaml", text);
   expect(why_not(farm("at: [[0, 0]]")), {"/platform.yaml:", "joints.T1/bridle: joins 1 end of a line"});
-  // One sea, one set of line types.
+  // One sea and one set of line types.
   text = kPlatform;
   text.replace(text.find("density: 1025"), 13, "density: 1000");
   write("platform.yaml", text);

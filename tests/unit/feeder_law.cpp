@@ -1,5 +1,5 @@
-// What a winch lets out in a step by its tension, the force of the element at its feed point, and the energy
-// that a changed unstretched length brings.
+// Length paid out in a step by tension, force of the element at the feed point, and energy of a changed
+// unstretched length.
 #include "hawser/kernels/feeder_law.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ double tension(const CableSection& s, double chord, double length) {
   return strain > 0 ? s.axial(strain).force : 0;
 }
 
-// Of a step that began with the strain `strain_before`.
+// A step that began with the strain `strain_before`.
 struct Fed {
   double length = 0, by_chord = 0;
 };
@@ -66,8 +66,8 @@ TEST(Feed, SolvesItsSpeedLaw) {
       }
 }
 
-// Within its band a feeder rests; as it leaves it, the tension stays at the edge until the speed is the
-// law's, and from there on follows the law. No tension in between is excluded, and the derivative is exact.
+// A feeder rests within its band; when it leaves, the tension stays at the edge until the speed equals that
+// of the law, and then follows the law. The map is onto, and the derivative is exact.
 TEST(Feed, LeavesItsBandWithoutAJump) {
   for (const double most_speed : {0.0, 4.0})
     for (const double damping : {0.0, 0.02})
@@ -140,7 +140,7 @@ TEST(Feed, TheForceFollowsTheLength) {
     }
 }
 
-// Work of the ends and of what changes the length is the change of energy and what dampers take: exactly.
+// Work of the ends and of the length change equals energy change plus dissipation exactly.
 TEST(Feed, WorkAndEnergyAgree) {
   std::mt19937 g(7);
   std::uniform_real_distribution<double> u(-1, 1);
@@ -164,7 +164,7 @@ TEST(Feed, WorkAndEnergyAgree) {
     }
 }
 
-// A beam in some bent state; GA as given.
+// A beam in a bent state; GA as given.
 struct Bar {
   BeamSection s;
   BeamEnds e;
@@ -187,7 +187,7 @@ Bar bent(std::mt19937& g, double GA, const ResponseCurve* table) {
   return b;
 }
 
-// The force at a feeder is what the strain energy falls by with the unstretched length.
+// The force at a feeder is the negative derivative of strain energy by unstretched length.
 TEST(Feed, ABeamPullsByItsEnergy) {
   std::mt19937 g(3);
   const ResponseCurve table = rope();
@@ -213,7 +213,7 @@ TEST(Feed, ABeamPullsByItsEnergy) {
                 1e-8 * b.s.EA);
     EXPECT_LT(f.slope, 0);
   }
-  // Straight: the tension, and of what it is stretched by the energy.
+  // Straight: tension plus the elastic energy per length.
   Bar b = bent(g, 0, nullptr);
   b.e.q1 = b.e.q2 = Quat::Identity();
   b.e.x2 = b.e.x1 + 1.3013 * Vec3::UnitX();

@@ -1,4 +1,4 @@
-// Which values of a case a restart compares with those of the checkpoint.
+// Values of a case that a restart compares with those of the checkpoint.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -12,7 +12,7 @@ namespace {
 
 using Texts = std::map<std::string, std::string>;
 
-// Of a chain between an anchor and a buoy of 1 m, with a fender and a spring.
+// A chain between an anchor and a buoy of 1 m, with a fender and a spring.
 Texts fixed(const std::string& from = "", const std::string& to = "") {
   std::string text = R"(hawser: 1
 line_types: {chain: {outer_diameter: 0.1, mass_per_length: 30, EA: 1e8, bending: false}}

@@ -1,4 +1,4 @@
-// The flexible start shape: against the closed form of the catenary, the same from any start, on bed and
+// Flexible start shape: against the closed form of the catenary, independent of the start, on bed and
 // surface.
 #include "hawser/kernels/flexible_shape.hpp"
 
@@ -70,8 +70,8 @@ TEST(FlexibleShape, RandomCatenaries) {
   printf("  worst of 400: %.1e of the length\n", worst);
 }
 
-// A lazy wave on a bed whose line floats at the surface at one end: a straight start, one far above and one
-// in a tangle come to one shape.
+// A lazy wave on a bed with one end at the surface: a straight start, one far above and a tangle give the
+// same shape.
 TEST(FlexibleShape, TheSameFromAnyStart) {
   std::vector<CatenarySection> sections = {
       {150, Vec3(0, 0, -200), 1e8}, {80, Vec3(0, 0, -200), 1e8}, {120, Vec3(0, 0, -200), 1e8}};

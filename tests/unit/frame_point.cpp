@@ -1,4 +1,4 @@
-// A point of a frame: its derivatives by a turn of the frame, and its moment.
+// A point of a frame: derivatives by a rotation of the frame, and its moment.
 #include "hawser/kernels/frame_point.hpp"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ TEST(FramePoint, DerivativesByATurn) {
   }
 }
 
-// The moment is that of the arm in space; what a force does at the point it does on the frame.
+// The moment is that of the arm in space; the power at the point equals that on the frame.
 TEST(FramePoint, MomentAndWork) {
   const FramePoint p = turned(Vec3::Zero());
   const Vec3 f(3, -1, 2);
@@ -37,8 +37,7 @@ TEST(FramePoint, MomentAndWork) {
   EXPECT_NEAR(f.dot(p.velocity()), p.moment(f).dot(p.w), 1e-14);
 }
 
-// Of a residual that pulls outwards the convex part is that of the derivative, across the arm; of one that
-// pushes inwards there is none.
+// For an outward residual the convex part is the derivative across the arm; for an inward one it is zero.
 TEST(FramePoint, ConvexPart) {
   const FramePoint p = turned(Vec3::Zero());
   const Vec3 out = -2 * p.arm();  // a force along the arm

@@ -17,8 +17,8 @@ Friction<double> flat(const FrictionLaw& law, double N, double a, double l) {
   return friction<double>(law, N, {a, l, 0}, {0, 0, 1}, {1, 0, 0});
 }
 
-// N = 1000, mu = (0.3, 0.8), d = (0.01, 0.04): OMAE2006-92155 eqs (6)-(10) with radial return, own evaluation
-// of the equations in double precision. The reference force resists: the opposite of the force on the point.
+// N = 1000, mu = (0.3, 0.8), d = (0.01, 0.04): OMAE2006-92155 eqs (6)-(10) with radial return, independently
+// evaluated in double precision. The reference force resists: opposite to the force on the point.
 const FrictionLaw kPaper{0.3, 0.8, 0, 0.01, 0.04, FrictionReturn::radial, FrictionSpring::michalopoulos};
 
 TEST(FrictionLaw, PaperFormula) {
@@ -77,7 +77,7 @@ void expect_path(const FrictionLaw& law, int increments, const std::vector<PathR
 }
 
 // The same path with radial return and with return to the nearest point; the tables are an independent
-// evaluation of the paper's equations, in double precision and with nearest points of forty digits.
+// evaluation of the paper's equations, in double precision with nearest points of forty digits.
 TEST(FrictionLaw, PaperPathOneStepALeg) {
   expect_path(kPaper, 1,
               {{{0.006, 0.0}, {180.0, 0.0}, {0.0, 0.0}, 0.54},
@@ -164,10 +164,9 @@ TEST(FrictionLaw, PaperPathTenStepsALeg) {
               1e-12);
 }
 
-// A thousand steps a leg: the table of the same steps, and the exact continuum (ordinary differential
-// equations of the slip, to 1e-12; work in the limit of 1e5 steps), which is met to 1e-3: forces of N, for
-// the return is of first order, so that the table of the same steps itself is 0.46 N off on the fourth leg,
-// 1.5e-3 of the force there.
+// A thousand steps per leg: the table with the same steps, and the exact continuum (ordinary differential
+// equations of the slip, to 1e-12; work in the limit of 1e5 steps) to 1e-3 of N, since the return is of first
+// order: the table itself is 0.46 N off on the fourth leg, 1.5e-3 of the force there.
 TEST(FrictionLaw, PaperPathThousandStepsALeg) {
   expect_path(kPaper, 1000,
               {{{0.006, 0.0}, {180.0, 0.0}, {0.0, 0.0}, 0.5400000000000003},
@@ -231,7 +230,7 @@ TEST(FrictionLaw, PaperPathThousandStepsALeg) {
               1e-3);
 }
 
-// A hundred thousand steps a leg: what a step rounds adds up, of the reference's nearest points most.
+// A hundred thousand steps per leg: rounding accumulates, mostly in the reference's nearest points.
 TEST(FrictionLaw, PaperPathHundredThousandStepsALeg) {
   expect_path(kPaper, 100000,
               {{{0.006, 0}, {180.0, 0.0}, {0.0, 0.0}, 0.5400000000000016},
@@ -275,7 +274,7 @@ TEST(FrictionLaw, PaperPathHundredThousandStepsALeg) {
               1e-8);
 }
 
-// Of a leg the part that sticks, with a thousand steps: to a step; none of the first two legs slides.
+// Fraction of a leg that sticks, with a thousand steps, to one step; none of the first two legs slides.
 TEST(FrictionLaw, PartOfALegThatSticks) {
   const double U[][2] = {{0, 0},        {0.006, 0},     {0.006, 0.03}, {0.02, 0.03},
                          {-0.02, 0.03}, {-0.02, -0.05}, {0, 0}};
@@ -296,9 +295,9 @@ TEST(FrictionLaw, PartOfALegThatSticks) {
   }
 }
 
-// Round a rectangle inside the stick ellipse (R up to 0.87). With springs no work is left, whatever the
-// lengths and whether they are given by length or by stiffness; the paper's law brings in 5.37558 J one way
-// round (78 % of what it stores) and takes them out the other.
+// Around a rectangle inside the stick ellipse (R up to 0.87). With springs no work remains, for any lengths,
+// given by length or stiffness; the paper's law gains 5.37558 J in one direction (78 % of the stored energy)
+// and loses it in the other.
 TEST(FrictionLaw, ClosedLoopInsideStick) {
   const auto loop = [](const FrictionLaw& law, bool anticlockwise) {
     std::vector<Vec3> corners{{0, 0, 0}, {0.006, 0, 0}, {0.006, 0.025, 0}, {0, 0.025, 0}, {0, 0, 0}};
@@ -330,11 +329,11 @@ TEST(FrictionLaw, ClosedLoopInsideStick) {
     }
   EXPECT_NEAR(loop(kPaper, true), 5.375583661277789, 1e-8);
   EXPECT_NEAR(loop(kPaper, false), -5.375583661277789, 1e-8);
-  const Vec3 far = flat(kPaper, 1000, 0.006, 0.025).force;  // at the corner farthest out
+  const Vec3 far = flat(kPaper, 1000, 0.006, 0.025).force;  // at the farthest corner
   EXPECT_NEAR(std::hypot(far.x() / 300, far.y() / 800), 0.8663861725581729, 1e-12);
 }
 
-// The associated return: nearest on the slip surface in the norm of the springs, found here by search.
+// Associated return: nearest on the slip surface in the norm of the springs, found here by search.
 TEST(FrictionLaw, AssociatedReturnIsNearest) {
   const FrictionLaw lengths{0.3, 0.8, 0, 0.01, 0.04, FrictionReturn::associated};
   const FrictionLaw springs{0.3, 0.8, 3e4, 0, 0, FrictionReturn::associated};
@@ -362,7 +361,7 @@ TEST(FrictionLaw, AssociatedReturnIsNearest) {
     }
 }
 
-// Alike in all directions, the two returns are one.
+// If isotropic, the two returns are equal.
 TEST(FrictionLaw, ReturnsAgreeWhereIsotropic) {
   for (const double lateral : {0.4, 0.4 + 1e-13}) {
     const FrictionLaw law{0.4, lateral, 0, 0.01, 0.01};
@@ -387,10 +386,10 @@ TEST(FrictionLaw, CoefficientsFallWithSpeed) {
   EXPECT_NEAR(f.force.x(), -300, 1e-9);
 }
 
-// Isotropic steady circle of radius rho: the force lags behind the motion by asin(d/rho) and does the work
-// 2 pi rho mu N sqrt(1 - (d/rho)²) a turn. In steps of an angle h the way of a step is its chord, and the lag
-// behind that is asin(d/rho cos(h/2)) exactly: d sin h = 2 rho sin(h/2) sin(lag). Work of the force at the
-// end of each step.
+// Isotropic steady circle of radius rho: the force lags behind the motion by asin(d/rho) and does the work 2
+// pi rho mu N sqrt(1 - (d/rho)²) per turn. With steps of an angle h the displacement is a chord, and the lag
+// behind it is asin(d/rho cos(h/2)) exactly: d sin h = 2 rho sin(h/2) sin(lag). Work by the force at the end
+// of each step.
 TEST(FrictionLaw, SteadyCircle) {
   const FrictionLaw law{0.5, 0.5, 0, 0.01, 0.01};
   const double rho = 0.05, N = 1000, exact = 153.90597961942368;
@@ -413,7 +412,7 @@ TEST(FrictionLaw, SteadyCircle) {
     EXPECT_NEAR(lag, 0.2 * std::cos(h / 2), 1e-12);
     EXPECT_NEAR(lag, 0.2, 1e-3 * 0.2);
     EXPECT_NEAR(work, exact, 2e-6 * exact);
-    // Behind the tangent of the circle where a step ends half a step more.
+    // Relative to the tangent of the circle at the end of a step half a step more.
     EXPECT_NEAR(behind_the_circle, std::sin(std::asin(lag) + h / 2), 1e-12);
     if (steps > 1000) {
       EXPECT_NEAR(behind_the_circle, 0.2, 1e-3 * 0.2);

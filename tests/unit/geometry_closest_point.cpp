@@ -1,4 +1,4 @@
-// Closest point of a triangle against the same question answered another way in wide arithmetic.
+// Closest point of a triangle against an independent method in extended precision.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace {
 using W = detail::Wide;
 using V = detail::Triple<W>;
 
-// The point of the plane by its barycentric coordinates, kept if they are in [0, 1]; else the
-// best of three segments. In 113 bits this is exact for our purpose.
+// The point of the plane by barycentric coordinates if they are in [0, 1]; else the best of three segments.
+// Practically exact in 113 bits.
 double reference_distance(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c, V& best) {
   const V v[3] = {detail::triple<W>(a), detail::triple<W>(b), detail::triple<W>(c)}, q = detail::triple<W>(p);
   W squared = -1;
@@ -54,7 +54,7 @@ void expect_exact(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
       << p.transpose() << " | " << a.transpose() << " | " << b.transpose() << " | " << c.transpose();
   ASSERT_LE((got.point - p).norm() - d, 1e-14 * scale);
   ASSERT_GE((got.point - p).norm() - d, -1e-14 * scale);
-  // Nearest points are unique, so the points agree too: to 1e-14 where the triangle is not a mere sliver.
+  // Nearest points are unique, so they agree as well: to 1e-14 unless the triangle is a sliver.
   const Vec3 r = best.vec();
   ASSERT_LE((got.point - r).norm(), 1e-14 * scale + 1e-15 * scale * scale / std::max(d, scale))
       << p.transpose();
@@ -114,16 +114,16 @@ TEST(GeometryClosestPoint, NeedlesAndCaps) {
 TEST(GeometryClosestPoint, CollapsedTriangles) {
   const Vec3 a(1, 2, 3), b(2, 4, 5);
   const Vec3 p(7, -1, 2);
-  // A point.
+  // Degenerate to a point.
   EXPECT_EQ(closest_point_on_triangle(p, a, a, a).squared_distance, (p - a).squaredNorm());
-  // Two corners equal, and three in line: a segment.
+  // Two equal corners, and three collinear ones: a segment.
   const double d2 = closest_point_on_segment(p, a, b).squared_distance;
   EXPECT_NEAR(closest_point_on_triangle(p, a, a, b).squared_distance, d2, 1e-13);
   EXPECT_NEAR(closest_point_on_triangle(p, a, b, b).squared_distance, d2, 1e-13);
   EXPECT_NEAR(closest_point_on_triangle(p, a, 0.5 * (a + b), b).squared_distance, d2, 1e-13);
   EXPECT_EQ(triangle_normal(a, 0.5 * (a + b), b), Vec3::Zero());
   EXPECT_EQ(triangle_normal(a, a, b), Vec3::Zero());
-  // A segment of no length.
+  // A segment of zero length.
   EXPECT_EQ(closest_point_on_segment(p, a, a).point, a);
 }
 

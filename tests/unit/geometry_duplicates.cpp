@@ -1,4 +1,4 @@
-// Triangles listed more than once: regions of the surface written twice, fins, walls, sheets.
+// Duplicate triangles: regions of the surface listed twice, fins, walls, sheets.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ TriangleMesh clean_mesh(std::size_t kind) {
   }
 }
 
-// A region of at most `size` triangles joined to each other, grown from one of them.
+// A connected region of at most `size` triangles, grown from one of them.
 std::vector<std::size_t> region(const TriangleMesh& m, std::size_t size, Chance& chance) {
   const Topology topo = topology(m);
   std::vector<std::size_t> all = {chance.below(m.triangles.size())};
@@ -66,7 +66,7 @@ std::vector<std::size_t> region(const TriangleMesh& m, std::size_t size, Chance&
   return all;
 }
 
-// As the reader does it.
+// As in the reader.
 TriangleMesh dropped(TriangleMesh m, DuplicateResult* result = nullptr) {
   const DuplicateResult r = drop_duplicates(m);
   if (result) *result = r;
@@ -92,7 +92,7 @@ TEST(GeometryDuplicates, RegionsWrittenTwiceAreTheSurfaceOnce) {
     const TriangleMesh clean = clean_mesh(seed);
     TriangleMesh m = clean;
     const std::size_t n = clean.triangles.size();
-    // One to three regions, up to the whole mesh; all copies one way, the other way, or each any way.
+    // One to three regions, up to the whole mesh; copies in equal, reversed or random orientation.
     int added = 0;
     for (std::size_t k = 1 + chance.below(3); k > 0; --k) {
       const std::size_t way = chance.below(3);
@@ -116,7 +116,7 @@ TEST(GeometryDuplicates, RegionsWrittenTwiceAreTheSurfaceOnce) {
   }
 }
 
-// The same with fins on the body: both their sides go, and the regions stay.
+// With fins on the body: both sides are removed, and the regions stay.
 TEST(GeometryDuplicates, FinsGo) {
   for (unsigned seed = 0; seed < 300; ++seed) {
     Chance chance(seed);
@@ -128,7 +128,7 @@ TEST(GeometryDuplicates, FinsGo) {
       if (opposite) flip(t);
       m.triangles.push_back(t);
     };
-    // A strip from an edge of the body, out or in, of two triangles a row.
+    // A strip from an edge of the body, outward or inward, of two triangles per row.
     const Triangle& t = clean.triangles[chance.below(clean.triangles.size())];
     int a = t[0], b = t[1];
     const Vec3 out(0.1 * chance.point({-Vec3::Ones(), Vec3::Ones()}));
@@ -157,7 +157,7 @@ TEST(GeometryDuplicates, FinsGo) {
   }
 }
 
-// Two rooms that share a wall, which each of them lists; once with all listed twice over.
+// Two rooms that share a wall listed by each; once with everything listed twice.
 TEST(GeometryDuplicates, AWallBetweenTwoRoomsGoes) {
   TriangleMesh rooms = box_mesh(Vec3::Zero(), Vec3(1, 1, 1));
   append(rooms, box_mesh(Vec3(1, 0, 0), Vec3(2.5, 1, 1)));
@@ -179,7 +179,7 @@ TEST(GeometryDuplicates, AWallBetweenTwoRoomsGoes) {
   EXPECT_NEAR(inspect(two).volume, 2.5, 1e-14);
 }
 
-// A hull without a deck, two-sided or with half of it two-sided, stays; a bulkhead of two sides in it goes.
+// A hull without a deck, fully or half two-sided, stays; a two-sided bulkhead in it is removed.
 TEST(GeometryDuplicates, AnOpenHullOfTwoSidesStaysOnce) {
   TriangleMesh hull = sphere_mesh(3);
   std::erase_if(hull.triangles, [&](const Triangle& t) {
@@ -227,7 +227,7 @@ TEST(GeometryDuplicates, AnOpenHullOfTwoSidesStaysOnce) {
   EXPECT_EQ(two.triangles.size(), n);
 }
 
-// A deck on walls that are listed once, one of its cells twice: the walls do not make it superfluous.
+// A deck on walls listed once, with one cell listed twice: the walls do not make the cell redundant.
 TEST(GeometryDuplicates, ACellOfADeckOnWallsStays) {
   TriangleMesh m;
   const int n = 4;  // cells each way
@@ -246,7 +246,7 @@ TEST(GeometryDuplicates, ACellOfADeckOnWallsStays) {
     }
   for (int j = 0; j <= n; ++j)
     for (int i = 0; i < n; ++i) {
-      // Outer walls face out; of the inner ones it does not matter.
+      // Outer walls face out; the orientation of inner ones is irrelevant.
       if (j < n) quad(at(i, j, 0), at(i + 1, j, 0), at(i + 1, j, 1), at(i, j, 1));
       if (j == n) quad(at(i, j, 0), at(i, j, 1), at(i + 1, j, 1), at(i + 1, j, 0));
       if (j < n) quad(at(j, i, 0), at(j, i, 1), at(j, i + 1, 1), at(j, i + 1, 0));
@@ -265,7 +265,7 @@ TEST(GeometryDuplicates, ACellOfADeckOnWallsStays) {
 TEST(GeometryDuplicates, SheetsGo) {
   TriangleMesh box = box_mesh(Vec3::Zero(), Vec3::Ones());
   const TriangleMesh clean = box;
-  // A sheet of two sides beside it, and one whose sides are cut along different diagonals.
+  // A separate two-sided sheet, and one whose sides have different diagonals.
   box.vertices.insert(box.vertices.end(), {{3, 0, 0}, {4, 0, 0}, {4, 1, 0}, {3, 1, 0}});
   for (const Triangle& t : {Triangle{8, 9, 10}, {8, 10, 11}, {8, 10, 9}, {8, 11, 10}})
     box.triangles.push_back(t);
@@ -280,7 +280,7 @@ TEST(GeometryDuplicates, SheetsGo) {
   EXPECT_EQ(drop_flat_pieces(box, 1e-6), 1);
   EXPECT_EQ(box.triangles, clean.triangles);
   EXPECT_EQ(drop_flat_pieces(box, 1e-6), 0);
-  // Nothing but a sheet.
+  // A sheet alone.
   TriangleMesh sheet;
   sheet.vertices = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
   sheet.triangles = {{0, 1, 2}, {0, 2, 3}};

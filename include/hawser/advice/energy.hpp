@@ -1,4 +1,4 @@
-// Sentences about energy that the time integration has made, lost or damped.
+// Messages about energy that the time integration has created, lost or damped.
 #pragma once
 
 #include <string>
@@ -8,20 +8,21 @@ namespace hawser::advice {
 enum class ContactWith { nothing, volume, line, seabed };
 
 struct EnergyMade {
-  double energy = 0, by = 0, work = 0;      // J; s; J, the work done so far
-  double most = 0, time = 0, length = 0;    // of the step that made most: J; s, at its end; s
-  ContactWith with = ContactWith::nothing;  // what acted there
+  double energy = 0, by = 0, work = 0;      // created energy, J; until, s; work done so far, J
+  double most = 0, time = 0, length = 0;    // step that created most: energy, J; end, s; length, s
+  ContactWith with = ContactWith::nothing;  // force acting there
   bool fixed = false;                       // the user chose the step
 };
-// where: in the mesh. initial_velocity_key: of a motion that begins with a velocity and explains it, or "".
+// where: place in the mesh. initial_velocity_key: key of a motion that begins with a velocity and is the
+// cause, or "".
 std::string energy_made(const EnergyMade& made, const std::string& where,
                         const std::string& initial_velocity_key);
-// J, lost by a time [s] of the work done; in steps of so many s.
+// Energy lost [J] until time `by` [s] of the work done [J], in steps of `step` [s].
 std::string energy_lost(double energy, double by, double work, double step, bool fixed);
 std::string energy_is_no_number();
-// The end of a sentence about so much that the run has failed.
+// End of a sentence about an energy error that makes the run fail.
 std::string not_to_be_used();
-// J of axial vibration, of so much.
+// Energy of damped axial vibration [J], relative to `size` [J].
 std::string vibration_damped(double energy, double size);
 
 }  // namespace hawser::advice

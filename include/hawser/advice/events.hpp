@@ -1,4 +1,4 @@
-// Sentences about events: what happened, what could not, and what did not.
+// Messages about events: that happened, could not happen or did not happen.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace hawser::advice {
 
-// How an action came about: what its message says beside the action.
+// Details of an executed action for its message.
 struct Happened {
-  double tension = -1;      // N, of what is released; below 0: not said
-  double from_place = -1;   // m, of an end attached at a given place
-  double from_origin = -1;  // m, of an end attached where it was to a body
+  double tension = -1;      // N, of the released end; below 0: not reported
+  double from_place = -1;   // m, distance of an end attached at a given place
+  double from_origin = -1;  // m, distance from the body's origin of an end attached where it was
 };
-// stage: its name; empty: at the time [s].
+// stage: its name; empty: the event happened at the time [s].
 std::string happened(const model::Action& action, double time, const std::string& stage, const Happened& how);
-// without: m of a line next to the end released that have no contact with the volume in which it starts.
+// without: length [m] next to the released end without contact with the volume in which it starts.
 std::string released_inside(const model::Action& action, const std::string& volume, double without);
-// A condition that the state at the start meets, with its value [N or m].
+// A condition that the initial state already meets, with its value [N or m].
 std::string met_at_start(const model::Event& event, double value);
 std::string did_not_happen(const model::Event& event);
 // because: a clause.
@@ -25,7 +25,8 @@ std::string cannot_happen(const model::Action& action, double time, const std::s
 std::string nothing_holds();
 std::string holds_already();
 std::string too_far_from_place(double away, double within);  // m
-// m that are left to be paid out (below 0: hauled in) in a stage of statics, which fails by `why`.
+// left: length [m] still to be paid out (below 0: hauled in) in a stage of statics, which fails because of
+// `why`.
 std::string cannot_pay_out(const std::string& stage, double left, const std::string& feeder,
                            const std::string& why);
 

@@ -1,5 +1,5 @@
-// Sentences about hulls that displace water by their volumes: what is refused, and the hydrostatics that
-// `hawser check` prints.
+// Messages about hulls that displace water by their volumes: refusals, and the hydrostatics that `hawser
+// check` prints.
 #pragma once
 
 #include <string>
@@ -8,28 +8,28 @@
 
 namespace hawser::advice {
 
-// A surface whose volume depends on the axis along which it is integrated [m³].
+// A surface whose volume [m³] depends on the axis of integration.
 std::string hull_is_open(const Vec3& volumes);
-// A body that its buoyancy cannot carry: kg of water that the hull displaces wholly wet, and of the body.
+// A body heavier than its largest buoyancy: water displaced by the submerged hull, and mass of the body, kg.
 std::string hull_cannot_float(double displaced, double mass);
 
-// A hull where the case puts it.
+// State of a hull at its position in the case.
 struct HullAtStart {
   std::string body;
   size_t triangles = 0;
-  double displaced = 0, whole = 0;           // m³, of the wetted part and of all
+  double displaced = 0, whole = 0;           // m³, wetted part; whole hull
   double buoyancy = 0, weight = 0;           // N
   double waterplane = 0;                     // m²
-  double roll_height = 0, pitch_height = 0;  // m, metacentric; of no meaning without buoyancy
-  double rise = 0;                           // m, to where buoyancy alone carries the weight
-  std::string held_by = {};                  // "lines" or "springs"; empty: nothing holds it
+  double roll_height = 0, pitch_height = 0;  // m, metacentric; meaningless without buoyancy
+  double rise = 0;                           // m, to the position where buoyancy alone balances weight
+  std::string held_by = {};                  // "lines" or "springs"; empty: not held
 };
-// In lines. A warning where the body would float elsewhere and nothing holds it, a note where something does;
-// a warning where a metacentric height is negative.
+// Several lines, with a warning if the body would float elsewhere and nothing holds it (a note if something
+// does) or if a metacentric height is negative.
 std::string hull_at_start(const HullAtStart& hull);
 
-// Of a body that statics moves up by so much [m]: weight, buoyancy and the pull of lines do not balance where
-// the case puts it. Empty: by 0.1 m at most.
+// For a body that statics raises by `rise` [m]: weight, buoyancy and line forces are not balanced at the
+// position in the case. Empty up to 0.1 m.
 std::string rests_elsewhere(const std::string& body, double rise);
 
 }  // namespace hawser::advice

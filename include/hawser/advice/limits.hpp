@@ -1,4 +1,4 @@
-// Sentences about extremes of a run that are more than a line bears.
+// Messages about extremes of a run that exceed the capacity of a line.
 #pragma once
 
 #include <string>
@@ -7,25 +7,25 @@
 
 namespace hawser::advice {
 
-// Of an extreme, "t = 2.5 s", or "at rest" where the run begins with its static equilibrium.
+// Time of an extreme: "t = 2.5 s", or "at rest" for the initial static equilibrium.
 std::string when_text(const model::Case& c, double time);
 
-// Of a line, in SI units.
+// Extreme of a line, in SI units.
 struct Extreme {
   std::string line;
   double value = 0, time = 0, arc = 0;
 };
-// An empty text where the extreme is none too many. A utilisation of more than 1: what the line then is, and
-// the name of it.
+// Empty if the extreme is acceptable. Utilisation above 1; exceeded: the consequence for the line; label:
+// name of the utilisation.
 std::string utilisation_warning(const model::Case& c, const Extreme& at, const std::string& exceeded,
                                 const std::string& label);
-// Compression, a tension below 0, under which it buckles.
+// Compression (negative tension) beyond the buckling load.
 std::string compression_warning(const model::Case& c, const Extreme& at);
-// A curvature with which the steel of a line that is laid over supports yields.
+// Curvature at which the steel of a line laid over supports yields.
 std::string curvature_warning(const model::Case& c, const Extreme& at);
-// A penetration of a volume.
+// Penetration of a volume.
 std::string penetration_warning(const model::Case& c, const Extreme& at);
-// Of the design tension of a pipe, of that at yield.
+// Design tension of a pipe over its yield tension.
 std::string beyond_pipe_formulas(double pulled);
 
 }  // namespace hawser::advice

@@ -1,5 +1,4 @@
-// Sentences about triangle meshes: what they are, what is wrong with them, what was repaired. None has the
-// path of the file, which the caller puts before it.
+// Messages about triangle meshes: summaries, faults and repairs. The caller adds the path of the file.
 #pragma once
 
 #include <string>
@@ -22,12 +21,12 @@ std::string mesh_cannot_be_closed(const RepairResult& done);
 std::string holes_not_filled(const RepairResult& done);
 std::string mesh_not_closed(const MeshReport& report);
 std::string cracks_closed(const CrackResult& done);
-// Empty: none was dropped.
+// Empty: no duplicates.
 std::string duplicates_excluded(const DuplicateResult& done);
 std::string flat_pieces_excluded(int pieces);
 std::string only_flat_pieces();
 std::string triangles_without_area(int removed);
-// What contact and pictures have of a surface: sentences for `hawser check`, and notes.
+// Sentences for `hawser check` and notes about the surface used by contact and pictures.
 std::string flat_facets();
 std::string curved_facets(long curved, double bulge, long sharp_edges);  // m
 std::string exact_shape(size_t triangles);

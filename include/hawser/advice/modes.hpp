@@ -1,5 +1,4 @@
-// Sentences of `hawser modes`, `hawser stiffness` and `hawser check --radiation`: what they cannot compute,
-// and what they found.
+// Messages of `hawser modes`, `hawser stiffness` and `hawser check --radiation`: refusals and results.
 #pragma once
 
 #include <cstddef>
@@ -19,14 +18,14 @@ std::string modes_incomplete();
 std::string model_has_no_more_modes(size_t found);
 std::string faster_instabilities(long directions);
 
-// Refusals of the body of `hawser stiffness`; all: names of the bodies that lines are tied to.
+// Refusals of the body of `hawser stiffness`; all: names of the bodies with attached lines.
 std::string no_line_tied_to_body(const model::Case& c);
 std::string lines_tied_to_bodies(const model::Case& c, const std::vector<std::string>& all);
 std::string lines_not_tied_to(const model::Case& c, const std::string& body,
                               const std::vector<std::string>& all);
 std::string body_rides_on_line(const model::Case& c, const std::string& body);
 
-// Of `hawser check --radiation`: there is nothing for its table.
+// For `hawser check --radiation` without coefficients.
 std::string no_coefficients(const model::Case& c);
 
 }  // namespace hawser::advice

@@ -1,5 +1,5 @@
-// Sentences about files that a run would write: why it cannot, and what becomes of older ones. path: of the
-// file that was asked for.
+// Messages about output files: why they cannot be written, and what happens to older ones. path: the
+// requested file.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 namespace hawser::advice {
 
-// what: "the results" or "the table"; read: a file of the case, `written`, the same by another name, would
-// replace it.
+// what: "the results" or "the table"; read: a file of the case that would be overwritten; written: its path
+// by the name to be written.
 std::string would_replace_input(const std::string& what, const std::string& path, const std::string& read,
                                 const std::string& written);
 
-// Why the results cannot be written to `path`.
+// Reasons why the results cannot be written to `path`.
 std::string link_to_itself(const std::string& path);
 std::string name_must_end_in_h5(const std::string& path);
 std::string no_folder(const std::string& path, const std::string& folder);
@@ -22,7 +22,7 @@ std::string name_too_long(const std::string& path, size_t characters, long allow
 std::string name_is_a_folder(const std::string& path, const std::string& name);
 std::string third_party_file(const std::string& path, const std::string& name);
 
-// Refusals of a table of `what` ("stiffnesses", "radiation").
+// Refusals of a file for a table of `what` ("stiffnesses", "radiation").
 std::string table_needs_csv(const std::string& path, const std::string& what);
 std::string not_such_a_table(const std::string& path, const std::string& what);
 

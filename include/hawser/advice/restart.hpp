@@ -1,4 +1,4 @@
-// Sentences about runs that continue from a checkpoint.
+// Messages about runs that continue from a checkpoint.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,17 @@
 
 namespace hawser::advice {
 
-// Why a run cannot continue from the file; because: one of the clauses below.
+// Reason why a run cannot continue from the file; because: one of the clauses below.
 std::string cannot_go_on(const std::string& file, const std::string& because);
 std::string no_file();
 std::string not_readable();
 std::string not_hdf5();
 std::string not_results();
 std::string damaged_checkpoint(const std::string& quantity, double value);
-// kept: the quantities of which that version kept others.
+// kept: quantities that that version stored differently.
 std::string other_version(const std::string& file, const std::string& kept);
 
-// Another case; difference: one of those below it.
+// For a different case; difference: one of the clauses below.
 std::string other_case(const std::string& difference);
 std::string other_number_of_lines(size_t there, size_t here);
 std::string other_line(size_t place, const std::string& there, const std::string& here);
@@ -33,12 +33,12 @@ std::string other_key(const std::string& key, KeyDiffers how);
 std::string other_number_of_feeds(size_t there, size_t here);
 std::string not_fed_there(const std::string& end);
 
-// The refusal `text` of a case that --set has changed.
+// The refusal `text`, for a case changed by --set.
 std::string changed_by_set(const std::string& text, const std::vector<std::string>& changes);
-// There and here: " --set KEY=VALUE" for each change, or empty.
+// there, here: " --set KEY=VALUE" for each change, or empty.
 std::string other_changes(const std::string& file, const std::string& there, const std::string& here);
 
-// Events of the run before; time [s] from which this one continues.
+// Events of the earlier run; time [s] from which this one continues.
 std::string event_before_restart(const model::Event& event, double time);
 std::string event_of_statics_missing(const model::Event& event);
 std::string event_unknown(const std::string& name, double time);  // s, when it happened

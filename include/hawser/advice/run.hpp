@@ -1,5 +1,4 @@
-// Sentences about a run as a whole: how it starts, its progress, how it ends; and the result of `hawser
-// check`.
+// Messages about a run: start, progress and end; and the result of `hawser check`.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +8,22 @@
 
 namespace hawser::advice {
 
-// A restart of a case without dynamics.
+// Restart of a case without dynamics.
 std::string restart_needs_dynamics(const model::Case& c);
 std::string model_size(size_t nodes, int ranks, int cut_elements);
 std::string goes_on(const std::string& file, double time);  // s
 std::string nothing_left();
 
 std::string stage_of_statics(const std::string& stage);
-// relaxation_steps: 0: there were none. imbalance: residual over the forces that act.
+// relaxation_steps: 0 if not used. imbalance: residual relative to the applied forces.
 std::string statics_progress(int iterations, int relaxation_steps, double imbalance);
 std::string statics_done(int iterations, int relaxation_steps, bool without_friction);
-// value: of length_tried().
+// value: text from length_tried().
 std::string length_trial(int trial, const std::string& value);
 std::string preparing_mesh(const std::string& file);
 
-// J; changes since the start. percent: of `error`, the energy not accounted for, against `size`, the work
-// done.
+// Energies [J], changes since the start; `percent`: of `error`, the unexplained energy, relative to `size`,
+// the work done.
 struct EnergyOfRun {
   double brought_in = 0, kinetic = 0, strain = 0, friction = 0, damping = 0, unresolved = 0;
   double error = 0, percent = 0, size = 0;
@@ -32,10 +31,10 @@ struct EnergyOfRun {
 std::string energy_of_run(const EnergyOfRun& e);
 std::string stopped_by_signal(double time, double end, const std::string& results);  // s
 
-// Of an option of PETSc (-dynamics_<option>) that the time integration needs as it is.
+// For a PETSc option (-dynamics_<option>) that the time integration fixes.
 std::string petsc_option_is_fixed(const std::string& option, const std::string& value);
 
-// Of `hawser check`. spent: CPU s of its trial.
+// For `hawser check`. spent: CPU s of its trial.
 std::string lengths_not_found_in_trial(double spent);
 std::string case_is_valid(bool starts_outside);
 

@@ -1,5 +1,5 @@
-// Sentences about the start shapes of lines: ends against their direction, lines that cross, supports out of
-// reach. Where a text is a refusal, the caller has its key.
+// Messages about start shapes of lines: ends against their direction, crossings, supports out of reach. The
+// caller adds the key of a refusal.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@
 
 namespace hawser::advice {
 
-// An end whose direction the line would have to turn by `angle` [rad] to have.
+// A line would have to turn by `angle` [rad] to have the direction of its end.
 std::string against_direction(const model::Line& line, bool at_b, double angle);
-// both ends free, and nothing says where the line is
+// Both ends are free, so the position of the line is undefined.
 std::string no_start_shape(const std::string& line);
 
 // Lines that cross at a place [m].
@@ -22,10 +22,10 @@ std::string starts_over_volume(const std::string& line, const std::string& volum
 std::string more_start_over_lines(size_t lines);
 std::string more_start_over_volumes(size_t lines);
 
-// A link whose ends start at one point.
+// A link whose ends start at the same point.
 std::string link_without_length();
 
-// m: of the line, and of its shortest way over its supports.
+// m: length of the line, and of its shortest path over its supports.
 std::string too_short_for_supports(double length, double way);
 
 }  // namespace hawser::advice

@@ -1,4 +1,4 @@
-// Sentences about static equilibrium: how it was found, what rests, what can be done where it is not found.
+// Messages about static equilibrium: how it was found, its contacts, and remedies if it was not found.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace hawser::advice {
 
-// m of a line that have no tension at rest. fell: they came to rest by dynamic relaxation.
+// Length [m] of a line without tension at rest. fell: it came to rest by dynamic relaxation.
 std::string slack_at_rest(const std::string& line, double length, bool fell);
-// A body in the surface whose stiffness against roll and pitch lacks that of its waterplane.
+// A floating body without waterplane stiffness in roll and pitch.
 std::string no_waterplane(const std::string& body);
 // Of a line.
 struct OnBed {
@@ -20,33 +20,33 @@ struct OnBed {
   double taken = 0;            // N of tension by friction
   double sticking = 0;         // m with friction that is not fully mobilised
 };
-// Of one line, or of several with one description, with the ranges of their values.
+// One line, or several with the same description and the ranges of their values.
 std::string lie_on_bed(const std::vector<std::string>& lines, const std::vector<OnBed>& values);
 std::string more_lines_on_bed(size_t lines);
-// Of a body with weight that only friction on others would keep in place.
+// A body with weight that only friction on other bodies would hold.
 std::string held_without_weight(const std::string& body);
-// Equilibria that statics left on its way; eigenvalues below 0 of the one it found.
+// Unstable equilibria that statics left; number of negative eigenvalues of the one found.
 std::string unstable_equilibria_left(int equilibria);
 std::string unstable_at_rest(long eigenvalues);
-// So many steps of dynamic relaxation without rest.
+// Number of steps of dynamic relaxation without rest.
 std::string long_relaxation(int steps);
-// Why statics ends without an equilibrium; at: where the state is farthest from balance.
+// Reason why statics ends without an equilibrium; at: place of the largest residual.
 enum class StaticsEnds { forces_beyond_numbers, too_many_iterations, no_descent };
 std::string no_equilibrium(StaticsEnds how, const Imbalance& at);
 std::string no_rest(int steps, const Imbalance& at);
-// Of a search from the same start by other means, after the first had failed; both in words.
+// Messages of a failed search and of a second one from the same start by other means.
 std::string second_failure(const std::string& first, const std::string& second);
-// because: by clause() of steps.hpp.
+// because: from clause() of steps.hpp.
 std::string path_blocked(const std::string& because);
-// Of a body, by its place in words, that slides or falls on and on; m from where it started.
+// A body, described by `place`, that keeps sliding or falling; far: distance from its start, m.
 std::string body_moves_on(const std::string& place, double far);
 std::string automatic_stiffness_unsettled();
-// No stiffness of a mooring without one of its lines.
+// The stiffness of a mooring is undefined without one of its lines.
 std::string singular_mooring();
-// What helps most often where statics fails, of what this case has not tried; docs/how-to/failing-runs.md.
+// The most effective remedies for failed statics that this case does not use; docs/how-to/failing-runs.md.
 std::string statics_failed(const model::Case& c);
 
-// All nodes are on one of several ranks, since whole lines are not cut.
+// One of several ranks has all nodes, because whole lines are not cut.
 std::string one_rank_has_all();
 
 }  // namespace hawser::advice

@@ -1,5 +1,5 @@
-// What the checks of a step, or of a trial of statics, find: kind, place and numbers. Terms and solvers
-// return them; advice/steps.hpp makes the clauses. place: of a line, "line hose, arc length 12.5 m"
+// Findings of the checks of a time step or a static trial: kind, place and numbers. Terms and solvers return
+// them; advice/steps.hpp turns them into clauses. place: on a line, "line hose, arc length 12.5 m"
 // (Mesh::place).
 #pragma once
 
@@ -10,32 +10,32 @@
 
 namespace hawser::advice {
 
-// The largest residual, in N, or N m if it `turns`: Newton's iteration does not converge.
+// Newton's iteration does not converge: the largest residual, in N, or N m if `turns`.
 struct Imbalance {
   std::string place;
-  double value = 0, scale = 0;  // scale: of the forces or moments that act
+  double value = 0, scale = 0;  // scale: applied forces or moments
   bool turns = false;
   bool finite = true;
 };
 
 struct TurnsTooFar {
   std::string place;
-  double angle = 0;  // rad, in the step
+  double angle = 0;  // rad, in one step
 };
 
-// A beam element whose ends turn against each other by more than half a turn.
+// A beam element whose ends are rotated against each other by more than half a turn.
 struct ElementTurnsOver {
   std::string place;
 };
 
-// An impact that the start of the step did not show.
+// An impact that is not resolved at the start of the step.
 struct ImpactNotResolved {};
 
 struct ErrorTooLarge {
   double error = 0;  // m, local
 };
 
-// Lines move farther than the list of candidates covers.
+// Lines move farther than the list of contact candidates covers.
 struct BeyondContactSearch {};
 
 struct LinePassesVolume {};
@@ -45,32 +45,32 @@ struct FeedsTooFast {
   std::string feeder;  // "end A of line mooring"
 };
 
-// The law of contact with a volume, as the case gives it.
+// Contact law of a volume in the case.
 struct VolumeLaw {
   std::string volume;
   model::StiffnessBasis basis = model::StiffnessBasis::per_length;
   double stiffness = 0;    // by basis
-  bool table = false;      // of forces
+  bool table = false;      // law by force table
   bool automatic = false;  // the program chooses and raises the stiffness
 };
 
-// A line that is deeper in a volume than its law is for.
+// A line deeper in a volume than the range of its contact law.
 struct TooDeep {
   VolumeLaw law;
   std::string place;
-  double depth = 0, radius = 0;  // m; of the line
+  double depth = 0, radius = 0;  // m; radius of the line
   double time = 0;               // s
 };
 
-// A line that would be drawn through a volume during the search for an equilibrium. too_soft: by a stiffness
-// that the case gives.
+// A line would pass through a volume during the search for an equilibrium. too_soft: because of a stiffness
+// given in the case.
 struct DrawnThrough {
   VolumeLaw law;
   std::string place;
   bool too_soft = false;
 };
 
-// Where two lines are nearest.
+// Nearest points of two lines.
 struct NearestPlaces {
   std::string one, other;         // lines
   double arc = 0, other_arc = 0;  // m
@@ -78,19 +78,19 @@ struct NearestPlaces {
 struct LinesPass {
   NearestPlaces at;
 };
-// They are nearer to each other at the start of the run than their radii allow.
+// The lines are closer at the start of the run than their radii allow.
 struct LinesStartTooNear {
   NearestPlaces at;
 };
 struct PressedLines {
   NearestPlaces at;
-  double depth = 0, radii = 0;       // m; the sum of both
-  double stiffness = 0, wanted = 0;  // N/m per m: it is; it should be, which is rounded up
+  double depth = 0, radii = 0;       // m; sum of both radii
+  double stiffness = 0, wanted = 0;  // N/m per m: current and required value; the latter is rounded up
   double energy = 0;                 // J, in the contact
-  bool own_settings = false;         // the case has a stiffness for these two lines
+  bool own_settings = false;         // the case gives a stiffness for this pair
 };
 
-// monostate: nothing, or another rank has the finding.
+// monostate: no finding, or another rank has it.
 using StepFinding =
     std::variant<std::monostate, Imbalance, TurnsTooFar, ElementTurnsOver, ImpactNotResolved, ErrorTooLarge,
                  BeyondContactSearch, LinePassesVolume, BodyPassesBody, FeedsTooFast, TooDeep, DrawnThrough,

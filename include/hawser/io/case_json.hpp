@@ -1,4 +1,4 @@
-// A case as the program has read it, for the Python tools and other programs, which need not read YAML then.
+// The case as JSON, for the Python tools and other programs without a YAML reader.
 #pragma once
 
 #include <string>
@@ -7,17 +7,15 @@
 
 namespace hawser::io {
 
-// A JSON object of one line. Of a case without `tree` it has no `given` and `read`.
+// One-line JSON object with the members below; without `given` and `read` if the case has no `tree`.
 //   file, results   absolute paths of the case file and of its results file
-//   inputs          absolute paths of all files that it reads
-//   given           the keys that the file (and --set) gives, all values as texts as they are written there
-//   read            all keys with their defaults: numbers in the unit of a bare number (angles in deg), true
-//   and
-//                   false, names and words as texts. A line type of the library has no defaults here.
-//   platforms       of a farm: of each platform `file`, `places` by name ([x, y, heading], m and deg), and
+//   inputs          absolute paths of all files that the case reads
+//   given           keys given by the file and by --set, with all values as text as written
+//   read            all keys with their defaults: numbers in the base unit of the key (angles in deg), true
+//                   and false, names and words as text; without defaults for line types of the library
+//   platforms       of a farm: for each platform `file`, `places` by name ([x, y, heading], m and deg), and
 //                   the keys of that file as `given` and `read`
-//   line_types      by name what each is computed with, in SI units, whether given, of the library or a
-//   default
+//   line_types      by name, the properties used, in SI units: given, from the library or default
 std::string case_json(const model::Case& c);
 
 }  // namespace hawser::io

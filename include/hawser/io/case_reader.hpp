@@ -1,4 +1,4 @@
-// From a case file to checked data.
+// Reader of case files.
 #pragma once
 
 #include <mpi.h>
@@ -12,38 +12,37 @@
 
 namespace hawser::io {
 
-// Reports while a case is read, before what may take long; members may be empty.
+// Progress reports while a case is read, before long operations; members may be empty.
 struct ReadProgress {
-  std::function<void(const std::string& title)> title;  // or the path, where it has none
+  std::function<void(const std::string& title)> title;  // the path if the case has no title
   std::function<void(const std::string& what, double seconds)>
-      busy;  // what begins, and about how long it takes
+      busy;  // the next operation and its estimated duration [s]
 };
-// Seconds that a mesh file takes to read, by its size.
+// Estimated time to read a mesh file [s], from its size.
 double reading_time(const std::string& path);
 // "reading the mesh hull.stl (41 MB)"
 std::string reading_text(const std::string& path);
 
-// Changes: "KEY=VALUE" each, made in the document before it is checked (case_changes.hpp).
+// Changes "KEY=VALUE", applied before the document is checked (case_changes.hpp).
 using CaseChanges = std::vector<std::string>;
 
-// Read and check a case file: form, units, references, sense, and the other files it names but the meshes of
-// volumes, which run::load_volumes() reads. Collective over comm, of whose ranks one a host reads the mesh of
-// a seabed, for all of them.
-// Throws InputError; what() is one sentence "file:line: dotted.key: what is wrong", of a changed case with
-// its changes.
+// Reads and checks a case file: form, units, references, consistency, and the files it names except meshes of
+// volumes, which run::load_volumes() reads. Collective over comm; one rank per host reads a seabed mesh for
+// all of its ranks. Throws InputError; what() is one sentence "file:line: dotted.key: what is wrong", with
+// the changes of a changed case.
 model::Case read_case(const std::string& path, const ReadProgress& read_progress = {},
                       MPI_Comm comm = MPI_COMM_SELF, const CaseChanges& changes = {});
 
-// The same for text already read; `path` names the file and gives the directory of relative paths.
+// The same for text in memory; `path` names the file and gives the directory of relative paths.
 model::Case read_case_text(const std::string& text, const std::string& path,
                            const ReadProgress& read_progress = {}, MPI_Comm comm = MPI_COMM_SELF,
                            const CaseChanges& changes = {});
 
-// Unstretched lengths of sections by their dotted keys, "lines.hose.sections[0]", m.
+// Unstretched lengths of sections [m] by dotted key, "lines.hose.sections[0]".
 using SectionLengths = std::map<std::string, double>;
 
-// The case, whose `tree` must be there, as if these lengths were in its file: arc lengths said as `end_b`
-// move along. The numbers of elements stay. InputError where it is then no valid case. Collective.
+// The case re-read from its `tree`, which must exist, with these section lengths; arc lengths given as
+// `end_b` move along, the numbers of elements stay. Throws InputError if the result is invalid. Collective.
 model::Case with_lengths(const model::Case& c, const SectionLengths& lengths, MPI_Comm comm = MPI_COMM_SELF);
 
 }  // namespace hawser::io

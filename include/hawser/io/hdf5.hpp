@@ -1,4 +1,4 @@
-// The little of HDF5 we need, with errors as exceptions and handles that close themselves.
+// Thin wrapper of HDF5: errors as exceptions, handles that close themselves.
 #pragma once
 
 #include <hdf5.h>
@@ -35,17 +35,17 @@ class Id {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-// Throw std::runtime_error with `what` and HDF5's own reason when a call failed.
+// Throws std::runtime_error with `what` and HDF5's own reason if a call failed.
 void check(herr_t status, const std::string& what);
 Id own(hid_t id, herr_t (*close)(hid_t), const std::string& what);
 
-// HDF5 prints no error stacks of its own from here on. Called by the openers below.
+// Switches off HDF5's printing of error stacks. Called by the functions below that open files.
 void quiet();
 
-// Serial access. Readers never lock, so a file can be looked at while a run writes it.
+// Serial access. Readers do not lock, so a file can be read while a run writes it.
 Id serial_access();
 Id open_read(const std::string& path);
-Id open_parts(const std::string& path);  // to read, of long datasets, nothing but what is asked for
+Id open_parts(const std::string& path);  // for reading; loads only the requested parts of long datasets
 Id create(const std::string& path);
 Id group(hid_t file, const std::string& name);
 
@@ -56,7 +56,7 @@ Shape shape_of(hid_t dataset);
 bool exists(hid_t file, const std::string& name);
 std::vector<std::string> members(hid_t file, const std::string& group);
 
-// A contiguous dataset whose place in the file is fixed at once and whose bytes are not written (a hole).
+// A contiguous dataset with a fixed place in the file, whose bytes are not written (a hole).
 Id reserve(hid_t file, const std::string& name, hid_t type, const Shape& shape);
 
 void write_text(hid_t file, const std::string& name, const std::string& text);
@@ -68,17 +68,18 @@ void int_attribute(hid_t object, const std::string& name, int value);
 std::string read_text(hid_t file, const std::string& name);
 std::vector<std::string> read_texts(hid_t file, const std::string& name);
 
-// Any numeric dataset as doubles, row by row.
+// A numeric dataset as doubles, row by row.
 struct Array {
   Shape shape;
   std::vector<double> values;
 };
 Array read_array(hid_t file, const std::string& name);
-// Its row at the first index; `shape` is that of a row.
+// One row at index `row` of the first dimension; `shape` is that of the row.
 Array read_row(hid_t file, const std::string& name, hsize_t row);
-// `count` elements of a data set of one dimension, from element `first` on. `to`: room for as many of `type`.
+// Reads `count` elements of a one-dimensional dataset from `first` on into `to`, memory for `count` values of
+// `type`.
 void read_part(hid_t dataset, hid_t type, hsize_t first, hsize_t count, void* to);
-// The same of named data sets, of numbers and of texts.
+// The same for a named dataset, of numbers and of texts.
 std::vector<double> read_part(hid_t file, const std::string& name, hsize_t first, hsize_t count);
 std::vector<std::string> read_texts_part(hid_t file, const std::string& name, hsize_t first, hsize_t count);
 

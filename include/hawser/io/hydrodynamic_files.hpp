@@ -1,11 +1,11 @@
-// Output files of diffraction programs, read into one convention (model/hydrodynamic_data.hpp).
+// Readers of output files of diffraction programs; results are in the convention of
+// model/hydrodynamic_data.hpp.
 //   WAMIT, version 7 manual (2020), chapter 4: .1 added mass and damping, .3 (or .2) excitation, .hst
 //   hydrostatic stiffness, .7 .8 .9 mean drift, .12d difference-frequency forces; each may be packed by gzip.
 //   Capytaine, user manual, "Export outputs" and "Conventions": one NetCDF file.
 //   BEMIO of WEC-Sim, user manual, "BEMIO": one HDF5 file.
-// Each throws std::runtime_error with a whole sentence that names the file, and the line or variable, where
-// one is missing or is not what it should be. read: gets the files that were there; notes: what was found odd
-// and what was assumed, a sentence each.
+// Each throws std::runtime_error with a whole sentence that names the file and the line or variable if a file
+// is missing or invalid. read: receives the files found; notes: anomalies and assumptions, one sentence each.
 #pragma once
 
 #include <string>
@@ -18,16 +18,16 @@ namespace hawser::io {
 struct HydrodynamicForm {
   double length = 1;  // ULEN of WAMIT's files, m
   double density = 1025, gravity = 9.80665;
-  // The forces of waves are given from one side of a body that is symmetric about x and z; those from the
-  // other side are their mirror images, with sway, roll and yaw reversed.
+  // Wave forces are given from one side of a body with port-starboard symmetry; those from the other side are
+  // mirror images, with sway, roll and yaw reversed.
   bool mirrored = false;
 };
 
-// The files `stem`.1 and so on.
+// Reads `stem`.1 and so on.
 model::HydrodynamicData read_wamit(const std::string& stem, const HydrodynamicForm& form, SecondOrder order,
                                    std::vector<std::string>& read, std::vector<std::string>& notes);
 
-// SI units for the density and gravity that the file states: forces go with the density of `form`.
+// Values are SI for the density and gravity in the file; forces are scaled to the density of `form`.
 model::HydrodynamicData read_capytaine(const std::string& path, const HydrodynamicForm& form,
                                        SecondOrder order, std::vector<std::string>& read,
                                        std::vector<std::string>& notes);

@@ -9,9 +9,9 @@
 
 namespace hawser::io {
 
-// A cable type from the keys `library`, `diameter` and `grade` of a line type `v`. A name
-// or a grade that is not there, a key that is missing or superfluous and a diameter for which a formula gives
-// nothing positive are refused with one sentence.
+// Cable type from the keys `library`, `diameter` and `grade` of a line type `v`. Unknown names or grades,
+// missing or superfluous keys, and diameters for which a formula is not positive are refused with one
+// sentence.
 model::LineType library_line_type(const model::Value& v);
 
 std::vector<std::string> line_library_names();

@@ -1,4 +1,4 @@
-// What is wrong with the meshes of a case's volumes, alone and for what they are to do.
+// Checks of volume meshes, alone and for their purpose in the case.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace hawser::io {
 
-// What the mesh of a volume is, once it is found fit for it.
+// Properties of a checked volume mesh.
 struct FitMesh {
-  std::vector<bool> active;  // one flag a triangle
-  bool blunt = false;        // no edge or corner leads, where edges or corners are to
+  std::vector<bool> active;  // one flag per triangle
+  bool blunt = false;        // has no sharp edge or corner, although contact is by edges or corners
 };
 
-// Refuses a mesh of the wrong scale, not fit for the volume's `sign`, or without its `active` part.
+// Refuses a mesh of wrong scale, unsuitable for the volume's `sign`, or without its `active` part.
 FitMesh check_mesh(const model::Case& c, const model::Volume& v, const LoadedMesh& loaded);
 
-// Of two bodies that touch something must stand out of one: through a smooth mesh they would pass unseen.
-// blunt: one a volume.
+// Checks that each pair of bodies in contact has edges or corners on one side: a smooth mesh alone would be
+// penetrated undetected. blunt: one flag per volume.
 void check_leaders(const model::Case& c, const std::vector<bool>& blunt);
 
 }  // namespace hawser::io

@@ -1,22 +1,22 @@
-// What is at a place where results shall go: whether it is hawser's, and how it is kept.
+// Earlier results at the path of new ones: recognition and backup.
 #pragma once
 
 #include <string>
 
 namespace hawser::io {
 
-// Of the results file `path`: the XDMF file beside it.
+// Path of the XDMF file that belongs to the results file `path`.
 std::string xdmf_beside(const std::string& path);
 
-// Whether they are what a run wrote, whole or not.
+// True if the file was written by a run, complete or not.
 bool is_results(const std::string& path);
 bool is_xdmf(const std::string& path);
 
-// The name under which an older file is kept.
+// Name under which an older file is kept.
 inline std::string backup_name(const std::string& path) { return path + "~"; }
 
-// Gives results at `path`, and the XDMF file beside them, that name; what had it is gone. Serial. Throws
-// WriteError.
+// Renames results at `path` and their XDMF file to their backup names, replacing older backups. Serial.
+// Throws WriteError.
 void back_up_results(const std::string& path);
 
 }  // namespace hawser::io

@@ -1,7 +1,7 @@
-// One HDF5 file a run, with an XDMF file beside it for ParaView. After the file is created its structure
-// never changes: outputs fill rows that are there already, and a counter written last says how many are
-// good. So it is a valid file at every moment, whenever the run is killed
-// (docs/decisions/010-files-that-survive.md; what is in it: docs/user-guide/results.md).
+// One HDF5 file per run, with an XDMF file beside it for ParaView. The structure of the file is fixed when it
+// is created: outputs fill existing rows, and a counter written last says how many are valid. The file is
+// therefore valid at every moment, even if the run is killed (docs/decisions/010-files-that-survive.md;
+// contents: docs/user-guide/results.md).
 #pragma once
 
 #include <mpi.h>
@@ -25,27 +25,25 @@ namespace hawser::io {
 struct RunInfo {
   std::string case_text, case_path, version, options, date;
   int ranks = 1;
-  std::string changes = {};    // by --set, KEY=VALUE in a line each; case_text is without them
-  std::string case_read = {};  // case_json.hpp
-  std::vector<std::string> messages =
-      {};  // notes and warnings by the time the file is made, until finish() has all
+  std::string changes = {};                // by --set, one KEY=VALUE per line; case_text excludes them
+  std::string case_read = {};              // case_json.hpp
+  std::vector<std::string> messages = {};  // notes and warnings up to creation; finish() writes all
 };
 
-// Nodes of a line follow each other in file order, end A to end B; lines follow each other as well.
+// Nodes of a line are consecutive in file order from end A to end B; lines are consecutive as well.
 struct ResultLine {
   std::string name;
   int first_node = 0, nodes = 0;
   std::vector<double> arc;  // m from end A, one a node; on rank 0, which writes them
 };
 
-using ResultField = Field;  // of columns name, unit and components alone
+using ResultField = Field;  // only the columns name, unit and components
 
-// Numbers that statistics of a field have, for each node and component: minimum and its time, maximum and its
-// time, mean, standard deviation.
+// Statistics per node and component: minimum and its time, maximum and its time, mean, standard deviation.
 inline constexpr int kStatistics = 6;
 
-// A named row of numbers at every step: a point of a line, or sums such as the energies; or a table with a
-// row for each line.
+// A named row of numbers at every step: a point of a line or sums such as the energies; or a table with one
+// row per line.
 struct ResultSeries {
   std::string name;
   std::vector<ResultField> columns;
@@ -62,10 +60,10 @@ struct VolumeMesh {
   int body = -1;                   // index into the poses; -1: fixed, vertices in space axes
   std::span<const Vec3> vertices;  // m, in the body's frame
   std::span<const std::array<int, 3>> triangles;
-  std::vector<char> active;          // one a triangle: takes part in contact
-  std::shared_ptr<const void> keep;  // what vertices and triangles lie in, if it must be kept
-  // What ParaView is shown instead, with the `active` of its triangles; empty: the mesh itself. XDMF cannot
-  // say that a mesh is turned and shifted, so the vertices of one that moves are written at every output.
+  std::vector<char> active;          // one per triangle: takes part in contact
+  std::shared_ptr<const void> keep;  // owner of the memory of vertices and triangles, if needed
+  // Mesh for ParaView, with the `active` flags of its triangles; empty: the mesh itself. XDMF cannot express
+  // rigid motion, so the vertices of a moving mesh are written at every output.
   CoarseMesh coarse{};
   std::vector<char> coarse_active{};
 
@@ -77,11 +75,11 @@ struct VolumeMesh {
   }
 };
 
-// The sea as the run has it, for pictures: rows of amplitude m, omega rad/s, number 1/m, x, y of the
-// direction, phase rad; the surface is at `level` + sum a cos(number (x, y)·position - omega t + phase),
-// times its ramp.
+// Waves for visualisation: rows of amplitude [m], omega [rad/s], wave number [1/m], x and y of the direction,
+// phase [rad]. The surface is at `level` + sum a cos(number (x, y)·position - omega t + phase), times the
+// ramp.
 struct ResultWaves {
-  std::vector<std::array<double, 6>> components;  // empty: still water, or none
+  std::vector<std::array<double, 6>> components;  // empty: still water or no water
   double level = 0, ramp = 0;                     // m; s
 };
 
@@ -89,11 +87,11 @@ struct ResultWaves {
 struct ResultContents {
   RunInfo run;
   std::vector<ResultLine> lines;
-  std::vector<int> ranks;  // of the nodes of lines, which owns each; on rank 0. Empty: rank 0 has all
-  std::vector<ResultField> fields;  // node fields; `position` [m, 3 components] is always there, first
-  // Of the ends of lines; end number 2 l is end A of line l, 2 l + 1 its end B.
+  std::vector<int> ranks;           // owner of each line node; on rank 0. Empty: rank 0 owns all
+  std::vector<ResultField> fields;  // node fields; `position` [m, 3 components] always exists and is first
+  // Fields at line ends; number 2 l is end A of line l, 2 l + 1 its end B.
   std::vector<ResultField> end_fields;
-  std::vector<ResultField> statistics;  // node fields of which statistics over the run are kept
+  std::vector<ResultField> statistics;  // node fields with statistics over the run
   std::vector<ResultSeries> series;
   std::vector<std::string> bodies;
   std::vector<VolumeMesh> volumes;
@@ -102,16 +100,16 @@ struct ResultContents {
   bool clashes = false;             // there is a clash report; its volumes are `volumes`
   bool contact_points = false;      // likewise
   bool xdmf = true;
-  bool single_precision = false;  // of `fields` and `end_fields`
-  int expected_outputs = 100;     // room made at once; it doubles when it runs out
+  bool single_precision = false;  // for `fields` and `end_fields`
+  int expected_outputs = 100;     // initial capacity; doubled when exhausted
   int expected_steps = 1000;      // likewise, rows of the series
 
-  int free_bodies = 0;  // bodies that have a node in checkpoints, after those of the lines
+  int free_bodies = 0;  // bodies with a node in checkpoints, after the nodes of the lines
 
-  int nodes_total() const;  // of the lines
+  int nodes_total() const;  // nodes of the lines
 };
 
-// One line of the table of extremes.
+// A row of the table of extremes.
 struct SummaryRow {
   std::string quantity, line;
   double value = 0;
@@ -120,12 +118,12 @@ struct SummaryRow {
   double arc_length = 0;  // m from end A
 };
 
-// All functions are collective on `comm` unless they say otherwise. Errors of the file or disk come as
-// std::runtime_error on all ranks; what was accepted before stays readable.
+// All functions are collective on `comm` unless stated otherwise. File or disk errors are thrown as
+// std::runtime_error on all ranks; accepted data stay readable.
 class ResultsFile {
  public:
-  // New file; an old one at `path` is kept (back_up_results). `owned`: this rank's nodes, ascending, in file
-  // order. Throws WriteError when the place cannot be written.
+  // Creates a new file; an old one at `path` is renamed (back_up_results). `owned`: nodes of this rank,
+  // ascending, in file order. Throws WriteError if the path cannot be written.
   static ResultsFile create(MPI_Comm comm, const std::string& path, ResultContents contents,
                             std::vector<int> owned);
 
@@ -139,11 +137,11 @@ class ResultsFile {
 
   ResultsFile(ResultsFile&&) noexcept;
   ResultsFile& operator=(ResultsFile&&) noexcept;
-  ~ResultsFile();  // collective; flushes nothing that was not accepted
+  ~ResultsFile();  // collective; discards data that were not accepted
 
-  // One row of every series at an accepted step. values[s]: the columns of series s if this rank has
-  // them (one rank must), else empty; of a series by line the columns of each line whose first node this rank
-  // owns. Kept in memory until the next output; no communication.
+  // Appends one row of every series at an accepted step. values[s]: the columns of series s on the one rank
+  // that has them, else empty; for a series by line the columns of each line whose first node this rank owns.
+  // Kept in memory until the next output; no communication.
   void append_series(double time, const std::vector<std::vector<double>>& values);
 
   // Node fields at `time` [s], owned nodes x components (those of bodies are excluded), in the order of
@@ -156,19 +154,20 @@ class ResultsFile {
                     std::span<const BodyPose> poses, const ClashTables& clashes = {},
                     const std::vector<std::vector<double>>& ends = {}, const ContactRows& contacts = {});
 
-  // When it returns, read_checkpoint() gives this one; until then, the one before.
+  // When this returns, read_checkpoint() finds this checkpoint; until then the previous one.
   void write_checkpoint(Checkpoint checkpoint);
 
-  // Statistics so far of a field of contents.statistics: owned nodes x components x kStatistics.
+  // Writes the current statistics of a field of contents.statistics: owned nodes x components x kStatistics.
   void write_statistics(size_t field, const std::vector<double>& values);
 
-  // End of the run, be it a good one or not: writes series rows still in memory, the table and the notes and
-  // warnings of the run (those of rank 0), and cuts the file to what is used. Only the destructor may follow.
+  // Ends the file, whether the run succeeded or failed: writes series rows in memory, the summary table and
+  // the run's notes and warnings (of rank 0), and trims the file to its used size. Only the destructor may
+  // follow.
   void finish(const std::vector<SummaryRow>& summary, const ClashTables& clashes = {},
               const std::vector<std::string>& messages = {});
 
   long long outputs() const;  // so far
-  long long written() const;  // of these, those that are in the file
+  long long written() const;  // number of outputs in the file
   const ResultContents& contents() const;
   const std::string& path() const;  // of the HDF5 file
   std::string xdmf_path() const;    // same name, ending .xdmf

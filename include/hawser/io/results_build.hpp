@@ -1,5 +1,5 @@
-// The structure of a results file: made (or made anew, with more room) by one rank in a file of its own
-// that then takes the name of the old one in a single step. Inside io only.
+// Structure of a results file. One rank creates it, also with more capacity later, as a separate file that
+// then replaces the old one atomically. Internal to io.
 #pragma once
 
 #include <hdf5.h>
@@ -13,7 +13,7 @@
 
 namespace hawser::io {
 
-// Rows or lengths the datasets have.
+// Capacity of the datasets, rows or lengths.
 struct ResultRoom {
   long long outputs = 0, steps = 0;
   long long slot_doubles = 0, slot_text = 0;  // of each of the two checkpoint slots; 0: no slots
@@ -21,15 +21,15 @@ struct ResultRoom {
   long long contacts = 0;  // points of contact
 };
 
-// What the file gets beside the rows it keeps: with the last of them these clashes, and the table of the
-// summary and the notes and warnings of the run when it is made for the last time.
+// Additional contents after the kept rows: the clashes of the last one and, at the end of the run, the
+// summary table, notes and warnings.
 struct ResultLast {
   const ClashTables& clashes;
   const std::vector<SummaryRow>* summary = nullptr;
   const std::vector<std::string>* messages = nullptr;
 };
 
-// The counter that makes rows count. One small aligned write, after the rows are written.
+// Counter that validates rows: one small aligned write after the rows are written.
 struct ResultCount {
   long long outputs = 0, steps = 0;
 };
@@ -52,10 +52,10 @@ std::vector<RowSet> row_sets(const ResultContents& contents);
 std::string field_place(const ResultField& field);
 std::string statistics_place(const ResultField& field);
 
-// Numbers in a row of a series.
+// Numbers per row of a series.
 hsize_t numbers_in_row(const ResultSeries& series);
 
-// "volumes/<name>"; "series/<name>", or "line_series/<name>" of those by line: in the order of the contents.
+// "volumes/<name>"; "series/<name>", or "line_series/<name>" for those by line; in the order of the contents.
 std::vector<std::string> volume_places(const ResultContents& contents);
 std::vector<std::string> series_places(const ResultContents& contents);
 

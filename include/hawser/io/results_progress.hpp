@@ -1,4 +1,4 @@
-// What is in a results file of an earlier run, before it is continued. Inside io only.
+// State of an earlier run's results file before it is continued. Internal to io.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hawser::io {
 
-// How far the file at `path` got. Serial. Throws InputError when it is no results file.
+// State of the file at `path`. Serial. Throws InputError if it is no results file.
 struct ResultProgress {
   ResultCount count;
   std::vector<double> output_times, step_times;  // s, of the rows that count
@@ -18,8 +18,8 @@ struct ResultProgress {
 };
 ResultProgress read_progress(const std::string& path);
 
-// Of such times, in the dataset `name`, the rows up to the time `last` [s]. What a power cut has lost at the
-// end counts as later. Throws InputError when rows that should stay come after one that is not in its place.
+// Number of rows in dataset `name`, with these times, up to time `last` [s]. Rows lost by a power failure at
+// the end count as later. Throws InputError if a row to be kept comes after an invalid one.
 long long rows_until(const std::string& path, const std::string& name, const std::vector<double>& times,
                      double last);
 

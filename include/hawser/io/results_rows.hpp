@@ -1,4 +1,4 @@
-// Writing rows of a file that all ranks have open, and agreeing on what went wrong. Inside io only.
+// Parallel writing of rows to a shared file, with a common error state. Internal to io.
 #pragma once
 
 #include <hdf5.h>
@@ -13,11 +13,11 @@
 
 namespace hawser::io {
 
-struct RowRun {  // a stretch along a dimension that this rank holds
+struct RowRun {  // consecutive indices of a dimension that this rank holds
   long long first = 0, count = 0;
 };
 
-// The stretches of an ascending list of numbers.
+// Runs of consecutive numbers in an ascending list.
 std::vector<RowRun> runs_of(const std::vector<int>& ascending);
 
 class SharedFile {
@@ -30,11 +30,11 @@ class SharedFile {
   MPI_Comm comm() const { return comm_; }
   const std::string& path() const { return path_; }
 
-  // Collective. The datasets are kept open; the writers below know no others.
+  // Collective. The datasets stay open; the writers below accept only these.
   void open(const std::vector<std::string>& datasets);
   void close();
 
-  // Runs f on this rank; an error is kept for agree(), so that all ranks make the same collective calls.
+  // Runs f on this rank and stores an error for agree(), so that all ranks make the same collective calls.
   template <class F>
   void attempt(F&& f) {
     try {
@@ -44,20 +44,20 @@ class SharedFile {
     }
   }
 
-  // Collective: all ranks have done their part, or all throw the first one's error: WriteError when the file
-  // or the disk is at fault, else std::runtime_error.
+  // Collective: returns if no rank has an error, else all throw the first one: WriteError for file or disk
+  // errors, else std::runtime_error.
   void agree();
 
-  // The next four attempt. Collective: stretches of the first dimension (row < 0) or of the second, in `rows`
-  // rows from `row` on.
+  // The next four functions use attempt(). Collective: writes runs of the first dimension (row < 0) or of the
+  // second, in `rows` rows from `row` on.
   void write_runs(const std::string& name, hid_t type, long long row, const std::vector<RowRun>& runs,
                   const void* data, long long rows = 1);
-  // Collective: whole rows [first, first + rows), of which only the rank with `here` has the data.
+  // Collective: writes whole rows [first, first + rows); only the rank with `here` has the data.
   void write_rows(const std::string& name, hid_t type, long long first, long long rows, bool here,
                   const void* data);
-  // By this rank alone: a whole dataset.
+  // Writes a whole dataset from this rank alone.
   void write_alone(const std::string& name, hid_t type, const void* data);
-  // Collective: to the disk, against power cuts.
+  // Collective: flushes to the disk, against power failures.
   void flush();
 
  private:
@@ -69,8 +69,8 @@ class SharedFile {
   std::string path_;
   h5::Id file_, transfer_;
   std::map<std::string, h5::Id> open_;  // closed before the file
-  std::string error_;                   // first error on this rank since the ranks last agreed
-  bool internal_ = false;               // not the file's fault
+  std::string error_;                   // first error on this rank since the last agree()
+  bool internal_ = false;               // an internal error, not one of the file
 };
 
 }  // namespace hawser::io

@@ -1,14 +1,14 @@
-// How large a results file will be, without making it.
+// Estimated size of a results file.
 #pragma once
 
 #include "hawser/io/results.hpp"
 
 namespace hawser::io {
 
-// How many rows a finished run leaves, and what its checkpoints hold.
+// Rows after a complete run, and size of its checkpoints.
 struct ExpectedRows {
   double outputs = 1, steps = 1;
-  double checkpoint = 0;  // numbers in a checkpoint; 0: there is none
+  double checkpoint = 0;  // numbers per checkpoint; 0: none
 };
 
 // Bytes of the HDF5 file. Clashes and points of contact, which nobody knows before, are not in it.
@@ -18,7 +18,7 @@ struct ResultsSize {
 };
 ResultsSize results_size(const ResultContents& contents, const ExpectedRows& rows);
 
-// Numbers in a checkpoint, as ResultsFile::write_checkpoint counts them, of a run on one rank.
+// Numbers in a checkpoint, as counted by ResultsFile::write_checkpoint, for a run on one rank.
 double checkpoint_numbers(const Checkpoint& checkpoint);
 
 }  // namespace hawser::io

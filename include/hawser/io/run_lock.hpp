@@ -1,22 +1,22 @@
-// That no two runs write one results file: a lock on a file of its own beside it, `<results>.lock`, which
-// says who holds it.
+// Lock against two runs writing the same results: a lock on the file `<results>.lock`, which names the
+// holder.
 #pragma once
 
 #include <string>
 
 namespace hawser::io {
 
-// Held for as long as the object lives. The system lets go of it when the process dies in whatever way, so a
-// lock file that was left behind keeps nobody out.
+// Held for the lifetime of the object. The system releases it when the process ends for any reason, so a
+// stale lock file blocks nobody.
 class RunLock {
  public:
-  // Throws InputError when another run writes `results`, or when no file can be made beside it.
+  // Throws InputError if another run writes `results` or the lock file cannot be created.
   explicit RunLock(const std::string& results);
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
 
-  // False where the file system knows no locks: nothing keeps other runs away.
+  // False if the file system supports no locks; other runs are then not excluded.
   bool held() const { return held_; }
 
  private:

@@ -1,4 +1,4 @@
-// Results that cannot be written, because the disk is full, say. Exit code 1.
+// Error for results that cannot be written, for example on a full disk. Exit code 1.
 #pragma once
 
 #include <stdexcept>
@@ -6,13 +6,13 @@
 
 namespace hawser::io {
 
-// what() is one sentence with the file. Thrown on all ranks.
+// what() is one sentence that names the file. Thrown on all ranks.
 struct WriteError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// That sentence for `path`, when the system or a library says `why`. They don't always pass on that the disk
-// is full; it is asked.
+// Sentence for `path` if the system or a library reports `why`. Libraries do not always report a full disk;
+// the function checks for it.
 std::string cannot_write(const std::string& path, const std::string& why);
 
 }  // namespace hawser::io

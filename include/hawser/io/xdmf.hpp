@@ -1,4 +1,4 @@
-// The XDMF file: an XML table of contents that tells ParaView which rows of the HDF5 file make a picture.
+// XDMF file: XML index of the HDF5 rows that ParaView displays.
 #pragma once
 
 #include <string>
@@ -9,23 +9,24 @@ namespace hawser::io {
 
 struct ResultContents;
 
-// What every such file of hawser's begins with.
+// First characters of every XDMF file of hawser.
 inline constexpr std::string_view kXdmfBegin =
     "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n<Domain>\n<Grid Name=\"";
 
-// Names in the HDF5 file: what a path or an XDMF reader could trip over becomes '_'.
+// Names in the HDF5 file: characters with a meaning in paths or XDMF become '_'.
 std::string safe_name(const std::string& name);
-std::vector<std::string> safe_names(const std::vector<std::string>& names);  // and all different
+std::vector<std::string> safe_names(const std::vector<std::string>& names);  // and made distinct
 
-// One temporal collection; each save() puts a whole valid file in place at once.
+// One temporal collection; each save() replaces the whole file atomically.
 class XdmfWriter {
  public:
-  // The contents must outlive the writer. `h5_name`: file name without folder; both files lie side by side.
+  // The contents must outlive the writer. `h5_name`: file name without folder; both files are in the same
+  // folder.
   XdmfWriter(const ResultContents& contents, const std::string& h5_name);
 
   void add(double time) { times_.push_back(time); }  // of the next output, s
 
-  // Throws std::runtime_error when the file cannot be written.
+  // Throws std::runtime_error if the file cannot be written.
   void save(const std::string& path) const;
 
  private:
@@ -35,12 +36,12 @@ class XdmfWriter {
 
   struct Piece {
     std::string text;
-    char then;  // what follows it and differs from output to output; 0: the end
+    char then;  // variable part that comes next; 0: end
   };
   const ResultContents* contents_;
   std::string h5_name_;
   std::vector<double> times_;  // of the outputs, s
-  std::vector<Piece> pieces_;  // of the text of an output
+  std::vector<Piece> pieces_;  // text of an output
 };
 
 }  // namespace hawser::io

@@ -1,4 +1,4 @@
-// How a body of a case moves when its motion is prescribed.
+// Prescribed motion of bodies.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,18 @@
 
 namespace hawser::model {
 
-// std::invalid_argument for a motion that makes no sense (check() and the reader have refused it before).
+// Throws std::invalid_argument for an inconsistent motion (the reader and check() refuse it before).
 RigidMotion rigid_motion(const Body& body);
-// What that has at t = 0, without all rows of long tables.
+// Pose of rigid_motion(body) at t = 0; cheap for long tables.
 RigidPose pose_at_start(const Body& body);
 DriftLaw drift_law(const Drift& drift);
 TableLaw table_law(const TableMotion& table);
-// rad from +x, of its bow at t = 0; and of its bow where the files of its hydrodynamics hold.
+// Headings of the bow, rad from +x: at t = 0, and at the position for which the hydrodynamic files hold.
 double heading(const Body& body);
 double hydrodynamic_heading(const Body& body);
 
-// When a body's velocity jumps: times of the rows of tables with straight lines between them, s, increasing.
+// Times [s, increasing] at which a body's velocity jumps: the rows of motion tables with linear
+// interpolation.
 std::vector<double> velocity_jumps(const std::vector<Body>& bodies);
 
 }  // namespace hawser::model

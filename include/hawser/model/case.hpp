@@ -1,5 +1,5 @@
-// The case as plain, checked data. SI units; angles in rad; names refer to names.
-// Built by io::read_case, checked by model::check; nothing here knows PETSc, MPI or YAML.
+// The case as plain, checked data, in SI units and rad; objects refer to each other by name. Built by
+// io::read_case, checked by model::check; independent of PETSc, MPI and YAML.
 #pragma once
 
 #include <fmt/core.h>
@@ -41,37 +41,37 @@ struct LineType {
   LineKind kind = LineKind::beam;  // `bending: false` makes a cable: EA only, may go slack
   double outer_diameter = 0;       // m
   double contact_diameter = 0;     // m, default outer_diameter
-  double wall_diameter = 0;        // m, outside of the wall under the coatings of a pipe; 0: outer_diameter
-  double mass_per_length = 0;      // kg/m, in air, with contents and marine growth
-  double EA = 0;                   // N; of a table its slope at no strain
-  double EI2 = 0, EI3 = 0;         // N m², about the section's axes 2 and 3; of a table: at no curvature
+  double wall_diameter = 0;    // m, outside of the steel wall under the coatings of a pipe; 0: outer_diameter
+  double mass_per_length = 0;  // kg/m, in air, with contents and marine growth
+  double EA = 0;               // N; with a table: its slope at zero strain
+  double EI2 = 0, EI3 = 0;     // N m², about section axes 2 and 3; with a table: at zero curvature
   std::shared_ptr<const ResponseCurve> tension_table, moment_table;  // over strain, curvature; null: linear
   std::shared_ptr<const PlasticBending> plastic_bending;             // null: elastic
   double GJ = 0;                                                     // N m²
   double GA = 0;                       // N, shear stiffness; 0: rigid in shear (Euler-Bernoulli)
   Vec3 rotary_inertia = Vec3::Zero();  // kg m (per length), about axes 1 (along), 2, 3
   double stiffness_damping = 0;        // s, Rayleigh beta: damping = beta * material stiffness
-  double breaking_load = 0;            // N; 0: not known
-  double minimum_bend_radius = 0;      // m, that the type allows; 0: not known
+  double breaking_load = 0;            // N; 0: unknown
+  double minimum_bend_radius = 0;      // m, allowed minimum; 0: unknown
   double thermal_expansion = 0;        // 1/K
-  std::optional<PipeSteel> steel;      // of a pipe that is judged by codes
-  PipeConditions conditions;           // likewise
+  std::optional<PipeSteel> steel;      // for pipes checked by codes
+  PipeConditions conditions;           // loads and factors of those checks
 
-  // In water. The axial drag acts on the skin, pi times the drag diameter.
-  double displaced_diameter = 0;  // m, of the volume that water is driven out of; 0: outer_diameter
+  // In water. Axial drag acts on the surface area, pi times the drag diameter per length.
+  double displaced_diameter = 0;  // m, of the displaced volume; 0: outer_diameter
   double drag_diameter = 0;       // m; 0: outer_diameter
   double Cd_normal = 1.2, Cd_axial = 0, Ca_normal = 1, Ca_axial = 0;
-  double inner_diameter = 0;     // m, of the bore; 0: none
+  double inner_diameter = 0;     // m, bore; 0: none
   double contents_density = 0;   // kg/m³
-  double contents_pressure = 0;  // Pa above the atmosphere, in the bore at the still water level
+  double contents_pressure = 0;  // Pa above atmospheric, in the bore at the still water level
 
   double displaced() const { return displaced_diameter > 0 ? displaced_diameter : outer_diameter; }
   double dragged() const { return drag_diameter > 0 ? drag_diameter : outer_diameter; }
-  // s, in which an axial wave passes a length [m] of it: L / c, with c = sqrt(EA / m).
+  // Time [s] in which an axial wave travels a length [m]: L / c, c = sqrt(EA / m).
   double wave_time(double length) const { return length * std::sqrt(mass_per_length / EA); }
 };
 
-// u(t) for t >= 0, with u and its first two derivatives continuous.
+// Prescribed motions u(t) for t >= 0; u and its first two derivatives are continuous.
 struct ConstantMotion {
   Vec3 velocity = Vec3::Zero();  // m/s
   Vec3 axis = Vec3::UnitZ();     // unit, space-fixed, through the body's position
@@ -89,64 +89,64 @@ struct TableMotion {
   std::vector<Vec3> offset;    // m
   std::vector<Vec3> rotation;  // rad, rotation vector (may be empty)
   BetweenRows between = BetweenRows::spline;
-  bool of_waves = false;  // the rows are responses to the waves of the case
+  bool of_waves = false;  // the rows are responses to the case's waves
 };
 using Motion = std::variant<std::monostate, ConstantMotion, HarmonicMotion, TableMotion>;
 
-// A slow motion that carries the body with its `motion`: the sum of three.
+// Slow motion that is superposed on `motion`: constant offset, harmonic part and table.
 struct Drift {
   Vec3 offset = Vec3::Zero(), rotation = Vec3::Zero();  // m; rad, rotation vector
   HarmonicMotion harmonic;
   TableMotion table;
-  double ramp = 0;  // s, smooth start; 0: there from statics on
+  double ramp = 0;  // s, smooth start; 0: acts from statics on
 };
 
-// A rigid body in water in the simple form: Morison's equation along its axes.
+// Simple model of a body in water: Morison's equation along the body axes.
 struct BodyInWater {
-  double volume = 0, height = 0;    // m³ wholly under water; m, over which it gets wet
-  Vec3 centre = Vec3::Zero();       // m, of buoyancy, body frame
+  double volume = 0, height = 0;    // m³ fully submerged; m, height over which it becomes submerged
+  Vec3 centre = Vec3::Zero();       // m, centre of buoyancy, body frame
   Vec3 drag_centre = Vec3::Zero();  // m, body frame
-  Vec3 drag_area = Vec3::Zero();    // m², drag coefficients times areas, along the body's axes
-  Vec3 added_mass = Vec3::Zero();   // kg, likewise
+  Vec3 drag_area = Vec3::Zero();    // m², drag coefficient times area, along the body axes
+  Vec3 added_mass = Vec3::Zero();   // kg, along the body axes
 };
 
-// A body that moves by its own equations.
 // Volumes that displace water: closed surfaces that move with their body.
 struct BodyHull {
   std::vector<std::string> volumes;
-  bool wave_pressure = true;  // of Froude and Krylov, on the wetted surface
-  // N/m, N m/rad: against heave, roll and pitch about the centre of mass where the case puts the body, once
-  // the volumes are read.
+  bool wave_pressure = true;  // Froude-Krylov pressure on the wetted surface
+  // Hydrostatic stiffness in heave, roll and pitch [N/m, N m/rad] about the centre of mass at the position in
+  // the case; set after the volumes are read.
   Vec3 restoring = Vec3::Zero();
 };
 
-// A straight round part of a body that is slender beside the waves, on which water acts across it by
-// Morison's equation, and along it on the area of an end.
+// Straight, slender circular member of a body. Morison's equation acts across it; axial forces act on the
+// area of one end.
 struct BodyMember {
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  // m, body frame
   double diameter = 0;                          // m
-  double drag = 1, axial_drag = 0;              // Cd; of rho/2 pi D²/4
-  double added = 1, axial_added = 0;            // Ca; of rho pi D³/12
+  double drag = 1, axial_drag = 0;              // Cd; axial: of rho/2 pi D²/4
+  double added = 1, axial_added = 0;            // Ca; axial: of rho pi D³/12
 };
 
-// What a body resists acceleration with, where that is more than mass and moments of inertia.
+// Full 6x6 mass matrix, for bodies that mass and moments of inertia do not describe.
 struct MassMatrix {
   Mat6 rows = Mat6::Zero();   // kg, kg m, kg m², axes of the body
   Vec3 about = Vec3::Zero();  // m, body frame
 };
 
+// A body that moves by its own equations of motion.
 struct BodyMass {
   double mass = 0;               // kg
   Vec3 inertia = Vec3::Zero();   // kg m², about the centre of mass, along the body's axes
   Vec3 products = Vec3::Zero();  // kg m², Ixy, Iyz, Ixz: off the diagonal
   Vec3 centre = Vec3::Zero();    // m, centre of mass, body frame
   bool centre_given = false;
-  std::optional<MassMatrix> matrix;      // in the place of inertia and products, which are made of it
-  Mat6 coupled = Mat6::Zero();           // what it has beyond them and the mass, about the centre of mass
-  bool weight = false;                   // gravity acts; else something not modelled carries it
+  std::optional<MassMatrix> matrix;      // replaces inertia and products, which are derived from it
+  Mat6 coupled = Mat6::Zero();           // rest of `matrix` beyond mass and inertia, about the centre of mass
+  bool weight = false;                   // gravity acts; else unmodelled forces carry the weight
   Vec3 velocity = Vec3::Zero();          // m/s, of the centre of mass at t = 0, space axes
   Vec3 angular_velocity = Vec3::Zero();  // rad/s, at t = 0, body axes
-  Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards where `motion` wants it
+  Vec3 stiffness = Vec3::Zero(), damping = Vec3::Zero();  // N/m, N s/m: towards the prescribed `motion`
   Vec3 turning_stiffness = Vec3::Zero(), turning_damping = Vec3::Zero();  // N m/rad, N m s/rad, body axes
   std::optional<BodyInWater> in_water;
   std::optional<BodyHydrodynamics> hydrodynamics;
@@ -156,14 +156,15 @@ struct BodyMass {
   std::optional<DynamicPositioning> positioning;
   std::vector<BodyLoad> loads;
 
-  Mat3 tensor() const;  // kg m², of inertia and products
+  Mat3 tensor() const;  // kg m², from inertia and products
 };
 
-// A body that rides on a line: its frame is that of the line's node there, first axis along the line.
+// Attaches a body to a line node: its frame is that of the node, first axis along the line.
 struct Ride {
   std::string line;
   double at = 0;  // m, arc length from end A
-  // The body's position and rotation are those in space at the start, from which on it is fixed to the node.
+  // True if position and rotation are given in space at the start; the body is then fixed to the node in that
+  // pose.
   bool drawn = false;
 };
 
@@ -174,8 +175,8 @@ struct Body {
   Motion motion;
   double ramp = 0;  // s, smooth start of the motion (quintic), 0: none
   std::optional<Drift> drift;
-  std::optional<BodyMass> mass;  // without it the motion is prescribed
-  std::optional<Ride> on;        // or that of a line; position and rotation are then seen from there
+  std::optional<BodyMass> mass;  // none: the motion is prescribed
+  std::optional<Ride> on;        // none: not on a line; position and rotation are relative to the node
 };
 
 struct Box {
@@ -186,62 +187,62 @@ using hawser::SignTest;
 
 struct Volume {
   std::string name;
-  std::optional<Primitive> shape;         // exact shape, body frame; or else a mesh:
+  std::optional<Primitive> shape;         // exact shape, body frame; none: a mesh
   std::string mesh;                       // absolute path of an STL, OBJ or PLY file
   double scale = 1;                       // mesh units to m
   bool closed = false;                    // an open mesh is refused
   SignTest sign = SignTest::automatic;    // of a mesh
-  bool smooth = true;                     // facets of curved surfaces are curved
+  bool smooth = true;                     // curved surfaces have curved facets
   double crease_angle = 40 * M_PI / 180;  // rad, edges sharper than this stay
   std::string body;                       // empty: fixed in space
-  std::optional<Box> active_box;          // only triangles with all corners inside take part
+  std::optional<Box> active_box;          // only triangles with all corners inside take part in contact
   std::string active_part;                // name of a mesh part (OBJ group, STL solid); empty: all
   StiffnessBasis basis = StiffnessBasis::automatic;
-  double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis; of a table its largest slope
-  std::shared_ptr<const ContactForceTable> force_table;  // N, N/m or N/m² by basis; null: by stiffness
-  double allowed_penetration = 0;                        // m, of an automatic stiffness; 0: default
+  double normal_stiffness = 0;  // N/m, N/m² or N/m³ by basis; with a table: its largest slope
+  std::shared_ptr<const ContactForceTable> force_table;  // N, N/m or N/m² by basis; null: linear
+  double allowed_penetration = 0;                        // m, for the automatic stiffness; 0: default
   std::optional<double> smoothing;  // m, half width of the C1 ramp; 0: linear law; none: default
   double relative_damping = 0;      // zeta of the contact spring
   Friction friction;
-  bool roller = false;  // of `supports`: touches lines only
+  bool roller = false;  // part of `supports`: touches lines only
 };
 
 struct Section {
   std::string type;
   double length = 0;  // m, unstretched
   int elements = 0;
-  double grading = 1;  // length of the last element over the first
+  double grading = 1;  // length of the last element over that of the first
 };
 
 enum class EndKind { free, anchor, body, joint };
 
 struct End {
   EndKind kind = EndKind::free;
-  Vec3 at = Vec3::Zero();           // m: in space (anchor) or in the body's frame (body)
-  std::string body;                 // or the joint
+  Vec3 at = Vec3::Zero();           // m; anchor: in space, body: in its frame
+  std::string body;                 // name of the body or joint
   std::optional<Vec3> direction;    // unit tangent from A to B, same frame as `at`
   bool clamped = false;             // rotation tied as well
   double rotational_stiffness = 0;  // N m/rad, a spring towards `direction`
-  // m of line from this end on without contact with volumes; none: what is inside one at the start has none
-  // with that.
+  // Length from this end [m] without contact with volumes; none: the part next to the end that is inside a
+  // volume at the start has no contact with that volume.
   std::optional<double> no_contact_within;
-  std::optional<Feed> feed;  // pays the line out here or hauls it in
+  std::optional<Feed> feed;  // pays out or hauls in the line at this end
 };
 
-// Where ends of lines are joined to each other, free to move: pinned, or what bends rigidly.
+// Free connection of line ends: pinned, or rigid for lines with bending stiffness.
 struct Joint {
   std::string name;
-  Vec3 start = Vec3::Zero();  // m, where statics starts from
-  bool rigid = false;         // lines that resist bending keep the angles that they start with
+  Vec3 start = Vec3::Zero();  // m, position at the start of statics
+  bool rigid = false;         // lines with bending stiffness keep their initial angles
 };
 
 struct PointMass {
   double at = 0;    // m, arc length from end A
   double mass = 0;  // kg
-  // In water: a clump weight or a buoy, round.
-  double volume = 0;     // m³, displaced
+  // In water: a spherical clump weight or buoy.
+  double volume = 0;     // m³, displaced volume
   double drag_area = 0;  // m², drag coefficient times area
-  double Ca = 0;         // added mass over displaced mass
+  double Ca = 0;         // added mass over displaced mass of water
 };
 struct DistributedLoad {
   Vec3 per_length = Vec3::Zero();  // N/m, dead load per unstretched length
@@ -257,33 +258,33 @@ struct PointLoad {
   int order = 0;               // place in the file's list of loads, for messages
 };
 
-// A stretch of a line in the soil. It stays where it starts, until the soil yields: a spring along the line
-// and one across it, either way, up to a resistance.
+// Stretch of a line buried in soil: an elastic-plastic spring along the line and one across it, attached
+// where the line starts.
 struct Buried {
   double from = 0, to = 0;                     // m, arc length
-  double axial = 0, normal = 0;                // N/m, that the soil resists with at most
-  double axial_length = 0, normal_length = 0;  // m, after which it does
+  double axial = 0, normal = 0;                // N/m, largest soil resistance
+  double axial_length = 0, normal_length = 0;  // m, displacement at which it is reached
 };
 
-// other_run: as another run left it.
+// other_run: the final shape of another run.
 enum class Start { automatic, catenary, hanging, straight, points, other_run };
 
-// Nodes of a line in another run.
+// Node positions of a line at the end of another run.
 struct PreviousShape {
   std::string file;
-  std::vector<double> arc;     // m from end A, growing
+  std::vector<double> arc;     // m from end A, increasing
   std::vector<Vec3> position;  // m
-  std::vector<Quat> rotation;  // empty: not known
+  std::vector<Quat> rotation;  // empty: unknown
 };
 
-// What the static equilibrium of a line has to meet, by the length of one of its sections.
+// Condition on the static equilibrium of a line that the length of one section is adjusted to meet.
 struct LengthTarget {
   enum class Kind { tension, declination, touchdown, laid_length };
   Kind kind = Kind::tension;
   double value = 0;            // N; rad; m, arc length of the touchdown point; m
-  bool at_a = false;           // at end A, or seen from there; else end B
-  int section = 0;             // of which the length is sought
-  double least = 0, most = 0;  // m, lengths of it between which it is sought
+  bool at_a = false;           // value at end A or measured from it; else end B
+  int section = 0;             // whose length is adjusted
+  double least = 0, most = 0;  // m, bounds of its length
 };
 
 struct Line {
@@ -295,30 +296,30 @@ struct Line {
   std::vector<BendStiffener> bend_stiffeners;
   std::vector<DistributedLoad> loads;
   std::vector<PointLoad> point_loads;
-  std::vector<Buried> buried;  // in order of arc length, apart from each other
-  // K, warmer than when cut to length, over arc length from end A [m], growing; straight between the rows,
-  // constant beyond; empty: none.
+  std::vector<Buried> buried;  // in order of arc length, without overlap
+  // Temperature rise [K] since the line was cut to length, over arc length from end A [m], increasing; linear
+  // between rows, constant beyond; empty: none.
   std::vector<std::pair<double, double>> temperature_change;
   Start start = Start::automatic;
-  // Its start shape follows from its ends and its length.
+  // True if the start shape is computed from the ends and the length.
   bool starts_by_itself() const { return start == Start::automatic || start == Start::catenary; }
-  std::vector<Vec3> points;                             // for Start::points: polyline the line is laid along
+  std::vector<Vec3> points;  // for Start::points: polyline along which the line is laid
   std::shared_ptr<const PreviousShape> previous_shape;  // for Start::other_run
   std::optional<LengthTarget> target;
-  // Of a part of a line that events cut (cut_lines.hpp): the line as given, whose start shape it begins with,
-  // and where this part begins [m from its end A].
+  // For a part of a line that events cut (cut_lines.hpp): the line as given, which defines the start shape,
+  // and the arc length from its end A at which this part begins [m].
   std::shared_ptr<const Line> whole;
   double from = 0;
 };
 
-// Mean over the arc [from, to] of a line, m: of its temperature change, K, and of what that lengthens it by.
+// Means over the arc lengths [from, to] of a line, m: temperature change [K] and thermal strain.
 double mean_temperature_change(const Line& line, double from, double to);
 double thermal_strain(const LineType& type, const Line& line, double from, double to);
 
-// gap is there to be compared with: at the nodes, a spring along a direction that is chosen at the start.
+// gap: springs at the nodes along directions fixed at the start; for comparison.
 enum class ContactMethod { nodes, line, gap };
 
-// How lines touch lines.
+// Law of contact between lines.
 struct LinePairSettings {
   StiffnessBasis basis = StiffnessBasis::automatic;  // per length, per area or automatic
   double normal_stiffness = 0;                       // N/m² or N/m³ by basis
@@ -338,33 +339,32 @@ struct BetweenLines {
   };
   std::vector<Tuned> pairs;
   std::vector<std::pair<std::string, std::string>> exclude;
-  std::vector<std::pair<std::string, std::string>>
-      over;  // where they cross, the first starts over the second
+  std::vector<std::pair<std::string, std::string>> over;  // crossing lines: the first starts above the second
 };
 
 struct Contact {
   ContactMethod method = ContactMethod::line;
   bool rolling = false;             // friction acts at the lines' surface and turns them about their axes
-  double warned_penetration = 0.1;  // share of the radius
+  double warned_penetration = 0.1;  // warning limit of the penetration as a fraction of the radius
   bool all_lines = true, all_volumes = true;
-  std::vector<std::string> lines, volumes;  // when not all
+  std::vector<std::string> lines, volumes;  // used if not all take part
   BetweenLines between_lines;
 
-  bool has_friction(const std::vector<Volume>& volumes) const;  // somewhere
+  bool has_friction(const std::vector<Volume>& volumes) const;  // anywhere
   bool takes_part(const Line& line) const;
   bool takes_part(const Volume& volume) const;
 };
 
-// When lines come to rest by damped motion before Newton's iteration: where that alone fails, always, never.
+// When damped relaxation precedes Newton's method in statics: after a failure, always or never.
 enum class Relaxation { automatic, always, never };
 
 struct Statics {
   bool enabled = true;
-  double tolerance = 1e-8;  // residual over the size of the internal forces
+  double tolerance = 1e-8;  // residual relative to the internal forces
   int max_iterations = 500;
   Relaxation relaxation = Relaxation::automatic;
-  int relaxation_steps = 5000;    // at most
-  bool contact_friction = false;  // of volumes and between lines, from the start shape on
+  int relaxation_steps = 5000;    // limit
+  bool contact_friction = false;  // on volumes and between lines, from the start shape on
 };
 
 struct Dynamics {
@@ -372,44 +372,44 @@ struct Dynamics {
   double duration = 0;                // s
   double step = 0;                    // s; 0: automatic
   double max_step = 0, min_step = 0;  // s; 0: defaults
-  bool resolve_impacts = true;        // fixed steps are divided at impacts
+  bool resolve_impacts = true;        // fixed steps are subdivided at impacts
   double rho_infinity = 0.8;
   double tolerance = 1e-8;     // of the residual, as in statics
-  double error_tolerance = 0;  // m, local error a step in automatic stepping; 0: default
+  double error_tolerance = 0;  // m, local error per step in automatic stepping; 0: default
 };
 
 struct HistoryPoint {
-  std::string line;  // or a body with mass, or what a volume exerts on lines:
+  std::string line;  // or a body with mass, or the contact forces of a volume:
   std::string body, volume;
   double at = 0;     // m, arc length from end A
   std::string name;  // default "<line>@<at>"
 };
 
-// What the clash report takes for one clash, and how much of it is printed.
+// Definition of one clash in the clash report, and length of its table.
 struct ClashOutput {
   bool enabled = true;
-  double merge_gap = 0.1;   // s: a pair that parts for less is still in the same clash
-  double merge_length = 0;  // m: places nearer along a line are one; 0: 4 contact diameters
-  int rows = 20;            // of the table at the end of the run
+  double merge_gap = 0.1;   // s: a shorter separation does not end a clash
+  double merge_length = 0;  // m: places closer along a line count as one; 0: 4 contact diameters
+  int rows = 20;            // of the table printed at the end of the run
 };
 
-// The smallest distance between two surfaces, kept at every step.
+// Smallest distance between two surfaces, monitored at every step.
 struct Clearance {
-  std::string line, other_line, volume;  // of the line to the other line or the volume
+  std::string line, other_line, volume;  // from the line to the other line or the volume
   std::string name;                      // default "<line> to <other>"
 };
 
 struct Output {
   std::string file;             // absolute path of the .h5; default <case>.h5 beside the case
-  double every = 0;             // s between fields; 0: 100 outputs a run
+  double every = 0;             // s between fields; 0: 100 outputs per run
   double checkpoint_every = 0;  // s; 0: with every field output
   bool xdmf = true;
-  bool single_precision = false;  // of fields
+  bool single_precision = false;  // for fields
   std::vector<HistoryPoint> histories;
   double history_every = 0;    // s between rows of histories; 0: every step
-  bool touchdowns = true;      // a history of each line's touchdown points
-  bool statistics = true;      // of node fields, over every step
-  double statistics_from = 0;  // s, from which they count
+  bool touchdowns = true;      // history of each line's touchdown points
+  bool statistics = true;      // of node fields, over all steps
+  double statistics_from = 0;  // s, start of the statistics
   ClashOutput clashes;
   std::vector<Clearance> clearances;
 };
@@ -417,11 +417,11 @@ struct Output {
 struct Farm;
 
 struct Case {
-  std::string path, directory, text;  // as read
-  std::string file;                   // as the user named it
+  std::string path, directory, text;  // text as read
+  std::string file;                   // as given by the user
   std::vector<std::string> inputs;    // absolute paths of the case file and the files that it reads
-  std::shared_ptr<const Value> tree;  // its keys, for the lines of refuse(); null: none
-  std::shared_ptr<const Farm> farm;   // platforms that it has by other files (farm.hpp); null: none
+  std::shared_ptr<const Value> tree;  // parsed keys, for the line numbers of refuse(); null: none
+  std::shared_ptr<const Farm> farm;   // platforms read from other files (farm.hpp); null: none
   std::string title;
   Environment environment;
   std::vector<LineType> line_types;
@@ -433,26 +433,25 @@ struct Case {
   std::vector<Link> links;
   Contact contact;
   Statics statics;
-  std::vector<std::string>
-      stages;  // of statics, each from the rest of the one before; none: one without a name
+  std::vector<std::string> stages;  // of statics, each from the equilibrium before; none: one without a name
   Dynamics dynamics;
   std::vector<Event> events;
   Output output;
-  std::vector<std::string> notes;         // repairs and warnings of the reader, a sentence each
+  std::vector<std::string> notes;         // repairs and warnings of the reader, one sentence each
   std::vector<std::string> changes;       // KEY=VALUE of the command line, applied to the file's text
-  std::vector<std::string> change_notes;  // what each of them has changed, a sentence each
+  std::vector<std::string> change_notes;  // effects of `changes`, one sentence each
 
   const LineType& line_type(const std::string& name) const;  // throws std::out_of_range
-  const Line& line(const std::string& name) const;           // likewise
+  const Line& line(const std::string& name) const;           // throws std::out_of_range
   int body_index(const std::string& name) const;             // -1: none (fixed in space)
   int line_index(const std::string& name) const;             // throws std::out_of_range
   const Joint& joint(const std::string& name) const;         // throws std::out_of_range
-  // Whether lines do not touch this volume until an event switches that on.
+  // True if lines do not touch this volume until an event switches the contact on.
   bool off_at_start(const Volume& volume) const;
   bool rides(int body) const { return body >= 0 && bodies[body].on.has_value(); }
   // Throws InputError "file:line: key: why".
   [[noreturn]] void refuse(const std::string& key, const std::string& why) const;
-  // The sentence of refuse(): file, line and key before `why`.
+  // Message of refuse(): file, line and key before `why`.
   std::string refusal(const std::string& key, const std::string& why) const;
   template <class First, class... More>
   [[noreturn]] void refuse(const std::string& key, fmt::format_string<First, More...> why, First&& first,

@@ -1,5 +1,5 @@
-// The sea and its bed, as a case describes them. z up, origin at the still water level; directions are where
-// a flow goes to, anticlockwise from +x.
+// Sea, wind and seabed of a case. z up, origin at the still water level; directions are where a flow goes to,
+// anticlockwise from +x.
 #pragma once
 
 #include <cstdint>
@@ -25,17 +25,17 @@ struct CurrentRow {
   double direction = 0;  // rad
 };
 
-// Straight lines between the rows, constant above the first and below the last; or, with an exponent, a
-// single row and the power law speed (1 - depth/water depth)^exponent.
+// Linear between the rows, constant above the first and below the last; or, with an exponent, one row and the
+// power law speed (1 - depth/water depth)^exponent.
 struct Current {
   std::vector<CurrentRow> profile;  // empty: no current
   double exponent = 0;
   double ramp = 0;         // s, smooth start in dynamics; 0: acts from statics on
-  TimeFactor time_factor;  // multiplies it too
+  TimeFactor time_factor;  // multiplies the speed as well
 };
 
-// Linear waves: one, the components of a spectrum (by formula or by rows), or given ones; or one wave of
-// finite height after Stokes.
+// Linear waves: a regular wave, components of a spectrum (by formula or table) or given components; or a
+// Stokes wave of finite height.
 struct Waves {
   enum class Kind { none, regular, spectrum, components, stokes, table };
   Kind kind = Kind::none;
@@ -43,13 +43,14 @@ struct Waves {
     double height = 0, period = 0;    // m, crest to trough; s
     double direction = 0, phase = 0;  // rad
   };
-  std::vector<Row> rows;                          // the regular or Stokes' wave or the given components
-  double height = 0, peak_period = 0, gamma = 1;  // of a spectrum: Hs m, Tp s
+  std::vector<Row> rows;                          // regular or Stokes wave, or given components
+  double height = 0, peak_period = 0, gamma = 1;  // of a spectrum: Hs [m], Tp [s]
   double direction = 0, spreading = 0;            // rad; exponent s of cos^2s, 0: long-crested
-  std::vector<SpectrumRow> spectrum;              // rows of `table`
-  double current = 0;                             // m/s, uniform, along Stokes' wave, which rides on it
-  bool transport = false;                         // it is the mean transport by depth; else the mean velocity
-  int count = 0;                                  // components
+  std::vector<SpectrumRow> spectrum;              // rows of Kind::table
+  double current = 0;                             // m/s, uniform, collinear with the Stokes wave
+  bool transport =
+      false;      // `current` is the depth-averaged transport velocity; else the mean Eulerian velocity
+  int count = 0;  // number of components
   std::uint64_t seed = 1;
   Stretching stretching = Stretching::wheeler;
   double ramp = 0;  // s, smooth start in dynamics
@@ -64,37 +65,37 @@ struct Water {
   Waves waves;
 };
 
-// A plane through (0, 0, -depth), going down at `slope` towards `direction`; or a surface.
+// A plane through (0, 0, -depth) that descends with `slope` towards `direction`; or a surface.
 struct Seabed {
   bool present = false;
-  std::shared_ptr<const Surface> surface;  // of a grid or a mesh, axes of space; null: the plane
-  std::string file;                        // that it was read from
+  std::shared_ptr<const Surface> surface;  // grid or mesh, space axes; null: the plane
+  std::string file;                        // of the surface
   double depth = 0;                        // m
   double slope = 0, direction = 0;         // rad
   StiffnessBasis basis = StiffnessBasis::per_area;
-  double normal_stiffness = 0;  // N/m² or N/m³ by basis; of a table its largest slope
+  double normal_stiffness = 0;  // N/m² or N/m³ by basis; with a table: its largest slope
   std::shared_ptr<const ContactForceTable> force_table;  // N/m or N/m² by basis; null: by stiffness
   double damping = 0;                                    // N s/m² or N s/m³ by basis
   std::optional<double> smoothing;                       // m, half width of the C1 ramp; none: default
-  double suction = 0;         // N/m or N/m² by basis, largest pull on what leaves; in dynamics
-  double suction_length = 0;  // m above the deepest place, where it lets go
+  double suction = 0;         // N/m or N/m² by basis, largest uplift resistance; in dynamics
+  double suction_length = 0;  // m above the deepest penetration at which suction ends
   Friction friction;
-  bool as_laid = true;  // in statics friction acts against what pulled the line from where it was laid,
-  bool full = false;    // ... all of it as far as the tension goes, however little it was pulled
+  bool as_laid = true;  // in statics friction opposes the displacement from the laid position,
+  bool full = false;    // ... fully mobilised at the slightest slip
 };
 
-// Over the sea, on bodies with coefficients for it.
+// Wind over the sea; acts on bodies with wind coefficients.
 struct Wind {
   bool present = false;
-  double speed = 0;           // m/s, mean of an hour, at `height`
+  double speed = 0;           // m/s, hourly mean at `height`
   double direction = 0;       // rad
   double height = 10;         // m above the still water
-  double exponent = 1.0 / 7;  // speed at z: times (z/height)^exponent
+  double exponent = 1.0 / 7;  // speed at z is multiplied by (z/height)^exponent
   double density = 1.225;     // kg/m³
   double ramp = 0;            // s, smooth start in dynamics; 0: acts from statics on
-  TimeFactor time_factor;     // multiplies it too
+  TimeFactor time_factor;     // multiplies the speed as well
   GustSpectrum gusts = GustSpectrum::none;
-  int components = 200;  // of the gusts
+  int components = 200;  // number of gust components
   std::uint64_t seed = 1;
   double gust_ramp = 60;  // s
 };

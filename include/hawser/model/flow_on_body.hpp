@@ -1,4 +1,4 @@
-// Wind or current on a floating body by a table of coefficients.
+// Wind or current forces on a floating body from tables of coefficients.
 #pragma once
 
 #include <string>
@@ -12,16 +12,16 @@ struct Case;
 
 struct FlowOnBody {
   FlowCoefficients coefficients;
-  int rows = 0;            // that the file has
-  bool mirrored = false;   // those of the other side are made of them
-  bool by_origin = false;  // its angles are where the flow comes from; the coefficients have been turned
+  int rows = 0;            // number of rows in the file
+  bool mirrored = false;   // the other side is mirrored from the given one
+  bool by_origin = false;  // file angles are where the flow comes from; the coefficients are converted
   double frontal = 0, lateral = 0;  // m²
-  double length = 0, draught = 0;   // m; a current: 0, areas are given
-  Vec3 at = Vec3::Zero();           // m, body frame: where the forces act and velocities count
-  double height = 10;               // m above the still water, of the wind of the coefficients
+  double length = 0, draught = 0;   // m; current: 0 if areas are given
+  Vec3 at = Vec3::Zero();           // m, body frame: point of the forces and velocities
+  double height = 10;               // m above the still water, reference height of wind coefficients
 };
 
-// What `hawser check` says of loads, wind and current on a floating body, in lines.
+// Lines on loads, wind and current on a floating body that `hawser check` prints.
 std::string flow_text(const Case& c, const Body& b);
 
 }  // namespace hawser::model

@@ -1,6 +1,6 @@
-// Hydrodynamic coefficients of floating bodies as a diffraction program computes them, in SI units and one
-// convention: motion and force = Re(X exp(i omega t)), phases lead the crest at the origin of the files,
-// directions are where waves go to, moments about the point that the files have for each body.
+// Hydrodynamic coefficients of floating bodies from a diffraction program, in SI units and one convention:
+// motion and force = Re(X exp(i omega t)); phases are leads over the crest at the origin of the files;
+// directions are where waves go to; moments are about the reference point of each body in the files.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,17 +15,17 @@ namespace hawser::model {
 
 struct HydrodynamicData {
   std::string radiation_file, excitation_file;       // for messages
-  int bodies = 0;                                    // matrices have 6 rows and columns for each
-  std::vector<double> omega;                         // rad/s, growing, above 0
-  std::vector<Eigen::MatrixXd> added_mass, damping;  // by frequency: kg, kg m, kg m²; N s/m, N s, N m s
+  int bodies = 0;                                    // matrices have 6 rows and columns per body
+  std::vector<double> omega;                         // rad/s, increasing, positive
+  std::vector<Eigen::MatrixXd> added_mass, damping;  // per frequency: kg, kg m, kg m²; N s/m, N s, N m s
   Eigen::MatrixXd infinite;                          // added mass at infinite frequency
-  bool infinite_estimated = false;                   // from the other rows: the files have none
+  bool infinite_estimated = false;                   // extrapolated from finite frequencies
   Eigen::MatrixXd hydrostatic;                       // N/m, N, N m/rad
-  std::vector<WaveForceTable> excitation;            // by body: N/m, N; empty: not given
-  std::vector<WaveForceTable> drift;  // by body: N/m², N/m of the amplitude squared; empty: not given
-  DifferenceForceTable difference;    // of one body, at one direction
-  // By body, where the files tell it: the point that moments are about, m, axes of the files; and the moment
-  // m g (x, y, z) of its weight about that point, N m, that is in their hydrostatic stiffness.
+  std::vector<WaveForceTable> excitation;            // per body: N/m, N per m amplitude; empty: not given
+  std::vector<WaveForceTable> drift;  // per body: N/m², N/m per squared amplitude; empty: not given
+  DifferenceForceTable difference;    // of one body, for one wave direction
+  // Per body, if the files contain them: the reference point of moments [m, axes of the files] and the moment
+  // of weight m g (x, y, z) about it [N m] that is part of their hydrostatic stiffness.
   std::vector<std::optional<Vec3>> origin, weight;
 };
 

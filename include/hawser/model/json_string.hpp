@@ -1,4 +1,4 @@
-// A text as a string of JSON.
+// Conversion of text to a JSON string.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
-// The longest step that automatic steps may take where the case does not say: a part of the fastest of what
-// the case makes move. The local error and the terms make steps shorter than that where they must.
+// Default limit of automatic time steps, from the time scales of the case. The local error and the force
+// terms reduce steps further.
 #pragma once
 
 #include <string>

@@ -1,5 +1,4 @@
-// Where the thing of a name is among many: a farm has thousands of lines and bodies, which are looked up by
-// name.
+// Hashed look-up of objects by name; a farm has thousands of lines and bodies.
 #pragma once
 
 #include <string>
@@ -8,10 +7,10 @@
 
 namespace hawser::model {
 
-// What it remembers is checked at each use, so the things may change in any way.
+// Each hit is verified against the objects, which may therefore change between look-ups.
 class NameIndex {
  public:
-  // The index of the first thing with this `name`, -1: there is none.
+  // Index of the first object with this `name`; -1: none.
   template <class Thing>
   int find(const std::vector<Thing>& things, const std::string& name) const {
     if (at_.size() != things.size()) {

@@ -1,4 +1,4 @@
-// Helpers for sentences that tell a user what was wrong and what was probably meant.
+// Suggestions and quoted text for error messages.
 #pragma once
 
 #include <span>
@@ -8,24 +8,24 @@
 
 namespace hawser::model {
 
-// Optimal string alignment distance: insertions, deletions, substitutions, swaps of neighbours.
-// Letter case counts half, so 'ea' is nearer to 'EA' than to 'GA'.
+// Optimal string alignment distance: insertions, deletions, substitutions and transpositions of neighbours. A
+// change of letter case costs half, so 'ea' is nearer to 'EA' than to 'GA'.
 double edit_distance(std::string_view a, std::string_view b);
 
-// The candidate nearest to `word`, or empty if none is near (more than about 40 % of its letters differ).
+// The candidate nearest to `word`; empty if more than about 40 % of its letters differ.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
-// "; did you mean 'x'?" or nothing.
+// "; did you mean 'x'?" or empty.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
-// "a blank is missing after the colon in 'key:value': write 'key: value'" of a text that begins so; else
+// "a blank is missing after the colon in 'key:value': write 'key: value'" if the text begins like this; else
 // empty.
 std::string missing_blank(std::string_view text);
 
-// In quotes, one line, at most 60 characters; control characters become '?'.
+// The text in quotes, on one line, at most 60 characters; control characters become '?'.
 std::string quote(std::string_view text);
 
-// "a, b or c" (or with another last word).
+// "a, b or c", with `last` as the conjunction.
 std::string enumerate(const std::vector<std::string>& words, std::string_view last = "or");
 
 }  // namespace hawser::model

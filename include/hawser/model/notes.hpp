@@ -1,4 +1,4 @@
-// Notes of a case made shorter.
+// Shortened lists of names and notes.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace hawser::model {
 
-// "A, B and C", or "A ... Z (18 in all)" of more than four.
+// "A, B and C", or "A ... Z (18 in all)" for more than four.
 std::string names_text(const std::vector<std::string>& names);
 
-// Notes "volume NAME: TEXT" (or of a key, "volumes.NAME: TEXT") whose TEXT is the same become one, in the
-// place of the first: "volumes A, B and C: TEXT", of more than four "volumes A ... Z (18 in all): TEXT".
-// Others stay.
+// Joins notes "volume NAME: TEXT" (or with a key, "volumes.NAME: TEXT") of equal TEXT at the position of the
+// first: "volumes A, B and C: TEXT", for more than four "volumes A ... Z (18 in all): TEXT". Other notes are
+// unchanged.
 std::vector<std::string> grouped_notes(const std::vector<std::string>& notes);
 
 }  // namespace hawser::model

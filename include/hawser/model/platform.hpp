@@ -1,4 +1,4 @@
-// A floating platform of the case: its hydrodynamic coefficients and constant forces on it.
+// Floating platforms: hydrodynamic coefficients, dynamic positioning and applied forces.
 #pragma once
 
 #include <cmath>
@@ -18,76 +18,75 @@ struct Body;
 struct BodyMass;
 struct Case;
 
-// What the sea does to a large floating body by the coefficients of a diffraction program.
+// Wave and radiation loads on a large floating body by coefficients of a diffraction program.
 struct BodyHydrodynamics {
   enum class Format { wamit, capytaine, bemio } format = Format::wamit;
-  std::string files;            // path, absolute; of WAMIT's files without their endings
-  double length = 1;            // m, ULEN of the files
-  int body = 1;                 // which of the files' bodies it is
-  Vec3 in_file = Vec3::Zero();  // m, of the body's origin in the axes of the files
+  std::string files;            // absolute path; WAMIT: without extensions
+  double length = 1;            // m, ULEN of the WAMIT files
+  int body = 1;                 // number of the body in the files, from 1
+  Vec3 in_file = Vec3::Zero();  // m, body origin in the axes of the files
   SecondOrder second_order = SecondOrder::none;
-  bool excitation = true;  // waves act on it
-  bool mirrored = false;   // wave forces from the other side are mirror images of those of the files
-  bool gravity_in_stiffness = false;  // the hydrostatic stiffness has the part of its weight
-  double volume = 0;                  // m³ that it displaces where `place` has it; 0: that of its mass
-  std::optional<Vec3> place;          // m, of its origin where motion is counted from
-  std::optional<double> heading;      // rad, there
-  double follow = 100;                // s: waves and coefficients follow motion slower than this; 0: none
-  Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // added, about its origin: N/m ... N m s
-  // Wave-drift damping by frequency, rad/s, growing: forces of surge and sway and moment of yaw over the
-  // velocities and the square of the wave's amplitude; N s/m³, N s/m², N m s/m².
+  bool excitation = true;  // wave excitation acts
+  bool mirrored = false;   // wave forces from the other side are mirror images of those in the files
+  bool gravity_in_stiffness = false;  // the hydrostatic stiffness includes the contribution of weight
+  double volume = 0;                  // m³ displaced at `place`; 0: mass over density
+  std::optional<Vec3> place;          // m, reference position of the body origin
+  std::optional<double> heading;      // rad, reference heading
+  double follow = 100;  // s: waves and coefficients follow motion slower than this; 0: they do not
+  Mat6 stiffness = Mat6::Zero(), damping = Mat6::Zero();  // additional, about the body origin: N/m ... N m s
+  // Wave-drift damping by frequency [rad/s, increasing]: surge and sway forces and yaw moment per velocity
+  // and per squared wave amplitude; N s/m³, N s/m², N m s/m².
   std::vector<std::pair<double, Mat3>> drift_damping;
-  Mat6 quadratic_damping = Mat6::Zero();  // times |v| v of the six velocities: N/(m/s)² ... N m/(rad/s)²
+  Mat6 quadratic_damping = Mat6::Zero();  // factors of |v| v of the six velocities: N/(m/s)² ... N m/(rad/s)²
   std::shared_ptr<const HydrodynamicData> data;
-  const char* key() const;  // that names the files
+  const char* key() const;  // key of the case file that gives the files
 };
 
-// Dynamic positioning (model/positioning.hpp): thrusters hold place and heading of a floating body by its
-// slow motion.
+// Dynamic positioning (model/positioning.hpp): thrusters control the low-frequency position and heading of a
+// floating body.
 struct DynamicPositioning {
-  std::optional<Vec3> place;      // m, of the body's origin; z is not held
+  std::optional<Vec3> place;      // m, body origin; z is not controlled
   std::optional<double> heading;  // rad
-  // Of surge, sway and yaw: N/m, N m/rad; N s/m, N m s/rad; N/(m s), N m/(rad s).
+  // Gains in surge, sway and yaw: N/m, N m/rad; N s/m, N m s/rad; N/(m s), N m/(rad s).
   Vec3 proportional = Vec3::Zero(), derivative = Vec3::Zero(), integral = Vec3::Zero();
-  double filter = 60;  // s: motion faster than this is left alone
-  // N, of surge and sway alone; forces of both reach an ellipse of these half axes.
+  double filter = 60;  // s: faster motion is filtered out
+  // N, limits in surge and sway; half axes of the ellipse that limits combined forces.
   Eigen::Vector2d max_force = Eigen::Vector2d::Constant(HUGE_VAL);
-  double max_moment = HUGE_VAL;  // N m, of yaw
+  double max_moment = HUGE_VAL;  // N m, yaw
 };
 
-// Damping of the rates of a body's origin by wave drift in that sea, axes of its heading: the sum of the
-// squares of the amplitudes times `drift_damping`, straight between its frequencies. N s/m, N s, N m s.
+// Wave-drift damping matrix in the given sea, about the body origin, axes of its heading: the sum over
+// components of amplitude² times `drift_damping`, linear between its frequencies. N s/m, N s, N m s.
 Mat6 wave_drift_damping(const BodyHydrodynamics& h, const std::vector<WaveComponent>& sea);
 
-// A force on a floating body, constant or with a part by time.
+// Force on a floating body, constant or time dependent.
 struct BodyLoad {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // N, N m
-  std::vector<std::pair<double, Vec6>> table;        // s; N, N m, added to them: straight lines between rows
-  Vec3 at = Vec3::Zero();                            // m, body frame
-  bool body_fixed = false;                           // axes of the body; else of space
+  std::vector<std::pair<double, Vec6>> table;  // s; N, N m, added to the constant part; linear between rows
+  Vec3 at = Vec3::Zero();                      // m, body frame
+  bool body_fixed = false;                     // body axes; else space axes
 };
 
-// Hydrostatics of the pressure alone, about the body's origin, with level 0: weight acts by itself. Files
-// with gravity have -m g zG in C44 and C55, m g xG in C46 and m g yG in C56 (WAMIT manual 7, section 4.2). Of
-// a body with hydrodynamics; density of the water [kg/m³], gravity [m/s²].
+// Hydrostatics of the pressure alone, about the body origin, with the water level at 0; weight acts
+// separately. Files with gravity include -m g zG in C44 and C55, m g xG in C46 and m g yG in C56 (WAMIT
+// manual 7, section 4.2). The body needs hydrodynamics; density [kg/m³] of water, gravity [m/s²].
 PlatformHydrostatics hydrostatics(const BodyMass& body, double density, double gravity);
-// Stiffness of heave [N/m], roll and pitch [N m/rad] of that body with its weight, C - m g z_G of the
-// rotations.
+// Stiffness in heave [N/m], roll and pitch [N m/rad] including weight: C - m g z_G for rotations.
 Vec3 restoring(const BodyMass& body, const PlatformHydrostatics& still, double gravity);
 
-// Shares of a sea's energy that a table does not cover: at directions (seen from the bow) that it has no rows
-// near, and at periods shorter and longer than its own. heading: rad, of the body.
+// Fractions of a sea's energy outside a table of wave forces: at directions (relative to the bow) without
+// nearby rows, and at periods shorter or longer than those of the table. heading: of the body, rad.
 struct Coverage {
   double uncovered = 0, shorter = 0, longer = 0;
-  double direction = 0;  // rad, the first of those not covered
+  double direction = 0;  // rad, the first direction not covered
 };
 Coverage coverage(const WaveForceTable& table, const std::vector<WaveComponent>& sea, double heading);
 
-// What `hawser check` says of a body with hydrodynamics, in lines.
+// Lines on a body with hydrodynamics that `hawser check` prints.
 std::string platform_text(const Case& c, const Body& b);
 
-// Bodies of the case that radiate on each other: those with the same files, the first that is their body 1
-// with the first that is their body 2, and so on. Files of one body: each by itself.
+// Groups of bodies that interact by radiation: bodies with the same files, the first that is their body 1
+// with the first that is their body 2, and so on. Bodies with single-body files are groups of their own.
 std::vector<std::vector<int>> radiating_groups(const Case& c);
 
 }  // namespace hawser::model

@@ -1,5 +1,4 @@
-// The memory of the waves that bodies have made by their own motion, from the radiation damping of their
-// files.
+// Radiation memory of bodies, computed from the radiation damping in their files.
 #pragma once
 
 #include <string>
@@ -13,21 +12,21 @@
 namespace hawser::model {
 
 struct PlatformMemory {
-  std::vector<int> rows;                     // of the files' matrices, six for each body
-  std::vector<std::pair<int, int>> entries;  // of a matrix of these rows, row <= column, that are not zero
-  RadiationMemory memory;                    // of these entries; without entries: of length 0
+  std::vector<int> rows;                     // indices into the matrices of the files, six per body
+  std::vector<std::pair<int, int>> entries;  // nonzero entries of a matrix of these rows, row <= column
+  RadiationMemory memory;                    // of these entries; of length 0 without entries
 };
-// Of bodies that are one of radiating_groups().
+// For the bodies of one of radiating_groups().
 PlatformMemory platform_memory(const Case& c, const std::vector<int>& bodies);
 
-// Such as "surge", of several bodies "float surge".
+// Name such as "surge"; with several bodies "float surge".
 std::string freedom_name(const Case& c, const std::vector<int>& bodies, int row);
 
-// How far added mass by the damping (Ogilvie 1964) is from that of the files at most, for the freedom where
-// this is largest of what its added mass varies by.
+// Largest difference between added mass from damping (Ogilvie 1964) and that in the files, relative to the
+// variation of the latter, for the freedom where it is largest.
 struct OgilvieCheck {
   double difference = 0;  // share of the largest |A - A(inf)|
-  int freedom = 0;        // of `rows`
+  int freedom = 0;        // index into `rows`
   double omega = 0;       // rad/s
 };
 OgilvieCheck ogilvie_check(const HydrodynamicData& data, const PlatformMemory& of);

@@ -1,4 +1,4 @@
-// Periods of a platform by itself, from its hydrostatics and added mass.
+// Natural periods of a platform from hydrostatics and added mass.
 #pragma once
 
 #include "hawser/model/case.hpp"

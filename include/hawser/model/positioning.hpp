@@ -9,15 +9,15 @@ namespace hawser::model {
 
 struct Body;
 
-// kg, kg, kg m²: with the added mass of the longest waves where the body has one, of yaw about its origin.
+// Mass in surge, sway and yaw about the body origin [kg, kg, kg m²], with the added mass of the lowest
+// frequency if the body has one.
 Vec3 positioned_mass(const Body& b);
 
-// 1/s, by surge, sway and yaw: the largest rate of growth of the linear motion of that mass with the
-// controller alone, without limits; 0: it decays, or nothing is controlled. See docs/theory/positioning.md,
-// "Stability".
+// Largest growth rate [1/s] of the linear controlled motion in surge, sway and yaw, without force limits; 0:
+// stable or not controlled. See docs/theory/positioning.md, "Stability".
 Vec3 loop_growth(const Body& b);
 
-// A line of `hawser check`: periods, damping and limits.
+// Line printed by `hawser check`: periods, damping and limits.
 std::string positioning_text(const Body& b);
 
 }  // namespace hawser::model

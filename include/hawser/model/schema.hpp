@@ -1,7 +1,6 @@
-// The one description of a case file. The checker, the key tables of the user guide and the JSON
-// Schema for editors are all made from it, so they cannot disagree. A new key is one line in
-// src/model/schema_<subject>.cpp, which names the field of the case (case.hpp) that it fills; how such lines
-// are written is in src/model/schema_build.hpp.
+// Schema of the case file, the single source of the checker, the key tables of the user guide and the JSON
+// Schema for editors. A new key is one line in src/model/schema_<subject>.cpp, which names the field of the
+// case (case.hpp) that it fills; src/model/schema_build.hpp describes the notation.
 #pragma once
 
 #include <fmt/core.h>
@@ -22,25 +21,25 @@
 
 namespace hawser::model {
 
-// Value::line of what --set has put into a document.
+// Value::line of values set by --set.
 inline constexpr int kBySet = -1;
-// Value::number of an arc length that is given as 'end_b'.
+// Value::number of an arc length given as 'end_b'.
 inline constexpr double kEndB = std::numeric_limits<double>::infinity();
 
 struct Bounds {
   std::optional<double> above, at_least, at_most;  // SI (angles: rad)
 };
 
-// Keys that belong together; of the groups of a map at most one may be used.
+// Keys that belong together; at most one group of a map may be used.
 struct Group {
   std::vector<std::string> keys;
-  std::vector<std::string> needed;  // those of them that must be there when the group is used
+  std::vector<std::string> needed;  // keys that must be present if the group is used
 
   Group(const char* key) : keys{key}, needed{key} {}
   Group(std::vector<std::string> k, std::vector<std::string> n) : keys(std::move(k)), needed(std::move(n)) {}
 };
 
-// A struct of the case (case.hpp) that keys fill.
+// Type-checked reference to a struct of the case (case.hpp) that keys fill.
 class Target {
  public:
   template <class T>
@@ -55,7 +54,7 @@ class Target {
   void* at_;
   const std::type_info* type_;
 };
-// Puts a checked value into a field of it.
+// Stores a checked value in a field of the target.
 using Put = std::function<void(const Target&, const Value&)>;
 
 struct Key {
@@ -80,18 +79,18 @@ struct Key {
   Dimension unit = Dimension::none;
   Bounds bounds;
   std::vector<std::string> words;
-  std::vector<double> meanings;  // of the words: numbers, enumerators
+  std::vector<double> meanings;  // numbers or enumerators of `words`
   std::string refers;
   std::optional<std::string> fallback;  // default, as it would be written in the file
-  std::string fallback_note;            // default in words, when it depends on other keys
+  std::string fallback_note;            // default in words, if it depends on other keys
   bool required = false;
-  bool fixed_in_restart = false;  // it, and all keys below it, stay as they were when a run goes on
+  bool fixed_in_restart = false;  // this key and all keys below must not change in a restart
   std::vector<Key> keys;
   std::size_t min_items = 0, max_items = 0;  // of lists and names; 0: no limit
   std::vector<Group> groups;
   bool group_required = false;  // one of the groups must be used
-  // The fields that it is for. None: the keys of a map are for the struct around it; what else has none is
-  // read by hand (src/io/case_reader*.cpp).
+  // Fields that the key fills. If empty, keys of a map fill the enclosing struct; other keys are read by hand
+  // (src/io/case_reader*.cpp).
   std::vector<Put> fields;
 };
 
@@ -101,28 +100,28 @@ const Key& case_schema();
 // "a number [m]", "'auto' or a number [s]", "a list of 3 numbers [m]", ...
 std::string describe(const Key& key);
 
-// Where below a key there is one called `name` (letter case aside): "sections[0].length" of a line; the least
-// deep one, without names of the user's choice. Empty: nowhere, or in the key itself.
+// Place of a key called `name` below a key (ignoring letter case): "sections[0].length" for a line; the
+// shallowest one, not below names of the user's choice. Empty: none, or in the key itself.
 std::string place_below(const Key& key, std::string_view name);
 
-// Names that references may mean beside the entries of the document, by its top-level maps.
+// Names that references may use besides the entries of the document, by top-level map.
 using MoreNames = std::map<std::string, std::vector<std::string>>;
 // Check `root` against the schema, fill in defaults (Value::given = false), set Value::number in SI,
 // resolve references. Throws InputError "file:line: dotted.key: ..." at the first fault.
 void check_structure(Value& root, const Key& schema, const std::string& file, const MoreNames& more = {});
 
-// Puts what v says into the fields of `target` that its key and those below it are for. given: only what
-// stands in the file, no defaults.
+// Stores v in the fields of `target` that its key and the keys below fill. given: only values from the file,
+// no defaults.
 void take(const Value& v, const Target& target, bool given = false);
 
-// A value that is well formed and cannot be; the reader of the case makes an InputError of it.
+// A well-formed but inadmissible value; the case reader converts it to an InputError.
 struct Refusal : std::runtime_error {
   Refusal(const Value& at, std::string where, const std::string& text);
   int line;
   std::string where;  // dotted key
 };
-// Throws it: of this value, or of another key in its line. Here and below the text is as it is, or one that
-// fmt::format puts the rest into.
+// Throw a Refusal of this value or of another key on its line. Here and below the text is literal or an fmt
+// format string.
 [[noreturn]] void refuse(const Value& v, const std::string& text);
 template <class First, class... More>
 [[noreturn]] void refuse(const Value& v, fmt::format_string<First, More...> text, First&& first,
@@ -136,8 +135,7 @@ template <class First, class... More>
   refuse_key(at, key, fmt::format(text, std::forward<First>(first), std::forward<More>(more)...));
 }
 
-// Throws InputError with the sentence "file:line: key: text".
-// "file:line: key: text".
+// refusal() returns "file:line: key: text"; fail() throws it as an InputError.
 std::string refusal(const std::string& file, int line, const std::string& key, const std::string& text);
 [[noreturn]] void fail(const std::string& file, int line, const std::string& key, const std::string& text);
 template <class First, class... More>
@@ -146,8 +144,8 @@ template <class First, class... More>
   fail(file, line, key, fmt::format(text, std::forward<First>(first), std::forward<More>(more)...));
 }
 
-// The values of all keys below v that are fixed_in_restart, by their dotted key, as text: numbers in SI, keys
-// of maps in alphabetical order. v: checked.
+// Values of all keys below v that are fixed_in_restart, by dotted key, as text: numbers in SI, keys of maps
+// in alphabetical order. v must be checked.
 std::map<std::string, std::string> fixed_values(const Value& v);
 // Of the tree of a case file what line_of() and fixed_values() read: what stands in another line of the file
 // than the entry around it, and what is fixed_in_restart. v: checked.
@@ -159,7 +157,7 @@ std::string value_text(const Value& v);
 std::string schema_markdown();
 std::string schema_json();
 
-// Characters a name may have, as a regular expression of JSON Schema; and the same as a test.
+// Allowed characters of a name as a regular expression for the JSON Schema, and the corresponding test.
 const char* name_pattern();
 bool is_name(std::string_view text);
 

@@ -1,4 +1,4 @@
-// Units a case file may use. A bare number is in the base unit of its key; "850 mm" names another.
+// Units of the case file. A bare number is in the base unit of its key; "850 mm" gives another.
 #pragma once
 
 #include <span>
@@ -36,28 +36,28 @@ enum class Dimension {
   temperature_change,  // K
   thermal_expansion,   // 1/K
 };
-// Every dimension, in their order.
+// All dimensions, in order of declaration.
 std::span<const Dimension> dimensions();
 
 struct Unit {
   std::string_view name;            // canonical: no blanks or dots, powers as ^2
-  double multiply = 1, divide = 1;  // SI = value * multiply / divide (both, so that 850 mm is 0.85 exactly)
+  double multiply = 1, divide = 1;  // SI = value * multiply / divide; both keep 850 mm exactly 0.85
 };
 
 std::string_view dimension_name(Dimension d);  // "length", as in "a length is given in m, mm ..."
 std::string_view base_unit(Dimension d);       // as printed: "N m²"; "-" for none
 std::span<const Unit> units_of(Dimension d);   // first is the base unit
 
-// What a number may be in size, unless it is 0: products of five such numbers, as E d^4 of a bending
-// stiffness, are neither infinite nor zero.
+// Bounds of the magnitude of nonzero numbers: products of five such numbers, as in E d^4, neither overflow
+// nor underflow.
 inline constexpr double kLargest = 1e60, kSmallest = 1e-60;
 
-// A number with or without unit, e.g. "0.85", "850 mm", "1e3 kN". Result in SI.
+// A number with or without unit, e.g. "0.85", "850 mm", "1e3 kN", converted to SI.
 struct Quantity {
   enum class Status { ok, not_a_number, not_finite, out_of_range, wrong_unit };
   Status status = Status::ok;
   double si = 0;
-  std::string unit;  // as written, for the sentence
+  std::string unit;  // as written, for messages
 };
 Quantity parse_quantity(std::string_view text, Dimension d);
 

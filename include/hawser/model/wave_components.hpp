@@ -1,4 +1,4 @@
-// The waves of a case as components.
+// Wave field of a case.
 #pragma once
 
 #include "hawser/kernels/stokes_wave.hpp"
@@ -6,11 +6,11 @@
 
 namespace hawser::model {
 
-// What Stokes' wave of a case is made from (Waves::Kind::stokes).
+// Input of the Stokes wave of a case (Waves::Kind::stokes).
 StokesInput stokes_input(const Environment& e);
 
-// Empty without waves. The same on every rank. std::invalid_argument for a Stokes' wave that cannot be, which
-// the case reader has refused before.
+// Empty without waves; equal on all ranks. Throws std::invalid_argument for a Stokes wave that does not
+// exist; the case reader refuses it before.
 WaveField wave_field(const Environment& e);
 
 }  // namespace hawser::model

@@ -1,4 +1,4 @@
-// The energy audit in a checkpoint, so that a run that goes on adds up from its own start.
+// The energy audit in a checkpoint, so that a continued run counts from the original start.
 #pragma once
 
 #include "hawser/io/checkpoint.hpp"
@@ -6,12 +6,12 @@
 
 namespace hawser::record {
 
-// start: the energies from which the audit counts.
+// start: energies from which the audit counts.
 void save_audit(const Energy& start, const Audit& audit, io::Checkpoint& to);
-// What an older file lacks is 0.
+// Numbers that an older file lacks are 0.
 void restore_audit(const io::Checkpoint& from, Energy& start, Audit& audit);
 
-// Over all ranks. Collective.
+// Sum over all ranks. Collective.
 Energy sum_of(MPI_Comm comm, Energy share);
 
 }  // namespace hawser::record

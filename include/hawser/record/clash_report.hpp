@@ -1,5 +1,5 @@
-// The clash report of a run on all its ranks: what they find touching is kept by each, and put together on
-// rank 0 when results are written.
+// Clash report of a run on all ranks: each rank stores its contacts; rank 0 assembles the clashes when
+// results are written.
 #pragma once
 
 #include <mpi.h>
@@ -22,20 +22,20 @@ namespace hawser::record {
 
 class ClashReport : public Recording, public HasClashes {
  public:
-  // True when the case wants a report and anything can touch.
+  // True if the case enables the report and has any contact.
   static bool wanted(const Subject& subject);
-  // The subject outlives it.
+  // The subject must outlive the report.
   explicit ClashReport(const Subject& subject);
 
-  // Before the next step is prepared. Communicates only now and then.
+  // Must precede the preparation of the next step. Communicates only every kMostSteps steps.
   void step(const Snapshot& s) override;
   io::ClashTables take() override;
   const io::ReportedClashes& reported() const override { return log_.reported(); }
   void begin_file() override { log_.begin_file(); }
-  // The clashes with the largest forces.
+  // Table of the clashes with the largest forces.
   std::string table() const override;
 
-  // As records of the first node.
+  // Stored as records of the first node.
   void save(io::Checkpoint& to) override;
   void restore(const io::Checkpoint& from) override;
 
@@ -44,15 +44,15 @@ class ClashReport : public Recording, public HasClashes {
 
   const MPI_Comm comm_;
   const Subject& subject_;
-  const LineVolumeContact* contact_;     // null: none of its kind
+  const LineVolumeContact* contact_;     // null: no such contact
   const LinePairs* line_pairs_;          // likewise
   const BodyContactTerm* body_contact_;  // likewise
   int rank_;
   ClashSettings settings_;
-  std::vector<int> volumes_;   // of the case: those of the contact of lines with volumes
-  std::vector<double> steps_;  // since the last collect(): time, number of touches, touches
-  int waiting_ = 0;            // steps in it
-  ClashLog log_;               // of rank 0
+  std::vector<int> volumes_;   // indices in the case of the volumes in contact with lines
+  std::vector<double> steps_;  // since the last collect(): time, number of contacts, contacts
+  int waiting_ = 0;            // number of steps in it
+  ClashLog log_;               // on rank 0
 };
 
 }  // namespace hawser::record

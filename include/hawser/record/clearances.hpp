@@ -1,4 +1,4 @@
-// Smallest distances of lines to other lines and to volumes, at every accepted step.
+// Smallest distances of lines to other lines and to volumes at every accepted step.
 #pragma once
 
 #include <mpi.h>
@@ -19,36 +19,36 @@ namespace hawser::record {
 
 class Clearances : public Recording {
  public:
-  // The subject outlives it.
+  // The subject must outlive the object.
   explicit Clearances(const Subject& subject);
 
-  // A series for each of the case's: to a line `clearance`, `arc_length`, `other_arc_length`; to a volume
-  // `clearance`, `arc_length` and the nearest `point` of its surface, space axes.
+  // One series per clearance of the case: to a line `clearance`, `arc_length`, `other_arc_length`; to a
+  // volume `clearance`, `arc_length` and the nearest `point` of its surface, space axes.
   void declare(Declarations& to) override;
-  // On rank 0 (elsewhere empty).
+  // Complete on rank 0, empty elsewhere.
   void rows(const Snapshot& s, Rows& to) override;
 
  private:
   struct Best {
     double clearance = 0;
     double arc = 0;             // m
-    Vec3 there = Vec3::Zero();  // m; of a line: its arc length first
+    Vec3 there = Vec3::Zero();  // m; to a line: its arc length first
   };
   struct Shaped {
     int element = 0;  // of the mesh
     double radius = 0;
     BezierAxis axis;
   };
-  // Elements of a part of a line and the boxes of their axes.
+  // Elements of a part of a line and the tree of their bounding boxes.
   struct Tree {
-    std::vector<Shaped> elements;  // by number
+    std::vector<Shaped> elements;  // in the order of element numbers
     BoxTree boxes;
-    double radius = 0;  // m, the largest
+    double radius = 0;  // m, largest
     Tree() = default;
     explicit Tree(std::vector<Shaped> of);
   };
-  // Cache of an element against a volume: no nearer than `least` [m] to it while its axis is where it was in
-  // the body's frame. It changes the time, never the answer.
+  // Lower bound `least` [m] of the distance of an element to a volume, valid while its axis has not moved in
+  // the body's frame. Affects the cost but not the result.
   struct Cache {
     BezierAxis axis;
     double least = 0;
@@ -66,7 +66,7 @@ class Clearances : public Recording {
   const model::Case& case_;
   const LocalMesh& mesh_;
   const std::vector<std::shared_ptr<const Surface>>& surfaces_;
-  std::vector<std::vector<Cache>> cache_;  // by clearance, of own()
+  std::vector<std::vector<Cache>> cache_;  // by clearance, for own()
 };
 
 }  // namespace hawser::record

@@ -1,5 +1,5 @@
-// Peaks of bending where a volume presses on a beam between two of its nodes, a roller for example: moment
-// and curvature there, shown at the nearer node (docs/theory/supports.md, "Moments under a roller").
+// Bending peaks where a volume, for example a roller, presses on a beam between two nodes: moment and
+// curvature, shown at the nearer node (docs/theory/supports.md, "Moments under a roller").
 #pragma once
 
 #include <array>
@@ -13,18 +13,18 @@ namespace hawser::record {
 
 class ContactPeaks {
  public:
-  // Case and system outlive it.
+  // Case and system must outlive the object.
   ContactPeaks(const model::Case& c, const System& system);
 
-  // Which of them are raised: moments and curvature.
+  // Selects the fields to correct: moments and curvature.
   void find(const std::vector<Field>& fields);
 
-  // Of an accepted state, `values` of this rank's owned nodes by field: what is less than a peak within an
-  // element, in the half of it that is theirs, becomes that. No communication.
+  // Raises `values` (by field, of this rank's owned nodes) of an accepted state to the peaks within the half
+  // element next to each node. No communication.
   void fill(const Kinematics& at, std::vector<std::vector<double>>& values) const;
 
  private:
-  // Bending at a place of an element, about the axes 2 and 3 of its section, N m.
+  // Bending moment at a place of an element, about section axes 2 and 3, N m.
   struct Peak {
     double xi = 0, about2 = 0, about3 = 0;
   };
@@ -32,8 +32,8 @@ class ContactPeaks {
             std::span<const LineVolumeContact::Load> loads, double from, double to) const;
 
   const System& system_;
-  const LineVolumeContact* contact_;       // null: no line touches a volume
-  std::vector<std::array<double, 2>> EI_;  // N m², of the local elements; 0: cables, and what bends by a law
+  const LineVolumeContact* contact_;       // null: no contact of lines with volumes
+  std::vector<std::array<double, 2>> EI_;  // N m², by local element; 0: cables and nonlinear bending
   int moment_ = -1, moment_2_ = -1, moment_3_ = -1, curvature_ = -1;
 };
 

@@ -1,5 +1,5 @@
-// What straight elements that lie across edges of volumes do to the tension of a line
-// (docs/theory/element-length.md, "Edges"), evaluated after every step and reported at once.
+// Tension errors of straight elements across edges of volumes (docs/theory/element-length.md, "Edges"),
+// evaluated after every step and reported immediately.
 #pragma once
 
 #include <mpi.h>
@@ -22,15 +22,15 @@ class EdgeErrors : public Recording {
  public:
   EdgeErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
-  // Of a state, by owned node; vectors in three components each.
+  // State by owned node; vectors have three components each.
   struct Values {
-    std::span<const double> force, friction;  // N, of volumes, friction among it
-    std::span<const double> before, after;    // N, effective tension on the side of end A and of end B
+    std::span<const double> force, friction;  // N, contact force of volumes, including friction
+    std::span<const double> before, after;    // N, effective tension towards end A and towards end B
   };
-  // Ranks that share a line exchange one summary for each stretch of it that a rank owns. Collective.
+  // Ranks that share a line exchange one summary per stretch that a rank owns. Collective.
   void update(const Kinematics& at, const Values& values);
-  // A sentence where the worst error so far [N] is more than is allowed of the given tension [N]; empty: it
-  // is not.
+  // Sentence if the largest error so far [N] exceeds the allowed fraction of the given tension [N]; else
+  // empty.
   std::string warning(int line, double largest_tension) const;
 
   std::span<const Snaps::OverVolume> over_volumes() const { return over_; }  // by line
@@ -42,19 +42,19 @@ class EdgeErrors : public Recording {
 
  private:
   struct Neighbours {
-    int before = -1, after = -1;  // local nodes, where the elements on both sides are cables
-    double length = 0;            // m, of the longer of these elements
+    int before = -1, after = -1;  // local nodes; -1 unless the adjacent elements are cables
+    double length = 0;            // m, longer adjacent element
   };
-  struct Piece {  // consecutive nodes of a line that one rank owns
+  struct Piece {  // consecutive nodes of a line on one rank
     int line = 0, rank = 0;
-    int first = 0, last = 0;  // of the mesh
+    int first = 0, last = 0;  // node numbers of the mesh
   };
   struct Sharer {  // another rank that owns nodes of the same lines
     int rank = 0;
-    std::vector<size_t> send, receive;  // pieces
+    std::vector<size_t> send, receive;  // indices of pieces
   };
   std::vector<PressedTurn> turns(const Kinematics& at, const Values& values) const;
-  const model::LineType& type_at(int node) const;  // of a node between two elements: of the one behind it
+  const model::LineType& type_at(int node) const;  // type of the element after the node
   void exchange(std::vector<PressedStretch>& of_pieces) const;
   void report(int line, const PressedStretch& whole, double time);
   void gather();
@@ -62,20 +62,20 @@ class EdgeErrors : public Recording {
   MPI_Comm comm_;
   const model::Case& case_;
   const LocalMesh& mesh_;
-  std::vector<Piece> pieces_;           // of the lines of which this rank owns nodes, in the order of nodes
+  std::vector<Piece> pieces_;           // of lines with nodes on this rank, in the order of nodes
   std::vector<Sharer> sharers_;         // by rank
   std::vector<Neighbours> neighbours_;  // by owned node
   struct Worst {
     advice::LongElements at;
-    double turn_of_element = 0;  // rad, at both ends of an element together
+    double turn_of_element = 0;  // rad, sum over both ends of an element
   };
-  // By line: known where this rank owns nodes of it, and everywhere after gather().
+  // By line; valid where this rank owns nodes of the line, and on all ranks after gather().
   std::vector<Worst> worst_;
-  std::vector<double> tension_;   // N, by line: the largest so far where volumes press
-  std::vector<double> reported_;  // by line, N: the error that has been reported
+  std::vector<double> tension_;   // N, by line: largest so far under contact with volumes
+  std::vector<double> reported_;  // by line, N: error already reported
   std::vector<Snaps::OverVolume> over_;
   std::vector<std::string> new_warnings_;
-  int force_ = -1, friction_ = -1, before_ = -1, after_ = -1;  // among the fields
+  int force_ = -1, friction_ = -1, before_ = -1, after_ = -1;  // indices of fields
 };
 
 }  // namespace hawser::record

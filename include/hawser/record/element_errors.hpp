@@ -1,4 +1,4 @@
-// Where the elements of a line are too long for what is asked of its results (docs/theory/element-length.md).
+// Warnings of elements that are too long for the results of a line (docs/theory/element-length.md).
 #pragma once
 
 #include <mpi.h>
@@ -19,34 +19,34 @@ namespace hawser::record {
 
 class ElementErrors : public Recording {
  public:
-  // feeders: null where no line is fed.
+  // feeders: null if no line is fed.
   ElementErrors(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh, const Feeders* feeders);
 
-  // Of a state, by owned node of the lines; empty: there is none of it.
+  // State by owned node of the lines; empty: not available.
   struct Values {
     std::span<const double> tension;  // N, effective
     std::span<const double> moment;   // N m, of beams
     std::span<const double> pressed;  // N, normal force of volumes
-    std::vector<bool> carried;        // something touches the line there
+    std::vector<bool> carried;        // true where contact acts on the line
   };
-  // Of a line that the partition cuts the owner of its first node receives a few numbers a node from those
-  // who share it. Collective.
+  // For lines that the partition cuts, the ranks that share a line send a few numbers per node to the owner
+  // of its first node. Collective.
   void update(const Kinematics& at, const Values& values);
 
   void declare(Declarations& to) override;
   void output(const Snapshot& s) override;
   std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
 
-  // What may be wrong by more than a line of this rank bears, a sentence each: the largest tension [N] and
-  // moment [N m] of the run against which errors are judged.
+  // One sentence per significant error of a line of this rank, relative to the largest tension [N] and moment
+  // [N m] of the run.
   std::vector<std::string> warnings(int line, double largest_tension, double largest_moment) const;
 
  private:
-  using Worst = advice::LongElements;  // so far, of a line
+  using Worst = advice::LongElements;  // largest so far, per line
   struct OfLine {
     Worst sag, bend, lift;
   };
-  struct At {  // a node in a state
+  struct At {  // node of a state
     Vec3 x = Vec3::Zero();
     double tension = 0, moment = 0, pressed = 0;
     bool carried = false;
@@ -65,18 +65,18 @@ class ElementErrors : public Recording {
   const LocalMesh& mesh_;
   const Feeders* feeders_;
   MPI_Comm comm_;
-  // Of lines that are cut: those of which this rank owns the first node, and how many nodes they have.
+  // Lines with all nodes on this rank; cut lines whose first node this rank owns, and their number of nodes.
   std::vector<int> uncut_, cut_;
   size_t cut_nodes_ = 0;
   struct Sharer {  // another rank that owns nodes of the same lines
     int rank = 0;
-    std::vector<int> send;        // local nodes of lines of which it owns the first node
+    std::vector<int> send;        // local nodes of lines whose first node it owns
     std::vector<size_t> receive;  // places of its nodes among the nodes of cut_
   };
   std::vector<Sharer> sharers_;                    // by rank
-  std::vector<OfLine> lines_;                      // known on one rank each; on all of them after findings()
-  int tension_ = -1, moment_ = -1, pressed_ = -1;  // among the fields
-  std::vector<std::pair<int, int>> touches_;  // likewise with components: not zero where something touches
+  std::vector<OfLine> lines_;                      // each valid on one rank; on all after findings()
+  int tension_ = -1, moment_ = -1, pressed_ = -1;  // indices of fields
+  std::vector<std::pair<int, int>> touches_;       // fields with components that are nonzero in contact
 };
 
 }  // namespace hawser::record

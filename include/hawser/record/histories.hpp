@@ -1,5 +1,4 @@
-// Histories of a case: what is kept at every step of points of lines, which may lie between two nodes, and of
-// bodies.
+// Histories of a case: values at points of lines, which may lie between nodes, and of bodies at every step.
 #pragma once
 
 #include <array>
@@ -16,23 +15,23 @@ namespace hawser::record {
 
 class Histories : public Recording {
  public:
-  // Subject and forces outlive it.
+  // Subject and forces must outlive the object.
   Histories(const Subject& subject, const EndForces& ends) : subject_(subject), ends_(ends) {}
 
-  // A series for each history of the case, in its order.
+  // One series per history of the case, in order.
   void declare(Declarations& to) override;
   void rows(const Snapshot& s, Rows& to) override;
 
  private:
-  // A point of a line between node `nodes[0]` and the next; at a node the second has no weight.
+  // Point of a line between node `nodes[0]` and the next; at a node the second weight is zero.
   struct Point {
-    int body = -1;                     // of the case, when it is one
-    std::string volume = {};           // its name, when it is one
-    int end = -1;                      // its place among the owned ends, when it is one that this rank has
-    std::array<int, 2> nodes{-1, -1};  // local; -1: another rank's, or without weight
+    int body = -1;                     // index in the case if it is a body; else -1
+    std::string volume = {};           // name if it is a volume
+    int end = -1;                      // index among the owned ends; -1: none
+    std::array<int, 2> nodes{-1, -1};  // local; -1: on another rank, or zero weight
     std::array<double, 2> weights{1, 0};
-    std::array<int, 2> places{-1, -1};  // of its nodes among those of the end forces; -1: none
-    bool shared = false;                // several ranks have a part of its row
+    std::array<int, 2> places{-1, -1};  // of its nodes in the end forces; -1: none
+    bool shared = false;                // several ranks contribute to its row
   };
   Point point_of(int line, double arc) const;
   std::vector<double> node_row(const Point& p, size_t side, const Snapshot& s) const;
@@ -42,13 +41,14 @@ class Histories : public Recording {
   std::vector<std::string> origins(int body) const;
   std::vector<double> volume_row(const std::string& volume, const Kinematics& at) const;
 
-  // What a section force has of a field, on the side of a node that faces the point; `otherwise` of others.
+  // Value of a field from the section force on the side of a node that faces the point; `fallback` for other
+  // fields.
   double facing(int field, const SectionForce& s, const Quat& q, double fallback) const;
 
   const Subject& subject_;
   const EndForces& ends_;
-  std::vector<size_t> shown_, shown_last_;  // fields of a point, before and after the columns of ends
-  // Among the fields; -1: not there.
+  std::vector<size_t> shown_, shown_last_;  // fields of a point, before and after the end columns
+  // Indices of fields; -1: missing.
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
       moment_2_ = -1, moment_3_ = -1;
   std::vector<Point> points_;

@@ -1,5 +1,5 @@
-// The table of extremes: of each line the largest (or smallest) value of some fields over all steps, with the
-// time and the place.
+// Table of extremes: for each line the largest (or smallest) value of some fields over all steps, with time
+// and place.
 #pragma once
 
 #include <string>
@@ -18,19 +18,19 @@ class Feeders;
 
 namespace hawser::record {
 
-// Whether a row of the summary is the largest tension of a line, and that is more than round-off.
+// True if a row of the summary is the largest tension of a line and exceeds round-off.
 bool is_largest_tension(const model::Case& c, const io::SummaryRow& row);
 
 class LineExtremes : public Recording {
  public:
-  // A utilisation that is not known does not count, nor what is inside a feeder. Both outlive it.
+  // Unknown utilisations and parts inside a feeder are excluded. Both arguments must outlive the object.
   LineExtremes(const Subject& subject, const Utilisation& utilisation);
 
   void declare(Declarations& to) override;
   void step(const Snapshot& s) override;
-  // The rows of all lines, those of a line together.
+  // Rows of all lines, grouped by line.
   std::vector<io::SummaryRow> summary() override { return table(); }
-  // Of rows that are more than a line bears.
+  // Findings for rows beyond the capacity of a line.
   std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) override;
   void save(io::Checkpoint& to) override;
   void restore(const io::Checkpoint& from) override;
@@ -44,7 +44,7 @@ class LineExtremes : public Recording {
     std::string name, unit;
     std::vector<size_t> fields;
     bool largest = true;
-    std::vector<Extreme> lines;  // of this rank's nodes
+    std::vector<Extreme> lines;  // over this rank's nodes
   };
   std::vector<io::SummaryRow> table() const;
   std::vector<CheckpointRecord> records(NodeRange nodes) const;
@@ -55,8 +55,8 @@ class LineExtremes : public Recording {
   const Feeders* feeders_;  // null: no line is fed
   const Utilisation& utilisation_;
   std::vector<Field> fields_;
-  std::vector<std::string> names_;  // of lines
-  std::vector<bool> has_beams_;     // of lines
+  std::vector<std::string> names_;  // by line
+  std::vector<bool> has_beams_;     // by line
   std::vector<Quantity> quantities_;
 };
 

@@ -1,5 +1,5 @@
-// Values of the fields of nodes in an accepted state: those that force terms declare, put right at ends of
-// lines and where a volume presses between nodes.
+// Node fields of an accepted state: those of the force terms, corrected at line ends and where a volume
+// presses between nodes.
 #pragma once
 
 #include <set>
@@ -15,24 +15,24 @@ namespace hawser::record {
 
 class NodeFields {
  public:
-  // The subject outlives it.
+  // The subject must outlive the object.
   explicit NodeFields(const Subject& subject);
 
-  // Position, velocity and the fields of terms. Others may be added behind them; then begin() with those that
-  // are wanted at every step.
+  // Position, velocity and the fields of terms. Others may be appended; then call begin() with those needed
+  // at every step.
   std::vector<Field>& fields() { return fields_; }
   void begin(const std::set<std::string>& every_step);
   const std::vector<io::ResultField>& end_fields() const { return end_fields_; }
 
-  // all: also those that are wanted at outputs only. Collective.
+  // all: including fields needed only at outputs. Collective.
   void fill(const Kinematics& at, bool all);
-  // After fill() of the same state without them: those too. Whether that is all that fill() of all would do;
-  // else nothing was done.
+  // After fill() of the same state without `all`: computes the remaining fields. False: nothing was done,
+  // because a complete fill() is needed.
   bool complete(const Kinematics& at);
 
   Values& values() { return values_; }  // by field and owned node
   const Values& values() const { return values_; }
-  const Values& ends() const { return ends_; }  // by field of ends and owned end, in file order
+  const Values& ends() const { return ends_; }  // by end field and owned end, in file order
   const EndForces& end_forces() const { return end_forces_; }
 
  private:
@@ -44,15 +44,15 @@ class NodeFields {
   std::vector<Field> fields_;
   std::vector<io::ResultField> end_fields_;
   std::vector<char> every_step_;  // by field of the registry
-  std::vector<int> onto_;         // likewise: among values_, the field it is computed from; -1: none
-  bool rest_apart_ = false;       // correct_ends() changes none but those of every step
+  std::vector<int> onto_;         // by registry field: index in values_ of the field it starts from; -1: none
+  bool rest_apart_ = false;       // correct_ends() changes only fields of every step
   EndForces end_forces_;
   ContactPeaks peaks_;
   Values values_, ends_;
-  // Among values_.
+  // Indices in values_.
   int tension_ = -1, before_ = -1, after_ = -1, wall_ = -1, shear_ = -1, torsion_ = -1, moment_ = -1,
       moment_2_ = -1, moment_3_ = -1, declination_ = -1;
-  std::vector<int> carriers_;  // likewise
+  std::vector<int> carriers_;  // indices in values_ of the contact forces
 };
 
 }  // namespace hawser::record

@@ -1,4 +1,4 @@
-// The times at which a run ends a step whatever its length.
+// Times at which a step must end.
 #pragma once
 
 #include <algorithm>
@@ -8,18 +8,18 @@
 
 namespace hawser::record {
 
-// Multiples of `every` after t, as numbers that do not drift.
+// Next multiple of `every` after t, without accumulated rounding.
 double next_multiple(double t, double every);
-// s: times no further from t are the same.
+// Tolerance [s] within which times equal t.
 inline double time_tolerance(double t) { return 1e-9 * std::max(1.0, t); }
 
-// Outputs, checkpoints, events, and jumps in the velocity of prescribed bodies.
+// Times of outputs, checkpoints, events and velocity jumps of prescribed bodies.
 class OutputTimes {
  public:
   explicit OutputTimes(const model::Case& c);
   double next(double t) const;  // s, after t
 
-  double every = 0, checkpoint_every = 0;  // s, between outputs, between checkpoints; 0: with the outputs
+  double every = 0, checkpoint_every = 0;  // s, interval of outputs, of checkpoints; 0: with the outputs
 
  private:
   std::vector<double> jumps_;

@@ -1,6 +1,6 @@
-// What volumes that press on a stretch of a line do to its tension: a summary of fixed size. Summaries of
-// stretches that follow each other join to that of the whole, so that ranks which share a line exchange a few
-// numbers a stretch, however many nodes are in contact.
+// Effect of volumes pressing on a stretch of a line on its tension, as a summary of fixed size. Summaries of
+// consecutive stretches can be joined, so that ranks sharing a line exchange a few numbers per stretch,
+// independent of the number of contact nodes.
 #pragma once
 
 #include <algorithm>
@@ -8,13 +8,13 @@
 
 namespace hawser::record {
 
-// Of a line at a node that a volume presses on.
+// State of a line at a node in contact with a volume.
 struct PressedTurn {
-  int node = 0;      // of the mesh
-  double angle = 0;  // rad, by which the line turns there
-  double taken = 0;  // N, of the tension
+  int node = 0;      // node number in the mesh
+  double angle = 0;  // rad, turn of the line there
+  double taken = 0;  // N, change of tension
   double tension = 0, length = 0,
-         passage = 0;  // N; m, of the longer element beside it; s, of a wave across it
+         passage = 0;  // N; m, longer adjacent element; s, travel time of a wave across it
 };
 
 struct SumRange {
@@ -26,22 +26,22 @@ struct SumRange {
   double width() const { return high - low; }
 };
 
-// With n_1 < n_2 < ... the nodes of the stretch that volumes press on and S_k = taken_1 + ... + taken_k.
+// n_1 < n_2 < ... are the contact nodes of the stretch, and S_k = taken_1 + ... + taken_k.
 struct PressedStretch {
-  PressedStretch() = default;  // nothing presses
+  PressedStretch() = default;  // without contact
   explicit PressedStretch(const PressedTurn& turn);
 
   bool pressed = false;
   PressedTurn first, last;
-  PressedTurn worst;                // the first of those that take most
-  double before = 0, after = 0;     // rad, turns at the nodes next to the worst one; 0: nothing presses there
+  PressedTurn worst;                // the first of those with the largest `taken`
+  double before = 0, after = 0;     // rad, turns at the nodes next to `worst`; 0: no contact there
   double sum = 0;                   // N, S at the last node
-  SumRange inside;                  // N, of all S_k
-  SumRange outside;                 // N, of S_k where the node behind n_k is free and the stretch goes on
-  double tension = 0, passage = 0;  // the largest of the turns
+  SumRange inside;                  // N, range of all S_k
+  SumRange outside;                 // N, range of S_k at nodes n_k followed by a free node within the stretch
+  double tension = 0, passage = 0;  // largest values of the turns
 };
 
-// Of two stretches of a line, b behind a, as one.
+// Joins two stretches of a line, b after a.
 PressedStretch joined(const PressedStretch& a, const PressedStretch& b);
 
 }  // namespace hawser::record

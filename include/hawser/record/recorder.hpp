@@ -1,5 +1,4 @@
-// What a run leaves behind: node fields at outputs, the energy audit, and whatever its recordings keep
-// (recording.hpp).
+// Recorder of a run: node fields at outputs, the energy audit, and all recordings (recording.hpp).
 #pragma once
 
 #include <memory>
@@ -21,10 +20,11 @@ class Recorder {
   Recorder(Subject subject, std::vector<io::VolumeMesh> volumes, io::RunInfo run,
            const io::Checkpoint* from = nullptr, bool append = false, bool write = true);
 
-  // What the file holds, or would.
+  // Contents of the file, or of the file that would be written.
   const io::ResultContents& contents() const { return file_ ? file_->contents() : planned_; }
 
-  // The rest `at` of a stage of statics but the last, by its place: an output at a negative time.
+  // Equilibrium `at` of a stage of statics except the last, by its index; written as an output at a negative
+  // time.
   void stage(size_t place, const Kinematics& at);
   // The beginning of a run: the state `at`, from which energies count and which may move already, and the one
   // that is shown for it, the first step and output: its static equilibrium where there is one. Where it is
@@ -34,25 +34,25 @@ class Recorder {
   void step(const StepInfo& info, const Kinematics& at, double support_work) {
     step(info, at, support_work, at, at.step);
   }
-  // A picture of the state: all fields. Where there was a step, it is of the last one.
+  // Writes all fields of a state; after a step it must be the state of that step.
   void output(const Kinematics& at);
-  // With it the statistics so far.
+  // Writes a checkpoint with the current statistics.
   void checkpoint(io::Checkpoint c);
-  // Writes the summary table into the file, with the notes and warnings that were given during the run and
-  // those of its end; returns the table as text.
+  // Writes the summary table with the run's notes and warnings, and those of its end; returns the table as
+  // text.
   std::string finish(std::vector<std::string> messages);
 
   const Audit& audit() const { return audit_; }
-  std::string audit_warning() const;  // Audit::warning in words of this case
-  // What was found since the last call that a user should know before the run ends; the same on all ranks.
+  std::string audit_warning() const;  // Audit::warning with the names of this case
+  // Findings since the last call that a user should get before the run ends; the same on all ranks.
   std::vector<std::string> remarks();
-  // The clash report in words, on rank 0 after finish(); empty: nothing touched.
+  // Clash report as text, on rank 0 after finish(); empty: no clashes.
   std::string clash_table() const { return clashes_ ? clashes_->table() : ""; }
-  // What a user must not overlook, after finish(): deep penetration, energy out of nowhere.
+  // Warnings for the user after finish(), for example deep penetration or created energy.
   const std::vector<std::string>& warnings() const { return warnings_; }
   const io::ResultsFile& file() const { return *file_; }
 
-  // The recorder's own share of a checkpoint. Collective.
+  // Adds the recorder's part of a checkpoint. Collective.
   void save(io::Checkpoint& to);
 
  private:
@@ -71,15 +71,15 @@ class Recorder {
   const Subject subject_;
   NodeFields fields_;
   std::vector<std::unique_ptr<Recording>> recordings_;
-  HasClashes* clashes_ = nullptr;      // the one of them that has some
-  bool stepped_ = false;               // the values of fields are of the last step
-  double rows_every_, rows_from_ = 0;  // s, of the histories; 0: every step
+  HasClashes* clashes_ = nullptr;      // the recording with clashes; null: none
+  bool stepped_ = false;               // field values are those of the last step
+  double rows_every_, rows_from_ = 0;  // s, for the histories; 0: every step
   std::unique_ptr<io::ResultsFile> file_;
-  io::ResultContents planned_;  // where there is no file
-  // Beside the recordings, which may go by it: its sums over the ranks come first in a step, and by them a
-  // run fails or not.
+  io::ResultContents planned_;  // contents without a file
+  // Not a recording: recordings may use it, its sums over ranks come first in a step, and it decides whether
+  // the run has failed.
   Audit audit_;
-  Energy start_;  // energies at the start of the run, that of before all restarts
+  Energy start_;  // energies at the original start, before all restarts
   std::vector<std::string> warnings_;
 };
 

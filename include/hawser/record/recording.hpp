@@ -1,6 +1,6 @@
-// What every recording of a run is: it declares what it keeps, sees every accepted step, and has rows in the
-// results file, numbers in checkpoints and findings at the end. The recorder knows recordings by this alone;
-// src/record/recordings.cpp lists them.
+// Interface of all recordings of a run: a recording declares its data, receives every accepted step, and
+// contributes rows of the results file, numbers in checkpoints and findings at the end. The recorder uses
+// only this interface; src/record/recordings.cpp lists the recordings.
 #pragma once
 
 #include <mpi.h>
@@ -20,27 +20,27 @@
 
 namespace hawser::record {
 
-using Values = std::vector<std::vector<double>>;  // by field, of this rank's owned nodes or ends
+using Values = std::vector<std::vector<double>>;  // by field, over this rank's owned nodes or ends
 
-// The rows of a step, one for each series.
+// Rows of a step, one per series.
 class Rows {
  public:
-  // Complete on this rank; empty where another rank has it.
+  // Adds a row that is complete on this rank; empty if another rank has it.
   void add(std::vector<double> row) { rows_.push_back(std::move(row)); }
-  // This rank's part, as long as on all ranks; rank 0 gets the sum.
+  // Adds this rank's part of a row, of equal length on all ranks; rank 0 gets the sum.
   void add_part(std::vector<double> part) {
     parts_.push_back(rows_.size());
     rows_.push_back(std::move(part));
   }
-  // With the sums, in one reduction for the parts of all recordings. Collective.
+  // All rows, with one reduction for the parts of all recordings. Collective.
   std::vector<std::vector<double>> gathered(MPI_Comm comm) &&;
 
  private:
   std::vector<std::vector<double>> rows_;
-  std::vector<size_t> parts_;  // their places among the rows
+  std::vector<size_t> parts_;  // their indices in rows_
 };
 
-// An accepted state with what is known of it.
+// An accepted state and its data.
 class Snapshot {
  public:
   Snapshot(const Subject& subject, const Kinematics& state, const StepInfo& info, double forces_step,
@@ -60,7 +60,7 @@ class Snapshot {
   const Values &values, &ends;
   const EndForces& end_forces;
   const Audit& audit;
-  // Of the bodies of the case. Collective.
+  // Poses of the bodies of the case. Collective.
   const std::vector<io::BodyPose>& poses() const {
     if (!poses_) poses_ = body_poses(subject_.bodies, subject_.system, at);
     return *poses_;
@@ -71,14 +71,14 @@ class Snapshot {
   mutable std::optional<std::vector<io::BodyPose>> poses_;
 };
 
-// What recordings put into the results file, and fields that they need at every step: others have their
-// values only at outputs.
+// Contributions of recordings to the results file, and fields needed at every step; other fields are computed
+// only at outputs.
 struct Declarations {
-  io::ResultContents contents;  // its fields are all there are; a recording adds series and the like
+  io::ResultContents contents;  // its fields are complete; a recording adds series and the like
   std::set<std::string> every_step;
 };
 
-// What a user must not overlook, and the row of the summary that it is about.
+// A warning for the user, and the row of the summary it refers to.
 struct Finding {
   static constexpr size_t kWholeRun = static_cast<size_t>(-1);
   std::string text;
@@ -89,15 +89,15 @@ class Recording {
  public:
   virtual ~Recording() = default;
 
-  // Adds fields of nodes that are made from those before them; fill() computes their values.
+  // Adds node fields computed from those before them; fill() computes their values.
   virtual void add_fields(std::vector<Field>& fields) { (void)fields; }
   virtual void fill(const Snapshot&, Values&) {}
-  // Once, when all fields are known. Collective.
+  // Called once, with all fields known. Collective.
   virtual void declare(Declarations& to) { (void)to; }
 
-  // Called with the equilibrium of each stage of statics but the last. Collective, as are the others.
+  // Called with the equilibrium of each stage of statics except the last. Collective, as are the others.
   virtual void stage(const Snapshot& s) { (void)s; }
-  // Called once, before the first step, with the equilibrium from which a run starts.
+  // Called once before the first step, with the initial equilibrium.
   virtual void start(const Snapshot& s) { (void)s; }
   virtual void step(const Snapshot& s) { (void)s; }
   virtual void output(const Snapshot& s) { (void)s; }
@@ -105,16 +105,16 @@ class Recording {
   virtual void points(const Snapshot&, io::ContactRows&) {}
   // Adds a row for each series that it declared; after step(), of steps that histories keep.
   virtual void rows(const Snapshot&, Rows&) {}
-  // Sentences that a user needs before the run ends, since start() or step(); the same on all ranks.
+  // Sentences for the user since start() or step(), before the run ends; the same on all ranks.
   virtual std::vector<std::string> remarks() { return {}; }
-  // Brings what the file has once, up to date.
+  // Updates data that the file has once.
   virtual void write(io::ResultsFile& file) { (void)file; }
 
   virtual void save(io::Checkpoint& to) { (void)to; }
   virtual void restore(const io::Checkpoint& from) { (void)from; }
 
-  // At the end of a run: rows of the summary, the same on all ranks; then what was found, those about a row
-  // on all ranks alike.
+  // At the end of a run: rows of the summary, the same on all ranks; then findings, those about a row on all
+  // ranks.
   virtual std::vector<io::SummaryRow> summary() { return {}; }
   virtual std::vector<Finding> findings(const std::vector<io::SummaryRow>& summary, const Audit& audit) {
     (void)summary;
@@ -123,16 +123,16 @@ class Recording {
   }
 };
 
-// Has clashes, for which the results file has tables of their own.
+// Interface of a recording with clashes, which have their own tables in the results file.
 class HasClashes {
  public:
   virtual ~HasClashes() = default;
-  // Of rank 0: what the next output is to hold. Collective.
+  // Clashes for the next output, on rank 0. Collective.
   virtual io::ClashTables take() = 0;
-  // Of rank 0: what outputs have given the file so far. Another one begins with nothing.
+  // Clashes written by outputs so far, on rank 0. A new file begins with none.
   virtual const io::ReportedClashes& reported() const = 0;
   virtual void begin_file() = 0;
-  // In words, on rank 0, after take(); empty: nothing touched.
+  // Text on rank 0 after take(); empty: no clashes.
   virtual std::string table() const = 0;
 };
 

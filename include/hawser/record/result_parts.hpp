@@ -1,4 +1,4 @@
-// The lines, the waves and the room for rows of a case in the form that the results file has them.
+// Lines, waves and capacity of a case for its results file.
 #pragma once
 
 #include <vector>
@@ -15,11 +15,11 @@ std::vector<io::ResultLine> result_lines(const model::Case& c, const Mesh& mesh,
 // The waves of a case; a Stokes' wave as the linear one of its height.
 io::ResultWaves result_waves(const model::Case& c);
 
-// Automatic steps are about this share of the longest one.
+// Typical automatic step as a fraction of the longest step.
 inline constexpr double kAutomaticSteps = 0.5;
 
-// What the finished run will have in its results file. steps: how many there will be; 0: not known, which
-// takes automatic ones by kAutomaticSteps. checkpoint: numbers in one; 0: none.
+// Expected rows of the finished run. steps: number of steps; 0: unknown, estimated by kAutomaticSteps.
+// checkpoint: numbers per checkpoint; 0: none.
 io::ExpectedRows expected_rows(const model::Case& c, double steps = 0, double checkpoint = 0);
 
 }  // namespace hawser::record

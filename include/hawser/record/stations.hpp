@@ -1,4 +1,4 @@
-// Fields of a line that is fed at places that stay with its feeder while the line runs through them.
+// Fields of a fed line at stations that are fixed relative to its feeder while the line moves through them.
 #pragma once
 
 #include <mpi.h>
@@ -11,21 +11,21 @@
 
 namespace hawser::record {
 
-// A fed line has as many stations as nodes. Counted from the fed end, station i is where node i is when all
-// of the line is outside: as much unstretched line lies between it and the feeder as between node i and that
-// end. Of a line that is fed at both ends they are those of end A.
+// A fed line has as many stations as nodes. Station i, counted from the fed end, coincides with node i when
+// the whole line is outside: the unstretched length between it and the feeder equals that between node i and
+// the end. A line fed at both ends has the stations of end A.
 class Stations {
  public:
-  // Of those fields of the nodes that are kept at stations; feeders: null where no line is fed. Outlived by
-  // mesh and feeders.
+  // For the node fields that are kept at stations; feeders: null if no line is fed. Mesh and feeders must
+  // outlive the object.
   Stations(MPI_Comm comm, const LocalMesh& mesh, const Feeders* feeders,
            const std::vector<io::ResultField>& fields);
 
-  // Their names end with "_at_stations".
+  // Names end with "_at_stations".
   const std::vector<io::ResultField>& fields() const { return fields_; }
-  // values: of the constructor's fields, by field and owned node. Of fields(), by field and owned node, in
-  // the place of node i what the line has at station i: linear between its free nodes, in the element at the
-  // feed point that of its free node; NaN where the line is not, and of lines that are not fed. Collective.
+  // values: the constructor's fields, by field and owned node. Returns fields() by field and owned node, with
+  // the value at station i in the place of node i: linear between free nodes, constant from the last free
+  // node to the feed point; NaN outside the line and for lines that are not fed. Collective.
   const std::vector<std::vector<double>>& at(const std::vector<std::vector<double>>& values);
 
  private:
@@ -35,7 +35,7 @@ class Stations {
   const LocalMesh& mesh_;
   const Feeders* feeders_;
   std::vector<io::ResultField> fields_;
-  std::vector<std::size_t> place_;  // of each, among all fields
+  std::vector<std::size_t> place_;  // index of each among all fields
   std::vector<std::vector<double>> values_;
 };
 

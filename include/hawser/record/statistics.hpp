@@ -1,4 +1,4 @@
-// Statistics of node fields over every step, of nodes and at stations of fed lines.
+// Statistics of node fields over all steps, at nodes and at stations of fed lines.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ namespace hawser::record {
 
 class Statistics : public Recording {
  public:
-  // The subject outlives it.
+  // The subject must outlive the object.
   explicit Statistics(const Subject& subject) : subject_(subject) {}
 
   void declare(Declarations& to) override;
@@ -23,7 +23,7 @@ class Statistics : public Recording {
 
  private:
   const Subject& subject_;
-  // Made by declare().
+  // Created by declare().
   std::optional<NodeStatistics> nodes_, at_stations_;
   std::optional<Stations> stations_;
 };

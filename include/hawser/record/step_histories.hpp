@@ -1,5 +1,4 @@
-// Histories of a few numbers at every step: touchdown points, those of force terms, feeders, energies and the
-// steps themselves.
+// Histories of single numbers at every step: touchdown points, force terms, feeders, energies and steps.
 #pragma once
 
 #include "hawser/record/recording.hpp"
@@ -13,7 +12,7 @@ class Feeders;
 
 namespace hawser::record {
 
-// Of each line. The subject outlives these all.
+// Touchdown points of each line. The subject must outlive all classes of this file.
 class TouchdownHistory : public Recording {
  public:
   explicit TouchdownHistory(const Subject& subject);
@@ -25,7 +24,7 @@ class TouchdownHistory : public Recording {
   Touchdowns touchdowns_;
 };
 
-// What force terms declare by themselves.
+// Series that force terms declare.
 class TermHistory : public Recording {
  public:
   explicit TermHistory(const Subject& subject);
@@ -36,7 +35,7 @@ class TermHistory : public Recording {
   std::vector<HasSeries*> terms_;
 };
 
-// Of each end that is fed.
+// Series of each fed line end.
 class FeederHistory : public Recording {
  public:
   explicit FeederHistory(const Subject& subject);
@@ -45,10 +44,10 @@ class FeederHistory : public Recording {
 
  private:
   const Subject& subject_;
-  const Feeders* feeders_;  // null: there are none
+  const Feeders* feeders_;  // null: none
 };
 
-// The sums of the audit.
+// Sums of the energy audit.
 class EnergyHistory : public Recording {
  public:
   explicit EnergyHistory(const Subject& subject) : subject_(subject) {}
@@ -59,7 +58,7 @@ class EnergyHistory : public Recording {
   const Subject& subject_;
 };
 
-// Length and iterations of steps.
+// Length and iterations of the steps.
 class StepHistory : public Recording {
  public:
   explicit StepHistory(const Subject& subject) : subject_(subject) {}

@@ -1,4 +1,4 @@
-// What is recorded of a run: its case and the parts that compute it on this rank.
+// The recorded run: its case and the objects that compute it on this rank.
 #pragma once
 
 #include <functional>
@@ -16,29 +16,29 @@
 
 namespace hawser::record {
 
-// All of it outlives what records it.
+// All members must outlive the recordings.
 struct Subject {
   const model::Case& model;
   const System& system;
   const Bodies& bodies;
-  std::vector<std::shared_ptr<const Surface>> surfaces;  // one for each volume of the case
-  std::function<Dynamics&()> dynamics;                   // of a case with dynamics
+  std::vector<std::shared_ptr<const Surface>> surfaces;  // one per volume of the case
+  std::function<Dynamics&()> dynamics;                   // for a case with dynamics
 
   MPI_Comm comm() const { return system.comm(); }
   const LocalMesh& local() const { return system.mesh(); }
   const Mesh& mesh() const { return *system.mesh().mesh; }
-  // Its force term of that class; null: there is none.
+  // Force term of class Term; null: none.
   template <class Term>
   Term* term() const {
     return system.find<Term>();
   }
 };
 
-// Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
+// Pose of a body of the case; for a floating body nullopt except on the rank that owns its node.
 std::optional<RigidPose> body_pose(const Bodies& bodies, const LocalMesh& mesh, int body,
                                    const Kinematics& at);
-// Of all bodies, the same on all ranks: of floating ones the rank that owns them sends its pose to the
-// others. Collective.
+// Poses of all bodies, the same on all ranks; owners of floating bodies send theirs to the others.
+// Collective.
 std::vector<io::BodyPose> body_poses(const Bodies& bodies, const System& system, const Kinematics& at);
 
 }  // namespace hawser::record

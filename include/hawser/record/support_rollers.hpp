@@ -1,4 +1,4 @@
-// Where lines pass their supports, and which supports carry them.
+// Positions of lines in their supports, and the supports that carry them.
 #pragma once
 
 #include <array>
@@ -16,23 +16,23 @@ namespace hawser::record {
 
 using model::SupportCrossing;
 
-// Of every box, of what is nearest to it. poses: of the bodies of the case. The same on all ranks.
-// Collective.
+// Crossing of every box with the nearest part of its line. poses: of the bodies of the case. The same on all
+// ranks. Collective.
 std::vector<SupportCrossing> support_crossings(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                                const Kinematics& at, const std::vector<RigidPose>& poses);
 
-// The rollers of supports of a case that has some. The subject outlives it.
+// Rollers of the supports of a case. The subject must outlive the object.
 class SupportRollers {
  public:
   explicit SupportRollers(const Subject& subject);
 
-  // Of every box. Collective.
+  // Crossing of every box. Collective.
   std::vector<SupportCrossing> crossings(const Snapshot& s) const;
-  // Of each line the arc lengths [m] of the first and the last box that carry it, the same on all ranks; the
-  // first above the second: none does. Collective.
+  // For each line the arc lengths [m] of the first and last box that carry it, the same on all ranks; first
+  // above second: none. Collective.
   std::vector<std::array<double, 2>> carrying(const Snapshot& s) const;
-  // N on the line, of every volume of the contact term, this rank's part; of a box the first of its rollers
-  // among them.
+  // Forces on the lines [N] by volume of the contact term, this rank's part; first(): the first roller of a
+  // box among these volumes.
   std::vector<Vec3> forces(const Kinematics& at) const;
   size_t first(size_t box) const { return first_[box]; }
 

@@ -1,4 +1,4 @@
-// Whether the largest tension of a line is one that the steps or the elements do not show as it is.
+// Warnings of tension peaks that time steps or elements do not resolve.
 #pragma once
 
 #include "hawser/record/edge_errors.hpp"
@@ -11,7 +11,8 @@ namespace hawser::record {
 
 class TensionPeaks : public Recording {
  public:
-  // over: where lines lie over volumes, seen before it; null: there are none. Both outlive it.
+  // over: contact of lines with volumes, updated before this recording; null: none. Both must outlive the
+  // object.
   TensionPeaks(const Subject& subject, const EdgeErrors* over);
 
   void declare(Declarations& to) override;
@@ -23,7 +24,7 @@ class TensionPeaks : public Recording {
   const EdgeErrors* over_;
   Folds folds_;
   Snaps snaps_;
-  int before_ = -1, after_ = -1;  // among the fields
+  int before_ = -1, after_ = -1;  // indices of fields
 };
 
 }  // namespace hawser::record

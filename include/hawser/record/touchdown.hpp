@@ -1,4 +1,4 @@
-// Where lines meet the seabed: touchdown points and what lies, from the positions of the nodes.
+// Touchdown points and lengths on the seabed, from the positions of the nodes.
 #pragma once
 
 #include <mpi.h>
@@ -22,57 +22,56 @@ struct TouchdownPoint {
 };
 
 struct Touchdown {
-  int line = 0;  // of the case
-  // The first place from end A, and the first from end B, where contact of the line with the bed begins or
-  // ends: the bed's force on it begins. Of a mooring line that lies from its anchor on
-  // both are the same. Empty: the line lies from end to end, or nowhere.
+  int line = 0;  // index in the case
+  // First places from end A and from end B where contact with the bed begins or ends, that is where the bed
+  // force begins. Equal for a mooring line that lies from its anchor on. Empty: the line lies completely, or
+  // not at all.
   std::optional<TouchdownPoint> from_a, from_b;
-  double laid = 0;  // m, unstretched length that lies on the bed or below it
+  double laid = 0;  // m, unstretched length on the bed or below it
 };
 
-// The gap is that of the axis less the height at which the bed's force begins (model/bed_touch.hpp): half the
-// contact diameter, and the smooth start of the force. Between two nodes of a beam it is the cubic of
-// their gaps and directions. A cable's elements are chords, whose slope to the bed grows linearly with the
-// unstretched arc length where it hangs freely (dz/dx = w (s - s0) / H): the two first elements that hang say
-// where it vanishes, s0, which is the end of what lies on rigid ground. Ground that yields carries the
-// line further: a string on springs joins the parabola of what hangs there (docs/theory/seabed.md,
-// "Touchdown points").
+// Gaps are heights of the axis minus the height at which the bed force begins (model/bed_touch.hpp): half the
+// contact diameter plus the smooth start of the force. Between beam nodes the gap is the cubic through gaps
+// and slopes. The chords of a freely hanging cable have a slope that grows linearly with unstretched arc
+// length (dz/dx = w (s - s0) / H); the first two hanging elements determine its zero s0, the end of contact
+// on a rigid bed. A yielding bed carries the line further: a string on an elastic foundation joins the
+// hanging parabola there (docs/theory/seabed.md, "Touchdown points").
 class Touchdowns {
  public:
-  // Case and mesh outlive this.
+  // Case and mesh must outlive the object.
   Touchdowns(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh);
 
-  // Of the lines that this rank owns or that the partition cuts, in the order of the case; none without a
-  // seabed. at: an accepted state of local nodes. Collective: a few numbers for each line that is cut.
+  // Touchdowns of the lines that this rank owns or that the partition cuts, in the order of the case; empty
+  // without a seabed. at: an accepted state of local nodes. Collective: a few numbers per cut line.
   std::vector<Touchdown> find(const Kinematics& at) const;
-  // Of every line of the case in its order, the same on all ranks. Collective.
+  // Touchdowns of all lines in order, the same on all ranks. Collective.
   std::vector<Touchdown> of_all_lines(const Kinematics& at) const;
 
  private:
   struct Height {
-    double touching = 0;  // m, of the axis above the bed where it begins to press
-    bool end = false;     // of a line
+    double touching = 0;  // m, axis above the bed where contact begins
+    bool end = false;     // an end of a line
   };
-  // Of a local node: its axis above that height [m], and the normal of the bed there.
+  // Gap of a local node [m], and the normal of the bed there.
   struct Above {
     double gap = 0;
     Vec3 normal;
   };
   Above above(size_t node, const Kinematics& at) const;
 
-  // The first element from A in which contact changes, and minus the first from B, of each place in slot_; m
-  // that lies, where gaps are linear between nodes.
+  // By place in slot_: the first element from A with a change of contact, and minus the first from B; length
+  // on the bed [m] with gaps linear between nodes.
   struct Changes {
     static constexpr int kNone = std::numeric_limits<int>::max();
-    std::vector<int> element;  // two for each line
+    std::vector<int> element;  // two per line
     std::vector<double> laid;
   };
-  // The gaps of the nodes around such an element: from kFirst nodes off its first one on.
+  // Gaps of the nodes around such an element, beginning kFirst nodes from its first node.
   struct Surrounding {
     static constexpr int kNodes = 2 * NodesAtChange::kNodes, kFirst = 1 - NodesAtChange::kNodes;
     std::array<Gap, kNodes> gap;
   };
-  Changes changes(const std::vector<double>& gap) const;  // of local nodes; collective, as the next
+  Changes changes(const std::vector<double>& gap) const;  // by local node; collective, as the next function
   std::vector<Surrounding> surroundings(const Changes& changes, const std::vector<double>& gap,
                                         const Kinematics& at) const;
   std::pair<TouchdownPoint, double> point(int element, const Surrounding& around) const;
@@ -81,12 +80,12 @@ class Touchdowns {
 
   MPI_Comm comm_;
   const model::Seabed& bed_;
-  Vec3 normal_;  // where it is a plane
+  Vec3 normal_;  // of a plane bed
   const LocalMesh& local_;
-  std::vector<Height> heights_;  // of local nodes before LocalMesh::chain; none of bodies
-  size_t cut_ = 0;               // lines that the partition cuts
-  std::vector<int> lines_;       // those and the lines of this rank, ascending
-  std::vector<int> slot_;        // by line: its place among lines_ with the cut ones first; -1: not there
+  std::vector<Height> heights_;  // of local nodes before LocalMesh::chain; unset for bodies
+  size_t cut_ = 0;               // number of lines that the partition cuts
+  std::vector<int> lines_;       // these and the lines of this rank, ascending
+  std::vector<int> slot_;        // index in lines_ by line, cut lines first; -1: not there
 };
 
 }  // namespace hawser::record

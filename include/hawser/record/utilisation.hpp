@@ -1,5 +1,5 @@
-// How much of what line types bear is used: effective tension over the breaking load, and the minimum bend
-// radius times the curvature, as node fields.
+// Utilisation of line types as node fields: effective tension over breaking load, and minimum bend radius
+// times curvature.
 #pragma once
 
 #include <array>
@@ -17,21 +17,20 @@ class Utilisation : public Recording {
  public:
   Utilisation(const model::Case& c, const LocalMesh& local);
 
-  // Adds `utilisation` and `bend_utilisation` behind the fields they are made from, each where a line type
-  // says what it bears; bending where beams are.
+  // Adds `utilisation` and `bend_utilisation` after the fields they use, if a line type has the limit; the
+  // latter only with beams.
   void add_fields(std::vector<Field>& fields) override;
-  // Of a node between two types the larger tension utilisation of both
-  // sides; the curvature there with the larger radius.
+  // At a node between two types: the larger tension utilisation of both sides, and the curvature with the
+  // larger minimum radius.
   void fill(const Snapshot& s, Values& values) override;
-  // Whether the field is none of these, or says something at an owned node: what the type there bears is
-  // known.
+  // True unless the field is a utilisation without a limit at this owned node.
   bool known(int field, std::size_t node) const;
 
  private:
-  std::vector<std::array<double, 2>> breaking_;  // 1/N, of the elements before and after a node; 0: not known
-  std::vector<double> radius_;                   // m; 0: not known
-  bool tension_ = false, bending_ = false;       // wanted
-  int before_ = -1, after_ = -1, curvature_ = -1, of_tension_ = -1, of_bending_ = -1;  // among the fields
+  std::vector<std::array<double, 2>> breaking_;  // 1/N, of the elements before and after a node; 0: unknown
+  std::vector<double> radius_;                   // m; 0: unknown
+  bool tension_ = false, bending_ = false;       // fields exist
+  int before_ = -1, after_ = -1, curvature_ = -1, of_tension_ = -1, of_bending_ = -1;  // indices of fields
 };
 
 }  // namespace hawser::record

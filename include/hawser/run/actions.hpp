@@ -1,5 +1,5 @@
-// What events do to a simulation: ends of lines are let go of or held, feeders get other laws, contact with
-// volumes goes on and off.
+// Actions of events on a simulation: release and attachment of line ends, feeder laws, contact with volumes,
+// static friction and current.
 #pragma once
 
 #include <mpi.h>
@@ -14,9 +14,9 @@ namespace hawser::run {
 
 class Actions {
  public:
-  // What an action found, the same on all ranks, with which a run that goes on does it again: of an
-  // attachment place and rotation of the end in what holds it (from the centre of mass of a body with mass)
-  // and the distance from where it was expected, of a feeder its speed.
+  // Result of an action, the same on all ranks, needed to repeat it in a continued run: for an attachment,
+  // position and rotation of the end relative to its support (from the centre of mass of a body with mass)
+  // and the distance from the expected place; for a feeder, its speed.
   struct Found {
     std::array<double, 3> place{};
     std::array<double, 4> rotation{1, 0, 0, 0};  // w, x, y, z
@@ -26,18 +26,18 @@ class Actions {
 
   explicit Actions(Simulation& simulation) : sim_(simulation) {}
 
-  // Before any of them: the tied nodes that they change, those of the system.
+  // Takes the tied nodes of the system, which the actions change.
   void begin() { tied_ = sim_.system().tied_nodes().list(); }
-  // In the accepted state `at`. SolveError where it cannot be done. Collective.
+  // Performs an action in the accepted state `at`. Throws SolveError if it is impossible. Collective.
   Found act(const model::Action& action, const Kinematics& at);
-  // In a run that goes on from a checkpoint: what it did at this time [s].
+  // Repeats an action performed at this time [s], in a run continued from a checkpoint.
   void repeat(const model::Action& action, const Found& found, double time);
-  // Of the local nodes; to be given to the system.
+  // Tied local nodes, to be passed to the system.
   const std::vector<TiedNode>& tied() const { return tied_; }
 
-  // m, how far the end that an action attaches is from where it is expected; where its node is owned.
+  // Distance [m] of the end to be attached from its expected place; valid where its node is owned.
   double away(const model::Action& action, const Kinematics& at) const;
-  // Node of the mesh at the action's end.
+  // Mesh node at the action's line end.
   int node(const model::Action& action) const;
 
  private:

@@ -1,4 +1,4 @@
-// What a run will about cost, from a trial run on this machine.
+// Expected cost of a run, from a trial run on this machine.
 #pragma once
 
 #include <functional>
@@ -9,42 +9,42 @@
 
 namespace hawser::run {
 
-// s, of this process.
+// CPU time of this process, s.
 double cpu_time();
 
-// The beginning of a run, without results.
+// Beginning of a run, without results.
 struct TrialRun {
-  double iteration = 0;              // CPU s, of one iteration of statics where that did not end; 0: it did
-  double spent = 0, reached = 0;     // CPU s; s, simulated
-  double rate = 0;                   // CPU s a simulated second, of the second half of what dynamics spent
+  double iteration = 0;           // CPU s per static iteration if statics did not end; 0: it ended
+  double spent = 0, reached = 0;  // CPU s; simulated time, s
+  double rate = 0;  // CPU s per simulated second, in the second half of the CPU time of dynamics
   double duration = 0, longest = 0;  // s, of the run and its longest step; duration 0: no dynamics
-  double steps = 0;     // accepted ones, to the end of the run if the rest is like the second half
-  bool moved = false;   // dynamics has begun
-  std::string failure;  // why the run stops there, if it does
+  double steps = 0;                  // accepted steps of the whole run, extrapolated from the second half
+  bool moved = false;                // dynamics has started
+  std::string failure;               // reason why the run stops; empty: none
 };
-// Runs statics and dynamics until they have spent that many CPU s, a step of each at least. On one rank: each
-// looks at its own clock. look: at the equilibrium and after every step.
+// Runs statics and dynamics for `budget` CPU s, at least one step each. On one rank, because each rank reads
+// its own clock. look: called at the equilibrium and after every step.
 TrialRun trial_run(Simulation& sim, const model::Case& c, double budget,
                    const std::function<void(const Kinematics&)>& look = {});
 
-// CPU s
+// CPU s of the whole run.
 double expected_cost(const TrialRun& trial);
 // "expected cost: about 12 CPU s, by its first 3.2 of 400 s"
 std::string cost_sentence(const TrialRun& trial);
 
-// "expected results: about 24 MB (fields 18, histories 4, ...)", and a note below it where that is much or
-// more than the disk of the folder has left.
+// "expected results: about 24 MB (fields 18, histories 4, ...)", followed by a note if the size is large or
+// exceeds the free space of the folder's disk.
 std::string size_sentence(const io::ResultsSize& size, const std::string& folder);
 
-// Bytes: the most that this process has had in memory so far.
+// Peak memory of this process so far, bytes.
 double peak_memory();
-// peak_memory() on one rank: when the files were read, with what every rank of several has (the mesh, its
-// owners, start shapes to find neighbours), and after trial_run().
+// peak_memory() on one rank: after the files were read, with the data that every rank has (mesh, owners,
+// start shapes for the search of neighbours), and after trial_run().
 struct MemoryUse {
   double read = 0, shared = 0, measured = 0;
 };
-// "expected memory: about 0.9 GB", or of the rank with most of the work, a share of all; 1: there is one
-// rank. A run keeps rows of results beside what was measured.
+// "expected memory: about 0.9 GB", or that of the rank with the largest fraction `most_of_work` of the work;
+// 1: single rank. Adds the memory for rows of results.
 std::string memory_sentence(const MemoryUse& use, double most_of_work);
 
 }  // namespace hawser::run

@@ -1,4 +1,4 @@
-// What `hawser run` and `hawser check` do with a case file.
+// The commands `hawser run` and `hawser check`.
 #pragma once
 
 #include <mpi.h>
@@ -10,15 +10,15 @@ namespace hawser::run {
 
 struct RunOptions {
   std::string case_path;
-  std::string output;                // results file instead of the case's
-  std::string restart;               // results file whose newest checkpoint to go on from
+  std::string output;                // results file that replaces the case's
+  std::string restart;               // results file whose newest checkpoint is continued
   std::string options_text;          // PETSc options, for the record
-  std::vector<std::string> changes;  // of the case, KEY=VALUE each (io/case_changes.hpp)
-  double stop_at = 0;                // s, end the run early; 0: the case's duration
+  std::vector<std::string> changes;  // changes of the case, KEY=VALUE each (io/case_changes.hpp)
+  double stop_at = 0;                // s, end of the run before the case's; 0: the case's duration
   bool quiet = false;
 };
 
-// Exit code. Throws InputError and SolveError. Collective.
+// Runs a case and returns the exit code. Throws InputError and SolveError. Collective.
 int run(MPI_Comm comm, const RunOptions& options);
 
 struct CheckOptions {
@@ -34,7 +34,7 @@ struct CheckOptions {
 // cost or the reason why the case stops. Exit code. Throws InputError, SolveError and WriteError. Collective.
 int check_case(MPI_Comm comm, const CheckOptions& options);
 
-// Prints a case as it was read (io/case_json.hpp), and nothing else. Throws InputError. Collective.
+// Prints only the case as read (io/case_json.hpp). Throws InputError. Collective.
 int print_case(MPI_Comm comm, const std::string& case_path, const std::vector<std::string>& changes);
 
 }  // namespace hawser::run

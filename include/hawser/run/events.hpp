@@ -1,5 +1,5 @@
-// What happens during a run: at a time, when a condition is met, or after something else;
-// and what stages of statics begin with (docs/theory/events.md).
+// Events of a run, triggered by time, a condition or another event, and of stages of statics
+// (docs/theory/events.md).
 #pragma once
 
 #include <mpi.h>
@@ -19,60 +19,59 @@ class Events {
  public:
   Events(MPI_Comm comm, Simulation& simulation);
 
-  // Statics of the case: its stages one after another, or all at once where it has none. `solve` finds a
-  // rest, from the one before, given whether something was released that has to fall first; `report` gets
-  // what begins each stage, a sentence each; `rested` which stage, by its place, has come to rest. SolveError
-  // where a stage cannot begin. Collective.
+  // Statics of the case in its stages, or in one step without stages. `solve` finds an equilibrium from the
+  // previous one; falls: something was released and has to fall first. `report` receives the events of each
+  // stage, one sentence each; `rested` is called with the index of each stage after its equilibrium. Throws
+  // SolveError if a stage cannot begin. Collective.
   void come_to_rest(
       const std::function<void(bool falls)>& solve,
       const std::function<void(const std::string&)>& report = [](const std::string&) {},
       const std::function<void(size_t)>& rested = [](size_t) {});
 
-  // Before a run starts from the simulation's state: what happens at t = 0 has happened in it, and steps will
-  // end where a condition is met. Messages for the user, a sentence each; InputError where one is met
-  // already. Collective.
+  // Before the first step: performs events at t = 0 and sets up conditions at which steps end. Returns
+  // messages, one sentence each. Throws InputError if a condition is already met. Collective.
   std::vector<std::string> begin();
 
-  // After an accepted step, or when a run goes on: what happens there, likewise. Collective.
+  // After an accepted step or at a restart: performs the events that are due. Returns messages. Collective.
   std::vector<std::string> apply_due();
 
-  // s: when something happens after another event that has happened; infinite: nothing does.
+  // Time [s] of the next event that follows another one; infinite: none.
   double next(double time) const;
 
-  // Of the end of a run: what has not happened, a sentence each.
+  // Messages about events that did not happen by the end of the run.
   std::vector<std::string> not_happened() const;
 
   void save(io::Checkpoint& to) const;
-  // What had happened by then, a sentence each; before the state is restored. InputError when what happened
-  // and the events of the case contradict each other.
+  // Messages about events that had happened; called before the state is restored. Throws InputError if they
+  // contradict the events of the case.
   std::vector<std::string> restore(const io::Checkpoint& from);
 
  private:
   struct Happening {
     model::Event what;
-    int node = -1;         // of the mesh: whose tension, place or distance is waited for
-    int feeder = -1;       // whose length is
-    int after = -1;        // event
+    int node = -1;         // node of the mesh whose tension, position or distance is monitored
+    int feeder = -1;       // feeder whose length is monitored
+    int after = -1;        // index of the preceding event
     double happened = -1;  // s; < 0: not yet
-    double order = 0;      // how many had happened before it
+    double order = 0;      // number of events before it
     Actions::Found found;
   };
   static bool waits_for_condition(const Happening& h);
-  double due(const Happening& h) const;  // s; infinite: not known
-  // Tensions [N], positions, lengths and distances [m] that are waited for, on all ranks.
+  double due(const Happening& h) const;  // s; infinite: unknown
+  // Monitored tensions [N], positions, lengths and distances [m], the same on all ranks.
   std::vector<double> values(const Kinematics& at);
   double local_value(const Happening& h, const Kinematics& at) const;
   double local_tension(int node) const;
-  // Of each event that waits for a condition what it lacks, in units of its tolerance, 0 and above: met.
+  // Deficit of each waiting event's condition in units of its tolerance; >= 0: met.
   std::vector<double> conditions(const std::vector<double>& values) const;
   void refuse_met(const std::vector<double>& values) const;
   void watch();
-  // Which are due at a time and these values, or begin a stage.
+  // Events due at a time with these values, or that begin a stage.
   std::vector<size_t> due_at(double time, const std::vector<double>& values, const std::string& stage) const;
-  // All of these, with what goes on from there. Where one of them cannot be, none has happened.
+  // Performs these events and then calls go_on(). If one of them is impossible, none has happened.
   void happen(const std::vector<size_t>& now, const Kinematics& at, const std::string& stage,
               std::vector<std::string>& messages, const std::function<void()>& go_on);
-  // One of them, done and reported; the system's tied nodes are not changed yet.
+  // Performs and reports one event, without changing the system's tied nodes.
   void happen(size_t event, const Kinematics& at, const std::string& stage,
               std::vector<std::string>& messages);
   std::vector<std::string> at_rest(const std::string& stage);

@@ -1,5 +1,5 @@
-// What a run does with its feeders after every step: all ranks agree on them, nodes leave the feeder or are
-// caught by it, checkpoints keep where they are.
+// Update of feeders after each step: agreement of all ranks, nodes that leave a feeder or are caught by it,
+// and checkpoints.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,23 @@ class FeederNodes {
  public:
   explicit FeederNodes(Simulation& simulation) : sim_(simulation) {}
 
-  // After a step was accepted, before it is shown. Collective.
+  // After an accepted step, before its output. Collective.
   void agree();
-  // In statics, `by` [m] more of the line is outside, or less, with the nodes that leave or are caught; the
-  // state is to come to rest after it. SolveError likewise. Collective.
+  // In statics: pays out `by` [m] (negative: hauls in), with the nodes that leave or are caught; the
+  // equilibrium must be solved afterwards. Throws SolveError as transfer_node(). Collective.
   void shift(Feeder& f, double by);
-  // After it was shown: nodes that leave or are caught. SolveError where a stock has run out, or all of a
-  // line is hauled in. Collective.
+  // After the output of a step: releases or catches nodes. Throws SolveError if a stock has run out or all of
+  // a line is hauled in. Collective.
   void transfer_node();
 
   void save(io::Checkpoint& to) const;
-  // InputError where the checkpoint has no such feeders, or others.
+  // Throws InputError if the feeders of the checkpoint are missing or different.
   void restore(const io::Checkpoint& from, const std::string& path);
 
  private:
   Dynamics::Moved leaving(const Feeder& f, const Kinematics& k, const LocalElement& e) const;
-  // The node that is caught, where it is known, and the length [m] of the element at the feed point then.
+  // The caught node on the ranks that have it, and the length [m] of the element at the feed point
+  // afterwards.
   std::optional<Dynamics::Moved> caught(const Feeder& f, const Kinematics& k, double& length) const;
   void refuse_all_out(const Feeder& f, double time) const;
   void refuse_all_in(const Feeder& f, double time) const;

@@ -1,5 +1,5 @@
-// A case in which all bodies with mass are held, and can be put elsewhere one by one: what is tied to them
-// comes to rest, and has a stiffness against their displacements.
+// A case whose bodies with mass are held and can be moved one by one; attached lines come to rest and have a
+// stiffness against displacement of the bodies.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace hawser::run {
 
-// Ties a body with mass where it starts.
+// Holds a body with mass in its start position.
 void hold_body(Simulation& sim, int body);
 
 class HeldBodies {
@@ -20,14 +20,14 @@ class HeldBodies {
   // Lines, links and contact stay. The simulation outlives it. Collective, as are the others.
   explicit HeldBodies(Simulation& sim);
 
-  // Of the case; of one with mass.
+  // body: index in the case; it must have mass.
   const RigidPose& pose(int body) const { return poses_->at(static_cast<size_t>(body)); }
-  // Puts a body there, in steps, and solves statics after each. SolveError where that fails.
+  // Moves a body in increments and solves statics after each. Throws SolveError if that fails.
   void put(int body, const RigidPose& there);
   void solve();
-  // About its centre of mass.
+  // About the centre of mass.
   BodyStiffness stiffness(int body);
-  // N, the largest of each line of the mesh.
+  // Largest tension of each mesh line, N.
   std::vector<double> tensions() const;
 
  private:

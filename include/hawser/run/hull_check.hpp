@@ -1,5 +1,4 @@
-// Hydrostatics of hulls by their volumes: whether they float, their stiffness, and what `hawser check` prints
-// of them.
+// Hydrostatics of hulls from their volumes: flotation, stiffness, and the output of `hawser check`.
 #pragma once
 
 #include <string>
@@ -12,16 +11,16 @@
 
 namespace hawser::run {
 
-// Puts the restoring stiffness of hulls into the case. InputError where a hull is not closed, or is lighter
-// in water than its body.
+// Sets the restoring stiffness of hulls in the case. Throws InputError if a hull is open or its largest
+// buoyancy is below its body's weight.
 void set_hydrostatics(model::Case& c, const std::vector<LoadedVolume>& volumes);
 
-// Displaced volume, buoyancy and weight, waterplane and metacentric heights of each hull where the case puts
-// it, in lines (advice::hull_at_start). Empty: there are no hulls.
+// Displaced volume, buoyancy, weight, waterplane and metacentric heights of each hull at its position in the
+// case (advice::hull_at_start), one paragraph each. Empty: no hulls.
 std::string hulls_text(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 
-// Of the bodies of this rank with hulls or hydrodynamic coefficients that do not rest where the case puts
-// them (advice::rests_elsewhere).
+// Messages about bodies of this rank with hulls or hydrodynamic coefficients whose rest position differs from
+// that of the case (advice::rests_elsewhere).
 std::vector<std::string> platforms_off_start(const model::Case& c, const Bodies& bodies,
                                              const Kinematics& rest);
 

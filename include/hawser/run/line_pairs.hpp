@@ -1,4 +1,4 @@
-// Contact of lines with lines as a case asks for it.
+// Setup of contact between lines.
 #pragma once
 
 #include <mpi.h>
@@ -13,16 +13,15 @@
 
 namespace hawser::run {
 
-// Pairs of lines (indices, the smaller first) that never feel each other, sorted.
+// Sorted pairs of lines (indices, the smaller first) without contact with each other.
 std::vector<std::pair<int, int>> excluded_pairs(const model::Case& c);
 
-// Null where no two lines, nor a line and itself, may touch. What was chosen goes to `details`, a sentence
-// each.
+// Null if no two lines, and no line and itself, may touch. details: receives choices, one sentence each.
 std::unique_ptr<LinePairs> make_line_pairs(MPI_Comm comm, const model::Case& c, const LocalMesh& mesh,
                                            std::vector<std::string>& details);
 
-// Says how far from places that they share lines do not touch, where that is farther than along one line;
-// empty: nowhere.
+// Note on the distance from shared places within which lines have no contact, if longer than for a single
+// line; empty: none.
 std::string shared_places_note(const SharedPlaces& places, const Mesh& mesh);
 
 }  // namespace hawser::run

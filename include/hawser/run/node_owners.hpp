@@ -1,4 +1,4 @@
-// Which rank owns each node of a case.
+// Distribution of the nodes of a case over the ranks.
 #pragma once
 
 #include <mpi.h>
@@ -13,21 +13,19 @@
 
 namespace hawser::run {
 
-// Pairs of Mesh::nodes with forces between them, beside those of elements and ties: bodies that radiate on
-// each other, ends of links, nodes of elements of two lines that may touch in the start shape (a line that
-// may touch itself is not cut). Each rank of `comm` searches for its share of the lines. The same on all
-// ranks. Collective.
+// Pairs of Mesh::nodes coupled by forces other than those of elements and ties: bodies that interact by
+// radiation, ends of links, nodes of elements of two lines that may touch in the start shape (lines with
+// self-contact are not cut). Each rank of `comm` searches its share of the lines. The same on all ranks.
+// Collective.
 std::vector<std::pair<int, int>> coupled_nodes(MPI_Comm comm, const model::Case& c, const Mesh& mesh,
                                                const Bodies& bodies);
 
-// Lines that may touch themselves, in order. Cut in two, such a line, once it is wound on itself, would share
-// about every node that lies on another turn, and the tangent would cost several times what it costs on one
-// rank.
+// Lines with possible self-contact, in order. If such a line were cut, it would share most nodes once wound
+// on itself, and the tangent would cost several times that on one rank.
 std::vector<int> uncut_lines(const model::Case& c);
 
-// Owner of every node among so many ranks, by partition(): coupled_nodes() rather land on one rank,
-// uncut_lines() are not cut. The same on all ranks of `comm`, of which there may be another number.
-// Collective.
+// Owner of every node among `ranks` ranks, by partition(): coupled_nodes() are preferably on one rank,
+// uncut_lines() are not cut. The same on all ranks of `comm`, whose number may differ. Collective.
 std::vector<int> node_owners(MPI_Comm comm, const model::Case& c, const Mesh& mesh, const Bodies& bodies,
                              int ranks);
 

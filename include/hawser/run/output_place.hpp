@@ -1,5 +1,5 @@
-// Where the results of a run go: whether they can be written there, before anything is computed, and that
-// nobody else writes there meanwhile.
+// Location of the results of a run: checks that it is writable before the computation, and locks it against
+// other runs.
 #pragma once
 
 #include <mpi.h>
@@ -13,27 +13,26 @@
 
 namespace hawser::run {
 
-// Throws InputError if one of the files that are written with `what` ("the results") at `path` is one of
-// those that are read.
+// Throws InputError if one of the files written with `what` ("the results") at `path` is an input file.
 void check_not_read(const std::string& what, const std::string& path, const std::vector<std::string>& written,
                     const std::vector<std::string>& read);
 
-// Throws InputError if `path` is a file that the case reads, or one that does not begin with `head`, as
-// tables of `what` do: neither is replaced.
+// Throws InputError if `path` is a file that the case reads, or does not begin with `head`, as tables of
+// `what` do; such files are not overwritten.
 void check_table(const std::string& path, std::string_view head, const std::string& what,
                  const std::vector<std::string>& inputs);
 
 class OutputPlace {
  public:
-  // A file at `path` is replaced only if it is a results file; a link is followed. `restart`: the file the
-  // run goes on from, or empty; `inputs`: what the case reads, none of which is replaced. Throws InputError
-  // unless results can be made there. Collective.
+  // A file at `path` is replaced only if it is a results file; links are followed. `restart`: the file that
+  // the run continues, or empty; `inputs`: files read by the case, which are never replaced. Throws
+  // InputError if results cannot be created there. Collective.
   OutputPlace(MPI_Comm comm, const std::string& path, const std::string& restart,
               const std::vector<std::string>& inputs);
 
-  const std::string& path() const { return path_; }  // where links lead
-  bool appends() const { return appends_; }          // goes on in the file itself
-  // Notes on the place, on rank 0.
+  const std::string& path() const { return path_; }  // after following links
+  bool appends() const { return appends_; }          // continues in the same file
+  // Notes on the location, on rank 0.
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -43,7 +42,7 @@ class OutputPlace {
   std::string path_;
   bool appends_ = false;
   std::vector<std::string> notes_;
-  std::unique_ptr<io::RunLock> lock_;  // of rank 0
+  std::unique_ptr<io::RunLock> lock_;  // on rank 0
 };
 
 }  // namespace hawser::run

@@ -1,4 +1,4 @@
-// The commands that evaluate and show results, which are written in Python (scripts/hawser_post).
+// Commands for evaluation and display of results, implemented in Python (scripts/hawser_post).
 #pragma once
 
 #include <string_view>
@@ -26,8 +26,7 @@ inline constexpr PostCommand kPostCommands[] = {
 bool is_post_command(std::string_view word);
 
 // Replaces this process by Python running the package hawser_post with these arguments, the first of which is
-// the command. Returns only when Python or the package is missing: prints a sentence and returns the exit
-// code.
+// the command. Returns only if Python or the package is missing: prints a sentence and returns the exit code.
 int post(char** arguments);
 
 }  // namespace hawser::run

@@ -1,4 +1,4 @@
-// The table of `hawser check --radiation`: what the bodies' own motion makes of waves, as it was understood.
+// The table of `hawser check --radiation`: radiation properties of bodies as read.
 #pragma once
 
 #include <mpi.h>

@@ -1,4 +1,4 @@
-// A run's state to a checkpoint and back.
+// Conversion of a run's state to a checkpoint and back.
 #pragma once
 
 #include <string>
@@ -12,22 +12,21 @@
 namespace hawser::run {
 
 io::Checkpoint make_checkpoint(Simulation& simulation, record::Recorder& recorder, const Events& events);
-// How many numbers one holds of a run that has not begun: without contact and events.
+// Numbers in a checkpoint of a run that has not begun, without contact and events.
 double planned_numbers(Simulation& simulation, record::Recorder& recorder);
 
-// The newest checkpoint of the results file `path`, this rank's share. Throws InputError when there is none
-// or its lines or volumes are not those of the simulation. Collective.
+// This rank's share of the newest checkpoint in the results file `path`. Throws InputError if there is none
+// or its lines or volumes differ from those of the simulation. Collective.
 io::Checkpoint read_restart(const std::string& path, Simulation& simulation);
 
-// A note if the run of that file was made with other changes of its case than these (KEY=VALUE of --set); on
-// rank 0. Collective.
+// Note if the run in that file had other changes of its case (KEY=VALUE of --set); on rank 0. Collective.
 std::vector<std::string> compare_changes(MPI_Comm comm, const std::string& path,
                                          const std::vector<std::string>& changes);
 
-// Throws InputError, naming the term, where terms keep other quantities than the checkpoint holds.
+// Throws InputError that names the term if terms store other quantities than the checkpoint has.
 void check_records(const io::Checkpoint& checkpoint, const System& system, const std::string& path);
 
-// Puts dynamics and terms where the checkpoint was taken, on whatever ranks there are now. Collective.
+// Restores dynamics and terms from a checkpoint, on any number of ranks. Collective.
 void restore(const io::Checkpoint& checkpoint, Simulation& simulation);
 
 }  // namespace hawser::run

@@ -1,4 +1,4 @@
-// Whether a run can go on from the given file, before anything is computed.
+// Check before the computation that a run can continue from a file.
 #pragma once
 
 #include <mpi.h>
@@ -10,9 +10,8 @@
 
 namespace hawser::run {
 
-// Throws InputError unless `path` is a results file of lines cut like those of `mesh`. Each rank compares the
-// lines whose first node is one of `owned`, ascending: nodes of this rank, of which each is one rank's.
-// Collective.
+// Throws InputError unless `path` is a results file with the lines and nodes of `mesh`. Each rank compares
+// the lines whose first node is one of its nodes `owned` (ascending, disjoint between ranks). Collective.
 void check_restart_file(MPI_Comm comm, const std::string& path, const Mesh& mesh, std::span<const int> owned);
 
 }  // namespace hawser::run

@@ -1,5 +1,5 @@
-// What the commands that write results share: the description of the run, lines and bodies in the form of the
-// results file, statics with its messages, and what is printed while a case is read.
+// Common parts of the commands that write results: description of the run, statics with messages, and
+// progress while reading a case.
 #pragma once
 
 #include <functional>
@@ -23,18 +23,18 @@ io::RunInfo run_info(MPI_Comm comm, const model::Case& c, const std::string& pet
 // What was repaired and chosen, the like of several volumes at once.
 std::vector<std::string> all_notes(const model::Case& c, const std::vector<LoadedVolume>& volumes,
                                    const std::vector<std::string>& chosen);
-// The case with the lengths that meet the targets of its lines (run/targets.hpp), and notes on
-// them; the case itself where there are none. restart: results that a run goes on from, and its lengths with
-// it. looked: called at every iteration of the search, which ends with what that throws. Collective.
+// The case with section lengths that meet the targets of its lines (run/targets.hpp), with notes printed;
+// without targets the case itself. restart: results of a continued run, which give the lengths. on_iteration:
+// called at every iteration of the search; an exception from it ends the search. Collective.
 model::Case with_targets_met(MPI_Comm comm, model::Case c, const std::vector<LoadedVolume>& volumes,
                              Progress& progress, const std::string& restart = "",
                              const std::function<void()>& on_iteration = {});
-// Statics of the case with its stages, its progress and notes on the equilibrium; what the
-// search of the last one was. rested: called with the stage that has come to rest. Collective; throws as
-// Simulation::solve_statics does.
+// Statics of the case with its stages, progress and notes on the equilibrium; returns the report of the last
+// stage. rested: called with the index of each stage after its equilibrium. Collective; throws as
+// Simulation::solve_statics.
 StaticsReport solve_statics(
     Simulation& sim, Events& events, Progress& progress,
     const std::function<void(size_t)>& rested = [](size_t) {});
-io::ReadProgress read_progress(Progress& progress);  // which must live as long
+io::ReadProgress read_progress(Progress& progress);  // progress must outlive it
 
 }  // namespace hawser::run

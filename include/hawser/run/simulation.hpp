@@ -1,4 +1,4 @@
-// A checked case made ready to compute on this rank: mesh, partition, bodies, volumes, terms, start shape.
+// A checked case prepared for computation on this rank: mesh, partition, bodies, volumes, terms, start shape.
 #pragma once
 
 #include <mpi.h>
@@ -33,7 +33,7 @@ class SeabedTerm;
 
 namespace hawser::run {
 
-// Supports or ends that cannot be right, whatever the lengths of the lines are.
+// Error in supports or ends that no choice of line lengths can remove.
 struct WrongPlaces : InputError {
   using InputError::InputError;
 };
@@ -50,7 +50,7 @@ class Simulation {
   const LocalMesh& local() const { return system_->mesh(); }
   const Bodies& bodies() const { return *bodies_; }
   System& system() { return *system_; }
-  // Force terms for those who ask them more than their role; null: the case has none.
+  // Force terms for use beyond their interface; null: the case has none.
   StructureTerm& structure() const { return *system_->find<StructureTerm>(); }
   LineVolumeContact* contact() const { return system_->find<LineVolumeContact>(); }
   LinePairs* line_pairs() const { return system_->find<LinePairs>(); }
@@ -58,44 +58,42 @@ class Simulation {
   const BodyContactTerm* body_contact() const;
   const RigidBodies* floating() const;
   Feeders* feeders() const;
-  // Where a body of the case is; of a floating one only the rank that owns its node knows: nullopt elsewhere.
+  // Pose of a body of the case; for a floating body nullopt except on the rank that owns its node.
   std::optional<RigidPose> body_pose(int body, const Kinematics& at) const;
-  // For what records it; surfaces: one for each volume of the case.
+  // Subject for recordings; surfaces: one per volume of the case.
   record::Subject subject(std::vector<std::shared_ptr<const Surface>> surfaces = {});
   State& state() { return state_; }
-  Dynamics& dynamics();                                             // made at the first call
-  const std::vector<std::string>& notes() const { return notes_; }  // what was chosen, one sentence each
-  // Of bodies at rest in the surface whose stiffness against tilting has no part of the waterplane.
-  // Collective.
+  Dynamics& dynamics();                                             // created by the first call
+  const std::vector<std::string>& notes() const { return notes_; }  // choices, one sentence each
+  // Warnings of floating bodies without waterplane stiffness against tilting. Collective.
   std::vector<std::string> tilting_warnings() const;
-  const std::vector<std::string>& details() const { return details_; }  // of what rarely matters
-  const std::vector<std::string>& warnings() const { return start_contact_.warnings; }  // of the start shape
-  // Of automatic contact stiffness that is higher than it was when this was last asked, one sentence a
-  // volume.
+  const std::vector<std::string>& details() const { return details_; }                  // minor choices
+  const std::vector<std::string>& warnings() const { return start_contact_.warnings; }  // on the start shape
+  // Messages about automatic contact stiffness that was raised since the last call, one sentence per volume.
   std::vector<std::string> raised_stiffness(const std::string& when);
   int cut_elements() const { return cut_; }
-  // Stretches at ends of lines that have no contact with a volume in which they start.
+  // Stretches at line ends without contact with a volume in which they start.
   const std::vector<ExcludedEnds>& excluded_ends() const { return start_contact_.excluded_ends; }
 
-  // What of a line is inside a volume that an action switches on, in words; empty: nothing. Collective.
+  // Description of the parts of lines inside a volume that an action switches on; empty: none. Collective.
   std::string inside(const model::Action& action, const Kinematics& at) const;
-  // Whether lines touch the volumes of an action from now on.
+  // Switches contact of lines with the volumes of an action.
   void enable_contact(const model::Action& action);
-  // Whether statics has friction, in place of what the case says; what the current is multiplied by.
+  // Overrides the case's setting of static friction; scale_current() multiplies the current.
   void enable_static_friction(bool on) { static_friction_ = on; }
   bool static_friction() const {
     return static_friction_.value_or(case_.statics.contact_friction);
-  }  // of contact
+  }  // friction of contact
   void scale_current(double factor);
 
-  // InputError if what starts inside a volume is still there. Collective.
+  // Throws InputError if a line that starts inside a volume is still inside. Collective.
   void check_inside() const;
-  // Static equilibrium of the state: without friction first, then friction of where the lines were laid.
-  // InputError as of check_inside(). progress: how far it is, now and then; on all ranks. falls: something
-  // was let go, and comes to rest by dynamic relaxation first.
+  // Static equilibrium of the state: first without friction, then with friction relative to the laid
+  // position. Throws InputError as check_inside(). progress: called occasionally, on all ranks. falls:
+  // something was released and comes to rest by dynamic relaxation first.
   StaticsReport solve_statics(std::function<void(const StaticsReport&)> progress = {}, bool falls = false);
-  // Of the equilibrium: what of each line lies on the seabed and what friction does there, a sentence each.
-  // Collective.
+  // Messages on the equilibrium: length of each line on the seabed and the effect of friction, one sentence
+  // each. Collective.
   std::vector<std::string> on_bed() const;
   DynamicsSettings dynamics_settings() const;
 
@@ -103,7 +101,7 @@ class Simulation {
   template <class Term, class... From>
   Term* add(From&&... from);
   void distribute(MPI_Comm comm);
-  // The force terms, by what they are about; `start`: the start shape, `held`: local nodes.
+  // Adds the force terms by subject; `start`: the start shape, `held`: local nodes.
   void add_line_terms();
   void add_seabed(const Kinematics& start, const std::vector<int>& held);
   void add_contact(const Kinematics& start, const std::vector<int>& held,
@@ -111,7 +109,7 @@ class Simulation {
   void add_bodies(std::vector<std::shared_ptr<const Surface>> surfaces, std::vector<BodySkeleton> skeletons,
                   const VolumeFacets& facets);
   std::string inside(int volume, const Kinematics& at) const;
-  bool lays_lines() const;  // whether statics has friction of the bed
+  bool lays_lines() const;  // statics has bed friction
   void follow_contact(StaticsSettings settings, StaticsReport& report);
 
   const model::Case case_;
@@ -123,12 +121,12 @@ class Simulation {
   std::vector<std::string> notes_, details_;
   std::vector<ContactVolume> volumes_;  // that lines may touch
   StartContact start_contact_;
-  // Of the volumes of contact, in their basis, as raised_stiffness() last found it.
+  // Stiffness of the contact volumes, in their basis, at the last raised_stiffness().
   std::vector<double> last_stiffness_;
   int cut_ = 0;
-  std::optional<bool> static_friction_;  // by a stage; none: as the case has it
-  bool any_laid_ = false;                // of any line of the case it is known where it was laid
-  std::vector<Vec3> laid_;               // m, where local nodes were laid on the bed; as in StartShape
+  std::optional<bool> static_friction_;  // set by a stage; none: as in the case
+  bool any_laid_ = false;                // the laid position of some line of the case is known
+  std::vector<Vec3> laid_;               // m, laid positions of local nodes on the bed; as in StartShape
 };
 
 }  // namespace hawser::run

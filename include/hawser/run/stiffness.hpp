@@ -1,4 +1,4 @@
-// `hawser stiffness`: stiffness and restoring force of the lines on a body, at rest and at offsets.
+// `hawser stiffness`: stiffness and restoring force of the lines on a body at rest and at offsets.
 #pragma once
 
 #include <mpi.h>
@@ -11,22 +11,22 @@
 
 namespace hawser::run {
 
-using Offset = std::array<double, 6>;  // m, axes of space; rad, rotation vector
+using Offset = std::array<double, 6>;  // m, space axes; rad, rotation vector
 
 struct StiffnessOptions {
   std::string case_path;
   std::string output;                // CSV file; empty: <case>-stiffness.csv beside the case file
-  std::vector<std::string> changes;  // of the case, KEY=VALUE each
-  std::string body;                  // empty: the only one that lines are tied to
-  Vec3 at = Vec3::Zero();            // m, the point of the body that all is about, its frame
-  std::vector<Offset> offsets;       // from rest, beside that
-  double direction = 0, to = 0;      // rad; m: offsets in steps from rest, where `to` is above 0
+  std::vector<std::string> changes;  // changes of the case, KEY=VALUE each
+  std::string body;                  // empty: the only body with attached lines
+  Vec3 at = Vec3::Zero();            // m, reference point in the body's frame
+  std::vector<Offset> offsets;       // offsets from rest, in addition to it
+  double direction = 0, to = 0;      // rad; m: equidistant offsets from rest if `to` is above 0
   int steps = 10;
   bool quiet = false;
 };
 
-// Prints the stiffness at rest and a table of the offsets, and writes both. Exit code. Throws InputError and
-// SolveError. Collective.
+// Prints the stiffness at rest and a table of the offsets, and writes both. Returns the exit code. Throws
+// InputError and SolveError. Collective.
 int stiffness(MPI_Comm comm, const StiffnessOptions& options);
 
 }  // namespace hawser::run

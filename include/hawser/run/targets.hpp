@@ -1,5 +1,5 @@
-// Lengths of sections sought so that the static equilibrium meets the `target` of lines: a tension or an
-// angle at an end, a touchdown point, a laid length.
+// Search for section lengths with which the static equilibrium meets the `target` of lines: tension or angle
+// at an end, touchdown point, laid length.
 #pragma once
 
 #include <mpi.h>
@@ -18,21 +18,21 @@ namespace hawser::run {
 bool has_targets(const model::Case& c);
 
 struct MetTargets {
-  model::Case model;               // with the lengths that were found
-  std::vector<std::string> found;  // a sentence a target
+  model::Case model;               // with the lengths found
+  std::vector<std::string> found;  // one sentence per target
 };
 
-// Statics at every trial; each line with a target has a bracketed search of its own (math/root_search.hpp).
-// All move at once as long as they do not pull at each other, else one after the other, round and round. Met
-// to 1e-7 of the tension, 1e-7 rad, 1e-7 of the line's length. The case needs its `tree`. progress: how far
-// statics of a trial is; tried: what a trial has found, in a sentence. InputError with the range that was
-// found where a target cannot be met, SolveError where several do not settle together. Collective.
+// Each trial solves statics; each line with a target has its own bracketed search (math/root_search.hpp). All
+// lengths change together while the lines do not interact, else cyclically one by one. Tolerances: 1e-7 of
+// the tension, 1e-7 rad, 1e-7 of the line's length. The case needs its `tree`. progress: statics of a trial;
+// tried: receives the result of a trial in a sentence. Throws InputError with the range found if a target
+// cannot be met, SolveError if several do not converge together. Collective.
 MetTargets meet_targets(MPI_Comm comm, const model::Case& c, const std::vector<LoadedVolume>& volumes,
                         const std::function<void(const StaticsReport&)>& progress = {},
                         const std::function<void(const std::string&)>& tried = {});
 
-// The case with the lengths that a run of it has found, from its results file; for a restart. Where that file
-// does not fit the case it stays as it is, and the restart will say so.
+// The case with the lengths from the results file of an earlier run, for a restart. If the file does not fit,
+// the case is unchanged and the restart reports the mismatch.
 MetTargets with_lengths_of(const model::Case& c, const std::string& results, MPI_Comm comm);
 
 }  // namespace hawser::run

@@ -1,4 +1,4 @@
-// The version of the program.
+// Version of the program.
 #pragma once
 
 namespace hawser::run {

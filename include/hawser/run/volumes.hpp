@@ -1,4 +1,4 @@
-// The volumes of a case: their surfaces for contact, their triangles for pictures.
+// Volumes of a case: surfaces for contact, triangles for pictures.
 #pragma once
 
 #include <mpi.h>
@@ -19,22 +19,21 @@ namespace hawser::run {
 struct LoadedVolume {
   std::string name;
   std::shared_ptr<const Surface> surface;  // exact for shapes
-  std::shared_ptr<const MeshView> facets;  // the mesh itself; of a shape only for pictures
-  std::vector<bool> active;                // one a facet
-  std::string report;                      // what the mesh is, or that the shape is exact
-  std::vector<std::string> notes;          // what was repaired and chosen, a sentence each
+  std::shared_ptr<const MeshView> facets;  // the mesh; for shapes only for pictures
+  std::vector<bool> active;                // one per facet
+  std::string report;                      // description of the mesh, or that the shape is exact
+  std::vector<std::string> notes;          // repairs and choices, one sentence each
 };
 
-// In the order of the case. Throws InputError, on all ranks alike: what is no closed volume, has the wrong
-// scale or is not fit for what its volume is to do is refused. Collective over comm: of its ranks on a host
-// one reads and checks each mesh, and all use what it made of it, in memory they share. Ranks let go of the
-// volumes in the same order, before MPI_Finalize.
+// In the order of the case. Throws InputError on all ranks for open meshes, wrong scale, or meshes unsuitable
+// for their volume. Collective over comm: on each host one rank reads and checks each mesh, and all its ranks
+// use the result in shared memory. Ranks must release the volumes in the same order, before MPI_Finalize.
 std::vector<LoadedVolume> load_volumes(const model::Case& c, MPI_Comm comm = MPI_COMM_SELF,
                                        const io::ReadProgress& read_progress = {});
 
 std::vector<std::shared_ptr<const Surface>> surfaces(const std::vector<LoadedVolume>& volumes);
 std::vector<std::shared_ptr<const MeshView>> volume_facets(const std::vector<LoadedVolume>& volumes);
-// What stands out of the volumes that touch other bodies with it, and where they are watched.
+// Contact points, edges and faces of the volumes that lead in contact between bodies.
 std::vector<BodySkeleton> skeletons(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 std::vector<io::VolumeMesh> volume_meshes(const model::Case& c, const std::vector<LoadedVolume>& volumes);
 

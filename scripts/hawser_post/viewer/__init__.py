@@ -1,1 +1,1 @@
-"""The model in three dimensions, in a report and in a browser: what is shown, how it is packed, and the server."""
+"""The three-dimensional model in reports and in the browser: content, packing and server."""

@@ -1,14 +1,15 @@
-"""Arrays packed for a browser: numbers as whole multiples of a step, as differences, compressed where that halves the size.
+"""Arrays packed for a browser as integer multiples of a step, stored as differences, compressed if that halves the
+size.
 
-A block is the text 'hwb1', the length of its header (4 bytes, little-endian), the header (JSON) and the bytes of the values. Members
-of the header:
+A block is the text 'hwb1', the length of its header (4 bytes, little-endian), the header (JSON) and the bytes of the
+values. Members of the header:
 
-    kind      'steps' (below), or 'float32', 'float64', 'uint32': the values themselves, byte 0 of all, then byte 1 of all, ...
+    kind      'steps' (below), or 'float32', 'float64', 'uint32': the values, byte 0 of all, then byte 1 of all, ...
     rows, columns
     deflated  whether the bytes are compressed (zlib)
-    step, offset, order, planes    of 'steps': a value is offset + step k with a whole k >= 0; k = -1 is no number. What is kept are the
-              differences of k, order[0] times from row to row, order[1] times from column to column, in 32 bits that wrap around, as
-              2 d or -2 d - 1: byte 0 of all, then byte 1 of all, ..., `planes` of them
+    step, offset, order, planes    for 'steps': a value is offset + step k with an integer k >= 0; k = -1 is NaN. Stored
+              are differences of k, order[0] times between rows, order[1] times between columns, in 32 bits with
+              wrap-around, mapped to 2 d or -2 d - 1: byte 0 of all, then byte 1 of all, ..., `planes` bytes
 """
 import json
 import zlib
@@ -17,11 +18,11 @@ import numpy as np
 
 MOST_STEPS = 2**30
 ORDERS = ((1, 2), (2, 1), (1, 1), (0, 2), (0, 1), (1, 0))
-SAMPLE = 200_000  # values by which the order is chosen
+SAMPLE = 200_000  # values used to choose the order
 
 
 def packed(header, data):
-    """A block, compressed where that halves it."""
+    """A block, compressed if that halves it."""
     small = zlib.compress(data, 6)
     header["deflated"] = 2 * len(small) <= len(data)
     text = json.dumps(header, separators=(",", ":")).encode()
@@ -29,7 +30,7 @@ def packed(header, data):
 
 
 def plain(values, kind):
-    """A block of the values themselves."""
+    """A block with unpacked values."""
     values = np.atleast_2d(np.asarray(values, np.dtype(kind).newbyteorder("<")))
     bytes_of = np.ascontiguousarray(values).view(np.uint8).reshape(-1, values.dtype.itemsize)
     return packed({"kind": kind, "rows": values.shape[0], "columns": values.shape[1]}, bytes_of.T.tobytes())
@@ -45,7 +46,7 @@ def differences(k, order):
 
 
 def bytes_of(k, order):
-    """Planes of bytes of the differences, and their number."""
+    """Byte planes of the differences, and their number."""
     d = differences(k, order)
     folded = ((d << 1) ^ (d >> 31)).view(np.uint32)
     count = max(1, (int(folded.max(initial=0)).bit_length() + 7) // 8)
@@ -53,7 +54,7 @@ def bytes_of(k, order):
 
 
 def steps(values, step):
-    """A block of values to half a `step`, wider where the values would have too many of them."""
+    """A block with values to half a `step`, larger if the values would need too many steps."""
     values = np.atleast_2d(np.asarray(values, float))
     finite = np.isfinite(values)
     low = float(values.min(where=finite, initial=np.inf))
@@ -72,14 +73,14 @@ def steps(values, step):
 
 
 def shares(values, parts=65000):
-    """A block of values to half of a 65000th of their range."""
+    """A block with values to half of a 65000th of their range."""
     finite = np.asarray(values, float)
     finite = finite[np.isfinite(finite)]
     return steps(values, float(np.ptp(finite)) / parts if finite.size else 1.0)
 
 
 def unpacked(block):
-    """The values of a block: what the browser makes of it."""
+    """Values of a block, as decoded by the browser."""
     length = int.from_bytes(block[4:8], "little")
     header = json.loads(block[8 : 8 + length])
     data = block[8 + length :]

@@ -1,8 +1,8 @@
-"""Colour maps that people with any colour vision can read."""
+"""Colour maps suitable for all kinds of colour vision."""
 import matplotlib
 import numpy as np
 
-# Name, and whether it is for values of both signs.
+# Name, label, and whether the map is for signed values.
 MAPS = (("viridis", "Viridis", False), ("cividis", "Cividis", False), ("PuOr_r", "Purple to orange, for both signs", True))
 STEPS = 256
 

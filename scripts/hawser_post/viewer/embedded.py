@@ -1,4 +1,4 @@
-"""The viewer inside a page: everything it needs in one file."""
+"""The viewer in a single self-contained page."""
 import base64
 import html
 import json
@@ -9,10 +9,10 @@ import numpy as np
 from . import blocks, libraries
 from .model import Model
 
-# Bytes of the blocks of a model: for each output up to so many, and no more in all than the last.
+# Size of a model's blocks in bytes: minimum, increment per output, maximum.
 SMALL, EACH_OUTPUT, LARGE = 1_600_000, 2_500, 13_000_000
-MOST_VALUES = 60_000_000  # that are packed at all
-MOST_POINTS = 4000  # of a curve
+MOST_VALUES = 60_000_000  # packed at most
+MOST_POINTS = 4000  # per curve
 
 
 def text_of(data):
@@ -20,7 +20,7 @@ def text_of(data):
 
 
 def json_of(value):
-    """JSON that may stand in a script of a page, and that browsers read: numbers that are none are null."""
+    """JSON for a script in a page; NaN and infinity become null."""
     def finite(v):
         if isinstance(v, dict):
             return {key: finite(inner) for key, inner in v.items()}
@@ -33,12 +33,12 @@ def json_of(value):
 
 
 def limit(results):
-    """Bytes that the model of these results may have."""
+    """Largest size of the model of these results, bytes."""
     return min(LARGE, max(SMALL, EACH_OUTPUT * results.outputs))
 
 
 def packed_model(results, most=None):
-    """The model with as many outputs and fields as the limit allows, its header and its blocks."""
+    """The model with as many outputs and fields as the limit allows: header and blocks."""
     most = most or limit(results)
     named = {*results.reported("graph", "table")}
     fields, every = None, 1
@@ -64,7 +64,7 @@ def packed_model(results, most=None):
 
 
 def data(results, name, most=None, **more):
-    """The HTML of the data of a model."""
+    """HTML of the data of a model."""
     header, found = packed_model(results, most)
     header.update(more)
     parts = [f'<script type="application/json" id="{name}-header">{json_of(header)}</script>']
@@ -74,7 +74,7 @@ def data(results, name, most=None, **more):
 
 
 def place(name, others=""):
-    """The HTML of the place of a viewer."""
+    """HTML element of a viewer."""
     more = f' data-others="{others}"' if others else ""
     return (f'<div class="hawser-view" id="{name}"{more}>The model in three dimensions comes here when the page has been read, '
             "in a browser with JavaScript.</div>")
@@ -85,12 +85,13 @@ def scene(results):
 
 
 def two_scenes(a, b):
-    """One viewer of two models, B over A."""
+    """One viewer with two models, B drawn over A."""
     return [place("model", "other"), data(a, "model", label="A"), data(b, "other", label="B")]
 
 
 def curves_of(figure):
-    """The curves of a figure of Matplotlib as JSON and a block of steps of their ranges; None where it has none."""
+    """Curves of a Matplotlib figure as JSON and a block with a resolution relative to their ranges; None without
+    curves."""
     axes = figure.axes[0] if len(figure.axes) == 1 else None
     lines = [line for line in axes.get_lines() if len(line.get_xdata()) > 1] if axes is not None and not hasattr(axes, "zaxis") else []
     if not lines:
@@ -122,7 +123,7 @@ def colour_of(line):
 
 
 def libraries_of_page():
-    """The HTML of styles, libraries and viewer, for the end of a page."""
+    """HTML of styles, libraries and viewer, for the end of a page."""
     packed = [(name, text) for name, text in libraries.scripts()] + [("viewer", libraries.own())]
     parts = [f"<style>{libraries.styles()}</style>"]
     parts += [f'<script type="text/plain" data-packed="{html.escape(name)}">{text_of(zlib.compress(text.encode(), 9))}</script>'

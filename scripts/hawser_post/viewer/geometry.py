@@ -1,4 +1,4 @@
-"""What a model in three dimensions needs beside the results: radii of lines, the extent, heights of the bed."""
+"""Geometry of the three-dimensional model in addition to the results: radii of lines, extent, heights of the bed."""
 import re
 
 import numpy as np
@@ -6,19 +6,19 @@ import numpy as np
 from ..results import dictionary
 from ..sections import at_nodes, sections_of
 
-BED_PLACES = 81  # along a side of a bed that is no plane
-BEYOND = 0.15  # of the model's size: how far sea and bed go beyond it
-USUAL_RADIUS = 0.1  # m, of a line whose type is not known
+BED_PLACES = 81  # points along a side of a non-planar bed
+BEYOND = 0.15  # margin of sea and bed beyond the model, as a fraction of its size
+USUAL_RADIUS = 0.1  # m, for unknown line types
 
 
 def radius_of_type(results, name):
-    """m, of a line type; None where the results do not say it."""
+    """Radius of a line type, m; None if the results do not have it."""
     found = dictionary(dictionary(results.as_read.get("line_types")).get(name)).get("outer_diameter")
     return found / 2 if isinstance(found, (int, float)) and found > 0 else None
 
 
 def radii(results):
-    """m, of each node, the larger side."""
+    """Radius of each node, m; the larger of both sides."""
     out = np.full(len(results.file["nodes/arc_length"]), USUAL_RADIUS)
     for line in results.lines:
         sections = sections_of(results, line.name)
@@ -26,7 +26,7 @@ def radii(results):
             of = np.array([radius_of_type(results, s.get("type")) or USUAL_RADIUS for s in sections])
             out[line.nodes] = of[at_nodes(results, line)].max(axis=0)
             continue
-        # What is beyond a cut has the type of the end of the line it was cut from.
+        # Parts beyond a cut have the type of the corresponding end of the uncut line.
         sections = sections_of(results, re.sub(r" part \d+$", "", line.name))
         if sections:
             out[line.nodes] = radius_of_type(results, sections[-1].get("type")) or USUAL_RADIUS
@@ -34,7 +34,8 @@ def radii(results):
 
 
 def extent(results, rows, most=40):
-    """The least and the largest coordinates of the lines at up to `most` of these outputs, and of volumes and bodies near them."""
+    """Smallest and largest coordinates of the lines at up to `most` of these outputs, and of nearby volumes and
+    bodies."""
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     rows = list(rows)
     sample = {rows[int(k)] for k in np.linspace(0, len(rows) - 1, min(most, len(rows)))}
@@ -55,13 +56,13 @@ def extent(results, rows, most=40):
 
 
 def border(low, high):
-    """The least and the largest x and y of sea and bed."""
+    """Smallest and largest x and y of sea and bed."""
     beyond = BEYOND * max(*(high - low), 1e-3)
     return low[:2] - beyond, high[:2] + beyond
 
 
 def bed(sea, low, high):
-    """Places x and y, and heights over them; None where there is no bed that is known."""
+    """Coordinates x and y and heights over them; None without a known bed."""
     if not sea.bed:
         return None
     count = 2 if sea.measured is None else BED_PLACES

@@ -1,4 +1,4 @@
-"""The libraries that draw in the browser: three.js and Dygraphs, of Debian or of a folder that HAWSER_JAVASCRIPT names."""
+"""Drawing libraries for the browser: three.js and Dygraphs, from Debian or from a folder named by HAWSER_JAVASCRIPT."""
 import os
 import re
 from pathlib import Path
@@ -9,7 +9,7 @@ THREE, CONTROLS = "three/three.min.js", "three/examples/js/controls/OrbitControl
 GRAPHS, GRAPHS_STYLE = "dygraphs/dygraph.min.js", "dygraphs/dygraph.css"
 NOTICES = (("three.js", "libjs-three"), ("Dygraphs", "libjs-dygraphs"))
 PAGE = Path(__file__).parent / "page"
-# In this order.
+# In the order of loading.
 OWN = ("blocks", "source", "colours", "camera", "lines", "bodies", "sea", "marks", "overlay", "scene", "cuts", "graphs", "curves", "player",
        "controls", "figures", "follow", "start")
 
@@ -19,7 +19,7 @@ def folder():
 
 
 def missing():
-    """The sentence that says why nothing can be drawn in a browser; "" where everything is there."""
+    """Reason why nothing can be drawn in a browser; "" if all libraries are available."""
     absent = [name for name in (THREE, CONTROLS, GRAPHS, GRAPHS_STYLE) if not (folder() / name).is_file()]
     if not absent:
         return ""
@@ -47,7 +47,7 @@ def styles():
 
 
 def notices():
-    """The licences of the libraries, as Debian's packages have them."""
+    """Licences of the libraries from Debian's packages."""
     found = []
     for name, package in NOTICES:
         file = Path("/usr/share/doc") / package / "copyright"

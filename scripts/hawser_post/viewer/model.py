@@ -1,4 +1,4 @@
-"""What is shown of a results file in three dimensions: a header (JSON) that names it, and blocks of numbers."""
+"""Content of the three-dimensional view of a results file: a header (JSON), and blocks of numbers."""
 import itertools
 from functools import cached_property
 
@@ -11,16 +11,18 @@ from ..sea import Sea
 from . import blocks, colours, geometry, notes, parts
 from .contacts import Contacts
 
-# Positions are kept to half of a millimetre; of models below 100 m to half of 10^-5 of their size, above 1000 m to half of 10^-6.
+# Positions are stored to half a millimetre; for models below 100 m to half of 10^-5 of their size, above 1000 m to half
+# of 10^-6.
 FINEST, SMALL_SHARE, LARGE_SHARE = 1e-3, 1e-5, 1e-6
 ARROWS = ("seabed_force",)  # whose components are kept, for arrows at nodes
 NOT_SHOWN = ("position", "axis_1", "axis_2", "mode_shape")
 MOST_WAVES = 200  # components of the surface
-MANY_POSES = 200_000  # numbers, from which on poses have single precision
+MANY_POSES = 200_000  # numbers from which poses have single precision
 
 
 class Model:
-    """`every`: shows each so manieth output, and the last; `per_block`: outputs of a block; `fields`: which of them, all for None."""
+    """`every`: interval of the outputs shown, besides the last; `per_block`: outputs per block; `fields`: names of
+    fields, None for all."""
 
     def __init__(self, results, every=1, per_block=None, fields=None):
         self.results, self.file = results, results.file
@@ -39,12 +41,12 @@ class Model:
 
     @cached_property
     def centre(self):
-        """A place in the middle, from which positions are counted."""
+        """Origin of stored positions, near the middle of the model."""
         return np.round((self.extent[0] + self.extent[1]) / 2)
 
     @property
     def step(self):
-        """m, of positions."""
+        """Resolution of positions, m."""
         size = max(float((self.extent[1] - self.extent[0]).max()), 1e-3)
         return max(min(FINEST, SMALL_SHARE * size), LARGE_SHARE * size)
 
@@ -56,27 +58,28 @@ class Model:
         return self.file["fields"][name].ndim == 3
 
     def part(self, k):
-        """The rows of the file of part k of the outputs."""
+        """Rows of the file for part k of the outputs."""
         return self.rows[k * self.per_block : (k + 1) * self.per_block]
 
     def values(self, name, rows):
-        """Of a field at these rows of the file: rows x nodes, of vectors rows x 3 nodes (all x, all y, all z)."""
+        """Values of a field at these rows of the file: rows x nodes, for vectors rows x 3 nodes (all x, all y, all
+        z)."""
         data = self.file["fields"][name]
         slow = np.diff(rows).max(initial=1) > 1
         found = np.stack([data[row] for row in rows]) if slow else data[rows[0] : rows[-1] + 1]
         return found.transpose(0, 2, 1).reshape(len(rows), -1) if found.ndim == 3 else found
 
     def sizes(self, name, rows):
-        """As `values`, of vectors their magnitude."""
+        """As `values`, with vectors replaced by their magnitude."""
         found = self.values(name, rows)
         return np.linalg.norm(found.reshape(len(rows), 3, -1), axis=1) if self.vector(name) else found
 
     def range_of(self, name):
-        """The least and the largest value over all outputs that are shown and every step of which there are statistics; None where there is no number."""
+        """Least and largest value over all outputs shown and all steps with statistics; None without values."""
         return self.range_over(name, (self.rows[k : k + 64] for k in range(0, len(self.rows), 64)))
 
     def range_over(self, name, parts):
-        """The same over parts of the rows of the file, and over every step where the file has statistics."""
+        """The same over parts of the rows of the file, and over all steps if the file has statistics."""
         low, high = np.inf, -np.inf
         tables = (self.sizes(name, rows) for rows in parts)
         if self.with_statistics(name):
@@ -96,18 +99,18 @@ class Model:
                    "vector": name in ARROWS and self.vector(name), "statistics": self.with_statistics(name)}
 
     def with_statistics(self, name):
-        """Whether the results say of a field what it was at every step."""
+        """True if the results have statistics of the field over all steps."""
         data = self.file.get(f"statistics/{name}")
         return data is not None and data.ndim == 2 and not self.results.modes
 
     def volume_headers(self):
-        """Numbers of those that are kept as a mesh stand for their places in the file."""
+        """Volumes kept as meshes are referred to by their number in the file."""
         for key, volume in self.file.get("volumes", {}).items():
             if "vertices" in volume and "triangles" in volume and len(volume["triangles"]):
                 yield {"key": key, "name": text_of(volume.attrs.get("name", key)), "body": int(volume.attrs.get("body", -1))}
 
     def touchdowns(self):
-        """Steps x lines x columns, the table of touchdown points, None where the file has none."""
+        """Table of touchdown points, steps x lines x columns; None if the file has none."""
         return self.file.get("line_series/touchdown")
 
     def header(self):
@@ -144,7 +147,7 @@ class Model:
         return "seabed" in dictionary(self.results.keys.get("environment")) and self.bed is None
 
     def names(self):
-        """Every block there is."""
+        """Names of all blocks."""
         parts = range(-(-len(self.rows) // self.per_block))
         found = ["arc", "radius"] + ["bed"] * (self.bed is not None) + ["waves"] * (not self.sea.still)
         found += [f"statistics/{name}" for name in self.shown if self.with_statistics(name)]
@@ -155,7 +158,7 @@ class Model:
         return found + [f"{name}/{k}" for name in moving for k in parts]
 
     def block(self, name):
-        """The bytes of a block; None where there is none of that name."""
+        """Bytes of a block; None for an unknown name."""
         what, _, rest = name.partition("/")
         if what == "arc":
             return blocks.plain(self.file["nodes/arc_length"][:], "float32")
@@ -178,12 +181,12 @@ class Model:
         return self.moving(what, field, self.part(int(part)))
 
     def moving(self, what, field, rows):
-        """A block of what changes with time."""
+        """A time-dependent block."""
         if what == "position":
             x = self.values("position", rows).reshape(len(rows), 3, -1) - self.centre[:, None]
             return blocks.steps(x.reshape(len(rows), -1), self.step)
         if what == "field" and field in self.shown:
-            # Of forces at nodes the components, for arrows; of other vectors the magnitude.
+            # Nodal forces have components, for arrows; other vectors their magnitude.
             return blocks.shares(self.values(field, rows) if field in ARROWS else self.sizes(field, rows))
         if what == "pose" and self.results.bodies:
             pose = [np.concatenate([self.file["bodies/position"][r] - self.centre, self.file["bodies/rotation"][r]], axis=1) for r in rows]
@@ -196,7 +199,7 @@ class Model:
         return None
 
     def touchdown(self, rows):
-        """The points seen from both ends of each line, at the steps nearest to the outputs."""
+        """Touchdown points from both ends of each line, at the steps nearest to the outputs."""
         time, table = self.results.step_time, self.touchdowns()
         if not len(time) or table is None:
             return None
@@ -210,7 +213,7 @@ class Model:
     def waves(self):
         components = self.sea.components
         kept = components[np.argsort(-np.abs(components[:, 0]))[:MOST_WAVES]]
-        # Phases of places that are counted from the centre.
+        # Phases relative to the centre, the origin of positions.
         phase = kept[:, 5] + kept[:, 2] * (kept[:, 3] * self.centre[0] + kept[:, 4] * self.centre[1])
         return blocks.plain(np.column_stack([kept[:, :5], np.mod(phase, 2 * np.pi)]), "float64")
 
@@ -225,7 +228,7 @@ class Model:
         return blocks.steps(x, min(self.step, 1e-4 * max(float(np.ptp(x, axis=0).max()), 1e-6)))
 
     def series(self, key):
-        """Times, then each column of a history, thinned where there are very many steps."""
+        """Times and columns of a history, thinned if there are very many steps."""
         if key not in self.results.histories:
             return None
         series, time = self.results.series_at(key), self.results.step_time

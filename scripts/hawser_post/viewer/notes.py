@@ -1,4 +1,4 @@
-"""Where on the model the notes and warnings of a run or a check belong: names and arc lengths that they say."""
+"""Positions in the model of notes and warnings of a run or a check, from the names and arc lengths in their text."""
 import re
 
 import numpy as np
@@ -6,7 +6,7 @@ import numpy as np
 from ..layout import text_of
 from ..results import dictionary
 
-LONGEST = 400  # letters
+LONGEST = 400  # characters
 
 
 def node_at(results, line, arc):
@@ -14,13 +14,13 @@ def node_at(results, line, arc):
 
 
 def named(names, text):
-    """The longest of the names that stands in the text as a word of its own."""
+    """Longest of the names that is a whole word of the text."""
     found = [name for name in names if re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", text)]
     return max(found, key=len, default=None)
 
 
 def place(results, text, volumes):
-    """{'node'}, {'volume'} or {'body'}; nothing where the text names no part of the model."""
+    """{'node'}, {'volume'} or {'body'}; empty if the text names no part of the model."""
     arc = re.search(r"(?:arc length|at) (-?[\d.]+(?:e[-+]?\d+)?) ?m\b(?!/)", text)
     name = named([line.name for line in results.lines], text)
     if name is None and arc and len(results.lines) == 1:
@@ -42,7 +42,7 @@ def place(results, text, volumes):
 
 
 def placed(results, texts=None):
-    """[{text, kind, and a place}]"""
+    """[{text, kind, and a position}]"""
     volumes = [text_of(v.attrs.get("name", key)) for key, v in results.file.get("volumes", {}).items()
                if "vertices" in v and "triangles" in v and len(v["triangles"])]
     found = []

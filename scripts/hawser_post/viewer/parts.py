@@ -1,21 +1,22 @@
-"""Parts of a case that are drawn beside lines and volumes: links between two points, masses on lines, joints."""
+"""Parts of a case drawn in addition to lines and volumes: links, point masses and joints."""
 import math
 
 import numpy as np
 
 from ..results import dictionary
 
-WATER = 1025.0  # kg/m³, where the case does not give it
+WATER = 1025.0  # kg/m³, default of the case
 
 
 def node_at(line, at):
-    """The node of a line at an arc length, `end_a` or `end_b`."""
+    """Node of a line at an arc length, `end_a` or `end_b`."""
     arc = {"end_a": 0.0, "end_b": line.length}.get(at, at)
     return line.nodes.start + int(np.abs(line.arc - arc).argmin())
 
 
 def end_of(results, keys, centre):
-    """Where an end of a link is: {'node'}, {'body', 'at'} or {'place'}; None where its line or body is not in the results."""
+    """Position of an end of a link: {'node'}, {'body', 'at'} or {'place'}; None if its line or body is not in the
+    results."""
     lines = {line.name: line for line in results.lines}
     if "anchor" in keys:
         return {"place": list(np.asarray(keys["anchor"], float) - centre)}
@@ -37,7 +38,7 @@ def links(results, centre):
 
 
 def points(results):
-    """[{kind, node, radius (m), name}] of buoys and weights, by whether they float, and of joints, each once."""
+    """[{kind, node, radius (m), name}] of buoys and weights, distinguished by buoyancy, and of joints, each once."""
     density = dictionary(dictionary(results.keys.get("environment")).get("water")).get("density") or WATER
     found, joints = [], set()
     for line in results.lines:

@@ -1,4 +1,4 @@
-"""What the server shows: results, which may grow while it does, or the start shape of a case until it has been run."""
+"""Content of the server: results, which may grow, or the start shape of a case before its first run."""
 import hashlib
 import os
 import shlex
@@ -14,21 +14,21 @@ from ..results import Refusal, Results
 from . import blocks, notes, start_shape
 from .model import Model
 
-BLOCK_VALUES = 1_000_000  # positions of a part
-MOST_OUTPUTS = 512  # of a part
-SAMPLE = 40  # outputs from which the range of a field is taken
-OFTEN = 0.7  # s between two looks at the files
+BLOCK_VALUES = 1_000_000  # positions per part
+MOST_OUTPUTS = 512  # per part
+SAMPLE = 40  # number of outputs sampled for the range of a field
+OFTEN = 0.7  # s between checks of the files
 
 
 class ServedModel(Model):
-    """As a page asks for it: by parts, its ranges by what the program says of every step and a sample of the outputs."""
+    """Model in parts, as a page requests it; ranges are from statistics over all steps and a sample of the outputs."""
 
     def __init__(self, results, fields=None):
         nodes = max(1, len(results.file["nodes/arc_length"]))
         super().__init__(results, per_block=int(np.clip(BLOCK_VALUES // (3 * nodes), 1, MOST_OUTPUTS)), fields=fields)
 
     def range_of(self, name):
-        every_step = self.with_statistics(name) and not self.results.statistics_from  # but perhaps not the start
+        every_step = self.with_statistics(name) and not self.results.statistics_from  # may exclude the start
         places = np.unique(np.linspace(0, len(self.rows) - 1, 2 if every_step else SAMPLE).astype(int))
         return self.range_over(name, ([self.rows[k]] for k in places))
 
@@ -62,7 +62,7 @@ class Shown:
             self.inputs = [Path(file) for file in case["inputs"]]
         self.look()
 
-    # What is on the disk.
+    # Files on the disk.
 
     def stamp_of(self, path):
         try:
@@ -78,7 +78,7 @@ class Shown:
         return self.path.is_file() and (not self.case or self.path.stat().st_mtime >= self.newest_input())
 
     def look(self):
-        """Opens what there is to be shown, anew if it has changed."""
+        """Opens the content, again if it has changed."""
         if time.monotonic() - self.checked_at < OFTEN and self.model:
             return
         current = self.run_is_current() or not self.case
@@ -86,13 +86,14 @@ class Shown:
         if now == self.read_state and self.model:
             self.checked_at = time.monotonic()
             return
-        if self.model is not None:  # HDF5 would hand out what it knows of the file as it was
+        if self.model is not None:  # HDF5 would return cached data of the old file
             self.model.results.file.close()
         try:
             self.show(ServedModel(Results(self.path)) if current else self.start(), "run" if current else "start")
             self.read_state = now
         except (Refusal, OSError, KeyError, ValueError, RuntimeError) as error:
-            # Before the first output of a run there is the start shape; otherwise the next look may find a file that can be read.
+            # Before the first output of a run shows the start shape; otherwise the next check may find a
+            # readable file.
             if current and self.case and (self.model is None or self.kind == "start"):
                 self.show(self.start(), "start")
             elif self.model is None:
@@ -102,7 +103,7 @@ class Shown:
 
     def show(self, model, kind):
         self.model, self.kind, self.words = model, kind, ""
-        if kind == "run":  # the same one while it goes on, though its file may be written anew at its end
+        if kind == "run":  # the same during a run, although its file may be rebuilt at its end
             results = model.results
             key = f"{results.attribute('date')} {results.changes} {[(line.name, line.nodes) for line in results.lines]} {results.case}"
         else:
@@ -115,11 +116,11 @@ class Shown:
             self.folder = tempfile.TemporaryDirectory(prefix="hawser-view-")
         folder = tempfile.mkdtemp(dir=self.folder.name)
         results = start_shape.start_of(self.case, self.changes, folder)
-        model = ServedModel(results, fields=())  # before statics no force is one
+        model = ServedModel(results, fields=())  # without fields, since no force is known before statics
         model.check_notes = messages
         return model
 
-    # What is asked.
+    # Requests.
 
     def header(self):
         with self.lock:

@@ -1,4 +1,4 @@
-"""A server for one's own browser: on 127.0.0.1 only, nothing but what the viewer asks for, and nothing can be written."""
+"""Local read-only server on 127.0.0.1 that delivers only the viewer's requests."""
 import hmac
 import secrets
 import threading
@@ -9,8 +9,8 @@ from ..results import Refusal
 from . import embedded, libraries
 
 ADDRESS = "127.0.0.1"
-MOST_AT_A_TIME = 32  # requests
-PATIENCE = 20  # s, for what a browser sends
+MOST_AT_A_TIME = 32  # simultaneous requests
+PATIENCE = 20  # s, timeout for requests of a browser
 HEADERS = {
     "X-Content-Type-Options": "nosniff", "Cross-Origin-Resource-Policy": "same-origin", "Referrer-Policy": "no-referrer",
     "Cache-Control": "no-store", "X-Frame-Options": "DENY",
@@ -27,7 +27,7 @@ PAGE = """<!DOCTYPE html>
 
 
 def files():
-    """What is served as it is: by name the type and the bytes."""
+    """Static files: type and bytes by name."""
     script, style = "text/javascript; charset=utf-8", "text/css; charset=utf-8"
     found = {"": ("text/html; charset=utf-8", PAGE), "three.js": (script, libraries.text(libraries.THREE)),
              "controls.js": (script, libraries.text(libraries.CONTROLS)), "dygraph.js": (script, libraries.text(libraries.GRAPHS)),
@@ -52,7 +52,7 @@ class Handler(BaseHTTPRequestHandler):
             try:
                 code, kind, data = self.found()
             except (Refusal, OSError, KeyError, ValueError, RuntimeError, IndexError, TypeError) as error:
-                # A file that is damaged, has shrunk or is being written.
+                # The file is damaged, was truncated or is being written.
                 words = str(error).splitlines()[0] if str(error) else type(error).__name__
                 code, kind, data = 503, "text/plain; charset=utf-8", f"the results cannot be read now ({words})".encode()
             self.send_response(code)
@@ -63,7 +63,7 @@ class Handler(BaseHTTPRequestHandler):
                 self.wfile.write(data)
 
     def found(self):
-        """Code, type and bytes of the answer."""
+        """Status code, type and bytes of the response."""
         plain, port = "text/plain; charset=utf-8", self.server.server_port
         if self.headers.get("Host", "") not in (f"{ADDRESS}:{port}", f"localhost:{port}"):
             return 403, plain, b"this server answers to 127.0.0.1 and localhost only"
@@ -96,4 +96,4 @@ class Server(ThreadingHTTPServer):
         return f"http://{ADDRESS}:{self.server_port}/{self.key}/"
 
     def handle_error(self, request, client_address):
-        pass  # a browser that has gone
+        pass  # the browser has disconnected

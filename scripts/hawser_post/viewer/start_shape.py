@@ -1,4 +1,4 @@
-"""A case before its run: the start shape, as `hawser check` sees it, and the notes of the check."""
+"""A case before its run: the start shape from `hawser check`, and the notes of the check."""
 import os
 import re
 import subprocess
@@ -7,9 +7,9 @@ from pathlib import Path
 from ..arguments import words_of
 from ..results import Refusal, Results
 
-MOMENT = 0.001  # s, of the run that writes the start shape
+MOMENT = 0.001  # s, duration of the run that writes the start shape
 PATIENCE = 300  # s
-# What is tried one after another: the start shape as it is, or at rest where the case needs that.
+# Trials in order: the start shape as given, or at rest if the case requires it.
 TRIALS = (("statics=false", f"dynamics.duration={MOMENT}", f"dynamics.step={MOMENT}"), (f"dynamics.duration={MOMENT}",), ())
 
 
@@ -22,7 +22,7 @@ def program(command, path, changes, *more):
 
 
 def notes_of(path, changes=()):
-    """Notes and warnings of the check; where the case is refused, its sentence is the Refusal."""
+    """Notes and warnings of the check; a refused case raises Refusal with its message."""
     done = program("check", path, changes, "--quick")
     if done.returncode != 0:
         raise Refusal(error_text(done))
@@ -30,13 +30,13 @@ def notes_of(path, changes=()):
 
 
 def error_text(done):
-    """The sentence of a program that has failed."""
+    """Error message of a failed program."""
     lines = [line for line in done.stderr.splitlines() if line.strip()]
     return lines[-1].removeprefix("hawser: ") if lines else f"the program has ended with code {done.returncode}"
 
 
 def start_of(path, changes, folder):
-    """Results whose only output is the start shape, in a file of `folder`."""
+    """Results with the start shape as their only output, in a file in `folder`."""
     target, why = Path(folder) / "start.h5", ""
     for sets in TRIALS:
         more = ["-o", str(target), "-q", *(["--stop-at", str(MOMENT)] if any("duration" in s for s in sets) else [])]

@@ -1,4 +1,4 @@
-"""hawser view: the model of a case or of results in one's browser."""
+"""hawser view: model of a case or of results in the browser."""
 import webbrowser
 
 from ..arguments import unwind_at_interrupts

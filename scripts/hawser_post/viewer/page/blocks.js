@@ -1,4 +1,4 @@
-// Blocks of numbers, as viewer/blocks.py packs them.
+// Decoding of the number blocks of viewer/blocks.py.
 
 hawser.bytesOfBase64 = function (text) {
   const raw = atob(text.trim());
@@ -13,7 +13,7 @@ hawser.inflated = async function (bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 };
 
-// Sums along an axis, which take back the differences: 0 from row to row, 1 from column to column.
+// Cumulative sums along an axis, which undo the differences: 0 between rows, 1 between columns.
 hawser.summed = function (k, rows, columns, axis) {
   if (axis === 0) {
     for (let i = columns; i < k.length; i++) k[i] = (k[i] + k[i - columns]) | 0;
@@ -25,7 +25,7 @@ hawser.summed = function (k, rows, columns, axis) {
   }
 };
 
-// The values of planes of bytes: byte 0 of all, byte 1 of all, ...
+// Values from byte planes: byte 0 of all, byte 1 of all, ...
 hawser.joined = function (data, size, count) {
   const bytes = new Uint8Array(size * count);
   for (let plane = 0; plane < size; plane++) {
@@ -51,7 +51,7 @@ hawser.steps = function (data, header, Kind) {
   return values;
 };
 
-// {rows, columns, values} of the bytes of a block; `Kind` is the array of 'steps'.
+// {rows, columns, values} from the bytes of a block; `Kind` is the array type for 'steps'.
 hawser.unpacked = async function (bytes, Kind = Float32Array) {
   if (bytes.length < 8 || String.fromCharCode(...bytes.subarray(0, 4)) !== "hwb1") throw new Error("a block of data is damaged");
   const length = new DataView(bytes.buffer, bytes.byteOffset).getUint32(4, true);

@@ -1,9 +1,9 @@
 // Volumes, which move with their bodies, and a cross for each body.
 
-const MOST_EDGES = 30000;  // triangles of a mesh whose edges are drawn
-const FIXED = 0xb4bec8;                                   // volumes that belong to no body
-const TONES = [0xa9bfd3, 0xd0bfa6, 0xafc4b0, 0xc7b7ca];   // volumes of one body after another
-const SMALL = 30;          // pixels: the radius of a volume below which they are not
+const MOST_EDGES = 30000;  // triangles of a mesh above which no edges are drawn
+const FIXED = 0xb4bec8;                                   // volumes without a body
+const TONES = [0xa9bfd3, 0xd0bfa6, 0xafc4b0, 0xc7b7ca];   // volumes of successive bodies
+const SMALL = 30;          // pixels: edges of volumes of a smaller radius are not drawn
 
 const FLAT_VERTEX = `
 varying vec3 place;
@@ -15,7 +15,7 @@ void main() {
   #include <clipping_planes_vertex>
 }`;
 
-// Each face has one normal, towards who looks: that of the plane in which neighbouring pixels lie.
+// One normal per face, towards the viewer: that of the plane of neighbouring pixels.
 const FLAT_FRAGMENT = `
 uniform vec3 colour;
 varying vec3 place;
@@ -38,7 +38,7 @@ hawser.Bodies = class {
     this.edge = new THREE.LineBasicMaterial({color: 0x5b6873});
   }
 
-  // Few large faces (flat) have a normal each, which the picture computes.
+  // Volumes with few large faces (flat) have one normal per face, which the shader computes.
   paint(body, flat) {
     const colour = body >= 0 ? TONES[body % TONES.length] : FIXED, key = `${colour} ${flat}`;
     const paint = {side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1};
@@ -94,13 +94,14 @@ hawser.Bodies = class {
     }
   }
 
-  // The box of a volume where it is. (That of three.js takes in the edges, of which round shapes have none: no number.)
+  // Bounding box of a volume in its current pose. (That of three.js includes edges, which round shapes lack,
+  // and becomes NaN.)
   boxOf(volume) {
     volume.mesh.geometry.computeBoundingBox();
     return volume.mesh.geometry.boundingBox.clone().applyMatrix4(volume.mesh.matrixWorld);
   }
 
-  // Where the name of a volume stands.
+  // Position of a volume's name.
   middle(volume, target) {
     return target.copy(volume.middle).applyMatrix4(volume.mesh.matrixWorld);
   }

@@ -1,8 +1,8 @@
-// Where one looks from: in perspective, or square to the model from above or from the side.
+// Camera: perspective, or orthographic from above or from the side.
 
 const FIELD_OF_VIEW = 30;  // deg
 const [MARGIN_WIDE, MARGIN_HIGH] = [1.2, 1.3];
-const WHEEL = 0.002;  // logarithm of the zoom per unit of a wheel's motion: a notch of 100 units is a fifth
+const WHEEL = 0.002;  // logarithm of the zoom per unit of wheel motion; a notch of 100 units is about a fifth
 
 hawser.Camera = class {
   constructor(canvas, header, changed) {
@@ -21,7 +21,7 @@ hawser.Camera = class {
     this.deep = make(new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, this.size / 2000, this.size * 40));
     this.flat = make(new THREE.OrthographicCamera(-1, 1, 1, -1, -this.size * 20, this.size * 40));
     this.flat.controls.enableRotate = false;
-    // A page can be scrolled over a picture that has not the focus.
+    // Without the focus on the picture the wheel scrolls the page.
     canvas.addEventListener("wheel", (event) => {
       if (document.activeElement !== canvas) return;
       event.preventDefault();
@@ -32,7 +32,7 @@ hawser.Camera = class {
     this.look("space");
   }
 
-  // The direction from which one looks now.
+  // Current direction of view.
   from() {
     return this.now.camera.position.clone().sub(this.now.controls.target).normalize();
   }
@@ -52,7 +52,7 @@ hawser.Camera = class {
     this.fit();
   }
 
-  // All of the model in the picture, or what is in a box.
+  // Fits the whole model, or a box, into the picture.
   fit(low = this.low, high = this.high) {
     const middle = low.clone().add(high).multiplyScalar(0.5);
     const {camera, controls} = this.now;
@@ -93,14 +93,14 @@ hawser.Camera = class {
     flat.updateProjectionMatrix();
   }
 
-  // m that a pixel is wide, at the target; of a perspective at depth 1.
+  // Width of a pixel [m] at the target; for the perspective camera at depth 1.
   pixel() {
     const {camera} = this.now;
     if (camera === this.deep.camera) return 2 * Math.tan(FIELD_OF_VIEW * Math.PI / 360) / Math.max(1, this.canvas.clientHeight);
     return (camera.top - camera.bottom) / camera.zoom / Math.max(1, this.canvas.clientHeight);
   }
 
-  // m that a pixel is wide at a place.
+  // Width of a pixel [m] at a place.
   pixelAt(place) {
     const {camera} = this.now;
     return camera === this.deep.camera ? this.pixel() * camera.position.distanceTo(place) : this.pixel();
@@ -110,7 +110,7 @@ hawser.Camera = class {
     return this.pixelAt(this.now.controls.target);
   }
 
-  // Turns by angles (rad) about the vertical and towards it.
+  // Rotates by angles (rad) about the vertical and towards it.
   turn(around, up) {
     const {camera, controls} = this.now;
     if (camera !== this.deep.camera) return this.shift(around * 200, up * 200);
@@ -124,7 +124,7 @@ hawser.Camera = class {
     return this.changed();
   }
 
-  // Moves by pixels.
+  // Shifts by pixels.
   shift(right, down) {
     const {camera, controls} = this.now;
     const scale = this.pixelAtTarget();
@@ -136,7 +136,7 @@ hawser.Camera = class {
     this.changed();
   }
 
-  // The place under a pixel: that of a part of the model, by partAt(x, y), or else as deep as the target.
+  // Place under a pixel: on a part of the model, by partAt(x, y), else at the depth of the target.
   placeUnder(x, y) {
     const part = this.partAt && this.partAt(x, y);
     if (part) return part;
@@ -145,7 +145,7 @@ hawser.Camera = class {
     return new THREE.Vector3(2 * x / this.canvas.clientWidth - 1, 1 - 2 * y / this.canvas.clientHeight, depth).unproject(camera);
   }
 
-  // Nearer by a factor to a place, which stays where it is on the screen.
+  // Zooms by a factor about a place, which keeps its position on the screen.
   zoom(factor, place = this.now.controls.target.clone()) {
     const {camera, controls} = this.now;
     controls.target.sub(place).divideScalar(factor).add(place);
@@ -156,11 +156,11 @@ hawser.Camera = class {
     }
     camera.updateProjectionMatrix();
     controls.update();
-    camera.updateMatrixWorld(true);  // another turn of the wheel may come before the next picture
+    camera.updateMatrixWorld(true);  // the next wheel event may come before the next picture
     this.changed();
   }
 
-  // Puts a place into the middle.
+  // Centres the picture on a place.
   centre(place) {
     const {camera, controls} = this.now;
     const by = place.clone().sub(controls.target);

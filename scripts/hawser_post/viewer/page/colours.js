@@ -1,6 +1,6 @@
-// Colours of values: maps of the header, made once into bytes.
+// Colours of values, from the maps in the header.
 
-hawser.NO_NUMBER = [150, 150, 150];  // the colour of what is no number
+hawser.NO_NUMBER = [150, 150, 150];  // colour of NaN
 
 hawser.Colours = class {
   constructor(maps) {
@@ -18,12 +18,12 @@ hawser.Colours = class {
     this.chosen = this.maps.find((map) => map.name === name) || this.maps[0];
   }
 
-  // The share of the range at which a value stands, 0 to 1.
+  // Position of a value in the range, 0 to 1.
   share(value) {
     return this.high > this.low ? Math.min(1, Math.max(0, (value - this.low) / (this.high - this.low))) : 0.5;
   }
 
-  // [r, g, b], 0 to 255, between the steps of the map.
+  // [r, g, b], 0 to 255, interpolated in the map.
   at(share) {
     if (!(share >= 0)) return hawser.NO_NUMBER;
     const {bytes, steps} = this.chosen;
@@ -36,7 +36,7 @@ hawser.Colours = class {
     return this.at(Number.isFinite(value) ? this.share(value) : NaN);
   }
 
-  // A texture of the map, its colours in a row.
+  // Texture with the colours of the map in a row.
   texture() {
     const {bytes, steps} = this.chosen;
     const texture = new THREE.DataTexture(bytes, steps, 1, THREE.RGBFormat, THREE.UnsignedByteType);
@@ -46,7 +46,7 @@ hawser.Colours = class {
   }
 };
 
-// A number as people read it, at most four digits; what is nothing beside `scale` is 0.
+// Readable number with at most four digits; values negligible relative to `scale` are 0.
 hawser.number = function (value, scale = 0) {
   if (!Number.isFinite(value)) return "no number";
   if (Math.abs(value) <= 1e-6 * scale) return "0";

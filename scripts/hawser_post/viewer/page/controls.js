@@ -1,4 +1,4 @@
-// Buttons, lists and sliders, each with a name, and the sentence that says what is shown.
+// Buttons, lists and sliders, each with a name, and the sentence that describes the picture.
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const OF_RUN = ["least of the run", "mean of the run", "largest of the run"];
@@ -108,7 +108,7 @@ hawser.Controls = class {
     return hawser.make("div", {class: "bar"}, look.element, fit, now, ...(parts.length ? [part.element] : []), near, far, size.element, cut.element, this.cutAt, still);
   }
 
-  // What one may want to see from near: bodies, volumes and ends of lines.
+  // Parts for close views: bodies, volumes and ends of lines.
   parts() {
     const {header} = this.view.model;
     const bodies = header.bodies.map((name, body) => ({name, body}));
@@ -139,7 +139,7 @@ hawser.Controls = class {
     return name === "names" || Boolean(has[name]);
   }
 
-  // The limits of the colours, in the unit that is shown.
+  // Limits of the colours in the displayed unit.
   limits(low, high) {
     const short = (value) => (Math.abs(value) <= 1e-4 * (high - low) ? 0 : Number(value.toPrecision(5)));
     [this.low.value, this.high.value] = [short(low), short(high)];

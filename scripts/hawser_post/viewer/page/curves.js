@@ -1,7 +1,8 @@
-// The graphs beside the picture: a field along a line at the time shown, the history of its ends, and stored histories.
+// Graphs beside the picture: a field along a line at the current time, the history of its ends, and stored
+// histories.
 
 hawser.Curves = class {
-  // models: [{model, label, colour}], the first one that of the picture.
+  // models: [{model, label, colour}], first that of the picture.
   constructor(models) {
     this.models = models;
     this.range = new hawser.Graph();
@@ -22,7 +23,7 @@ hawser.Curves = class {
     return field.unit && field.unit !== "1" ? `${field.label} [${field.unit}]` : field.label;
   }
 
-  // Chosen line and field; null: none.
+  // Selects a line and a field; null: none.
   async choose(line, field) {
     this.line = line;
     this.field = field;
@@ -35,7 +36,7 @@ hawser.Curves = class {
     await this.showEnds();
   }
 
-  // The same line and field in another model; null where it has them not.
+  // The same line and field in another model; null if missing.
   same(model) {
     const line = model.header.lines.find((other) => other.name === this.line.name);
     const field = model.field(this.field.name);
@@ -51,7 +52,7 @@ hawser.Curves = class {
     return {label, colour, x: part(this.arcs[k]), y: Float32Array.from(part(values), (v) => v / found.field.factor), wide: 2};
   }
 
-  // The range graph at outputs of the models.
+  // Updates the range graph to outputs of the models.
   at(outputs, words) {
     if (!this.line || !this.field || !this.arcs) return;
     const now = this.models.map((_, k) => this.curve(k, outputs[Math.min(k, outputs.length - 1)])).filter((curve) => curve);
@@ -100,12 +101,12 @@ hawser.Curves = class {
     this.ends.show({title: `Ends of ${this.line.name}`, x: this.main.header.modes ? "mode" : "time [s]", y: this.unit(this.field), curves});
   }
 
-  // What column c of a history is called, with its unit.
+  // Name of column c of a history, with its unit.
   words({labels, units}, c) {
     return units[c] && units[c] !== "1" ? `${labels[c]} [${units[c]}]` : labels[c];
   }
 
-  // A list of the histories that the results hold.
+  // List of the histories in the results.
   choice() {
     const {histories, storedHistories} = this.main.header;
     this.stored.element.hidden = true;
@@ -139,7 +140,7 @@ hawser.Curves = class {
   }
 };
 
-// Values of a field at both ends of a line, at every output.
+// Values of a field at both ends of a line at every output.
 hawser.Model.prototype.ends = async function (field, line) {
   if (this.header.served) {
     const block = await this.block(`ends/${field.name}/${this.header.lines.indexOf(line)}`);

@@ -1,4 +1,4 @@
-// Sections: what is above a level, or before a vertical plane, is cut away.
+// Sections: cuts away the model above a level or in front of a vertical plane.
 
 hawser.Cuts = class {
   constructor(renderer, camera) {
@@ -8,7 +8,7 @@ hawser.Cuts = class {
     this.share = 1;
   }
 
-  // kind: "none", "plan" or "elevation"; share: where the cut is within the model, 0 to 1.
+  // kind: "none", "plan" or "elevation"; share: position of the cut in the model, 0 to 1.
   set(kind, share) {
     this.kind = kind;
     this.share = share;
@@ -22,7 +22,7 @@ hawser.Cuts = class {
       this.renderer.clippingPlanes = [new THREE.Plane(new THREE.Vector3(0, 0, -1), this.at)];
       return;
     }
-    // Square to the direction across which one looks at an elevation.
+    // Normal to the horizontal direction of an elevation.
     const way = new THREE.Vector3(this.camera.across[1], -this.camera.across[0], 0).normalize();
     const corners = [[low.x, low.y], [low.x, high.y], [high.x, low.y], [high.x, high.y]].map(([x, y]) => x * way.x + y * way.y);
     const [least, most] = [Math.min(...corners), Math.max(...corners)];
@@ -30,7 +30,7 @@ hawser.Cuts = class {
     this.renderer.clippingPlanes = [new THREE.Plane(way.negate(), this.at)];
   }
 
-  // In words.
+  // Description of the cut.
   describe(centre) {
     if (this.kind === "plan") return `cut at z = ${hawser.number(this.at + centre[2])} m`;
     if (this.kind === "elevation") {

@@ -1,4 +1,5 @@
-// Figures of a report: a graph takes the place of the picture of a curve on the screen; in print the picture stays.
+// Figures of a report: interactive graphs replace the pictures of curves on the screen; prints keep the
+// pictures.
 
 hawser.figures = function () {
   const watch = new IntersectionObserver((entries) => {

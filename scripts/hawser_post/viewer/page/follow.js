@@ -1,4 +1,4 @@
-// A server is asked now and then what is new: a run that goes on, or a case that is run or changed.
+// Polls a server for changes: a run in progress, or a case that was run or changed.
 
 const EVERY = 1500;  // ms
 
@@ -24,7 +24,7 @@ hawser.follow = function (view, root) {
     for (const name of [...model.loaded.keys()]) if (/^(ends|series|statistics)\//.test(name)) model.loaded.delete(name);
     controls.slider.max = header.times.length - 1;
     controls.time.hidden = header.times.length < 2;
-    if (view.player.output >= model.outputs) await view.player.show(model.outputs - 1);  // of a run that was taken back
+    if (view.player.output >= model.outputs) await view.player.show(model.outputs - 1);  // the run was restarted from an earlier time
     if (view.whole) view.limit(true);
     if (view.scene.ofRun) await view.values(view.scene.ofRun.label);
     if (!view.player.playing) view.pace();

@@ -1,8 +1,8 @@
-// Graphs that can be zoomed and read off, drawn by Dygraphs.
+// Graphs with zoom and values at the cursor, drawn by Dygraphs.
 
 const CURVE_COLOURS = ["#1f5a92", "#b3470f", "#2c7a4b", "#8b4a8b", "#a03030", "#5b6770", "#7d6a0c", "#1c7f8c"];
 
-// An element with attributes and children; names of events begin with "on".
+// Creates an element with attributes and children; names of events begin with "on".
 hawser.make = function (tag, attributes = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
@@ -13,7 +13,7 @@ hawser.make = function (tag, attributes = {}, ...children) {
   return element;
 };
 
-// Rows [x, y of each curve] of curves that have places of their own: null where a curve has none.
+// Rows [x, y of each curve] of curves with different x: null where a curve has no point.
 hawser.rowsOf = function (curves) {
   const same = curves.every((curve) => curve.x.length === curves[0].x.length && (curve.x === curves[0].x || curve.x.every((x, i) => x === curves[0].x[i])));
   if (same) return Array.from(curves[0].x, (x, i) => [x, ...curves.map((curve) => curve.y[i])]);
@@ -63,7 +63,7 @@ hawser.Graph = class {
       this.graph.updateOptions(options);
       return;
     }
-    // A graph has a size when it is on the page.
+    // A graph has a size only when it is on the page.
     const start = () => {
       if (!this.plot.clientWidth) return;
       this.graph = new Dygraph(this.plot, options.file, options);
@@ -74,7 +74,7 @@ hawser.Graph = class {
     this.pending = options;
   }
 
-  // Reads off values at the next place.
+  // Moves the cursor to another point.
   key(event) {
     const step = {ArrowLeft: -1, ArrowRight: 1, PageDown: -20, PageUp: 20}[event.key];
     if (!step || !this.graph) return;
@@ -85,7 +85,7 @@ hawser.Graph = class {
   }
 };
 
-// Names of curves, no two alike.
+// Distinct names of curves.
 hawser.distinct = function (names) {
   return names.map((name, k) => {
     const before = names.slice(0, k).filter((other) => other === name).length;

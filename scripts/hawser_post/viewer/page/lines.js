@@ -1,11 +1,11 @@
-// All lines in one drawing. A line is a band that faces who looks and is shaded as a tube: two vertices for each node, whose
-// neighbours are read from the same buffer.
+// All lines in one draw call. A line is a band that faces the viewer and is shaded as a tube: two vertices
+// per node, whose neighbours are read from the same buffer.
 
 const LEAST_WIDTH = 2.2;       // pixels
 const SELECTED_WIDTH = 6;
-const OVER_WIDTH = 5;          // of lines of another model, which are dashes with a white edge over those of the first
-const DASH = 18;               // pixels, at least, of a dash with its gap
-const SHORT = 3;               // pixels of the picture: elements are joined up to this length
+const OVER_WIDTH = 5;  // of lines of another model: dashes with a white edge over those of the first
+const DASH = 18;  // pixels, minimum length of a dash with its gap
+const SHORT = 3;  // pixels: elements are joined up to this length
 
 const LINE_VERTEX = `
 attribute vec3 before, after;
@@ -31,7 +31,7 @@ void main() {
   #include <clipping_planes_vertex>
 }`;
 
-// In its middle the colour is that of the legend; it is darker towards its sides.
+// The colour at mid-width is that of the legend; it is darker towards the sides.
 const LINE_FRAGMENT = `
 uniform sampler2D colours;
 uniform vec3 single, noNumber;
@@ -50,18 +50,19 @@ void main() {
   gl_FragColor = vec4(colour * (0.55 + 0.45 * smoothstep(0.0, 0.75, faces)), 1.0);
 }`;
 
-const HIDDEN = 3e38;  // stands for what is no number
+const HIDDEN = 3e38;  // represents NaN
 
 hawser.Lines = class {
   static async of(model, single) {
     return new hawser.Lines(model, (await model.block("radius")).values, (await model.block("arc")).values, single);
   }
 
-  // `arcs`: m, of the nodes from end A of their line; `single`: a colour of all of them instead of colours of values, for dashes over another model.
+  // `arcs`: m, of the nodes from end A of their line; `single`: one colour for all instead of values, for
+  // dashes over another model.
   constructor(model, radii, arcs, single) {
     this.model = model;
     const {lines} = model.header;
-    // Each line has one more place before its first node and behind its last.
+    // Each line has an additional place before its first node and after its last.
     this.places = lines.reduce((sum, line) => sum + line.nodes + 2, 0);
     this.positions = new Float32Array(6 * this.places);
     this.values = new Float32Array(2 * this.places);
@@ -70,7 +71,7 @@ hawser.Lines = class {
     const numbers = new Float32Array(2 * this.places);
     const along = new Float32Array(2 * this.places);
     const sides = Float32Array.from({length: 2 * this.places}, (_, k) => (k % 2 ? 1 : -1));
-    this.longest = new Float32Array(lines.length);  // element of each line, m
+    this.longest = new Float32Array(lines.length);  // longest element of each line, m
     this.strides = new Int32Array(lines.length).fill(1);
     let place = 0;
     lines.forEach((line, number) => {
@@ -89,16 +90,16 @@ hawser.Lines = class {
     this.mesh.visible = lines.length > 0;
   }
 
-  // `fixed`: attributes that stay, by name.
+  // `fixed`: constant attributes by name.
   geometry(fixed) {
     const geometry = new THREE.BufferGeometry();
-    const last = 2 * this.places - 4;  // vertices whose neighbours are there
+    const last = 2 * this.places - 4;  // vertices with neighbours
     const buffer = (values, size) => {
       const found = new THREE.InterleavedBuffer(values, size);
       found.setUsage(THREE.DynamicDrawUsage);
       return found;
     };
-    // Vertex k is that of place 1 + k / 2: all are read from there on.
+    // Vertex k belongs to place 1 + k / 2; all buffers are read from there.
     const of = (data, place) => {
       const found = new THREE.InterleavedBufferAttribute(data, data.stride, 2 * place * data.stride);
       Object.defineProperty(found, "count", {value: last});
@@ -116,7 +117,7 @@ hawser.Lines = class {
     return geometry;
   }
 
-  // The stretches between nodes that have a place; of a line whose elements are shorter than a pixel or two, of several elements.
+  // Connects nodes with a position; several elements are joined where they are shorter than a pixel or two.
   connect(lost) {
     let count = 0;
     const faces = this.faces.array;
@@ -136,7 +137,7 @@ hawser.Lines = class {
     this.faces.needsUpdate = true;
   }
 
-  // Joins elements that are short where they are seen from; `fine`: pixels of the picture in a pixel of the page.
+  // Joins elements that are short in the current view; `fine`: pixels of the picture per pixel of the page.
   join(camera, fine) {
     const at = new THREE.Vector3();
     let changed = false;
@@ -162,7 +163,7 @@ hawser.Lines = class {
                                      side: THREE.DoubleSide, clipping: true});
   }
 
-  // Positions of all nodes (all x, all y, all z), between two outputs.
+  // Positions of all nodes (all x, all y, all z) between two outputs.
   move(a, b, share) {
     const n = this.model.header.nodes;
     const {positions, placeOf} = this;
@@ -189,7 +190,7 @@ hawser.Lines = class {
     this.positionBuffer.needsUpdate = true;
   }
 
-  // Which places have no position; they get one that is not drawn.
+  // Places without a position, which are not drawn.
   lost() {
     const {positions} = this;
     const found = new Uint8Array(this.places);

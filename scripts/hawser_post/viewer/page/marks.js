@@ -1,14 +1,14 @@
 // Touchdown points, forces at points of contact and of the bed at nodes as arrows, buoys, weights and joints.
 
-const MOST_ARROWS = 300;      // of each kind, the largest
-const SMALLEST_ARROW = 0.02;  // of the largest force of the run: smaller ones are not drawn
-const LONGEST_ARROW = 80;      // pixels at the middle of the picture
+const MOST_ARROWS = 300;  // of each kind; the largest are drawn
+const SMALLEST_ARROW = 0.02;  // fraction of the largest force of the run below which arrows are not drawn
+const LONGEST_ARROW = 80;  // pixels at the centre of the picture
 const ARROW_COLOURS = {forces: 0xa31515, bedForces: 0x6b4410};
 const POINT_COLOURS = {buoy: 0xe8912d, weight: 0x3a3f46, joint: 0x3a3f46};
 const TOUCHDOWN = 11;          // pixels across
 const LEAST_POINT = {buoy: 5, weight: 5, joint: 3.5};  // radius, pixels
 
-// A white disc with a dark rim: it differs from every colour of lines by its light.
+// A white disc with a dark rim, visible on every colour of lines.
 hawser.disc = function () {
   const picture = document.createElement("canvas");
   picture.width = picture.height = 64;
@@ -56,7 +56,7 @@ hawser.Marks = class {
     return {kind, meshes, found: []};
   }
 
-  // Balls at buoys, weights and joints.
+  // Spheres at buoys, weights and joints.
   addPoints() {
     const ball = new THREE.SphereBufferGeometry(1, 12, 8);
     const paints = {};
@@ -69,7 +69,7 @@ hawser.Marks = class {
     });
   }
 
-  // Balls at their nodes, of their size or some pixels.
+  // Places the spheres at their nodes, with their size or a minimum in pixels.
   placePoints(lines, camera, visible) {
     for (const {kind, node, radius, mesh} of this.balls) {
       mesh.visible = visible;
@@ -78,7 +78,7 @@ hawser.Marks = class {
     }
   }
 
-  // Touchdown points at an output: of each line six numbers, seen from its end A and from its end B.
+  // Touchdown points at an output: six numbers per line, from end A and from end B.
   touch(values) {
     const places = values ? values.length / 3 : 0;
     let count = 0;
@@ -123,7 +123,7 @@ hawser.Marks = class {
     return found;
   }
 
-  // The largest forces at an output.
+  // Selects the largest forces at an output.
   push(output) {
     for (const arrows of this.arrows) {
       const least = SMALLEST_ARROW * this.model.largestForce(arrows.kind);
@@ -134,7 +134,7 @@ hawser.Marks = class {
     }
   }
 
-  // Their arrows; `pixel` is the length of a pixel in the middle of the picture.
+  // Places the arrows; `pixel`: length of a pixel at the centre of the picture.
   place(lines, pixel, shown) {
     const up = new THREE.Vector3(0, 1, 0);
     const [at, way, turn, scale, matrix] = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Quaternion(), new THREE.Vector3(), new THREE.Matrix4()];

@@ -1,9 +1,9 @@
-// What is written over the picture: names, legend, time, scale, axes and the numbers of notes.
+// Text over the picture: names, legend, time, scale, axes and the numbers of notes.
 
 const INK = "#16202b";
 const SPRING = "#1d6b2f";
 const MOST_NAMES = 40;
-const MOST_WORDS = 500;  // kept as pictures
+const MOST_WORDS = 500;  // cached as pictures
 
 hawser.Overlay = class {
   constructor(canvas) {
@@ -24,7 +24,7 @@ hawser.Overlay = class {
     this.pen.clearRect(0, 0, this.width, this.height);
   }
 
-  // Words with a light edge, drawn once and copied from then on. x is their left or right side, or their middle.
+  // Text with a light edge, drawn once and copied afterwards. x is its left or right side, or its centre.
   text(words, x, y, {align = "left", bold = false, ink = INK, size = 12} = {}) {
     const key = `${words} ${bold} ${ink} ${size} ${this.ratio}`;
     if (!this.words.has(key)) {
@@ -55,8 +55,8 @@ hawser.Overlay = class {
     return picture;
   }
 
-  // Names, [{words, places: [{x, y}]}], each at the first of its places where it stands on no other, nor on what is `taken` (boxes); one
-  // that has no such place is excluded. Returns the words that are there.
+  // Names, [{words, places: [{x, y}]}], each at the first of its places that overlaps no other name and no
+  // box of `taken`; names without such a place are omitted. Returns the words that were drawn.
   names(names, taken) {
     const [boxes, written] = [[...taken], []];
     for (const {words, places} of names) {
@@ -72,7 +72,7 @@ hawser.Overlay = class {
     return written;
   }
 
-  // Links, [{a, b}] on the screen, as springs.
+  // Draws links, [{a, b}] on the screen, as springs.
   springs(links) {
     const {pen} = this;
     [pen.lineWidth, pen.strokeStyle, pen.lineJoin] = [2, SPRING, "round"];
@@ -91,7 +91,7 @@ hawser.Overlay = class {
     }
   }
 
-  // The numbers of notes, as in the list beside the picture, each with a stroke to its place.
+  // Draws the numbers of notes, as in the list, each with a line to its place.
   badges(places) {
     const {pen} = this;
     for (const {x, y, place} of places) {
@@ -117,7 +117,7 @@ hawser.Overlay = class {
     }
   }
 
-  // The bar of colours with its numbers, and words below it; null: no colours.
+  // Draws the colour bar with numbers, and words below it; null: no colours.
   legend(colours, field, words) {
     if (!field) return;
     const {pen} = this;
@@ -142,7 +142,7 @@ hawser.Overlay = class {
     words.forEach((line, k) => this.text(line, x, top + high + 18 + 15 * k, {size: 11}));
   }
 
-  // The colours from the largest value to the least, a row each.
+  // Paints the colours from the largest value to the smallest, one row each.
   paintBar(colours, high) {
     const key = `${colours.chosen.name} ${high}`;
     if (this.barKey === key) return;
@@ -155,7 +155,7 @@ hawser.Overlay = class {
     }
   }
 
-  // A bar of a round length.
+  // Draws a scale bar of a round length.
   scale(pixel) {
     const {pen} = this;
     const most = 150 * pixel;
@@ -173,7 +173,7 @@ hawser.Overlay = class {
     this.text(`${hawser.number(length)} m`, x, y - 9, {align: "right"});
   }
 
-  // Directions of x, y and z.
+  // Draws the directions of x, y and z.
   axes(camera) {
     const {pen} = this;
     const [x, y] = [46, this.height - 46];

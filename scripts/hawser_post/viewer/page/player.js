@@ -1,7 +1,7 @@
-// Which time is shown, and how it goes on.
+// The displayed time, and its animation.
 
 hawser.Player = class {
-  // onOutput(output): called when another output is shown.
+  // onOutput(output): called when the displayed output changes.
   constructor(scene, onOutput) {
     this.scene = scene;
     this.model = scene.model;
@@ -12,7 +12,7 @@ hawser.Player = class {
     this.playing = false;
   }
 
-  // Shows an output when it is here; the last one that was asked for counts.
+  // Shows an output when it is loaded; the last request counts.
   async show(output) {
     const {model, scene} = this;
     this.output = Math.min(model.outputs - 1, Math.max(0, output));
@@ -79,7 +79,7 @@ hawser.Player = class {
     });
   }
 
-  // Asks for what is soon to be shown.
+  // Requests data that will be shown soon.
   ahead(output) {
     const later = Math.min(this.model.outputs - 1, output + Math.ceil(this.model.header.perBlock / 3));
     this.model.ready(this.scene.needs(), [later]).catch(() => {});

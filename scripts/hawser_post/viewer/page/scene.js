@@ -1,11 +1,11 @@
-// The picture: everything that is drawn, at a time between two outputs.
+// The picture at a time between two outputs.
 
 const SKY = 0xf7f9fb;
-const NAMED_AT = [0.5, 0.35, 0.65, 0.2, 0.8];  // shares of a line, in this order
-const COARSE = 0.75;  // of the pixels along a side
+const NAMED_AT = [0.5, 0.35, 0.65, 0.2, 0.8];  // positions of names along a line, in order of preference
+const COARSE = 0.75;  // fraction of the pixels along a side
 
 hawser.Scene = class {
-  // box: an element that has a size; it gets the picture and what is written over it.
+  // box: an element that has a size; it receives the picture and its overlay.
   constructor(box, model) {
     this.model = model;
     this.canvas = document.createElement("canvas");
@@ -20,7 +20,7 @@ hawser.Scene = class {
     if (!context) throw new Error("this browser has no WebGL, which the picture in three dimensions needs");
     this.renderer = new THREE.WebGLRenderer({canvas: this.canvas, context});
     this.renderer.setClearColor(SKY);
-    this.renderer.clear();  // a canvas of WebGL is black before
+    this.renderer.clear();  // otherwise a WebGL canvas is black
     this.space = new THREE.Scene();
     const sky = new THREE.HemisphereLight(0xffffff, 0x9aa4ad, 0.85);
     sky.position.set(0, 0, 1);
@@ -40,11 +40,11 @@ hawser.Scene = class {
     this.drawn = 0;
     this.output = 0;
     this.share = 0;
-    this.reading = "Reading the lines ...";  // what is waited for before the first picture
+    this.reading = "Reading the lines ...";  // message before the first picture
     new ResizeObserver(() => this.resize()).observe(box);
   }
 
-  // Whether pictures are computed by the processor.
+  // True if pictures are rendered in software.
   static slow() {
     if (hawser.Scene.isSlow === undefined) hawser.Scene.isSlow = hawser.Scene.software();
     return hawser.Scene.isSlow;
@@ -70,13 +70,13 @@ hawser.Scene = class {
     this.paintWith(this.colours.chosen.name);
   }
 
-  // Says what is waited for, until there is a picture.
+  // Shows a message until there is a picture.
   wait(words) {
     this.reading = words;
     this.redraw();
   }
 
-  // Lines of another model in a colour of their own.
+  // Adds the lines of another model in a colour of their own.
   async addLines(model, colour) {
     const lines = await hawser.Lines.of(model, colour);
     this.space.add(lines.mesh);
@@ -90,7 +90,7 @@ hawser.Scene = class {
     this.redraw();
   }
 
-  // Blocks that a picture of the chosen field needs.
+  // Blocks needed for a picture of the chosen field.
   needs() {
     const {header} = this.model;
     const names = header.lines.length ? ["position"] : [];
@@ -101,7 +101,7 @@ hawser.Scene = class {
     return [...new Set(names)];
   }
 
-  // Shows what is between this output and the next, all of which is here.
+  // Shows the state between this output and the next, which must be loaded.
   set(output, share) {
     const {model} = this;
     const next = Math.min(output + 1, model.outputs - 1);
@@ -136,7 +136,7 @@ hawser.Scene = class {
     this.draw();  // at once: a canvas of another size is black
   }
 
-  // Pixels of the picture: fewer while it plays where the processor draws them.
+  // Sets the resolution of the picture; it is reduced during animation in software.
   refine(playing = false) {
     const ratio = Math.min(2, window.devicePixelRatio || 1) * (playing && hawser.Scene.slow() ? COARSE : 1);
     if (this.renderer.getPixelRatio() !== ratio) this.renderer.setPixelRatio(ratio);
@@ -184,7 +184,7 @@ hawser.Scene = class {
     this.drawn += 1;
   }
 
-  // The box of a part: a body with its volumes, a volume, or an end of a line, of which as much is shown as a body would take.
+  // Box of a part: a body with its volumes, a volume, or an end of a line, with the size of a body.
   boxOf({body, volume, node}) {
     const box = new THREE.Box3();
     const add = (one) => box.union(this.bodies.boxOf(one));
@@ -196,7 +196,7 @@ hawser.Scene = class {
     return box.setFromCenterAndSize(middle, new THREE.Vector3(1, 1, 1).multiplyScalar(0.03 * this.camera.size));
   }
 
-  // The box of what is there at the time shown: lines, and middles of volumes that are not far from them.
+  // Box of the current state: lines, and centres of nearby volumes.
   boxNow() {
     const box = new THREE.Box3();
     const at = new THREE.Vector3();
@@ -205,7 +205,7 @@ hawser.Scene = class {
     return box;
   }
 
-  // A place on the screen, in pixels of the page; null behind the camera.
+  // Screen position of a place in pixels of the page; null behind the camera.
   pixelOf(place) {
     const p = place.clone().project(this.camera.camera);
     return p.z < 1 ? {x: (p.x + 1) / 2 * this.overlay.width, y: (1 - p.y) / 2 * this.overlay.height} : null;
@@ -232,7 +232,8 @@ hawser.Scene = class {
     }
   }
 
-  // Which values of the run the colours are of, where not of the time shown, and the range of the field.
+  // Describes the values of the colours if they are not those of the current time, and the range of the
+  // field.
   legendWords() {
     const {field} = this;
     if (!field) return [];
@@ -260,7 +261,7 @@ hawser.Scene = class {
     return found;
   }
 
-  // Links as they are seen: name and both ends on the screen.
+  // Links on the screen: name and both ends.
   springs() {
     const {lines, bodies} = this;
     const placeOf = (end) => {
@@ -274,7 +275,7 @@ hawser.Scene = class {
     }).filter(({a, b}) => a && b);
   }
 
-  // Where a note belongs; null where it names no part of the model.
+  // Place of a note; null if it names no part of the model.
   placeOfNote(note, at) {
     if (note.node !== undefined) return this.lines.position(note.node, at);
     if (note.volume !== undefined && this.bodies.volumes[note.volume]) return this.bodies.middle(this.bodies.volumes[note.volume], at);
@@ -287,7 +288,7 @@ hawser.Scene = class {
       const there = this.placeOfNote(note, at);
       const place = there && this.pixelOf(there);
       if (!place) return;
-      // Beside its place, so that what it speaks of is seen; in rows of four where there are many.
+      // Beside the place, so that it stays visible; in rows of four if there are many.
       const badge = {x: place.x + 26, y: place.y - 26};
       for (let n = 1; found.some((b) => Math.hypot(b.x - badge.x, b.y - badge.y) < 19); n++) {
         badge.x = place.x + 26 + 20 * (n % 4);
@@ -298,7 +299,7 @@ hawser.Scene = class {
     return found;
   }
 
-  // The node nearest to a pixel, up to some pixels away; -1 where there is none.
+  // Node nearest to a pixel within `reach` pixels; -1: none.
   nodeAt(x, y, reach = 12) {
     let [best, found] = [reach * reach, -1];
     const at = new THREE.Vector3();
@@ -318,7 +319,7 @@ hawser.Scene = class {
     return found;
   }
 
-  // The picture with what is written over it, as PNG.
+  // The picture with its overlay as PNG.
   async still() {
     this.draw();
     const whole = document.createElement("canvas");
@@ -330,7 +331,7 @@ hawser.Scene = class {
   }
 };
 
-// The squared distance of a pixel from the stretch between two, and whether the first of them is nearer.
+// Squared distance of a pixel from the segment p-q, and whether p is nearer than q.
 hawser.nearest = function (p, q, x, y) {
   if (!p) return {distance: Infinity, first: true};
   if (!q) return {distance: (p[0] - x) ** 2 + (p[1] - y) ** 2, first: true};

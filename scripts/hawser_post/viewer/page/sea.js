@@ -1,6 +1,6 @@
-// The surface of the sea, with its waves, and the bed.
+// Sea surface with waves, and the bed.
 
-const SEA_PLACES = {slow: 30, fast: 72};  // along a side
+const SEA_PLACES = {slow: 30, fast: 72};  // points along a side
 const [TROUGH, CREST] = [[0.16, 0.42, 0.62], [0.62, 0.82, 0.95]];  // colours
 
 hawser.Sea = class {
@@ -15,7 +15,7 @@ hawser.Sea = class {
     if (sea) this.addSurface(sea, sea.waves ? (await this.model.block("waves")).values : new Float64Array(0));
   }
 
-  // A surface over a grid of places.
+  // A surface over a grid of points.
   grid(x, y) {
     const positions = new Float32Array(3 * x.length * y.length);
     const faces = [];
@@ -33,7 +33,7 @@ hawser.Sea = class {
     return geometry;
   }
 
-  // The border of a surface, which is all that is seen of it from the side.
+  // Border of a surface, the only part visible from the side.
   border(geometry, nx, ny, colour) {
     const around = [];
     for (let i = 0; i < nx; i++) around.push(i);
@@ -63,9 +63,9 @@ hawser.Sea = class {
     geometry.setIndex(faces);
     geometry.computeVertexNormals();
     const paint = {polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2};
-    const plane = nx === 2 && ny === 2;  // needs no light
+    const plane = nx === 2 && ny === 2;  // needs no lighting
     this.bed = new THREE.Mesh(geometry, plane ? new THREE.MeshBasicMaterial({...paint, color: 0xb5a27d}) : new THREE.MeshLambertMaterial({...paint, color: 0xcdb891}));
-    // From below one looks through it.
+    // The bed is transparent from below.
     this.bed.add(new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({color: 0xb5a27d, side: THREE.BackSide, transparent: true, opacity: 0.3, depthWrite: false})));
     if (known.every((k) => k)) this.bed.add(this.border(geometry, nx, ny, 0x8a6d3b));
     this.root.add(this.bed);
@@ -75,7 +75,7 @@ hawser.Sea = class {
     const [low, high] = this.model.header.border;
     const most = hawser.Scene.slow() ? SEA_PLACES.slow : SEA_PLACES.fast;
     const cell = Math.max(high[0] - low[0], high[1] - low[1]) / (most - 1);
-    const long = [];  // waves that are drawn
+    const long = [];  // waves that the grid resolves
     for (let k = 0; k + 5 < waves.length; k += 6) if (waves[k + 2] * cell <= Math.PI) long.push(waves.subarray(k, k + 6));
     const count = long.length ? most : 2;
     const places = (a, b) => Float32Array.from({length: count}, (_, k) => a + (b - a) * k / (count - 1));
@@ -99,7 +99,7 @@ hawser.Sea = class {
       }
       this.components.push({amplitude: a, omega, cosine, sine});
     }
-    // The standard deviation of the surface, or what stands for it.
+    // Standard deviation of the surface; 1 without waves.
     this.height = Math.sqrt(this.components.reduce((sum, one) => sum + one.amplitude ** 2 / 2, 0)) || 1;
     this.surface.frustumCulled = false;
     this.surface.add(this.border(this.geometry, count, count, 0x2f78ad));
@@ -107,10 +107,10 @@ hawser.Sea = class {
     this.move(this.model.header.times[0]);
   }
 
-  // The waves at a time.
+  // Updates the waves to a time.
   move(time) {
     if (!this.surface || time === this.time) return;
-    if (this.time !== undefined && !this.components.length) return;  // still
+    if (this.time !== undefined && !this.components.length) return;  // still water
     this.time = time;
     const {sea} = this.model.header;
     const at = this.geometry.getAttribute("position").array;

@@ -1,6 +1,6 @@
-// Where header and blocks come from: the page itself, or the server that has made it.
+// Sources of header and blocks: the page itself, or the server.
 
-const MOST_KEPT = 400e6;  // bytes of blocks of moving things that are kept
+const MOST_KEPT = 400e6;  // bytes of time-dependent blocks that are kept
 
 hawser.EmbeddedSource = class {
   constructor(id) {
@@ -42,7 +42,7 @@ hawser.ServedSource = class {
   }
 };
 
-// The model: header, and what its blocks hold at outputs. Blocks of moving things come when they are first asked for.
+// The model: its header and the contents of its blocks. Time-dependent blocks are loaded on request.
 hawser.Model = class {
   constructor(source, header) {
     this.source = source;
@@ -71,7 +71,7 @@ hawser.Model = class {
     return this.pending.get(name);
   }
 
-  // The oldest blocks make room for new ones.
+  // Removes the oldest blocks for new ones.
   keep(name, block) {
     this.loaded.set(name, block);
     this.kept += block.values.byteLength;
@@ -83,7 +83,7 @@ hawser.Model = class {
     }
   }
 
-  // Forgets what may grow: the last part of a run in progress.
+  // Discards the last part of a run in progress, which may grow.
   forget(output) {
     const part = Math.floor(output / this.header.perBlock);
     for (const [name, block] of [...this.loaded]) {
@@ -99,7 +99,7 @@ hawser.Model = class {
     return `${what}/${Math.floor(output / this.header.perBlock)}`;
   }
 
-  // Values at an output; null while they are not here.
+  // Values at an output; null if not loaded.
   at(what, output) {
     const block = this.loaded.get(this.nameAt(what, output));
     if (!block) return null;
@@ -108,7 +108,7 @@ hawser.Model = class {
     return block.values.subarray(row * block.columns, (row + 1) * block.columns);
   }
 
-  // Waits until all of `names` are here at these outputs.
+  // Waits until all of `names` are loaded at these outputs.
   async ready(names, outputs) {
     const wanted = new Set();
     for (const what of names) for (const output of outputs) wanted.add(this.nameAt(what, output));

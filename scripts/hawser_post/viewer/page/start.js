@@ -1,4 +1,4 @@
-// Puts the viewer together.
+// Assembles the viewer.
 
 const GRAPH_EVERY = 1000;  // ms
 
@@ -29,7 +29,7 @@ hawser.View = class {
     this.scene.others = [];
     for (const other of this.others) {
       other.lines = await this.scene.addLines(other.model, other.colour);
-      // Each model is counted from a centre of its own.
+      // Each model has an origin of its own.
       other.lines.mesh.position.fromArray([0, 1, 2].map((c) => other.model.header.centre[c] - this.model.header.centre[c]));
       this.scene.others.push(other.lines);
     }
@@ -37,9 +37,9 @@ hawser.View = class {
     const {header} = this.model;
     this.scene.wait("Reading the first picture ...");
     this.scene.resize();
-    this.scene.camera.fit();  // the controls have left the picture its size
-    await this.player.show(header.served && !header.ended ? this.model.outputs - 1 : 0);  // of a run in progress the newest
-    // Volumes may be many: the first picture does not wait for them.
+    this.scene.camera.fit();  // the controls have determined its size
+    await this.player.show(header.served && !header.ended ? this.model.outputs - 1 : 0);  // for a run in progress the latest
+    // Volumes may be many; the first picture does not wait for them.
     await new Promise((done) => requestAnimationFrame(() => setTimeout(done)));
     await this.scene.bodies.load(this.scene.camera.size);
     await this.player.show(this.player.output);
@@ -47,7 +47,7 @@ hawser.View = class {
     this.pace();
   }
 
-  // A run of minutes is played in a quarter of a minute or so.
+  // A run of minutes is played in about a quarter of a minute.
   pace() {
     if (this.speedChosen) return;
     const {times} = this.model.header;
@@ -77,7 +77,7 @@ hawser.View = class {
     return this.model.header.modes ? `mode ${output}` : `t = ${time.toFixed(2)} s`;
   }
 
-  // Output `output` is shown: of other models the one nearest in time.
+  // Updates the controls to output `output`; other models show the output nearest in time.
   tell(output) {
     const time = this.model.header.times[output];
     const outputs = [output];
@@ -94,7 +94,7 @@ hawser.View = class {
       }).catch((error) => this.fail(error));
     }
     this.controls.say(output, this.when(output));
-    // While it plays the graph need not follow each picture.
+    // During animation the graph is updated less often than the picture.
     if (!this.player.playing || performance.now() - this.graphAt > GRAPH_EVERY) {
       this.curves.at(outputs, this.when(output));
       this.graphAt = performance.now();
@@ -102,7 +102,7 @@ hawser.View = class {
     this.describe();
   }
 
-  // What is shown, in words.
+  // Description of the picture.
   describe() {
     const {field, scene, model} = this;
     const line = model.header.lines[this.chosen];
@@ -138,7 +138,7 @@ hawser.View = class {
     await this.choose(this.chosen);
   }
 
-  // Colours are those of the time shown (""), or of the least, mean or largest value of the run at each node.
+  // Selects the colours: current values (""), or the least, mean or largest value of the run at each node.
   async values(label) {
     const {scene, field, controls} = this;
     const row = field && field.statistics ? OF_RUN.indexOf(label) : -1;
@@ -150,7 +150,7 @@ hawser.View = class {
     await this.player.show(this.player.output);
   }
 
-  // The limits of the colours: the whole range, or what is typed.
+  // Limits of the colours: the whole range, or the numbers entered.
   limit(whole) {
     const {field, scene, controls} = this;
     if (!field) return scene.redraw();
@@ -177,7 +177,7 @@ hawser.View = class {
     this.scene.redraw();
   }
 
-  // The lines as they are now, or a part, fill the picture, seen from where one looks.
+  // Fits the current lines, or a part, into the picture from the current direction.
   fitNow(box = this.scene.boxNow()) {
     const {camera} = this.scene;
     camera.direction = camera.from();
@@ -206,7 +206,7 @@ hawser.View = class {
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
-  // A click that is no turn chooses a line.
+  // A click without rotation selects a line.
   clicks() {
     const {canvas} = this.scene;
     let from = null;
@@ -224,7 +224,7 @@ hawser.View = class {
   }
 };
 
-// Starts the viewer in an element; a sentence stands there where it cannot.
+// Starts the viewer in an element; shows a message if it fails.
 hawser.start = async function (root) {
   try {
     const began = performance.now();
