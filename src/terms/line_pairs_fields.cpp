@@ -51,7 +51,7 @@ void LinePairs::resultants(const Kinematics& at, ContactResultants& out) const {
   for (const Pair& pair : pairs_) {
     if (!pair.counted || !pair.points) continue;
     const AxisShape shapes[] = {AxisShape(ends(at, pair.a)), AxisShape(ends(at, pair.b))};
-    const double radii[] = {settings(pair.key.first).radius, settings(pair.key.second).radius};
+    const double radii[] = {type_of(pair.key.first).radius, type_of(pair.key.second).radius};
     ResultantSum sum;
     for (size_t k = 0; k < kParts; ++k) {
       const size_t slave = k < 3 ? 0 : 1;
