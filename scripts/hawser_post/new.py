@@ -77,12 +77,14 @@ def target_of(text):
 
 def dialogue():
     """The answers to the questions."""
-    depth = ask("Water depth, m", 100, number(1, 12000))
+    depth = ask("Water depth, m (from 5)", 100, number(5, 12000))
     print("A line of")
     for k, (name, (words, _)) in enumerate(new_case.KINDS.items(), 1):
         print(f"  {k}  {name}: {words}")
     kind = ask("Which", "chain", one_of(new_case.KINDS))
-    diameter = ask("Outer diameter of the pipe" if kind == "pipe" else "Diameter", f"{new_case.USUAL_DIAMETER[kind] * 1000:g} mm", number(0.005, 5))
+    thickest = new_case.thickest(kind, depth)
+    question = f"Outer diameter of the pipe, up to {thickest * 1000:g} mm in this water" if kind == "pipe" else "Diameter"
+    diameter = ask(question, f"{new_case.usual_diameter(kind, depth) * 1000:g} mm", number(0.005, thickest))
     a = new_case.Answers("", depth, kind, diameter)
     if kind == "pipe":
         a.wall = ask("Thickness of its wall", f"{min(new_case.WALL, diameter / 10) * 1000:g} mm", number(1e-4, 0.499 * diameter))
@@ -93,7 +95,7 @@ def dialogue():
     straight = (a.distance**2 + new_case.rise(depth, a.top) ** 2) ** 0.5
     a.length = ask("Length of the line, m", f"{new_case.usual_length(kind, depth, a.top, a.distance):g}",
                    number(0.97 * straight, a.distance + new_case.rise(depth, a.top)))
-    a.height = ask("Height of a regular wave, m (0: still water)", 4, number(0, 40))
+    a.height = ask("Height of a regular wave, m (0: still water)", f"{new_case.usual_height(depth):g}", number(0, new_case.highest_wave(depth)))
     if a.height:
         a.period = ask("Its period, s", 10, number(2, 40, "s"))
         a.direction = ask("Direction in which it runs, deg from x (180: from the anchor to the vessel)", 180, number(-360, 360, "deg"))

@@ -36,6 +36,16 @@ def rise(depth, top):
     return depth - top
 
 
+def thickest(kind, depth):
+    """m, diameter of a line: a pipe of more than a hundredth of the depth is too stiff to hang to the bed, and is pressed together there."""
+    return min(5.0, max(depth / 100, 0.01)) if kind == "pipe" else 5.0
+
+
+def usual_diameter(kind, depth):
+    """m"""
+    return float(f"{min(USUAL_DIAMETER[kind], 0.9 * thickest(kind, depth)):.3g}")
+
+
 def usual_distance(kind, depth, top, diameter):
     """Horizontal distance [m] of the anchor from the upper end; for a pipe large enough for its bending."""
     deep = rise(depth, top) > DEEP
@@ -49,6 +59,16 @@ def usual_length(kind, depth, top, distance):
     steep = distance < 2.5 * rise(depth, top)
     slack = 0.995 if kind in TAUT else 1.025 if not steep else 1.13 if kind == "pipe" else 1.1
     return float(f"{straight * slack:.4g}")
+
+
+def highest_wave(depth):
+    """m: higher ones break (McCowan, 1894: 0.78 of the depth)."""
+    return min(40.0, 0.78 * depth)
+
+
+def usual_height(depth):
+    """m, of the wave, with half of which the vessel moves: in shallow water a tenth of it."""
+    return min(4.0, depth / 10)
 
 
 def element_length(a):

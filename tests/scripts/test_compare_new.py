@@ -98,7 +98,7 @@ class New(unittest.TestCase):
         return code, out.getvalue()
 
     def test_usual_answers_of_every_kind_make_a_case_that_runs_without_notes(self):
-        for depth in (30, 100, 1500):
+        for depth in (5, 30, 100, 1500):
             for kind in new_case.KINDS:
                 with self.subTest(kind=kind, depth=depth):
                     file = self.folder / f"{kind}-{depth}.yaml"
@@ -131,8 +131,14 @@ class New(unittest.TestCase):
         code, output = self.talk("deep", "-5", "100", "chian", "chain", "84 furlongs", "84 mm", "R9", "R4", "", "1 m", "", "", 0, "perhaps", "no", "", "no",
                                file=file)
         self.assertEqual(code, 0, output)
-        for words in ("'deep' is no number", "-5 m is not between 1 and 12000 m", "did you mean 'chain'?", "'84 furlongs' is no number",
+        for words in ("'deep' is no number", "-5 m is not between 5 and 12000 m", "did you mean 'chain'?", "'84 furlongs' is no number",
                       "'R9' is none of", "1 m is not between", "'perhaps' is neither yes nor no"):
+            self.assertIn(words, output)
+
+    def test_what_shallow_water_allows(self):
+        code, output = self.talk(3, 8, "pipe", "273 mm", "70 mm", "", "", "", "", 7, *[""] * 7, file=self.folder / "shallow.yaml")
+        self.assertEqual(code, 0, output)
+        for words in ("3 m is not between 5 and 12000 m", "up to 80 mm in this water", "0.273 m is not between 0.005 and 0.08 m", "7 m is not between 0 and 6.24 m"):
             self.assertIn(words, output)
 
     def test_no_file_is_written_over_nor_half_a_one(self):
