@@ -83,6 +83,40 @@ class Cases(unittest.TestCase):
             self.assertAlmostEqual(found["rotation_vector_y"][0], pitch, delta=0.005 * abs(pitch) + 1e-5)
             self.assertAlmostEqual(pull / tension, 1, delta=3e-3)
 
+    def test_volturnus_small_decays(self):
+        """Without drag, let go 0.1 m, 0.1 or 0.2 deg from rest, it has the periods of the linearised system: 0.5 %."""
+        path = self.case("volturnus")
+        no_drag = [*NO_WAVES]
+        for key in ("bodies.semi.floating.loads", "bodies.semi.floating.hydrodynamics.quadratic_damping",
+                    "bodies.semi.floating.hydrodynamics.second_order", "volumes", "contact.volumes"):
+            no_drag += ["--set", f"{key}=null"]
+        no_drag += ["--set", "line_types.chain.Cd_normal=0", "--set", "line_types.chain.Cd_axial=0"]
+        done = run(HAWSER, "modes", path, *no_drag, "-n", "12", "-o", path.with_name("modes.h5"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        modes = {name: float(period) for period, name in re.findall(r"^ *\d+ +(\S+) .*: (surge|heave|pitch)$", done.stdout, re.M)}
+        modes["yaw"] = float(re.search(r"^ *\d+ +(\S+) .*: yaw$", done.stdout, re.M)[1])
+        rest = self.run_case(path, *no_drag, "--set", "dynamics=null")
+        _, found = self.series(rest, "semi")
+        rest.close()
+        place = [found[f"position_{axis}"][0] for axis in "xyz"]
+        for freedom, away, turn, duration, column in (
+                ("surge", [0.1, 0, 0], [0, 0, 0], 560, "position_x"), ("heave", [0, 0, 0.1], [0, 0, 0], 130, "position_z"),
+                ("pitch", [0, 0, 0], [0, 0.1, 0], 200, "rotation_vector_y"), ("yaw", [0, 0, 0], [0, 0, 0.2], 380, "rotation_vector_z")):
+            start = [float(a + b) for a, b in zip(place, away)]
+            file = self.run_case(path, *no_drag, "--set", "statics=false", "--set", f"bodies.semi.position={start}", "--set",
+                                 f"bodies.semi.rotation_deg={turn}", "--set", "bodies.semi.floating.hydrodynamics.place=[0, 0, 0]", "--set",
+                                 f"dynamics={{duration: {duration}, step: 0.2, rho_infinity: 1}}", "--set",
+                                 "output={every: 1000, histories: [{body: semi}]}")
+            time, found = self.series(file, "semi")
+            x = found[column] - np.mean(found[column][time > 0.1 * duration])
+            periods = []
+            for rises in ((x[:-1] < 0) & (x[1:] >= 0), (x[:-1] > 0) & (x[1:] <= 0)):
+                at = time[:-1][rises] - x[:-1][rises] * np.diff(time)[rises] / np.diff(x)[rises]
+                periods.append((at[-1] - at[0]) / (len(at) - 1))
+            print(f"VolturnUS-S, {freedom}: {np.mean(periods):.3f} s, {modes[freedom]:.3f} s by modes")
+            self.assertAlmostEqual(np.mean(periods) / modes[freedom], 1, delta=5e-3)
+            file.close()
+
     def test_volturnus_in_the_storm(self):
         file = self.run_case(self.case("volturnus"), "--set", "dynamics.duration=60")
         _, found = self.series(file, "semi")
