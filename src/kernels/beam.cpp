@@ -94,8 +94,7 @@ struct Damping {
   Mat Gyy, Gyp, Gpp, Yd, Y1, Y2, R1, R2;
 };
 
-// Adds the rate terms at fixed strain rates to the Hessian, and computes the contribution of changing strain
-// rates.
+// Adds the rate terms at fixed strain rates to the Hessian, and computes those of changing strain rates.
 void damping(const BeamSection& s, const BeamReference& r, const BeamEnds& e, const Local& o,
              const Mat& eps_yy, const Mat& h2, const Mat& h3, const Mat& Z1, const Mat& Z2, Mat& Hyy,
              Mat& Hyp, Mat& Hpy, Mat& Hpp, Damping& g) {

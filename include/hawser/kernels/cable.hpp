@@ -11,8 +11,7 @@ struct CableSection {
   double length = 0;  // m, unstretched
   double EA = 0;      // N
   double beta = 0;    // s, stiffness-proportional damping of a taut element
-  // Relation of tension to strain, scaled so that its slope at zero strain is EA; null: linear. Damping uses
-  // EA.
+  // Tension by strain, scaled so that its slope at zero strain is EA; null: linear. Damping uses EA.
   const ResponseCurve* tension = nullptr;
   double free_strain = 0;  // strain without tension (thermal expansion)
   // Derivative of `length` by the length of the chord. It is not 0 at a winch that keeps a tension.
@@ -66,8 +65,8 @@ struct CableStress {
 };
 
 // T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The damper's part is limited in magnitude to
-// the spring's. `force` is T t as in CableTension. `slack`: fraction of its axial stiffness that a slack
-// element has in k.
+// the spring's. `force` is T t as in CableTension. `slack`: fraction of the axial stiffness in k of slack
+// elements.
 Vec3 cable_tension(const CableSection& s, const CableEnds& e);
 void cable_tension(const CableSection& s, const CableEnds& e, double slack, CableTension& out);
 
@@ -80,8 +79,7 @@ CableStress cable_stress(const CableSection& s, const CableEnds& e);
 CableStart cable_start(const CableSection& s, const Vec3& x1, const Vec3& x2, double stretch, double last);
 Vec3 cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                         const Vec3& x2);
-// The same with its derivative by x2 - x1. c is zero, because in a step dampers act through the change of
-// position.
+// The same with its derivative by x2 - x1. c is zero, because dampers act through the change of position.
 void cable_mean_tension(const CableSection& s, const CableStart& from, const CableStep& step, const Vec3& x1,
                         const Vec3& x2, CableTension& out);
 
