@@ -1,5 +1,4 @@
-// Winding numbers and ray crossings from a tree of clusters of triangles, distant ones approximated by
-// dipoles.
+// Winding numbers and ray crossings from a tree of clusters of triangles, distant ones as dipoles.
 #include "hawser/geometry/winding_tree.hpp"
 
 #include <algorithm>

@@ -79,8 +79,7 @@ Sides sides_kept(const AxisShape& a0, const AxisShape& a1, const AxisShape& b0, 
   const Moving a(a0, a1), b(b0, b1);
   const Sides kept = Search(a, b, limits).look({}, {});
   if (kept != Sides::near || !(limits.floor > 0)) return kept;
-  // Axes that were already nearer, by more than the error of the chords, only need to satisfy the other
-  // limits.
+  // Axes already nearer, by more than the error of the chords, only need to satisfy the other limits.
   const Moving still_a(a0, a0), still_b(b0, b0);
   const ApproachLimits below{kBelow * limits.floor, kAnyPart, 0, -1};
   if (Search(still_a, still_b, below).look({}, {}) == Sides::kept) return kept;

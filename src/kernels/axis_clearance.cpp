@@ -1,5 +1,4 @@
-// Nearest points of two element axes by branch and bound with Newton's method; smallest distance of one to a
-// surface.
+// Nearest points of two element axes by branch and bound with Newton's method; distance to a surface.
 #include "hawser/kernels/axis_clearance.hpp"
 
 #include <algorithm>

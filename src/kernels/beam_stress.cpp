@@ -1,5 +1,4 @@
-// Evaluation of a beam element: section moments and energy, force on a feeder, plastic history, stress-free
-// reference.
+// Beam element: section moments and energy, force on a feeder, plastic history, stress-free reference.
 #include <cmath>
 
 #include "beam_local.hpp"

@@ -106,8 +106,7 @@ struct Pull {
   EndB end;
 };
 
-// Estimate from the parabola of a line of this length [m] and weight [N] between the ends, or from its
-// stretch.
+// Estimate from the parabola of a line of this length [m] and weight [N], or from its stretch.
 Pull first_guess(const std::vector<CatenarySection>& sections, double length, double weight,
                  const Plane& to) {
   double lambda = 0.2;

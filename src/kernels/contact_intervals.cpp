@@ -70,8 +70,7 @@ class Scan {
   }
 
   // Both ends are in contact. The gap may rise above zero and fall again, at a kink even within a small part
-  // of the piece. The search continues as long as the tangents at the ends, which bound a concave gap, allow
-  // it.
+  // of the piece. The search continues while the end tangents, which bound a concave gap, allow it.
   void arch(double a, const AxisGap& A, double b, const AxisGap& B) {
     const double first = a, last = b, wide = slope_bound_ * (b - a);
     AxisGap from = A, to = B;

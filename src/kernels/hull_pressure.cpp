@@ -53,8 +53,7 @@ std::vector<double> corner_heads(const HullSurface& hull, double level, std::spa
   return out;
 }
 
-// Calls visit(corners y in columns, area vector, heads, J) for the wet triangles; J is null for fully wet
-// ones.
+// Calls visit(corners y in columns, area vector, heads, J) for the wet triangles; J: null if fully wet.
 template <class Visit>
 void for_each_wet(const HullSurface& hull, const std::vector<double>& heads, const Visit& visit) {
   for (std::size_t t = 0; t < hull.triangles.size(); ++t) {

@@ -30,8 +30,7 @@ double weight(int line, int other, std::span<const double> energy_tolerance) {
   return least > 0 ? 1 / least : 1 / std::numeric_limits<double>::min();
 }
 
-// Largest argument up to `most` for which what(), monotonically increasing and summed over the ranks, is at
-// most 1.
+// Largest argument up to `most` for which what(), increasing and summed over the ranks, is at most 1.
 template <class What>
 double largest(double most, const Sum& sum, const What& what) {
   constexpr int kParts = 16, kRounds = 6;
@@ -74,8 +73,7 @@ std::optional<ImpactEvent> impact_event(double inverse_frequency, double signifi
   s.crossing_ = kNever;
   s.resolved_ = kAbove * step;
   if (at.gap < 0) {
-    // The contact pushes at the start of that step but not at its end, so the trapezoidal rule includes half
-    // of it.
+    // The contact pushes only at the start of that step, so the trapezoidal rule includes half of it.
     if (at.last && at.closing < 0) s.crossing_ = until_contact(-at.gap, -at.closing, -0.5 * at.acceleration);
   } else if (at.closing > 0) {
     // Bounded, because accelerations change during the step.

@@ -54,8 +54,7 @@ LinePairPass::LinePairPass(const PairAxis& slave, const PairAxis& master, Projec
   turn_master_ = AttachedForces::kPositions + (set_.swapped ? 0 : 2);
 }
 
-// Position on the slave between lo and hi where the nearest point passes the master's end `eta`; nullopt:
-// none.
+// Position between lo and hi on the slave where the nearest point passes the master's end `eta`, if any.
 std::optional<double> LinePairPass::crossing_of(double eta, double lo, double hi) const {
   const Vec3 V = master_.now.point(eta), t = master_.now.slope(eta);
   const auto beyond = [&](double xi) { return (slave_.now.point(xi) - V).dot(t); };

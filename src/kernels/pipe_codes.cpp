@@ -34,8 +34,7 @@ double collapse_pressure(const PipeSteel& s) {
   return 0.5 * (low + high);
 }
 
-// The utilisation increases with the magnitude of each load, so the larger result of both functional factors
-// governs.
+// The utilisation increases with each load's magnitude, so the larger of both functional factors governs.
 double larger(const Combination& c, double condition, const auto& size) {
   return std::max(size(c.functional * condition, c.environmental),
                   size(kRelieving * condition, c.environmental));

@@ -1,5 +1,4 @@
-// Motion of a point of a rigid body in fixed axes, its derivatives, and forces with a potential of its
-// displacement.
+// Motion of a point of a rigid body in fixed axes, its derivatives, and forces with a potential.
 #include "hawser/kernels/platform_frame.hpp"
 
 #include <cmath>

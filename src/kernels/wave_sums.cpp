@@ -104,8 +104,7 @@ HAWSER_CLONES void WaveSums::phases(double x, double y, double t, std::size_t n,
                           amplitude_.data(), out.sine.data(), out.cosine.data());
 }
 
-// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both equal exp kz where the bed has no
-// effect.
+// cosh k(z + h)/sinh kh and sinh k(z + h)/sinh kh without overflow. Both are exp kz in deep water.
 HAWSER_CLONES void WaveSums::add_motion(const Phases& at, double z, Vec3& velocity,
                                         Vec3& acceleration) const {
   const std::size_t n = std::min(significant_components(z), at.sine.size());

@@ -22,9 +22,9 @@ bool released(const model::Case& c, const model::Line& line, bool at_b) {
   });
 }
 
-// The first end of a joint that rotates, or else the first one, shares its position with the other ends; in a
-// rigid joint it carries the others that rotate. An end that stays carries those that are released later,
-// which then have unknowns of their own.
+// An end of a joint that rotates (the last one), or else the first end, shares its position with the other
+// ends; in a rigid joint it carries the others that rotate. An end that stays carries those that are released
+// later, which then have unknowns of their own.
 void join(const model::Case& c, Mesh& m) {
   std::unordered_map<std::string, std::vector<std::pair<size_t, bool>>> ends_of;  // by joint: line, its end B
   for (size_t l = 0; l < c.lines.size(); ++l)

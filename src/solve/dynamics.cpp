@@ -20,8 +20,7 @@ namespace {
 // because of rounding.
 constexpr double kCounted = 1e-5;
 constexpr int kMostRaises = 40;  // Most raises of penalty stiffness within one try of a step.
-// Arguments of SNESSetLagJacobian: compute no new tangent; compute one at the next iteration and none after
-// it.
+// Arguments of SNESSetLagJacobian: compute no new tangent; compute one at the next iteration only.
 constexpr PetscInt kKeepTangent = -1, kNextTangent = -2;
 // Growth of the residual beyond which Newton's iteration has diverged. Contact alone may raise the residual
 // by a factor of 1e4.
@@ -58,8 +57,7 @@ Dynamics::Dynamics(System& system, const DynamicsSettings& settings)
   check(SNESSetConvergenceTest(snes_, converged, this, nullptr));
   build();
   lie_alpha_options(ts_.get());
-  // judge_iteration() requests each new tangent. The linear solver detects a new tangent by the state of the
-  // matrix.
+  // judge_iteration() requests each new tangent. The linear solver detects it by the state of the matrix.
   check(SNESSetLagJacobian(snes_, kKeepTangent));
 }
 
@@ -157,8 +155,7 @@ SNESConvergedReason Dynamics::judge_iteration(SNES snes, int it, double fnorm) {
   return SNES_CONVERGED_ITERATING;
 }
 
-// Runs Newton's method from u_. The iteration count of a try is the largest over its rounds of penalty
-// raising.
+// Runs Newton's method from u_. The iteration count of a try is the largest over its penalty raises.
 void Dynamics::solve_once() {
   old_tangent_ = false;
   counted_ = -1;
@@ -197,8 +194,7 @@ int Dynamics::try_step(double h) {
 }
 
 void Dynamics::commit() {
-  // Adds the work of prescribed ends: reactions by the trapezoidal rule, mean forces by their mean over the
-  // step.
+  // Adds the work of prescribed ends: reactions by the trapezoidal rule, mean forces by their mean.
   const std::vector<double>&now = system_.reactions(), &mean = system_.mean_forces();
   const LocalMesh& m = system_.mesh();
   const auto of = [](const std::vector<double>& rows, size_t i) { return rows.empty() ? 0 : rows[i]; };

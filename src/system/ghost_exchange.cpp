@@ -24,8 +24,7 @@ GhostExchange::GhostExchange(MPI_Comm comm, const LocalMesh& mesh)
     wanted[r].push_back(g);
     local[r].push_back(n);
   }
-  // Each rank first sends each other one the number of nodes it needs; the nodes follow only where there are
-  // any.
+  // Each rank first sends each other one the number of nodes it needs; the nodes follow if there are any.
   std::vector<int> ask(ranks), asked(ranks);
   std::transform(wanted.begin(), wanted.end(), ask.begin(),
                  [](const auto& w) { return static_cast<int>(w.size()); });

@@ -1,5 +1,4 @@
-// Extends residual and tangent of contact from the nodes of a line to the floating body that bears the
-// reaction.
+// Extends residual and tangent of contact from the nodes of a line to the floating body it touches.
 #include "hawser/terms/against_body.hpp"
 
 #include <array>

@@ -162,8 +162,7 @@ void BodyContactTerm::contact_of_edge(const Pair& pair, const Both& at, const Ri
   found.add_panels(split_intervals(contact_intervals(gap, {length}, kEdgeLevels), kEdgeLevels), 0, weight,
                    [&](double xi) { return surface.query(place(xi), contact_distance); });
   const Vec3 slope = place(1) - place(0);
-  // Derivative of a panel's end by the motion of the bodies; nullopt where the edge is parallel to the
-  // surface.
+  // Derivative of a panel's end by the bodies' motion; nullopt if the edge is parallel to the surface.
   const auto moving_end = [&](double xi) -> std::optional<Vec6> {
     const Vec3 z = place(xi);
     const auto p = surface.query(z, contact_distance + 1e-9);

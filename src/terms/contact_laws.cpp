@@ -1,5 +1,4 @@
-// Normal and friction laws of contact with a volume from its settings, and the limit on the penetration in a
-// step.
+// Normal and friction laws of contact from the settings of a volume, and the penetration limit of a step.
 #include "hawser/terms/contact_laws.hpp"
 
 namespace hawser {
@@ -30,8 +29,7 @@ FrictionLaw friction_law(const model::Friction& f, double share, double diameter
 
 ContactLaw contact_law(const model::Volume& v, double share, double diameter, double mass) {
   ContactLaw law;
-  // Two fifths of the penetration that the automatic stiffness allows, so that the ramp is small compared
-  // with it.
+  // Two fifths of the penetration that the automatic stiffness allows, so that the ramp stays small.
   law.normal = normal_law(v, share, 0.001 * diameter, mass);
   law.friction = friction_law(v.friction, share, diameter);
   return law;

@@ -1,6 +1,5 @@
-// The class Feeders: forces of winches, tensioners and reels. Determines the elements inside a feeder, the
-// length of the element at the feed point, the momentum of the line that flows through it, and the work of
-// the feeder.
+// The class Feeders: forces of winches, tensioners and reels. Elements inside a feeder, length of the element
+// at the feed point, momentum of the line that flows through it, work of the feeder.
 #include "hawser/terms/feeders.hpp"
 
 #include <fmt/format.h>
@@ -303,8 +302,7 @@ void Feeders::element_force(const Kinematics& at, const LocalElement& e, Vec12& 
   }
 }
 
-// Power for the material that comes out: the work of the feeder on it beyond holding the line, and its
-// kinetic energy.
+// Power for the paid-out material: work of the feeder beyond holding the line, and kinetic energy.
 double Feeders::power(const Feeder& f, const Kinematics& at, const LocalElement& e) const {
   const FeedPoint m = feed_point(f, at);
   if (m.speed == 0) return 0;

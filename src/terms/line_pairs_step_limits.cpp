@@ -64,8 +64,7 @@ bool LinePairs::tunnels(const Pair& p, const Kinematics& trial) const {
   return sides_kept(a0, a1, b0, b1, limits) == Sides::near;
 }
 
-// Relative speed along the line between the nearest points of the chords, m/s (> 0: separating), and the gap,
-// m.
+// Relative speed between the nearest points of the chords, m/s (> 0: separating), and the gap, m.
 LinePairs::Nearest LinePairs::nearest(const Pair& p, const SegmentPair& c, const AxisEnds& a,
                                       const AxisEnds& b) const {
   if (!(c.distance > 0)) return {};

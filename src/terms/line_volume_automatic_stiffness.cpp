@@ -102,8 +102,7 @@ std::optional<advice::TooDeep> LineVolumeContact::deeper_than_allowed(const Kine
   double deepest = 0, xi = 0;
   for (const Pair& pair : pairs_) {
     if (is_held(pair) || pair.found.quadrature.empty()) continue;
-    // A pair that has not moved since it was last clear is not evaluated in a trial; its stored result is
-    // older.
+    // A pair that has not moved since it was clear is not evaluated in a trial; its result is older.
     if (!pair.found.of.shape.same_axis(AxisShape(ends(trial, pair.element)))) continue;
     const double most = volumes_.deepest(pair.volume, pair.radius);
     for (const QuadraturePoint& there : pair.found.quadrature)

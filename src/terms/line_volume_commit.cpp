@@ -63,8 +63,7 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
     sum.add(step, p, R, w.y0, w.y1, touching);
     sum.work += raise * 0.5 * touching * p.weight * p.elastic_force() * p.normal.dot(w.y1 - w.y0);
     if (!rolled) return;
-    // Displacement of the line's surface due to roll. The work of friction on it is added to that on the
-    // axis.
+    // Displacement of the line's surface due to roll. Friction's work on it is added.
     const Vec3 surface = -pair.radius * rolled->angle(p.xi) * w.along.cross(p.normal);
     sum.friction -= 0.25 * p.weight * (R * p.friction).dot((step.R0 + step.R1) * surface);
   };
@@ -82,8 +81,7 @@ void LineVolumeContact::account(const Pair& pair, const AxisShape& shape,
   }
 }
 
-// In dynamics the energy of the committed state; in statics that of the trial, because the line search
-// reduces it.
+// In dynamics the energy of the committed state; in statics that of the trial, for the line search.
 Energy LineVolumeContact::energy(const Kinematics& at) const {
   Energy e;
   std::vector<RigidPose> poses;

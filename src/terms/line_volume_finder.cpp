@@ -18,8 +18,7 @@ constexpr double kFirst = 2;
 // Fraction of an element's length, by the weights of its Gauss points, above which all of it touched.
 constexpr double kAll = 1 - 1e-9;
 
-// Restricts panels to the part of the axis that may touch. The limit is a material point and does not move
-// with the gap.
+// Restricts panels to the part of the axis that may touch. The limit is a fixed material point.
 void clip(const ContactShare& part, std::vector<ContactInterval>& panels) {
   for (ContactInterval& s : panels) {
     if (s.from < part.from) {

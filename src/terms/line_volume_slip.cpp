@@ -1,5 +1,4 @@
-// The class LineVolumeFinder: positions and slip at the start of the step of the points that touch in a
-// trial.
+// The class LineVolumeFinder: initial positions and slip of the points that touch in a trial.
 #include "hawser/terms/line_volume_finder.hpp"
 #include "hawser/terms/previous_slip.hpp"
 

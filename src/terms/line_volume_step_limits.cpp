@@ -100,8 +100,7 @@ bool LineVolumeContact::predict_impacts_by_group(const Pair& pair, const Kinemat
   return facet_groups.several();
 }
 
-// Skips points that are known to be clear ahead, and points whose contact could neither limit the step nor be
-// an impact.
+// Skips points known to be clear ahead, and points whose contact could not limit the step or be an impact.
 void LineVolumeContact::limit_ahead(const Pair& pair, const Kinematics& committed, ImpactEvents& to) const {
   const AxisShape& start = pair.start.shape;
   const Surface& surface = volumes_.surface(pair.volume);

@@ -338,8 +338,7 @@ std::vector<CheckpointRecord> LinesInWater::records(NodeRange of) const {
   return out;
 }
 
-// The restored state is a committed one, so its waves are those at the stored positions (wave_place), not at
-// the nodes.
+// The restored state is committed, so its waves are those at the stored positions (wave_place).
 void LinesInWater::restore(const std::vector<CheckpointRecord>& records) {
   work_ = 0;
   flow_ = {};

@@ -40,8 +40,8 @@ void LinesInWater::update_from_feeders(double FedLine::*length) {
     }
 }
 
-// Change of the buoyancy potential by feeders, J: that of the change of length, averaged over the positions
-// before and after.
+// Change of the buoyancy potential by feeders, J: that of the change of length, mean of the positions before
+// and after.
 double LinesInWater::fed_buoyancy(const Kinematics& at) const {
   Water calm;
   calm.surface = sea_.surface;

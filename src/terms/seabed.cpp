@@ -149,8 +149,7 @@ void SeabedTerm::evaluate(const Kinematics& trial, Assembler& assembler) {
   }
 }
 
-// Evaluates contact again at the accepted state. Energies are integrated by the trapezoidal rule over the
-// step.
+// Evaluates contact at the accepted state. Energies are integrated by the trapezoidal rule.
 void SeabedTerm::commit(const Kinematics& accepted) {
   for (Point& p : points_) {
     ContactTrial at;

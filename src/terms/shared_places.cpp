@@ -1,5 +1,4 @@
-// The class SharedPlaces: computes from positions the length without contact along two stretches from a
-// shared place.
+// The class SharedPlaces: length without contact along two stretches from a shared place.
 #include "hawser/terms/shared_places.hpp"
 
 #include <algorithm>
@@ -260,8 +259,7 @@ void SharedPlaces::update(Place& p, const Rope& one, const Rope& other, bool set
   const bool unknown = p.within == kUnknown;
   const int known_to = unknown ? most : std::min(most, reach);
   const auto overlaps = [&](int k) { return gaps.at(k) < 0; };
-  // Length from `first`, where the stretches are first apart, over which they stay apart, at most kFree *
-  // first.
+  // Length up to which the stretches, first apart at `first`, stay apart, at most kFree * first.
   const auto free_to = [&](int first) {
     const int end = std::min(kFree * first, known_to);
     int k = first;

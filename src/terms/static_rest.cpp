@@ -1,5 +1,4 @@
-// Support of a floating body at rest in statics: buoyancy and springs, lines and links, friction on other
-// bodies.
+// Support of a floating body in statics: buoyancy and springs, lines and links, friction on other bodies.
 #include "hawser/terms/static_rest.hpp"
 
 #include <algorithm>

@@ -9,8 +9,7 @@
 
 namespace hawser {
 
-// Thrown when a PETSc call fails: a defect of the program or a broken installation, not an error of the
-// input.
+// Thrown when a PETSc call fails: a defect of the program or its installation, not of the input.
 struct PetscFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

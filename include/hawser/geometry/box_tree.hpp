@@ -37,8 +37,7 @@ class BoxTree {
   }
 
   // Calls visit(item) for all items that may be within the distance sqrt(squared) [m²] of p, and for some
-  // farther ones, nearer halves first; visit may reduce `squared`. Items exactly at that distance are
-  // included.
+  // farther ones, nearer halves first; visit may reduce `squared`. Exact ties are included.
   template <class Visit>
   void nearest(const Vec3& p, double& squared, Visit&& visit) const {
     if (empty()) return;

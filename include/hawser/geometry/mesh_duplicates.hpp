@@ -17,8 +17,7 @@ struct DuplicateResult {
   int copies = 0;        // removed triangles of which another copy stays
   int back_to_back = 0;  // triangles removed with all their copies
 };
-// Keeps the order of the remaining triangles; of copies the first one with the majority's orientation
-// remains.
+// Keeps the order of triangles; of copies the first one with the majority's orientation remains.
 DuplicateResult drop_duplicates(TriangleMesh& mesh);
 
 // Removes pieces without open edges that lie in one plane to within `thickness` [m]: sheets with different

@@ -40,8 +40,8 @@ struct MeshSurfaceOptions {
 class MeshSurface final : public Surface {
  public:
   // The mesh must be welded and, unless `open`, closed and oriented (MeshReport::valid); an open mesh should
-  // have passed repair(). Throws std::invalid_argument with a message. `active`: one flag per triangle, empty
-  // for all.
+  // have passed repair(). Throws std::invalid_argument with a message. `active`: flags of the triangles;
+  // empty: all.
   explicit MeshSurface(TriangleMesh mesh, std::vector<bool> active = {}, MeshSurfaceOptions options = {});
   // Uses the data of write() in a block, which `keep` holds aligned to a cache line. Results are identical.
   explicit MeshSurface(std::shared_ptr<const std::byte> keep);

@@ -3,8 +3,7 @@
 
 namespace hawser {
 
-// automatic: pseudonormals for a valid mesh, winding numbers otherwise. The last three are those of
-// OMAE2006-92155.
+// automatic: pseudonormals for a valid mesh, winding numbers otherwise. Last three: OMAE2006-92155.
 enum class SignTest { automatic, pseudonormal, winding, tetrahedra, ray, solid_angle };
 
 }  // namespace hawser

@@ -80,8 +80,7 @@ class SpatialHash {
     const std::uint64_t h = part(0, 73856093) ^ part(1, 19349663) ^ part(2, 83492791);
     return static_cast<std::size_t>(h ^ h >> 20) & (places_ - 1);
   }
-  // Lower bound of the distance from p to the cubes of this ring and of those farther out, m; infinite if
-  // there are none.
+  // Lower bound of the distance from p to the cubes of this and outer rings, m; infinite if there are none.
   double distance_to(int ring, const Cell& at, const Vec3& p) const {
     if (ring == 0) return 0;
     double way = std::numeric_limits<double>::infinity();

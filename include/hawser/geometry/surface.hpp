@@ -4,9 +4,8 @@
 // negative inside, its gradient is the outward unit normal, and the shape is closed (or a half-space).
 // query() is const and pure: any number of threads may call it.
 //
-// PlaneSurface and CylinderSurface are here, other exact shapes in primitives.hpp, meshes in
-// mesh_surface.hpp, meshes with other inside tests in tested_surface.hpp, seabeds in height_grid.hpp and
-// ground.hpp.
+// Planes and cylinders are here, other exact shapes in primitives.hpp, meshes in mesh_surface.hpp, meshes
+// with other inside tests in tested_surface.hpp, seabeds in height_grid.hpp and ground.hpp.
 #pragma once
 
 #include <optional>
@@ -65,8 +64,7 @@ class Surface {
   // Whether it is certain that there is at most one; faster.
   virtual bool one_facet_group(std::span<const Vec3>, double /*reach*/) const { return true; }
   // query() of a single facet group. A point behind it has no result unless it is inside and the facet group
-  // is the nearest of all. either_side: such a point has a result, with its negative distance from the facet
-  // group.
+  // is the nearest of all. either_side: such a point has a negative distance from the facet group.
   virtual std::optional<SurfacePoint> query_group(const FacetGroup&, const Vec3& y, double max_distance,
                                                   bool /*either_side*/ = false) const {
     return query(y, max_distance);

@@ -1,5 +1,4 @@
-// Checks that two axes stay on the same sides of each other in a step, from their smallest distance during
-// it.
+// Checks that two axes stay on the same sides of each other in a step, from their smallest distance.
 //
 // Every point of an axis is assumed to move along a straight path from the start of the step to its end. The
 // axes are halved until the chords of the pieces decide the question for the curves; most pieces are decided
@@ -11,8 +10,7 @@
 
 namespace hawser {
 
-// Limits of the distance between two axes, m. They depend on the distance at the same place at the start of
-// the step.
+// Limits of the distance between two axes, m, relative to that at the same place at the start of the step.
 struct ApproachLimits {
   double most = 0;      // smallest distance allowed,
   double part = 0.5;    // or this fraction of the distance at the start;

@@ -1,5 +1,4 @@
-// Detects whether the axis of an element passes through a body in a step without contact before and after.
-// Pure.
+// Detects an element axis that passes through a body in a step without contact before and after. Pure.
 #pragma once
 
 #include "hawser/kernels/axis_clearance.hpp"

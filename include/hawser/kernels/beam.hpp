@@ -18,8 +18,7 @@
 
 namespace hawser {
 
-// Constants of one element. Damping is proportional to stiffness: every stress is E (strain + beta strain
-// rate).
+// Constants of one element. Damping is proportional to stiffness: each stress is E (strain + beta rate).
 struct BeamSection {
   double length = 0;        // m, unstretched
   double EA = 0;            // N
@@ -69,8 +68,7 @@ struct BeamStress {
   double dissipation = 0;    // W
   Vec3 moment1, moment2;     // N m, (torsion, about 2, about 3)
   Vec3 curvature1, curvature2;  // 1/m, relative to the stress-free shape: twist, about 2, about 3
-  // 1/m, curvature that remains after elastic unloading, for plastic bending, at the points nearest to the
-  // ends.
+  // 1/m, residual curvature after elastic unloading (plastic bending), at the points nearest to the ends.
   double residual1 = 0, residual2 = 0;
 };
 

@@ -1,5 +1,4 @@
-// Axis of an element as a cubic Bézier curve, which is convenient to bound, halve and compare with an earlier
-// state.
+// Axis of an element as a cubic Bézier curve, which is easy to bound, halve and compare with another one.
 #pragma once
 
 #include <array>
@@ -15,8 +14,7 @@ namespace hawser {
 struct BezierAxis {
   std::array<Vec3, 4> b;
 
-  // Axis of a beam with unit tangents at the ends and its unstretched length (Hermite's cubic of
-  // axis_shape.hpp).
+  // Axis of a beam with unit end tangents and its unstretched length (Hermite's cubic of axis_shape.hpp).
   static BezierAxis beam(const Vec3& x1, const Vec3& t1, const Vec3& x2, const Vec3& t2, double length) {
     return {{x1, x1 + length / 3 * t1, x2 - length / 3 * t2, x2}};
   }

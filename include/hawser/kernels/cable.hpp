@@ -11,8 +11,7 @@ struct CableSection {
   double length = 0;  // m, unstretched
   double EA = 0;      // N
   double beta = 0;    // s, stiffness-proportional damping of a taut element
-  // Relation of tension to strain, scaled so that its slope at zero strain is EA; null: linear. Damping uses
-  // EA.
+  // Tension by strain, scaled so that its slope at zero strain is EA; null: linear. Damping uses EA.
   const ResponseCurve* tension = nullptr;
   double free_strain = 0;  // strain without tension (thermal expansion)
   // Derivative of `length` by the length of the chord. It is not 0 at a winch that keeps a tension.
@@ -66,8 +65,8 @@ struct CableStress {
 };
 
 // T = EA (e + beta e'), e = l/L - 1 - free strain, for e > 0. The damper's part is limited in magnitude to
-// the spring's. `force` is T t as in CableTension. `slack`: fraction of its axial stiffness that a slack
-// element has in k.
+// the spring's. `force` is T t as in CableTension. `slack`: fraction of the axial stiffness in k of slack
+// elements.
 Vec3 cable_tension(const CableSection& s, const CableEnds& e);
 void cable_tension(const CableSection& s, const CableEnds& e, double slack, CableTension& out);
 

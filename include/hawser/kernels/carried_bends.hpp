@@ -20,8 +20,7 @@ struct RememberedCell {
   double from = 0, to = 0;         // m, material labels
   const double* values = nullptr;  // n numbers
 };
-// Cells of an element with the labels [from, to], the first one at `from`; values: kBendingPlaces blocks of
-// n.
+// Cells of an element with the labels [from, to], first at `from`; values: kBendingPlaces blocks of n.
 std::array<RememberedCell, kBendingPlaces> remembered_cells(double from, double to, const double* values,
                                                             std::size_t n);
 // History out[kBendingPlaces * n] of an element with the labels [from, to], which `cells` cover exactly once.

@@ -13,8 +13,7 @@ class ClearanceTube {
  public:
   // clearance: radius [m] about the axis that is free of the body; < 0: unknown.
   void set(const BezierAxis& axis, double clearance);
-  // Radius of the free tube about another axis [m]; <= 0: unknown. Reduced by more than the rounding error of
-  // a distance.
+  // Radius of the free tube about another axis [m]; <= 0: unknown. Includes a margin for rounding.
   double left(const BezierAxis& axis) const;
   // Keeps the larger tube.
   void offer(const BezierAxis& axis, double clearance) {

@@ -30,8 +30,7 @@ struct NormalForce {
   double by_rate = 0;    // N s/m
 };
 
-// Force at the gap g [m] and its rate [m/s]. The damping force is -c e rate with e = -ds/dg, for a table its
-// slope / k.
+// Force at the gap g [m] and rate [m/s]. The damping force is -c e rate, e = -ds/dg, for a table slope / k.
 inline NormalForce normal_force(const NormalLaw& law, double g, double rate) {
   const double k = law.stiffness, d = law.smoothing;
   NormalForce r;

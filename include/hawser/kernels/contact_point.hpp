@@ -1,5 +1,4 @@
-// Contact point of an accepted state, for any kind of contact: history, energy balance, output and
-// checkpoints.
+// Contact point of an accepted state, for any kind of contact, with history, energies and output.
 #pragma once
 
 #include "hawser/math/types.hpp"

@@ -14,8 +14,8 @@ struct ContactRates {
   double start_gap = 0, roll = 0;
 };
 
-// d force / d xi [N or N/m]. Gap and normal of the trial follow its point by normal and curvature. Zero
-// without contact.
+// d force / d xi [N or N/m]. Gap and normal follow the trial's point by normal and curvature. 0 without
+// contact.
 Vec3 contact_force_along(const ContactLaw& law, const ContactStart& start, const ContactTrial& trial,
                          const ContactRates& by_xi);
 // The same for ball_contact(), with the same `turn` for all xi.

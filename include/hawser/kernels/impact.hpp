@@ -37,11 +37,9 @@ class ImpactEvent {
   // Kinetic energy of the mass along the normal plus the energy of the spring above that of its equilibrium,
   // J: the largest energy error of steps that do not resolve the impact.
   double energy() const { return energy_; }
-  // Possible energy error of a step of h [s], J: energy() if the step is too long to resolve the impact, else
-  // 0.
+  // Possible energy error of a step of h [s], J: energy() if it is too long to resolve the impact, else 0.
   double unresolved(double h) const { return h > resolved_ ? energy_ : 0; }
-  // Energy that the trapezoidal rule loses in a step of h [s] in which the contact begins, or creates if it
-  // ends, J.
+  // Energy that the trapezoidal rule loses in a step of h [s] if contact begins, or creates if it ends, J.
   double crossed(double h) const;
   // Period of the mass on the spring, s; infinite if it is not in contact.
   double period() const;
@@ -60,8 +58,7 @@ class ImpactEvent {
 // if speed or acceleration drives the mass deeper than this. mass: kg.
 std::optional<ImpactEvent> impact_event(double inverse_frequency, double significant_depth, double mass,
                                         const Approach& at);
-// Whether an impact is possible for speeds [m/s] and accelerations [m/s²] up to these values in any
-// direction.
+// Whether an impact is possible at speeds [m/s] and accelerations [m/s²] up to these, in any direction.
 bool may_impact(double inverse_frequency, double significant_depth, double speed, double acceleration);
 
 // Whether a step of h [s] is short enough for a contact of this inverse frequency [s] that its energy error

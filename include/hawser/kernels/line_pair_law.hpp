@@ -29,8 +29,7 @@ struct LinePairPoint {
 };
 
 struct LinePairForce {
-  // Columns of `by`: D, T, M, rate, slip; for new material also D before, slope, slope before and T before,
-  // else zero.
+  // Columns of `by`: D, T, M, rate, slip; for new material also D before, slope, slope before, T before.
   static constexpr int kAway = 0, kAlong = 3, kMoved = 6, kRate = 9, kSlip = 10, kAwayBefore = 12,
                        kSlope = 15, kSlopeBefore = 18, kAlongBefore = 21, kInputs = 24;
 

@@ -17,7 +17,7 @@ struct LinkLaw {
   std::shared_ptr<const MonotoneCubic> spring;  // N over m of elongation; null: linear
   std::shared_ptr<const ResponseCurve> damper;  // N over m/s; null: linear
   // The link goes slack: no force where spring and damper together would push. A table's first force is then
-  // not negative.
+  // >= 0.
   bool tension_only = false;
 
   // Largest slope of the spring, N/m.
@@ -35,8 +35,8 @@ struct LinkTension {
 // first row: T is continuous, and the dissipation (T - max(0, S)) v is never negative.
 LinkTension link_tension(const LinkLaw& law, double length, double speed);
 
-// Force between points with the differences d [m] of their positions and w [m/s] of their velocities (second
-// minus first).
+// Force between points with the differences (second minus first) d [m] of positions and w [m/s] of
+// velocities.
 struct LinkForce {
   LinkTension along;
   double length = 0, speed = 0;  // m, m/s

@@ -76,16 +76,14 @@ class RowCurve {
   std::vector<std::pair<Vec3, Vec3>> bend_;  // second derivatives at the start and end of each interval
 };
 
-// Velocity, and rate of rotation about a space-fixed axis through the body's origin, both started by the
-// ramp.
+// Velocity, and rotation rate about a space-fixed axis through the body's origin, started by the ramp.
 struct SteadyLaw {
   Vec3 velocity = Vec3::Zero();  // m/s
   Vec3 axis = Vec3::UnitZ();     // any length but zero
   double rate = 0;               // rad/s
 };
 
-// amplitude * sin(2 pi t / period + phase) by component; rotation is a rotation vector. Multiplied by the
-// ramp.
+// amplitude * sin(2 pi t / period + phase) by component, times the ramp; rotation: a rotation vector.
 struct HarmonicLaw {
   Vec3 amplitude = Vec3::Zero();           // m
   Vec3 rotation_amplitude = Vec3::Zero();  // rad

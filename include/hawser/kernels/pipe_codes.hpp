@@ -44,8 +44,7 @@ class PipeCodes {
   // The larger result of the load combinations a and b.
   double local_buckling(const PipeLoads& rest, const PipeLoads& now, double condition, double outside,
                         double inside) const;
-  // Largest design tension of both combinations relative to that at yield; the formula is valid up to
-  // kMostPulled.
+  // Largest design tension of both combinations over that at yield; the formula holds up to kMostPulled.
   double pulled(const PipeLoads& rest, const PipeLoads& now, double condition) const;
 
   // API RP 1111 4.3.2.2: bending strain and external pressure.

@@ -24,8 +24,7 @@ class RaoTable {
            direction = 0;  // rad/s; rad, where the wave goes, from the vessel's bow (0: to the bow)
     Response response;
   };
-  // All directions must have the same frequencies. Throws std::invalid_argument if they differ or there are
-  // no rows.
+  // All directions must have the same frequencies, at least one; throws std::invalid_argument.
   explicit RaoTable(std::vector<Row> rows);
 
   // Linear interpolation in the complex plane between frequencies and, periodically, between directions;

@@ -53,8 +53,7 @@ struct RigidBodyLoad {
 };
 // Adds the load to `applied` and K: with F, N in body axes f = -R F, t = -(arm x F + N).
 void add_load(const RigidBodyLoad& load, const RigidBodyState& s, RigidBodyResidual& to);
-// A constant force in space axes has a potential, J. Moments, and loads that vary or turn with the body,
-// supply power, W.
+// A constant force in space axes has a potential, J; moments and varying or turning loads supply power, W.
 double load_potential(const RigidBodyLoad& load, const RigidBodyState& s);
 double load_power(const RigidBodyLoad& load, const RigidBodyState& s);
 // Work of loads without a potential from `start` to s, J, for the force and moment in space that they have at

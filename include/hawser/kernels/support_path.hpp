@@ -18,8 +18,7 @@ struct PathPoint {
   double dip = 0;                                  // rad, inclination of `along` below the horizontal
 };
 
-// Unit vector perpendicular to the unit vector `along` in its vertical plane, upwards; `along` must not be
-// vertical.
+// Unit vector normal to the unit vector `along` in its vertical plane, upwards; not for a vertical one.
 Vec3 across(const Vec3& along);
 
 // Unit direction at point i of a sequence of at least two: tangent of the parabola through it and its

@@ -22,8 +22,7 @@ inline constexpr double kSlowestGust = 1.0 / 3600, kFastestGust = 0.5;
 struct Gust {
   double amplitude = 0, omega = 0, phase = 0;  // m/s, rad/s, rad
 };
-// Components with the energy of their bins, whose width increases with the frequency; equal for a seed on all
-// machines.
+// Components with the energy of their bins, which widen with the frequency; equal for a seed everywhere.
 std::vector<Gust> gusts(GustSpectrum kind, double speed, double at_ten, double height, int count,
                         std::uint64_t seed);
 

@@ -7,8 +7,7 @@
 
 namespace hawser {
 
-// rad, from 0 (straight up) to pi (straight down); `along` of any length above 0. Exact to rounding near
-// both.
+// rad, from 0 (straight up) to pi (straight down); `along`: any length > 0. Exact to rounding.
 inline double declination(const Vec3& along) {
   return std::atan2(std::hypot(along.x(), along.y()), along.z());
 }

@@ -10,8 +10,7 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaterniond;
 
-// Forces on the ends of a cable (6) or a beam (12), or on a body (6), and their derivatives, row-major as for
-// assembly.
+// Forces on the ends of a cable (6) or a beam (12), or on a body (6), and derivatives, row-major.
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;

@@ -1,5 +1,4 @@
-// One rank's part of the mesh: owned nodes first, then the ghosts of its elements, then the ghosts of
-// couplings.
+// One rank's part of the mesh: owned nodes first, then ghosts of its elements, then ghosts of couplings.
 #pragma once
 
 #include <algorithm>
@@ -74,8 +73,7 @@ const Kept* of_element(const std::vector<Kept>& kept, const LocalElement& e) {
   return at != kept.end() && at->at.global == e.global ? &*at : nullptr;
 }
 
-// Adds the residual of a beam (x1, theta1, x2, theta2) or of a cable (x1, x2) to f, which has the layout of a
-// beam.
+// Adds the residual of a beam (x1, theta1, x2, theta2) or a cable (x1, x2) to f, with a beam's layout.
 inline void add_ends(const Vec12& own, Vec12& f) { f += own; }
 inline void add_ends(const Vec6& own, Vec12& f) {
   f.head<3>() += own.head<3>();

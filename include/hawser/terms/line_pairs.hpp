@@ -111,8 +111,8 @@ class LinePairs final : public ForceTerm,
   static constexpr size_t kParts = 6;
   using ContactPoints = std::array<std::vector<LinePairContactPoint>, kParts>;
   using Key = std::pair<int, int>;  // of Mesh::elements
-  // Contact points of a pair in the last evaluated state, and their forces from the last evaluation without
-  // derivatives, which commit() of the same state reuses.
+  // Panels of a pair in the last evaluated state, which tangent and commit() of the same state reuse, and
+  // contact points from the last evaluation without derivatives, for commit().
   struct Trial {
     AxisShape a, b;
     std::array<std::vector<LinePairPass::Panel>, kParts> panels{};
