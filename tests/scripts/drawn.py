@@ -1,4 +1,4 @@
-"""A model of two lines and a drum in a headless Chromium, for tests of what is drawn."""
+"""A model of two lines and a drum in a headless Chromium, for tests of drawing."""
 import sys
 import tempfile
 import unittest
@@ -50,7 +50,7 @@ def quaternion(axis, angle):
 
 
 def model(folder, outputs=12, nodes=61, name="model.h5", case=CASE, hole=False, lines=("hose", "rope"), start=0.0):
-    """Two lines that swing beside a turning drum, with a field, contact forces and a history."""
+    """Two lines that swing beside a rotating drum, with a field, contact forces and a history."""
     t = start + np.arange(outputs) * 0.5
     s = np.linspace(0, 60, nodes)
     x = np.zeros((outputs, nodes * len(lines), 3))
@@ -91,7 +91,7 @@ class Drawing(unittest.TestCase):
         cls.addClassCleanup(cls.browser.close)
 
     def show(self, path, name="page"):
-        """Opens a page with the model alone."""
+        """Opens a page with only the model."""
         page = Page(name)
         results = Results(path)
         page.model(results)

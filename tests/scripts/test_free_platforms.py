@@ -1,5 +1,5 @@
-"""Accounts of floating bodies that no line holds, by the program: the work of thrusters over an event of something else, and
-the forces by origin, which leave nothing for what is not there."""
+"""Energy accounts of floating bodies without lines: work of thrusters across an unrelated event, and forces by
+origin, which sum to the total."""
 import os
 import re
 import sys
@@ -13,7 +13,7 @@ sys.path.insert(0, str(ROOT / "scripts"))
 from hawser_post.results import Results  # noqa: E402
 
 HAWSER = os.environ.get("HAWSER", str(ROOT / "build/hawser"))
-# A body that thrusters hold moves, and a rope that has nothing to do with it is released.
+# A body held by thrusters moves, and an unrelated rope is released.
 POSITIONED = """\
 hawser: 1
 line_types:

@@ -1,4 +1,4 @@
-"""hawser check --radiation and its figure: of a spar, and of the VolturnUS-S where its files are beside the sources."""
+"""hawser check --radiation and its figure: for a spar, and for the VolturnUS-S if its files are available."""
 import csv
 import os
 import shutil
@@ -60,7 +60,7 @@ class Radiation(unittest.TestCase):
         self.assertIn("surge-surge", names)
         self.assertEqual(len(found["damping"]), len(found["added mass"]))
         self.assertEqual(len(found["damping"]), len(found["added mass by damping"]) + 1)
-        # K(0) = (2/pi) int B, by straight lines.
+        # K(0) = (2/pi) int B, by linear interpolation.
         omega, B = found["damping"][:, 0], found["damping"][:, 1:]
         whole = np.trapezoid(np.vstack([0 * B[:1], B]), np.append(0, omega), axis=0) if hasattr(np, "trapezoid") else np.trapz(
             np.vstack([0 * B[:1], B]), np.append(0, omega), axis=0)
@@ -87,8 +87,8 @@ class Radiation(unittest.TestCase):
         self.assertIn("this is no table of hawser check --radiation", self.hawser("plot", "mine.csv", "radiation").stderr)
 
     def test_volturnus(self):
-        """K(0) by an exact integral of the damping of the file, which is made passive when it is read: 0.2 %. A - A(inf) by a principal
-        value, 0.1 % of its largest."""
+        """K(0) by an exact integral of the file's damping, made passive as by the reader: 0.2 %. A - A(inf) by a
+        principal value, 0.1 % of its largest."""
         if not DATA.is_dir():
             self.skipTest(f"{DATA} is not there")
         for ending in (".1", ".hst"):

@@ -188,11 +188,8 @@ TEST(Waves, IsPotentialFlow) {
   }
 }
 
-// In-line force and moment on a pile of 1 m, Cd 1.2, Cm 2: closed forms of the integrals to the still water
-// (linear), and of the drag under the crest to the surface by three stretchings. The velocity at the surface
-// as well.
-// Under the still water rho du/dt = -grad p, in waves of several directions; at the surface and above it the
-// head is the elevation, on any depth.
+// Below the still water rho du/dt = -grad p, in waves of several directions; at the surface and above it the
+// head is the elevation, at any depth.
 TEST(Waves, HeadIsTheirPressure) {
   for (const double depth : {0.0, 15.0, 200.0}) {
     const std::vector<WaveComponent> sea = {{0.8, 0.6, 0, 1, 0, 0.3}, {0.4, 1.1, 0, 0.6, 0.8, 1.7}};
@@ -220,6 +217,8 @@ TEST(Waves, HeadIsTheirPressure) {
   }
 }
 
+// In-line force and moment on a pile of 1 m, Cd 1.2, Cm 2: closed forms of the integrals to the still water
+// (linear), and of the drag under the crest to the surface by three stretchings; also the surface velocity.
 TEST(Waves, ForceOnAPile) {
   struct Row {
     double height, period, depth, inertia, drag, moment_inertia, moment_drag, wheeler, constant;
